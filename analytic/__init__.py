@@ -1,0 +1,40 @@
+"""The production model: friction torque of a ball bearing from closed forms.
+
+    import analytic
+    scene = analytic.load_scene("bearing.toml")
+    balls = analytic.thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=scene.operation.axial_load)
+
+Names are imported on first use, so that a program pays only for what it calls.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from analytic.equilibrium import thrust_equilibrium
+    from analytic.hertz import hertz_contact
+    from analytic.scenefile import load_scene
+
+    __version__: str
+
+__all__ = ["__version__", "hertz_contact", "load_scene", "thrust_equilibrium"]
+
+_HOME = {
+    "hertz_contact": "analytic.hertz",
+    "load_scene": "analytic.scenefile",
+    "thrust_equilibrium": "analytic.equilibrium",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("fembearing")
+    if name in _HOME:
+        return getattr(import_module(_HOME[name]), name)
+    raise AttributeError(f"module 'analytic' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -1,0 +1,107 @@
+"""Where a ball meets a race: the geometry of one contact at a contact angle.
+
+The contact angle is measured from the radial plane; the contact's centre lies on the groove's profile at that angle.
+x runs along rolling, y along the groove's profile; a radius is positive where the race is convex (inner ring).
+Source: T. A. Harris and M. N. Kotzalas, Essential Concepts of Bearing Technology, 5th ed. (2007), section 2.
+"""
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.errors import InputError, require_non_negative
+from analytic.scene import Array, Bearing, Contact, Groove
+
+Race = Literal["inner", "outer"]
+
+
+def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
+    """(curvature_x, curvature_y) of ball on race, 1/m, each with the shape of contact_angle.
+
+    contact_angle : al, rad, in [0, pi/2]
+    curvature_x = 1/r + cos(al)/(d_m/2 - r cos(al)) on the inner race, 1/r - cos(al)/(d_m/2 + r cos(al)) on the outer
+    curvature_y = 1/r - 1/r_g
+    Raises InputError if contact_angle lies outside [0, pi/2] or the groove is no wider than the ball.
+    """
+    angle = _angle(contact_angle)
+    groove = _groove(bearing, race)
+    across = (groove.groove_radius - bearing.ball_radius) / (bearing.ball_radius * groove.groove_radius)
+    return 1 / bearing.ball_radius + _rolling_curvature(bearing, race, angle), np.full_like(angle, across)
+
+
+def shoulder_distance(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> Array:
+    """Room from the contact's centre to the nearer shoulder, on the plane tangent there, m; shape of contact_angle.
+
+    contact_angle : al, rad, in [0, pi/2]
+    The shoulder stands at the profile angle asin(w/r_g) from the groove's bottom, w the shoulder's half-width, so it is
+    r_g sin(asin(w/r_g) - al) away; below 0 the centre lies beyond the shoulder.
+    Raises InputError as race_curvatures does.
+    """
+    angle = _angle(contact_angle)
+    groove = _groove(bearing, race)
+    return groove.groove_radius * np.sin(np.arcsin(groove.shoulder_half_width / groove.groove_radius) - angle)
+
+
+def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_load: float) -> Contact:
+    """One ball on one race as the noun that an elastic solution takes.
+
+    contact_angle : al, rad, in [0, pi/2]
+    ball_load : Q, N, >= 0
+    Raises InputError if an argument is out of range, or if the contact's centre lies at or beyond the shoulder.
+    """
+    require_non_negative(ball_load=ball_load)
+    angle = _angle(contact_angle)
+    groove = _groove(bearing, race)
+    shoulder = float(shoulder_distance(bearing, race, contact_angle=angle))
+    if shoulder <= 0:
+        shoulder_angle = float(np.arcsin(groove.shoulder_half_width / groove.groove_radius))
+        raise InputError(
+            f"contact_angle {float(angle):.4f} rad is beyond the {race} race's shoulder at {shoulder_angle:.4f} rad "
+            f"(half-width {groove.shoulder_half_width!r} m of a groove of radius {groove.groove_radius!r} m): "
+            "lower the load, reduce the clearance or raise shoulder_half_width"
+        )
+    curvature = float(_rolling_curvature(bearing, race, angle))
+    return Contact(
+        pair=race,
+        ball_radius=bearing.ball_radius,
+        groove_radius=groove.groove_radius,
+        rolling_radius=1 / curvature,
+        shoulder=shoulder,
+        contact_angle=float(angle),
+        load=float(ball_load),
+        ball_material=bearing.ball_material,
+        race_material=groove.material,
+    )
+
+
+def _rolling_curvature(bearing: Bearing, race: Race, angle: Array) -> Array:
+    """Curvature of the race along rolling at the contact's centre, 1/m; positive on the inner race."""
+    cosine, sign = np.cos(angle), 1 if race == "inner" else -1
+    return sign * cosine / (bearing.pitch_diameter / 2 - sign * bearing.ball_radius * cosine)
+
+
+def _angle(contact_angle: ArrayLike) -> Array:
+    require_non_negative(contact_angle=contact_angle)
+    angle = np.asarray(contact_angle, dtype=np.float64)
+    if np.any(angle > np.pi / 2):
+        raise InputError(f"contact_angle must be at most pi/2 rad, got {float(angle.max())!r}; is it in degrees?")
+    return angle
+
+
+def _groove(bearing: Bearing, race: Race) -> Groove:
+    """The race's groove, refused where ball and rings leave no point contact to speak of."""
+    if race not in ("inner", "outer"):
+        raise InputError(f'race must be "inner" or "outer", got {race!r}')
+    groove = bearing.inner if race == "inner" else bearing.outer
+    if not groove.groove_radius > bearing.ball_radius > 0:
+        raise InputError(
+            f"{race} groove_radius {groove.groove_radius!r} m must exceed the ball radius {bearing.ball_radius!r} m: "
+            "at conformity 0.5 the contact is a line, not a point; usual are 0.51 to 0.54 ball diameters"
+        )
+    if not 0 < groove.shoulder_half_width < groove.groove_radius:
+        raise InputError(
+            f"{race} shoulder_half_width {groove.shoulder_half_width!r} m must lie between 0 and groove_radius "
+            f"{groove.groove_radius!r} m"
+        )
+    return groove

@@ -1,0 +1,70 @@
+"""Errors a user can act on; any other exception is a bug in fembearing."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+class FembearingError(Exception):
+    """Base of all of them; the command line prints it without a traceback."""
+
+
+class InputError(FembearingError, ValueError):
+    """A value the model cannot accept."""
+
+
+class ConvergenceError(FembearingError):
+    """An iteration that stopped short; the numbers stay readable."""
+
+    def __init__(
+        self,
+        *,
+        iterations: int,
+        residual: float,
+        tolerance: float,
+        unit: str = "N",
+        problem: str = "contact",
+        remedy: str = "Use more load steps or refine the contact zone.",
+    ) -> None:
+        self.iterations, self.residual, self.tolerance = iterations, residual, tolerance
+        super().__init__(
+            f"{problem} did not settle in {iterations} iterations: residual {residual:.1e} {unit}, "
+            f"tolerance {tolerance:.1e} {unit}. {remedy}"
+        )
+
+
+def require_finite(**values: ArrayLike) -> None:
+    """Raise InputError unless every element is a finite number, of any sign."""
+    for name, value in values.items():
+        array = _real(name, value)
+        _refuse(name, array, np.isfinite(array), "finite")
+
+
+def require_positive(**values: ArrayLike) -> None:
+    """Raise InputError unless every element is finite and above 0."""
+    for name, value in values.items():
+        array = _real(name, value)
+        _refuse(name, array, np.isfinite(array) & (array > 0), "positive and finite")
+
+
+def require_non_negative(**values: ArrayLike) -> None:
+    """Raise InputError unless every element is finite and at least 0."""
+    for name, value in values.items():
+        array = _real(name, value)
+        _refuse(name, array, np.isfinite(array) & (array >= 0), "at least 0 and finite")
+
+
+def _real(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    if np.iscomplexobj(value):
+        raise InputError(f"{name} must be a real number, got a complex one; check how it was computed")
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError) as problem:
+        raise InputError(f"{name} must be a number or an array of numbers in SI units, got {value!r:.80}") from problem
+
+
+def _refuse(name: str, array: NDArray[np.float64], holds: NDArray[np.bool_], limit: str) -> None:
+    if holds.all():
+        return
+    where = tuple(int(i) for i in np.argwhere(~holds)[0])
+    place = f" at index {list(where)}" if where else ""
+    raise InputError(f"{name} must be {limit}, got {float(array[where])!r}{place}; check its sign and its SI unit")

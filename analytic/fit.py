@@ -1,0 +1,124 @@
+"""Whether a bearing's parts fit together: rings, balls, shoulders and cage.
+
+Every check is plain geometry of the unloaded bearing; a preload of the size that elastic contacts can take fits.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from analytic.scene import Bearing, Cage, ContactAngle
+
+# Interference on the diameter, as a share of the ball diameter: several times what yields a steel race (about 0.8 %),
+# and room for plastic balls.
+LARGEST_PRELOAD = 0.05
+LARGEST_MASS_ERROR = 0.05  # a ball heavier or lighter than its volume by more is worth a word (rounded tables: 1 %)
+
+
+def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
+    """(dotted key, what is wrong with its value) for each impossible dimension of the bearing."""
+    ball = bearing.ball_diameter
+    sound = True
+    for name, ring in (("inner", bearing.inner), ("outer", bearing.outer)):
+        if not ring.groove_radius > ball / 2:
+            sound = False
+            yield (
+                f"bearing.{name}.groove_radius",
+                f"must exceed the ball radius {_mm(ball / 2)} (equal radii are a line contact); "
+                f"usual are {_mm(0.51 * ball)} to {_mm(0.54 * ball)}",
+            )
+        if not ring.shoulder_half_width < ring.groove_radius:
+            sound = False
+            yield f"bearing.{name}.shoulder_half_width", f"must be below groove_radius {_mm(ring.groove_radius)}"
+    if not sound:
+        return
+    if not bearing.outer.groove_radius < bearing.outer.bottom_radius:
+        yield "bearing.outer.groove_radius", f"must be below bottom_radius {_mm(bearing.outer.bottom_radius)}"
+    yield from _ring_misfits(bearing)
+    if bearing.ball_count > 1 and pitch_chord(bearing) < ball:
+        half_angle = np.arcsin(min(1.0, ball / bearing.pitch_diameter))
+        yield (
+            "bearing.ball_count",
+            f"leaves {_mm(pitch_chord(bearing))} from ball to ball, less than ball_diameter {_mm(ball)}; "
+            f"at most {int(np.pi / half_angle + 1e-9)} fit",
+        )
+
+
+def angle_misfits(bearing: Bearing, angle: ContactAngle) -> Iterator[tuple[str, str]]:
+    """The same for a contact angle that points beyond a shoulder."""
+    shoulder = min(
+        float(np.arcsin(ring.shoulder_half_width / ring.groove_radius)) for ring in (bearing.inner, bearing.outer)
+    )
+    for name, value in (("value", angle.value), ("free", angle.free)):
+        if value is not None and not value < shoulder:
+            yield f"bearing.contact_angle.{name}", f"must be below the shoulder's angle {shoulder:.4g} rad"
+
+
+def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overlap: bool) -> Iterator[tuple[str, str]]:
+    """The same for the cage around the bearing's balls; pocket is the key that set the pocket's diameter."""
+    diameter, chord = cage.pocket_diameter, pitch_chord(bearing)
+    if not diameter > bearing.ball_diameter:
+        yield f"cage.{pocket}", f"must exceed ball_diameter {_mm(bearing.ball_diameter)}; usual is 0.1 to 0.3 mm more"
+    if not cage.pocket_depth <= diameter / 2:
+        yield "cage.pocket_depth", f"must be at most half of the pocket diameter, {_mm(diameter / 2)}"
+    if not cage.wall_thickness < cage.pocket_depth:
+        yield "cage.wall_thickness", f"must be below the pocket depth {_mm(cage.pocket_depth)}"
+    if bearing.ball_count > 1 and not pockets_may_overlap:
+        if not diameter < chord:
+            yield (
+                f"cage.{pocket}",
+                f"makes neighbouring pockets overlap: their diameter {_mm(diameter)} must be below the pitch chord "
+                f"d_m sin(pi/Z) = {_mm(chord)}",
+            )
+        elif not cage.wall_thickness <= chord - diameter:
+            yield "cage.wall_thickness", f"must be at most the web between pockets, {_mm(chord - diameter)}"
+
+
+def doubts(bearing: Bearing, cage: Cage | None) -> Iterator[str]:
+    """Warnings: what is possible and yet unlikely to be meant."""
+    expected = bearing.ball_material.density * np.pi / 6 * bearing.ball_diameter**3
+    if abs(bearing.ball_mass - expected) > LARGEST_MASS_ERROR * expected:
+        yield (
+            f"bearing.ball_mass {bearing.ball_mass * 1e3:.4g} g is not that of a solid ball of "
+            f"{bearing.ball_material.name}, {expected * 1e3:.4g} g: was it left behind when the ball was changed?"
+        )
+    if cage is not None and bearing.ball_count > 1 and not cage.pocket_diameter < pitch_chord(bearing):
+        yield (
+            f"cage.pocket_diameter {_mm(cage.pocket_diameter)} is not below the pitch chord "
+            f"{_mm(pitch_chord(bearing))}: neighbouring pockets overlap, no such cage can be made"
+        )
+
+
+def pitch_chord(bearing: Bearing) -> float:
+    """d_m sin(pi/Z): from ball centre to ball centre, m; 0 for one ball."""
+    return bearing.pitch_diameter * float(np.sin(np.pi / bearing.ball_count))
+
+
+def _ring_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
+    clearance, distance = bearing.diametral_clearance, bearing.groove_centre_distance
+    if clearance < -LARGEST_PRELOAD * bearing.ball_diameter:
+        yield (
+            "bearing.outer.bottom_radius",
+            f"leaves {_mm(bearing.outer.bottom_radius - bearing.inner.bottom_radius)} between the grooves "
+            f"for a ball of {_mm(bearing.ball_diameter)}; a preload takes at most {LARGEST_PRELOAD:.0%} of the ball",
+        )
+    if not clearance < 2 * distance:
+        yield (
+            "bearing.outer.bottom_radius",
+            f"leaves a diametral clearance of {_mm(clearance)}, which must be below 2 (r_gi + r_go - D) = "
+            f"{_mm(2 * distance)}: no contact angle closes it",
+        )
+    inner_land, outer_land = (
+        ring.bottom_radius + sign * (ring.groove_radius - np.sqrt(ring.groove_radius**2 - ring.shoulder_half_width**2))
+        for ring, sign in ((bearing.inner, 1), (bearing.outer, -1))
+    )
+    if not inner_land < outer_land:
+        yield (
+            "bearing.inner.shoulder_half_width",
+            f"and that of the outer ring raise the shoulders to radii {_mm(inner_land)} and {_mm(outer_land)}: "
+            "the rings touch",
+        )
+
+
+def _mm(length: float) -> str:
+    return f"{length * 1e3:.6g} mm"

@@ -1,0 +1,147 @@
+"""Hertz point contact: two smooth elastic bodies pressed together without friction.
+
+Assumes linear elasticity, a contact small against every radius of curvature, and a gap that is
+a paraboloid (z = curvature_x x^2/2 + curvature_y y^2/2). x runs along rolling, y across it;
+either semi-axis may be the longer. A curvature is positive where the body is convex.
+Source: K. L. Johnson, Contact Mechanics (1985), section 4.2; elliptic integrals in the forms of
+B. C. Carlson, Numerical Algorithms 10 (1995) 13-26, and NIST DLMF sections 19.2 and 19.25.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.special import ellipkm1, elliprd
+
+from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.scene import Array, Contact, Material
+
+# Newton converges quadratically with |error_next| < 0.03 error^2, so a step below this leaves less than round-off.
+LAST_STEP = 1e-7
+# The start is at most 1.8 from the root for any ratio up to 1e12; four steps reach round-off, the rest is margin.
+MOST_STEPS = 20
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class HertzContact:
+    """The contact of one or many pairs of bodies; every field has the broadcast shape of the arguments."""
+
+    semi_axis_x: Array  # along rolling, m
+    semi_axis_y: Array  # across rolling, m
+    peak_pressure: Array  # p0, at the centre, Pa
+    approach: Array  # delta, of two points far inside the bodies, m
+    stiffness: Array  # K = load / approach^1.5, N/m^1.5; finite at zero load too
+
+
+def hertz_contact(
+    *, curvature_x: ArrayLike, curvature_y: ArrayLike, load: ArrayLike, modulus: ArrayLike
+) -> HertzContact:
+    """Size, pressure and approach of an elliptic contact; all arguments broadcast.
+
+    curvature_x, curvature_y : relative curvatures 1/R summed over both bodies, along and across rolling, 1/m, > 0
+    load : Q, N, >= 0 (at 0 the sizes, the pressure and the approach are 0)
+    modulus : E*, with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, Pa (E' = 2 E* of the film formulas is another quantity)
+
+    With s the semi-axis ratio squared (minor over major), K(m), D(m) = (K - E)/m and B(m) = K - D at m = 1 - s:
+        B/(s D) = larger over smaller curvature
+        major^3 = 3 Q D/(pi E* smaller curvature),  minor = sqrt(s) major
+        p0 = 3 Q/(2 pi major minor),  delta = 3 Q K/(2 pi E* major)
+    Curvature ratios from 1 (a circle, exactly) to 1e6 agree with 50-digit arithmetic to 1e-14.
+    Raises InputError if an argument is negative, zero (load excepted), not finite, or if shapes do not broadcast.
+    """
+    require_positive(curvature_x=curvature_x, curvature_y=curvature_y, modulus=modulus)
+    require_non_negative(load=load)
+    try:
+        along, across, force, stiff = np.broadcast_arrays(
+            *(np.asarray(value, dtype=np.float64) for value in (curvature_x, curvature_y, load, modulus)), subok=False
+        )
+    except ValueError as problem:
+        shapes = ", ".join(str(np.shape(value)) for value in (curvature_x, curvature_y, load, modulus))
+        raise InputError(
+            f"curvature_x, curvature_y, load, modulus have shapes {shapes}: give equal lengths"
+        ) from problem
+    log_ratio = np.log(
+        np.asarray(curvature_x) / np.asarray(curvature_y)
+    )  # before broadcasting: solved once per geometry
+    squared_ratio = _squared_axis_ratio(np.abs(log_ratio))
+    integral_k = ellipkm1(squared_ratio)
+    integral_d = elliprd(0.0, squared_ratio, 1.0) / 3
+
+    # Sizes at unit load, then powers of the load: finite stiffness and no 0/0 at zero load.
+    root = np.cbrt(force)
+    major = np.cbrt(3 * integral_d / (np.pi * stiff * np.minimum(along, across)))
+    minor = np.sqrt(squared_ratio) * major
+    approach = 3 * integral_k / (2 * np.pi * stiff * major)
+    x_is_minor = log_ratio >= 0
+    return HertzContact(
+        semi_axis_x=root * np.where(x_is_minor, minor, major),
+        semi_axis_y=root * np.where(x_is_minor, major, minor),
+        peak_pressure=root * 3 / (2 * np.pi * major * minor),
+        approach=root**2 * approach,
+        stiffness=approach**-1.5,
+    )
+
+
+def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:
+    """s = (minor/major)^2 for ln(larger/smaller curvature) >= 0, by Newton in t = -ln s.
+
+    ln of the curvature ratio is an increasing convex function of t with slope 3/4 (circle) to 1 (line), so
+    the root lies between 1 and 4/3 of it, and Newton kept in that bracket cannot fail.
+    The start s = ratio^(-4/pi) is Hamrock and Brewe's fit, J. Lubr. Tech. 105 (1983) 171.
+    """
+    t, largest = 4 / np.pi * log_curvature_ratio, np.inf
+    for _ in range(MOST_STEPS):
+        s = np.exp(-t)
+        integral_d = elliprd(0.0, s, 1.0) / 3
+        ratio = (ellipkm1(s) - integral_d) / (s * integral_d)
+        with np.errstate(divide="ignore", invalid="ignore"):  # 0/0 at the circle, where the slope is 3/4 to within t^2
+            slope = np.where(t < 1e-4, 0.75, 1.5 + (ratio - 1) / (2 * np.expm1(-t)) * (1 / ratio + s))
+        step = (log_curvature_ratio - np.log(ratio)) / slope
+        t = np.clip(t + step, log_curvature_ratio, 4 / 3 * log_curvature_ratio)
+        largest = float(np.max(np.abs(step), initial=0.0))
+        if largest < LAST_STEP:
+            return np.exp(-t)
+    raise ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=largest,
+        tolerance=LAST_STEP,
+        unit="of ln(a/b)^2",
+        problem="the ellipse",
+        remedy="Check that the curvatures are of ordinary size.",
+    )
+
+
+def contact_modulus(first: Material, second: Material) -> float:
+    """E* of two bodies in contact, Pa: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Johnson 1985, eq. 3.15b).
+
+    Raises InputError if a Young's modulus is not positive or a Poisson ratio lies outside [-1, 0.5].
+    """
+    for material in (first, second):
+        require_positive(youngs_modulus=material.youngs_modulus)
+        if not -1 <= material.poisson_ratio <= 0.5:
+            raise InputError(
+                f"poisson_ratio of {material.name} must lie in [-1, 0.5], got {material.poisson_ratio!r}; "
+                "metals have about 0.3"
+            )
+    return 1 / sum((1 - body.poisson_ratio**2) / body.youngs_modulus for body in (first, second))
+
+
+def relative_curvatures(contact: Contact) -> tuple[float, float]:
+    """(curvature_x, curvature_y) of a ball in a groove, 1/m: 1/r + 1/rolling_radius and 1/r - 1/groove_radius.
+
+    Raises InputError if a radius is not positive (the rolling radius: zero), if the groove is no wider than the ball
+    (conformity 0.5 is a line contact), or if a concave race is no larger than the ball along rolling.
+    """
+    ball, groove, rolling = contact.ball_radius, contact.groove_radius, contact.rolling_radius
+    require_positive(ball_radius=ball, groove_radius=groove)
+    if not groove > ball:
+        raise InputError(
+            f"groove_radius {groove!r} m must exceed ball_radius {ball!r} m: at conformity 0.5 the contact is a line, "
+            "not a point; bearings have groove_radius of 1.02 to 1.08 ball radii"
+        )
+    if not (rolling > 0 or rolling < -ball):  # refuses NaN too
+        raise InputError(
+            f"rolling_radius must be positive (inner race) or below -ball_radius = {-ball!r} m (outer race), "
+            f"got {rolling!r} m"
+        )
+    return 1 / ball + 1 / rolling, (groove - ball) / (ball * groove)

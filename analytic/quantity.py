@@ -1,0 +1,115 @@
+"""A quantity as a person writes it, `"7.94 mm"`, and as the model takes it, 0.00794.
+
+Only `number unit` is read: the number by its own grammar, the unit as a product of names with one-digit powers.
+Nothing else reaches pint, which would evaluate an expression. Degrees and revolutions count as angles here, and a
+radian is not a pure number: `"100 Hz"` is no angular speed.
+"""
+
+import re
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cache
+from math import isfinite
+
+import pint
+from pydantic_core import CoreSchema, core_schema
+
+NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
+FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)-?\d)?"
+UNIT = rf"(?:1 */ *)?{FACTOR}(?: *[*/·] *{FACTOR}| +{FACTOR})*"
+QUANTITY = re.compile(rf" *({NUMBER}) *({UNIT}) *", re.ASCII)
+LONGEST = 80  # characters; keeps every match short
+
+
+@dataclass(frozen=True, kw_only=True)
+class Dimension:
+    """What a key accepts: a unit in SI, the closed range in that unit, and an example to show."""
+
+    unit: str  # SI; "" for a pure number, which is written without a unit (or in percent)
+    low: float
+    high: float
+    example: str  # as written in the file, quotes included
+
+    @property
+    def accepted(self) -> str:
+        """The sentence that ends every complaint."""
+        bounds = f"{self.low:g} to {self.high:g} {self.unit}".strip()
+        return f"give {bounds}, for example {self.example}"
+
+    @property
+    def _kind(self) -> str:
+        return f"in a unit like {self.unit}" if self.unit else "a pure number"
+
+    def __get_pydantic_core_schema__(self, _source: object, _handler: object) -> CoreSchema:
+        """Lets `Annotated[float, Dimension(...)]` be a field of a table."""
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def read(self, given: object) -> float:
+        """The value in SI. Raises ValueError, saying what is wrong and what would be accepted."""
+        value = self._in_si(given)
+        if not isfinite(value):
+            raise ValueError(f"is not finite; {self.accepted}")
+        if not self.low <= value <= self.high:
+            raise ValueError(f"is out of range; {self.accepted}")
+        return value
+
+    def _in_si(self, given: object) -> float:
+        if isinstance(given, bool) or not isinstance(given, str | int | float):
+            raise ValueError(f"is not a quantity; {self.accepted}")
+        if isinstance(given, int | float):
+            if self.unit:
+                raise ValueError(f"has no unit; {self.accepted}")
+            try:
+                return float(given)
+            except OverflowError:
+                raise ValueError(f"is too large; {self.accepted}") from None
+        match = QUANTITY.fullmatch(given) if len(given) <= LONGEST else None
+        if match is None:
+            raise ValueError(f"is not a number and a unit{self._hint(given)}; {self.accepted}")
+        number, unit = Decimal(match[1]), _unit(match[2])
+        if unit is None:
+            raise ValueError(f"has the unknown unit {match[2]!r}; {self.accepted}")
+        wanted = _unit(self.unit) if self.unit else _registry().Unit("percent")
+        if wanted is None or _roots(unit) != _roots(wanted):
+            raise ValueError(f"is not {self._kind}; {self.accepted}")
+        try:
+            return float(_registry().Quantity(number, unit).to(self.unit or "dimensionless").magnitude)
+        except (pint.PintError, ArithmeticError):
+            raise ValueError(f"is not {self._kind}; {self.accepted}") from None
+
+    def _hint(self, given: str) -> str:
+        if re.fullmatch(rf"\s*{NUMBER}\s*", given[:LONGEST]):
+            return " (no quotes around a pure number)" if not self.unit else " (the unit is missing)"
+        if re.match(r"\s*[+-]?\d+,\d", given[:LONGEST]):
+            return " (write a decimal point)"
+        return ""
+
+
+@cache
+def _registry() -> pint.UnitRegistry:
+    # Decimal: "7.94 mm" is 0.00794 to the last digit. Pint's annotation names float alone, its manual Decimal too.
+    return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]
+
+
+def _unit(text: str) -> pint.Unit | None:
+    """The product of the unit's factors, None where a name is unknown."""
+    product = _registry().Unit("dimensionless")
+    inverse, known = False, True
+    for token in re.findall(rf"{FACTOR}|[/*·]|1", text, re.ASCII):
+        if token in "/*·1":
+            inverse = token == "/"
+            continue
+        name, _, power = token.replace("**", "^").partition("^")
+        try:
+            factor = _registry().Unit("percent" if name == "%" else name)
+        except (pint.PintError, AttributeError, TypeError, ValueError):
+            known = False
+            break
+        product = product * factor ** (int(power or 1) * (-1 if inverse else 1))
+        inverse = False
+    return product if known else None
+
+
+def _roots(unit: pint.Unit) -> pint.Unit:
+    """The unit in roots (metre, gram, second, kelvin, radian ...): equal for equal dimensions, angles kept apart."""
+    return _registry().get_root_units(unit)[1]

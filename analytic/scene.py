@@ -1,0 +1,141 @@
+"""The nouns of a bearing problem: what it is made of, how it is run, what is asked.
+
+Every field is an SI float (m, kg, N, Pa, rad, rad/s); units live in `analytic.scenefile` alone.
+Axes of a contact: z along the load, x along rolling, y transverse (along the groove's
+profile), origin at the contact's centre. A radius is positive where the body is convex.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Pair = Literal["inner", "outer", "pocket"]
+SpinRule = Literal["balanced", "inner_control", "outer_control"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Material:
+    """An isotropic elastic solid."""
+
+    name: str
+    youngs_modulus: float  # E, Pa
+    poisson_ratio: float  # nu
+    density: float  # kg/m^3
+    source: str  # where the numbers come from
+
+
+@dataclass(frozen=True, kw_only=True)
+class Groove:
+    """The raceway of one ring: a torus, with a flat land beyond each shoulder."""
+
+    bottom_radius: float  # bearing axis to the bottom of the groove, m
+    groove_radius: float  # r_g, of the groove's profile, m
+    shoulder_half_width: float  # middle of the groove to each shoulder, along the axis, m
+    material: Material
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cage:
+    """The ball cage: a sheet with a spherical pocket around each ball."""
+
+    pocket_diameter: float  # D_p, m
+    pocket_depth: float  # k, m
+    wall_thickness: float  # m
+    mass: float  # kg
+    material: Material
+
+
+@dataclass(frozen=True, kw_only=True)
+class Bearing:
+    """A deep-groove or angular-contact ball bearing."""
+
+    name: str
+    ball_count: int  # Z
+    ball_diameter: float  # D, m
+    ball_mass: float  # kg
+    ball_material: Material
+    inner: Groove
+    outer: Groove
+
+    @property
+    def ball_radius(self) -> float:
+        return self.ball_diameter / 2
+
+    @property
+    def pitch_diameter(self) -> float:
+        """d_m: the mean of the two groove-bottom diameters, m."""
+        return self.inner.bottom_radius + self.outer.bottom_radius
+
+    @property
+    def diametral_clearance(self) -> float:
+        """P_d: radial play of the unloaded rings, on the diameter, m; negative is preload."""
+        return 2 * (self.outer.bottom_radius - self.inner.bottom_radius - self.ball_diameter)
+
+    @property
+    def groove_centre_distance(self) -> float:
+        """A_0 = r_gi + r_go - D: groove centre to groove centre when both races touch the ball, m."""
+        return self.inner.groove_radius + self.outer.groove_radius - self.ball_diameter
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactAngle:
+    """Where the contact angle comes from.
+
+    `given`: `value` is the loaded angle. `solved`: the angle follows from the load, starting
+    at `free`, or where that is None at the angle that the clearance leaves.
+    """
+
+    rule: Literal["solved", "given"]
+    value: float | None = None  # rad
+    free: float | None = None  # rad
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Operation:
+    """The operating points of a series; every array has the same shape (n,)."""
+
+    axial_load: Array  # N
+    inner_speed: Array  # rad/s, the outer ring stands still
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Scene:
+    """One question: this bearing, run this way, to this accuracy."""
+
+    name: str
+    tolerance: float  # relative
+    bearing: Bearing
+    contact_angle: ContactAngle
+    operation: Operation
+    cage: Cage | None = None  # None: no cage term and no pocket contact
+    friction_coefficient: float | None = None  # mu at every race contact, until a model gives it
+    hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: not known
+    spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races
+    effects: Mapping[str, Literal["auto", "on", "off"]] = field(default_factory=lambda: MappingProxyType({}))
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contact:
+    """A ball pressed into a groove: all that an elastic solution needs to know.
+
+    `rolling_radius` is the groove's radius along rolling at the contact's centre: positive on
+    the inner ring (convex), negative on the outer (concave).
+    `shoulder` is the distance from the contact's centre to the nearer shoulder, on the plane
+    tangent at that centre.
+    """
+
+    pair: Pair
+    ball_radius: float  # m
+    groove_radius: float  # r_g, m
+    rolling_radius: float  # m, signed
+    shoulder: float  # m
+    contact_angle: float  # rad
+    load: float  # N
+    ball_material: Material
+    race_material: Material

@@ -1,0 +1,286 @@
+"""Scene files: `ball_diameter = "7.94 mm"` in TOML is 0.00794 (m) in Python.
+
+`analytic.tables` lists the keys. Every complaint is one line that names the key, the value, and what would be accepted.
+"""
+
+import os
+import re
+import reprlib
+import tomllib
+from collections.abc import Iterator
+from difflib import get_close_matches
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, get_args
+
+import numpy as np
+from pydantic import ValidationError
+from pydantic.fields import FieldInfo
+
+from analytic import catalog, fit
+from analytic.errors import InputError
+from analytic.quantity import Dimension
+from analytic.scene import Array, Bearing, Cage, ContactAngle, Groove, Material, Operation, Scene
+from analytic.tables import CageTable, GrooveTable, MaterialTable, OperationTable, SceneTable, Table
+
+LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
+# Keys of a scene have at most four parts; the TOML parser's memory grows with the square of their number.
+LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
+MOST_FAULTS = 5  # shown at once; the rest are counted
+
+
+def load_scene(path: str | os.PathLike[str]) -> Scene:
+    """The scene that a TOML file describes.
+
+    Raises InputError, in one line, for a file that cannot be read, is too large or is not TOML, and for every key that
+    is unknown, missing, without its unit, out of range or at odds with the other keys.
+    """
+    origin = _plain(os.fspath(path))
+    try:
+        with Path(path).open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+        if len(content) > LARGEST_FILE:
+            raise InputError(f"{origin}: more than {LARGEST_FILE} bytes; a scene file is short text in TOML")
+        text = content.decode("utf-8-sig")
+    except OSError as problem:
+        known = ", ".join(catalog.names("scenes"))
+        raise InputError(
+            f"{origin}: {problem.strerror or 'cannot be read'}; give the path of a scene file (built in: {known})"
+        ) from problem
+    except UnicodeDecodeError as problem:
+        raise InputError(f"{origin}: byte {problem.start} is not UTF-8; save the scene file as UTF-8 text") from problem
+    except ValueError as problem:  # a path with a null character; InputError is one too
+        raise problem if isinstance(problem, InputError) else InputError(f"{origin}: not a path") from problem
+    return parse_scene(text, origin=origin)
+
+
+def builtin_scene(name: str) -> Path:
+    """The path of a scene that ships with the package, for load_scene. Raises InputError for an unknown name."""
+    known = catalog.names("scenes")
+    if name not in known:
+        raise InputError(
+            f"no built-in scene {_shown(name)}; give one of {', '.join(known)}, or the path of a scene file"
+        )
+    return catalog.path("scenes", name)
+
+
+def parse_scene(text: str, *, origin: str) -> Scene:
+    """The scene that TOML text describes; origin names it in messages. Raises InputError as load_scene does."""
+    long_key = LONG_KEY.search(text)
+    if long_key:
+        raise InputError(f"{origin}: {_shown(long_key[0])} has too many parts; keys of a scene have at most four")
+    try:
+        document = tomllib.loads(text)
+    except (ValueError, RecursionError) as problem:  # ValueError: TOMLDecodeError, dates and integers out of range
+        reason = "nested too deep" if isinstance(problem, RecursionError) else " ".join(str(problem).split())
+        raise InputError(f"{origin}: not TOML: {reason}") from problem
+    faults = _take_catalog(document)
+    if not faults:
+        try:
+            table = SceneTable.model_validate(document)
+        except ValidationError as problem:
+            faults = [_fault(document, dict(fault)) for fault in problem.errors(include_url=False)]
+        else:
+            faults = list(_conflicts(document, table))
+            if not faults:
+                scene, misfits = _scene(table)
+                faults = [_complaint(document, key, problem) for key, problem in misfits]
+                if not faults:
+                    return scene
+    more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
+    raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
+
+
+def _take_catalog(document: dict[str, Any]) -> list[str]:
+    """Put the catalog's bearing and cage under the document's own keys; return the faults."""
+    bearing, cage = document.get("bearing"), document.get("cage")
+    entry: dict[str, Any] = {}
+    if isinstance(bearing, dict) and "catalog" in bearing:
+        known = catalog.names("bearings")
+        if bearing["catalog"] not in known:
+            problem = f"is not in the catalog; give one of {', '.join(known)}, or leave it out and give every dimension"
+            return [_complaint(document, "bearing.catalog", problem)]
+        entry = catalog.entry("bearings", bearing["catalog"])
+    catalog_cage = entry.pop("cage", {})
+    variants = catalog_cage.pop("variants", {})
+    if isinstance(bearing, dict):
+        document["bearing"] = _overlaid(entry, bearing)
+    if isinstance(cage, dict):
+        own_pocket = [key for key in cage if key.startswith("pocket_")]
+        if "variant" in cage:
+            if cage["variant"] not in tuple(variants):
+                known = f"give one of {', '.join(variants)}" if variants else "this bearing has none"
+                return [_complaint(document, "cage.variant", f"is not a variant of the cage; {known}")]
+            if own_pocket:
+                return [_complaint(document, f"cage.{own_pocket[0]}", "comes with cage.variant; leave out one of them")]
+            cage = variants[cage["variant"]] | cage
+        if "pocket_clearance" in cage or "pocket_diameter" in cage:
+            catalog_cage.pop("pocket_clearance", None)
+        document["cage"] = catalog_cage | cage
+    return []
+
+
+def _overlaid(entry: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
+    """The entry with the given keys in place of its own; the rings key by key."""
+    merged = entry | given
+    for ring in ("inner", "outer"):
+        if isinstance(entry.get(ring), dict) and isinstance(given.get(ring), dict):
+            merged[ring] = entry[ring] | given[ring]
+    return merged
+
+
+def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
+    """Keys that are right alone and wrong together."""
+    angle, cage, operation = table.bearing.contact_angle, table.cage, document["operation"]
+    if angle.rule == "given" and not angle.value:
+        yield 'bearing.contact_angle.value must be above 0 with rule = "given", for example "0.18 rad"'
+    elif angle.rule == "given" and angle.free is not None:
+        yield _complaint(document, "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out')
+    if angle.rule == "solved" and angle.value is not None:
+        yield _complaint(
+            document, "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
+        )
+    lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list)}
+    if len(set(lengths.values())) > 1:
+        counts = " and ".join(f"operation.{key} has {count}" for key, count in lengths.items())
+        yield f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
+    if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
+        yield "cage needs exactly one of pocket_clearance and pocket_diameter"
+    if cage is None and table.effects.cage == "on":
+        yield _complaint(document, "effects.cage", "needs a table [cage]; give one, or leave the effect out")
+
+
+def _scene(table: SceneTable) -> tuple[Scene, list[tuple[str, str]]]:
+    """The nouns, and what does not fit together in them."""
+    given = table.bearing
+    bearing = Bearing(
+        name=given.name,
+        ball_count=given.ball_count,
+        ball_diameter=given.ball_diameter,
+        ball_mass=given.ball_mass,
+        ball_material=_material(given.ball_material),
+        inner=_groove(given.inner),
+        outer=_groove(given.outer),
+    )
+    angle = ContactAngle(**given.contact_angle.model_dump())
+    misfits = list(fit.bearing_misfits(bearing))
+    cage = None
+    if not misfits:
+        misfits += fit.angle_misfits(bearing, angle)
+        if table.cage is not None:
+            cage = _cage(table.cage, bearing)
+            pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
+            variant = table.cage.variant is not None
+            misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=variant)
+    scene = Scene(
+        name=table.name,
+        tolerance=table.tolerance,
+        bearing=bearing,
+        contact_angle=angle,
+        operation=_operation(table.operation),
+        cage=cage,
+        friction_coefficient=None if table.friction is None else table.friction.coefficient,
+        effects=MappingProxyType(table.effects.model_dump()),
+        warnings=tuple(fit.doubts(bearing, cage)),
+    )
+    return scene, misfits
+
+
+def _groove(given: GrooveTable) -> Groove:
+    return Groove(**given.model_dump(exclude={"material"}), material=_material(given.material))
+
+
+def _cage(given: CageTable, bearing: Bearing) -> Cage:
+    diameter = given.pocket_diameter or bearing.ball_diameter + (given.pocket_clearance or 0.0)
+    return Cage(
+        pocket_diameter=diameter,
+        pocket_depth=diameter / 2 if given.pocket_depth is None else given.pocket_depth,
+        wall_thickness=given.wall_thickness,
+        mass=given.mass,
+        material=_material(given.material),
+    )
+
+
+def _operation(given: OperationTable) -> Operation:
+    loads, speeds = np.broadcast_arrays(np.array(given.axial_load), np.array(given.inner_speed))
+    return Operation(axial_load=_frozen(loads), inner_speed=_frozen(speeds))
+
+
+def _frozen(values: Array) -> Array:
+    values = values.copy()
+    values.flags.writeable = False
+    return values
+
+
+def _material(given: MaterialTable) -> Material:
+    return Material(**given.model_dump())
+
+
+def _fault(document: dict[str, Any], fault: dict[str, Any]) -> str:
+    """One of pydantic's complaints in the words of this module."""
+    key, table, field = _address(document, fault["loc"])
+    if fault["type"] == "missing":
+        return f"{key} is missing; {_accepted(field)}"
+    shown = f"{key} = {_shown(fault['input'])}"
+    match fault["type"]:
+        case "extra_forbidden":
+            known = list(table.model_fields)
+            near = get_close_matches(str(fault["loc"][-1]), known, n=1)
+            return f"{shown} is an unknown key; " + (
+                f"did you mean {near[0]}?" if near else f"known: {', '.join(known)}"
+            )
+        case "value_error":
+            return f"{shown} {fault['ctx']['error']}"
+        case "literal_error":
+            return f"{shown} is not a word known here; give {fault['ctx']['expected']}"
+        case _:  # the tables leave only one other: not a table
+            return f"{shown} is not a table; {_accepted(field)}"
+
+
+def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple[str, type[Table], FieldInfo | None]:
+    """The dotted key of a place in the document, the table it stands in, and its field (None for an unknown key)."""
+    key, node, inside, table, field = "", document, SceneTable, SceneTable, None
+    for part in location:
+        if isinstance(part, int):
+            if isinstance(node, list):  # a single quantity is a list to pydantic, but not in the file
+                key, node = f"{key}[{part}]", node[part]
+            continue
+        table, field = inside, inside.model_fields.get(part)
+        key = f"{key}.{_plain(part)}" if key else _plain(part)
+        node = node.get(part) if isinstance(node, dict) else None
+        for kind in (field.annotation, *get_args(field.annotation)) if field else ():
+            if isinstance(kind, type) and issubclass(kind, Table):
+                inside = kind
+    return key, table, field
+
+
+def _accepted(field: FieldInfo | None) -> str:
+    """What the field takes, in words."""
+    for note in field.metadata if field else ():
+        if isinstance(note, Dimension):
+            return note.accepted
+    return (field.description if field else None) or "leave it out"
+
+
+def _complaint(document: dict[str, Any], key: str, problem: str) -> str:
+    """The key with the value it has in the file or the catalog, and what is wrong with it."""
+    value: Any = document
+    for part in key.split("."):
+        value = value.get(part) if isinstance(value, dict) else None
+    return f"{key} {problem}" if value is None else f"{key} = {_shown(value)} {problem}"
+
+
+def _shown(value: object) -> str:
+    """A value from the file on one line of bounded length."""
+    brief = reprlib.Repr()
+    brief.maxstring = brief.maxother = 60
+    brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
+    try:
+        return brief.repr(value)
+    except ValueError:  # Python refuses to write out integers of thousands of digits
+        return "a number of thousands of digits"
+
+
+def _plain(text: str) -> str:
+    """Text as it is, quoted where it would break the line."""
+    return text if text.isprintable() and len(text) <= 200 else _shown(text)

@@ -1,0 +1,131 @@
+"""What a scene file may hold: one class a table, one field a key.
+
+A key that is not here is refused, a key without a default must be given. Values come out in SI.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+
+from analytic import catalog
+from analytic.quantity import Dimension
+
+
+def _text(given: object) -> str:
+    if not isinstance(given, str) or not given.strip() or len(given) > 200 or not given.isprintable():
+        raise ValueError("is not a name; give printable text of 1 to 200 characters")
+    return given
+
+
+def _count(given: object) -> int:
+    if isinstance(given, bool) or not isinstance(given, int) or not 1 <= given <= 1000:
+        raise ValueError("is not a count; give a whole number from 1 to 1000, for example 9")
+    return given
+
+
+def _series(given: object) -> list[object]:
+    if given == []:
+        raise ValueError("is empty; give a quantity or a list of them")
+    return given if isinstance(given, list) else [given]
+
+
+def _material(given: object) -> object:
+    if isinstance(given, dict):
+        return given
+    known = catalog.names("materials")
+    if given not in known:
+        raise ValueError(f"is not a material; give one of {', '.join(known)}, or a table with youngs_modulus and so on")
+    return catalog.entry("materials", str(given))
+
+
+Text = Annotated[str, BeforeValidator(_text), Field(description="give a name")]
+Count = Annotated[int, BeforeValidator(_count), Field(description="give a whole number, for example 9")]
+Length = Annotated[float, Dimension(unit="m", low=1e-5, high=10, example='"7.94 mm"')]
+Gap = Annotated[float, Dimension(unit="m", low=1e-9, high=10, example='"0.2 mm"')]
+Mass = Annotated[float, Dimension(unit="kg", low=1e-12, high=1e4, example='"2.04 g"')]
+Angle = Annotated[float, Dimension(unit="rad", low=0, high=1.5, example='"0.18 rad"')]
+Force = Annotated[float, Dimension(unit="N", low=1e-15, high=1e12, example='"1000 N"')]
+Speed = Annotated[float, Dimension(unit="rad/s", low=-1e6, high=1e6, example='"300 rpm"')]
+Decision = Literal["auto", "on", "off"]
+
+
+class Table(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class MaterialTable(Table):
+    name: Text = "unnamed"
+    youngs_modulus: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e13, example='"206 GPa"')]
+    poisson_ratio: Annotated[float, Dimension(unit="", low=0, high=0.49999, example="0.3")]
+    density: Annotated[float, Dimension(unit="kg/m^3", low=1, high=3e4, example='"7850 kg/m^3"')]
+    source: Text = "the scene file"
+
+
+MaterialEntry = Annotated[
+    MaterialTable, BeforeValidator(_material), Field(description='give a material, for example "steel"')
+]
+
+
+class GrooveTable(Table):
+    bottom_radius: Length
+    groove_radius: Length
+    shoulder_half_width: Length
+    material: MaterialEntry
+
+
+class ContactAngleTable(Table):
+    rule: Literal["solved", "given"] = Field(description='give "solved" or "given"')
+    value: Angle | None = None
+    free: Angle | None = None
+
+
+class BearingTable(Table):
+    catalog: Text | None = None  # whose dimensions stand where no other is given
+    name: Text = Field(description='give a name, or take a bearing of the catalog with catalog = "6205"')
+    ball_count: Count
+    ball_diameter: Length
+    ball_mass: Mass
+    ball_material: MaterialEntry
+    inner: GrooveTable = Field(description="give a table [bearing.inner] with bottom_radius and so on")
+    outer: GrooveTable = Field(description="give a table [bearing.outer] with bottom_radius and so on")
+    contact_angle: ContactAngleTable = Field(
+        description='give { rule = "solved" }, { rule = "solved", free = "0.18 rad" } '
+        'or { rule = "given", value = "0.18 rad" }'
+    )
+
+
+class CageTable(Table):
+    variant: Text | None = None  # of the catalog's cage
+    pocket_clearance: Gap | None = None  # pocket diameter minus ball diameter
+    pocket_diameter: Length | None = None
+    pocket_depth: Length | None = None  # half the pocket diameter where it is not given
+    wall_thickness: Length
+    mass: Mass
+    material: MaterialEntry
+
+
+class OperationTable(Table):
+    axial_load: Annotated[list[Force], BeforeValidator(_series)] = Field(description='give for example "1000 N"')
+    inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
+
+
+class FrictionTable(Table):
+    coefficient: Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
+
+
+class EffectsTable(Table):
+    spin: Decision = "auto"
+    conformity: Decision = "auto"
+    hysteresis: Decision = "auto"
+    rolling: Decision = "auto"
+    cage: Decision = "auto"
+
+
+class SceneTable(Table):
+    name: Text
+    tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
+    bearing: BearingTable = Field(description='give a table [bearing] with catalog = "6205" or every dimension')
+    operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")
+    cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
+    friction: FrictionTable | None = Field(default=None, description="give a table [friction] with coefficient")
+    effects: EffectsTable = Field(default=EffectsTable(), description='give a table [effects] of "auto", "on", "off"')

@@ -1,0 +1,253 @@
+"""The command line. Exit status: 0 done and within tolerance, 1 done but a check failed,
+2 the input is at fault, 3 could not be solved to the asked accuracy.
+"""
+
+import json
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from enum import StrEnum
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+from rich.table import Table
+
+from analytic.errors import ConvergenceError, FembearingError, InputError
+from analytic.quantity import Dimension
+from analytic.scene import Scene
+from analytic.scenefile import builtin_scene, load_scene
+
+if TYPE_CHECKING:  # the solver takes a second to import: only the commands that solve pay for it
+    from fembearing.compare.discrepancy import ContactSolution
+    from fembearing.compare.verdict import Verdict
+
+DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
+BUILTIN = "6205"
+TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
+LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
+
+app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
+out, err = Console(), Console(stderr=True)
+
+
+class Race(StrEnum):
+    inner = "inner"
+    outer = "outer"
+
+
+class GeometryName(StrEnum):
+    real = "real"
+    hertzian = "hertzian"
+
+
+ScenePath = Annotated[
+    Path | None, typer.Argument(metavar="[SCENE]", help="Scene file, TOML; the built-in 6205 without it.")
+]
+Tolerance = Annotated[str | None, typer.Option(help='Asked accuracy, for example "1 %"; the scene\'s without it.')]
+AsJson = Annotated[bool, typer.Option("--json", help="Machine-readable result on standard output, nothing else there.")]
+Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N"; from the scene without it.')]
+Geometry = Annotated[GeometryName, typer.Option(help="True shapes, or the idealisation whose exact answer is Hertz.")]
+
+
+def main() -> None:
+    """Run the command line; a user's mistake is one line, anything else is our bug and keeps its traceback."""
+    try:
+        app()
+    except ConvergenceError as problem:
+        typer.echo(f"fembearing: {problem}", err=True)
+        sys.exit(NOT_SOLVED)
+    except FembearingError as problem:
+        typer.echo(f"fembearing: {problem}", err=True)
+        sys.exit(INPUT_AT_FAULT)
+
+
+@app.callback()
+def about() -> None:
+    """Friction and contact of a ball bearing: closed forms, checked by finite elements."""
+
+
+@app.command(epilog='Example: fembearing validate bearing.toml --tolerance "1 %" --json')
+def validate(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJson = False) -> None:
+    """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
+    given = _scene(scene)
+    asked = _tolerance(tolerance, given)
+    from fembearing.compare.validation import validate as run
+
+    with _progress() as report:
+        result = run(given, tolerance=asked, progress=report)
+    if as_json:
+        _print_json(result.to_json())
+    else:
+        for contact in result.contacts:
+            _print_contact(contact)
+        _print_warnings(result.scene.warnings)
+        out.print(f"{result.verdict}: tolerance {result.tolerance:g}, {result.seconds:.1f} s", highlight=False)
+    raise typer.Exit(_status(result.verdict))
+
+
+@app.command(epilog='Example: fembearing contact --pair outer --load "620 N" --geometry hertzian')
+def contact(
+    scene: ScenePath = None,
+    pair: Annotated[Race, typer.Option(help="Which contact.")] = Race.inner,
+    load: Load = None,
+    geometry: Geometry = GeometryName.real,
+    tolerance: Tolerance = None,
+    as_json: AsJson = False,
+) -> None:
+    """Solve one contact and set Hertz beside it."""
+    given = _scene(scene)
+    asked = _tolerance(tolerance, given)
+    force = _load(load)
+    from fembearing.compare.discrepancy import solve_contact
+
+    with _progress() as report:
+        result = solve_contact(
+            given, pair=pair.value, load=force, tolerance=asked, geometry=geometry.value, progress=report
+        )
+    if as_json:
+        _print_json(result.to_json())
+    else:
+        _print_contact(result)
+    from fembearing.compare.verdict import worst
+
+    raise typer.Exit(_status(worst(result.verdicts.values())))
+
+
+@app.command(epilog="Example: fembearing mesh --pair inner --level 2 --out meshes-of-the-inner-race")
+def mesh(
+    folder: Annotated[Path, typer.Option("--out", help="Folder for the .vtu files; made if it is missing.")],
+    scene: ScenePath = None,
+    pair: Annotated[Race, typer.Option(help="Which contact.")] = Race.inner,
+    geometry: Geometry = GeometryName.real,
+    level: Annotated[int | None, typer.Option(help="Level of the recipe; its finest without it.")] = None,
+    load: Load = None,
+    as_json: AsJson = False,
+) -> None:
+    """Write the two meshes of a contact and report their worst cells."""
+    given = _scene(scene)
+    force = _load(load)
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"--out {folder}: is a file, a folder is wanted")
+    from dataclasses import asdict
+
+    from fembearing.compare.discrepancy import RECIPES, contact_of
+    from fembearing.fem.guess import expected_semi_axes
+    from fembearing.mesh.bodies import pair_mesh
+    from fembearing.mesh.meshfile import write_body
+    from fembearing.mesh.quality import mesh_quality
+    from fembearing.mesh.recipe import load_recipe
+
+    recipe = load_recipe(RECIPES[geometry.value])
+    chosen = recipe.levels[-1] if level is None else level
+    if chosen not in recipe.levels:
+        raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
+    found = contact_of(given, pair=pair.value, load=force)
+    bodies = pair_mesh(found, recipe=recipe, level=chosen, semi_axes=expected_semi_axes(found))
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        written = {}
+        for side, body in (("upper", bodies.upper), ("lower", bodies.lower)):
+            path = folder / f"{pair}-{geometry}-{side}.vtu"
+            write_body(path, body)
+            written[str(path)] = asdict(mesh_quality(body.mesh)) | {"body": body.name}
+    except OSError as problem:
+        raise InputError(f"--out {folder}: {problem.strerror}") from problem
+    if as_json:
+        _print_json({"pair": pair.value, "geometry": geometry.value, "level": chosen, "meshes": written})
+        return
+    table = Table("file", "body", "cells", "nodes", "least det J/mean", "there x, y, z, mm", box=SIMPLE_HEAD)
+    for path, quality in written.items():
+        place = ", ".join(f"{1e3 * part:.3g}" for part in quality["worst_place"])
+        share = f"{quality['least_determinant']:.3f}"
+        table.add_row(path, quality["body"], str(quality["cells"]), str(quality["nodes"]), share, place)
+    out.print(table)
+
+
+def _scene(path: Path | None) -> Scene:
+    return load_scene(builtin_scene(BUILTIN) if path is None else path)
+
+
+def _tolerance(given: str | None, scene: Scene) -> float:
+    return scene.tolerance if given is None else _read("--tolerance", TOLERANCE, given)
+
+
+def _load(given: str | None) -> float | None:
+    return None if given is None else _read("--load", LOAD, given)
+
+
+def _read(option: str, dimension: Dimension, given: str) -> float:
+    try:
+        number: object = float(given)  # an option is text, a pure number too
+    except ValueError:
+        number = given
+    try:
+        return dimension.read(number)
+    except ValueError as problem:
+        raise InputError(f"{option} {given!r} {problem}") from None
+
+
+def _status(found: "Verdict") -> int:
+    return {"pass": DONE, "fail": CHECK_FAILED, "outside validity": CHECK_FAILED, "undecided": NOT_SOLVED}[found]
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[float, str], None]]:
+    """A bar on standard error with the time left; silent where that is no terminal."""
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task("starting", total=1.0)
+        yield lambda share, step: bar.update(task, completed=share, description=step)
+
+
+def _print_json(content: dict[str, Any]) -> None:
+    typer.echo(json.dumps(content, indent=1, allow_nan=False))
+
+
+SHOWN = {
+    "approach": ("approach, um", 1e6),
+    "semi_axis_rolling": ("semi-axis rolling, mm", 1e3),
+    "semi_axis_transverse": ("semi-axis transverse, mm", 1e3),
+    "peak_pressure": ("peak pressure, GPa", 1e-9),
+    "stiffness": ("stiffness, GN/m^1.5", 1e-9),
+}
+
+
+def _print_contact(contact: "ContactSolution") -> None:
+    noun = contact.contact
+    table = Table(
+        title=f"Ball on {noun.pair} race, {contact.geometry}: {noun.load:.4g} N at {noun.contact_angle:.4f} rad",
+        title_justify="left",
+        box=SIMPLE_HEAD,
+        padding=(0, 1, 0, 0),
+    )
+    for head in ("quantity", "Hertz", "FE", "Hertz/FE-1", "+-", "order", "verdict"):
+        table.add_column(head, justify="left" if head in ("quantity", "verdict") else "right", no_wrap=True)
+    for name, (words, factor) in SHOWN.items():
+        part, discrepancy = contact.estimates[name], contact.discrepancy[name]
+        table.add_row(
+            words,
+            f"{getattr(contact.hertz, name) * factor:.5g}",
+            f"{part.value * factor:.5g}",
+            f"{discrepancy:+.2%} {'*' if abs(discrepancy) > part.total else ' '}",
+            f"{part.total:.2%}",
+            "none" if part.order is None else f"{part.order:.1f}",
+            contact.verdicts[name],
+        )
+    out.print(table)
+    out.print(
+        "x along rolling, y transverse, z along the load. FE: finite elements; +-: their numerical uncertainty, 95 %; "
+        "*: the difference exceeds it; order: observed on the meshes.\n"
+        f"{contact.rung}, {contact.seconds:.1f} s\n",
+        style="dim",
+        highlight=False,
+    )
+    _print_warnings(contact.warnings)
+
+
+def _print_warnings(warnings: tuple[str, ...]) -> None:
+    for warning in warnings:
+        typer.echo(f"fembearing: warning: {warning}", err=True)

@@ -1,0 +1,1 @@
+"""The comparison: production formulas against finite elements, with uncertainty, price and verdict."""

@@ -1,0 +1,238 @@
+"""One contact both ways: Hertz's closed forms and finite elements on the meshed bodies."""
+
+import resource
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+
+from analytic.contact import Race, race_contact
+from analytic.equilibrium import thrust_equilibrium
+from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
+from analytic.scene import Contact, Scene
+from fembearing.compare.uncertainty import Estimate, estimate
+from fembearing.compare.verdict import Verdict, verdict, worst
+from fembearing.fem.measure import Quantities
+from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
+from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
+
+RECIPES: dict[Geometry, str] = {"real": "race", "hertzian": "hertzian"}
+LARGER_DOMAIN = 1.5  # the far boundary moves out this much to see what it does
+EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
+
+ENOUGH = 0.2  # mesh uncertainty, as a share of the tolerance, at which no finer mesh is called for
+FEWEST = 3  # meshes
+
+Progress = Callable[[float, str], None]
+
+
+def silent(_share: float, _step: str) -> None:
+    """Progress that nobody watches."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ContactSolution:
+    """A contact by production formula and by finite elements.
+
+    Quantities are those of `Quantities`; estimates, discrepancies and verdicts are keyed by their names.
+    """
+
+    contact: Contact
+    geometry: Geometry
+    tolerance: float
+    hertz: Quantities
+    estimates: dict[str, Estimate]
+    meshes: tuple[MeshSolution, ...]  # coarse to fine
+    seconds: float
+    warnings: tuple[str, ...]
+    valid: bool
+
+    @property
+    def reference(self) -> Quantities:
+        return self.meshes[-1].quantities
+
+    @property
+    def discrepancy(self) -> dict[str, float]:
+        """Production over reference minus one."""
+        return {name: getattr(self.hertz, name) / part.value - 1 for name, part in self.estimates.items()}
+
+    @property
+    def verdicts(self) -> dict[str, Verdict]:
+        return {
+            name: verdict(
+                discrepancy=self.discrepancy[name],
+                uncertainty=part.total,
+                tolerance=self.tolerance,
+                ordered=part.order is not None,
+                spread=(max(part.values) - min(part.values)) / abs(part.value),
+                valid=self.valid,
+            )
+            for name, part in self.estimates.items()
+        }
+
+    @property
+    def rung(self) -> str:
+        return f"finite elements, {self.geometry}, {self.meshes[-1].unknowns} unknowns"
+
+    def to_json(self) -> dict[str, Any]:
+        """The contact as plain types; SI, discrepancies and uncertainties relative."""
+        return {
+            "pair": self.contact.pair,
+            "geometry": self.geometry,
+            "load": self.contact.load,
+            "contact_angle": self.contact.contact_angle,
+            "fe": asdict(self.reference),
+            "uncertainty": {name: part.total for name, part in self.estimates.items()},
+            "hertz": asdict(self.hertz),
+            "discrepancy": self.discrepancy,
+            "verdict": worst(self.verdicts.values()),
+            "rung": self.rung,
+            "convergence": {
+                name: {
+                    "values": list(part.values),
+                    "order": part.order,
+                    "richardson": part.richardson,
+                    "mesh": part.mesh,
+                    "domain": part.domain,
+                }
+                for name, part in self.estimates.items()
+            },
+            "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": peak_memory()},
+            "warnings": list(self.warnings),
+        }
+
+
+def solve_contact(
+    scene: Scene,
+    *,
+    pair: Race,
+    load: float | None = None,
+    tolerance: float | None = None,
+    geometry: Geometry = "real",
+    progress: Progress = silent,
+) -> ContactSolution:
+    """Solve one contact of a scene by finite elements and set Hertz beside it.
+
+    load : of the ball, N; the scene's largest unless given
+    tolerance : relative, for the verdict; the scene's unless given
+    geometry : "real", or "hertzian" for the idealisation whose exact answer is Hertz
+    progress : called with the share done, 0 to 1, and a word on the step at hand
+    Raises InputError for a contact that cannot be meshed, ConvergenceError for one that does not settle.
+    """
+    contact = contact_of(scene, pair=pair, load=load)
+    return compare_contact(
+        contact,
+        recipe=load_recipe(RECIPES[geometry]),
+        tolerance=scene.tolerance if tolerance is None else tolerance,
+        progress=progress,
+    )
+
+
+def contact_of(scene: Scene, *, pair: Race, load: float | None = None) -> Contact:
+    """The contact of a scene that carries most: at its operating point of largest ball load, or at `load`, N."""
+    balls = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=scene.operation.axial_load)
+    point = int(np.argmax(balls.ball_load))
+    return race_contact(
+        scene.bearing,
+        pair,
+        contact_angle=float(balls.contact_angle[point]),
+        ball_load=float(balls.ball_load[point]) if load is None else load,
+    )
+
+
+def compare_contact(
+    contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent
+) -> ContactSolution:
+    """Solve `contact` on ever finer levels of `recipe` until the tolerance asks for no more.
+
+    At least three levels are solved. On the last but one the far boundary of blocks is moved out as well,
+    to see what it does.
+    """
+    start = time.perf_counter()
+    work = np.cumsum([level**3 for level in (*recipe.levels[: FEWEST + 1],)])
+    progress(0.0, f"{contact.pair}: size of the contact")
+    semi_axes = fitted_semi_axes(contact, recipe=recipe)
+    meshes: list[MeshSolution] = []
+    mesh_part: dict[str, Estimate] = {}
+    for number, level in enumerate(recipe.levels):
+        progress(min(work[max(number - 1, 0)] / work[-1], 0.95), f"{contact.pair}: mesh {number + 1}")
+        meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes))
+        if len(meshes) < FEWEST:
+            continue
+        mesh_part = estimates_of(meshes)
+        if max(part.mesh for part in mesh_part.values()) <= ENOUGH * tolerance:
+            break
+    progress(0.95, f"{contact.pair}: larger domain")
+    middle = meshes[-2]
+    larger = solve_on_mesh(
+        contact,
+        recipe=recipe,
+        level=middle.level,
+        semi_axes=semi_axes,
+        extent=LARGER_DOMAIN * recipe.domain.extent,
+        upper=middle.upper,
+    )
+    estimates = {
+        name: replace(part, domain=abs(getattr(larger.quantities, name) / getattr(middle.quantities, name) - 1))
+        for name, part in mesh_part.items()
+    }
+    overrun = EDGE_OF_GROOVE * meshes[-1].quantities.semi_axis_transverse > contact.shoulder
+    warnings = _warnings(contact, meshes[-1], estimates, overrun)
+    return ContactSolution(
+        contact=contact,
+        geometry=recipe.geometry,
+        tolerance=tolerance,
+        hertz=hertz_quantities(contact),
+        estimates=estimates,
+        meshes=tuple(meshes),
+        seconds=time.perf_counter() - start,
+        warnings=warnings,
+        valid=not (overrun and recipe.geometry == "real"),
+    )
+
+
+def estimates_of(meshes: Sequence[MeshSolution]) -> dict[str, Estimate]:
+    """Each quantity on its finest mesh with its mesh uncertainty."""
+    sizes = [1 / mesh.level for mesh in meshes]
+    return {
+        part.name: estimate([getattr(mesh.quantities, part.name) for mesh in meshes], sizes)
+        for part in fields(Quantities)
+    }
+
+
+def hertz_quantities(contact: Contact) -> Quantities:
+    """What the production model says of a contact."""
+    curvature_x, curvature_y = relative_curvatures(contact)
+    found = hertz_contact(
+        curvature_x=curvature_x,
+        curvature_y=curvature_y,
+        load=contact.load,
+        modulus=contact_modulus(contact.ball_material, contact.race_material),
+    )
+    return Quantities(
+        semi_axis_rolling=float(found.semi_axis_x),
+        semi_axis_transverse=float(found.semi_axis_y),
+        peak_pressure=float(found.peak_pressure),
+        approach=float(found.approach),
+        stiffness=float(found.stiffness),
+    )
+
+
+def peak_memory() -> int:
+    """Largest resident memory of this process so far, bytes."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+
+
+def _warnings(contact: Contact, finest: MeshSolution, estimates: dict[str, Estimate], overrun: bool) -> tuple[str, ...]:
+    found = []
+    if overrun:
+        found.append(
+            f"{contact.pair}: the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across, the "
+            f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz; lower the load or the contact angle"
+        )
+    unordered = [name for name, part in estimates.items() if part.order is None]
+    if unordered:
+        found.append(f"{contact.pair}: the meshes disagree without order in {', '.join(unordered)}")
+    return tuple(found)

@@ -1,0 +1,33 @@
+"""The verdict on one quantity: does the production value stay within the tolerance of the reference?"""
+
+from collections.abc import Iterable
+from typing import Literal
+
+Verdict = Literal["pass", "fail", "undecided", "outside validity"]
+AGREE = 0.1  # meshes without order still agree when they differ by less than this share of the tolerance
+
+
+def verdict(
+    *, discrepancy: float, uncertainty: float, tolerance: float, ordered: bool, spread: float, valid: bool = True
+) -> Verdict:
+    """All arguments relative.
+
+    ordered : the meshes converge with an observed order
+    spread : largest difference between the meshes
+    valid : the contact is one that the production formula is made for
+    """
+    if not valid:
+        return "outside validity"
+    if not ordered and spread > AGREE * tolerance:
+        return "undecided"
+    if abs(discrepancy) + uncertainty <= tolerance:
+        return "pass"
+    if abs(discrepancy) - uncertainty > tolerance:
+        return "fail"
+    return "undecided"
+
+
+def worst(verdicts: Iterable[Verdict]) -> Verdict:
+    """The one that a person must act on first."""
+    order: tuple[Verdict, ...] = ("fail", "outside validity", "undecided", "pass")
+    return min(verdicts, key=order.index)

@@ -1,0 +1,128 @@
+"""Static condensation: a body reduced to what its contact nodes feel.
+
+With unit normal forces f on the touching nodes and the far-field displacement that belongs to a
+load Q, the touching nodes move by compliance @ f + drift * Q along the direction of their force.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import cho_factor, cho_solve
+from scipy.sparse import csr_matrix, hstack, triu, vstack
+from scipy.sparse.linalg import splu
+
+try:
+    from pypardiso import PyPardisoSolver
+except ImportError:  # other processors than x86-64 have no MKL
+    PyPardisoSolver = None
+
+from analytic.scene import Material
+from fembearing.fem.elasticity import scalar_basis, stiffness
+from fembearing.fem.farfield import pressed_ellipse
+from fembearing.mesh.bodies import BodyMesh
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CondensedBody:
+    compliance: Array  # (m, m) m/N, symmetric
+    drift: Array  # (m,) m/N
+    unknowns: int
+
+
+def condense(body: BodyMesh, *, material: Material, force: Array, semi_axes: tuple[float, float]) -> CondensedBody:
+    """Reduce a body to its touching nodes.
+
+    force : (3, m) unit vectors along which the contact pushes this body
+    semi_axes : of the pressure whose far field holds the body, m
+    """
+    system = held_stiffness(body, material=material, semi_axes=semi_axes)
+    push = system.forces(body.touching, force)
+    solve = _by_superlu if PyPardisoSolver is None else _by_pardiso
+    compliance, drift = solve(system.matrix, push, system.far_force)
+    return CondensedBody(compliance=(compliance + compliance.T) / 2, drift=drift, unknowns=system.free.size)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class HeldBody:
+    """The equations of one body after its held degrees of freedom are taken out."""
+
+    matrix: csr_matrix  # (n, n) N/m
+    far_force: Array  # (n,) force on the free ones from the far field of a unit load
+    free: NDArray[np.intp]  # (n,) degrees of freedom
+    held: NDArray[np.intp]
+    held_displacement: Array  # of a unit load, m/N
+    nodes: int
+
+    def forces(self, nodes: NDArray[np.intp], direction: Array) -> csr_matrix:
+        """(n, m): unit forces on `nodes` along `direction` (3, m)."""
+        count = nodes.size
+        rows = np.concatenate([nodes + axis * self.nodes for axis in range(3)])
+        full = csr_matrix((direction.ravel(), (rows, np.tile(np.arange(count), 3))), shape=(3 * self.nodes, count))
+        return full[self.free]
+
+
+def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float, float]) -> HeldBody:
+    """Assemble a body and hold its planes of symmetry and its far boundary."""
+    matrix = stiffness(scalar_basis(body.mesh), material)
+    count = body.mesh.doflocs.shape[1]
+    displacement = np.zeros((3, count))
+    is_held = np.zeros((3, count), dtype=bool)
+    for axis, plane in enumerate(body.planes):
+        is_held[axis, plane] = True
+    is_held[:, body.far] = True
+    x, y, z = body.mesh.doflocs[:, body.far]
+    side = 1.0 if z.size and z.min() >= 0 else -1.0
+    displacement[:, body.far] = pressed_ellipse(x, y, side * z, semi_axes=semi_axes, material=material)
+    displacement[2] *= side
+    held, free = np.flatnonzero(is_held), np.flatnonzero(~is_held)
+    rows = matrix[free]
+    held_displacement = displacement.ravel()[held]
+    return HeldBody(
+        matrix=rows[:, free],
+        far_force=-(rows[:, held] @ held_displacement),
+        free=free,
+        held=held,
+        held_displacement=held_displacement,
+        nodes=count,
+    )
+
+
+def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array]:
+    """push.T K^-1 push and push.T K^-1 far_force from one factorisation.
+
+    PARDISO eliminates all but the degrees of freedom that `push` acts on and one more, which stands
+    for the amplitude of the far field, and returns the dense stiffness that is left.
+    """
+    size = matrix.shape[0]
+    touched = np.flatnonzero(np.diff(push.indptr))
+    scale = matrix.diagonal().max() / np.abs(far_force).max() if far_force.any() else 1.0  # one size with the matrix
+    column = csr_matrix(far_force[:, None] * -scale)
+    corner = csr_matrix([[matrix.diagonal().max()]])  # it only has to be there: it is never eliminated
+    upper = triu(vstack([hstack([matrix, column]), hstack([csr_matrix((1, size)), corner])]), format="csr")
+    upper.sort_indices()
+    keep = np.append(touched, size)
+    assert PyPardisoSolver is not None
+    solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
+    for number, value in ((1, 1), (2, 2), (10, 8), (36, 1)):  # own settings, METIS, pivot 1e-8, Schur complement
+        solver.set_iparm(number, value)
+    solver.perm = np.zeros(size + 1, dtype=np.int32)
+    solver.perm[keep] = 1
+    solver.set_phase(12)
+    # pypardiso has no public call that hands out a Schur complement: its own `factorize` gives PARDISO a vector
+    dense = solver._call_pardiso(upper, np.zeros(max(size + 1, keep.size**2)))[: keep.size**2]
+    solver.free_memory(everything=True)
+    left = dense.reshape(keep.size, keep.size)
+    factor = cho_factor(left[:-1, :-1])
+    here = push[touched].toarray()
+    moved = cho_solve(factor, np.column_stack([here, left[:-1, -1] / -scale]))
+    return here.T @ moved[:, :-1], here.T @ moved[:, -1]
+
+
+def _by_superlu(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array]:
+    """The same from one solution for each touching node."""
+    factor = splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+    moved = factor.solve(np.column_stack([push.toarray(), far_force]))
+    return push.T @ moved[:, :-1], push.T @ moved[:, -1]

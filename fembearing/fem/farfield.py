@@ -1,0 +1,41 @@
+"""The displacement of a half space far from a load: what a block of finite size is held by.
+
+Half space at depth > 0, load pushing into it. A fixed far face would be stiff by per cents at forty
+contact radii; this one is exact to the moments of the pressure.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.scene import Material
+
+Array = NDArray[np.float64]
+
+
+def point_load(x: Array, y: Array, depth: Array, *, material: Material) -> Array:
+    """Displacement under a unit load at the origin, (3, ...), m/N; the third component points into the body.
+
+    Source: Boussinesq; K. L. Johnson, Contact Mechanics (1985), section 3.2.
+    """
+    ratio = material.poisson_ratio
+    scale = (1 + ratio) / (2 * np.pi * material.youngs_modulus)
+    distance = np.sqrt(x**2 + y**2 + depth**2)
+    sideways = scale * (depth / distance**3 - (1 - 2 * ratio) / (distance * (distance + depth)))
+    inwards = scale * (depth**2 / distance**3 + 2 * (1 - ratio) / distance)
+    return np.array([sideways * x, sideways * y, inwards])
+
+
+def pressed_ellipse(x: Array, y: Array, depth: Array, *, semi_axes: tuple[float, float], material: Material) -> Array:
+    """Displacement under a unit load spread as sqrt(1 - x^2/a^2 - y^2/b^2), (3, ...), m/N.
+
+    The pressure is replaced by 32 point loads with the same moments: four Gauss points along the
+    radius times eight angles. Only points outside the ellipse are meant.
+    """
+    points, weights = np.polynomial.legendre.leggauss(4)
+    height, weights = (points + 1) / 2, weights / 2  # height = sqrt(1 - rho^2) makes the integrand a polynomial
+    displacement = np.zeros((3, *np.shape(x)))
+    for rho, weight in zip(np.sqrt(1 - height**2), 3 * weights * height**2, strict=True):
+        for angle in (np.arange(8) + 0.5) * np.pi / 4:
+            shift_x, shift_y = semi_axes[0] * rho * np.cos(angle), semi_axes[1] * rho * np.sin(angle)
+            displacement += weight / 8 * point_load(x - shift_x, y - shift_y, depth, material=material)
+    return displacement

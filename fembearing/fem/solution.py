@@ -1,0 +1,129 @@
+"""One contact solved on one mesh."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.errors import ConvergenceError
+from analytic.scene import Contact
+from fembearing.fem.condensation import CondensedBody, condense
+from fembearing.fem.contact import press
+from fembearing.fem.elasticity import surface_mass
+from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.measure import Quantities, nodal_pressure, peak_pressure, semi_axis
+from fembearing.mesh.bodies import PairMesh, pair_mesh
+from fembearing.mesh.recipe import Recipe
+
+Array = NDArray[np.float64]
+QUARTERS = 4  # a mesh is a quarter of the contact
+GOOD_GUESS = 0.05  # a mesh this far off its ellipse changes no quantity by more than its own discretisation error
+MOST_GUESSES = 6
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MeshSolution:
+    """A contact on one mesh. Node arrays run over the nodes that may touch, of a quarter."""
+
+    contact: Contact
+    level: int
+    pair: PairMesh
+    quantities: Quantities
+    x: Array  # (m,) along rolling, m
+    y: Array  # (m,) transverse, m
+    force: Array  # (m,) normal force on the quarter, N
+    pressure: Array  # (m,) Pa
+    unknowns: int
+    rounds: int  # of the active set
+    upper: CondensedBody
+
+    @property
+    def semi_axes(self) -> tuple[float, float]:
+        return self.quantities.semi_axis_rolling, self.quantities.semi_axis_transverse
+
+
+def solve_on_mesh(
+    contact: Contact,
+    *,
+    recipe: Recipe,
+    level: int,
+    semi_axes: tuple[float, float],
+    extent: float | None = None,
+    upper: CondensedBody | None = None,
+) -> MeshSolution:
+    """Solve a contact on one level of a recipe, the mesh made for an ellipse of `semi_axes` (m).
+
+    extent : far boundary of blocks in major semi-axes; the recipe's unless given
+    upper : the ball's condensation where it is known for this level and ellipse: `extent` does not change a ball
+    Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not settle.
+    """
+    pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extent=extent)
+    upper, lower = _condensed(contact, pair, upper)
+    x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
+    lever = -pair.normal[2]
+    force, approach, rounds = press(
+        compliance=upper.compliance + lower.compliance,
+        drift=QUARTERS * (upper.drift + lower.drift),
+        gap=pair.gap,
+        lever=lever,
+        load=contact.load / QUARTERS,
+        start=(x / semi_axes[0]) ** 2 + (y / semi_axes[1]) ** 2 < 1,
+    )
+    along_load = force * lever
+    measured = semi_axis(x, along_load), semi_axis(y, along_load)
+    mass = surface_mass(pair.upper.mesh, pair.upper.touching)
+    pressure = nodal_pressure(force, mass)
+    quantities = Quantities(
+        semi_axis_rolling=measured[0],
+        semi_axis_transverse=measured[1],
+        peak_pressure=peak_pressure(x, y, pressure, np.asarray(mass.sum(axis=1)).ravel(), semi_axes=measured),
+        approach=approach,
+        stiffness=contact.load / approach**1.5,
+    )
+    return MeshSolution(
+        contact=contact,
+        level=level,
+        pair=pair,
+        quantities=quantities,
+        x=x,
+        y=y,
+        force=force,
+        pressure=pressure,
+        unknowns=upper.unknowns + lower.unknowns,
+        rounds=rounds,
+        upper=upper,
+    )
+
+
+def fitted_semi_axes(
+    contact: Contact, *, recipe: Recipe, guess: tuple[float, float] | None = None
+) -> tuple[float, float]:
+    """Semi-axes, m, that size the meshes of a contact: measured on the coarsest mesh until they fit it.
+
+    guess : to start from, m; its own unless given
+    Raises ConvergenceError if the ellipse keeps running away from its mesh.
+    """
+    semi_axes = expected_semi_axes(contact) if guess is None else guess
+    misfit = np.inf
+    for _ in range(MOST_GUESSES):
+        measured = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=semi_axes).semi_axes
+        misfit = max(abs(new / old - 1) for new, old in zip(measured, semi_axes, strict=True))
+        semi_axes = measured
+        if misfit < GOOD_GUESS:
+            return semi_axes
+    raise ConvergenceError(
+        iterations=MOST_GUESSES,
+        residual=misfit,
+        tolerance=GOOD_GUESS,
+        unit="of a semi-axis",
+        problem="the size of the contact",
+        remedy="Lower the load, or check the groove radius and the materials.",
+    )
+
+
+def _condensed(contact: Contact, pair: PairMesh, upper: CondensedBody | None) -> tuple[CondensedBody, CondensedBody]:
+    if upper is None or pair.upper.name != "ball":
+        upper = condense(pair.upper, material=contact.ball_material, force=-pair.normal, semi_axes=pair.semi_axes)
+    if pair.upper.name == pair.lower.name and contact.ball_material == contact.race_material:
+        return upper, upper  # two half spaces of one material are mirror images
+    return upper, condense(pair.lower, material=contact.race_material, force=pair.normal, semi_axes=pair.semi_axes)

@@ -1,0 +1,216 @@
+"""The bodies of a contact as meshes: half space, octant of a ball, block of a grooved ring.
+
+Both bodies of a pair are meshed over the same patch, so their contact nodes face each other:
+a ball's node and the race's node where the ball's normal meets the race.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem import MeshHex2
+
+from analytic.errors import InputError
+from analytic.scene import Contact
+from fembearing.mesh.patch import (
+    NODE,
+    PatchMesh,
+    contact_zone,
+    depth_lines,
+    far_square,
+    outside_share,
+    patch_mesh,
+)
+from fembearing.mesh.recipe import Cells, Recipe
+
+Array = NDArray[np.float64]
+Nodes = NDArray[np.intp]
+BodyName = Literal["ball", "race", "half space"]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BodyMesh:
+    """One body's mesh and the sets of nodes that carry conditions."""
+
+    name: BodyName
+    mesh: MeshHex2  # positions in m, frame of `fembearing.mesh`
+    touching: Nodes  # (m,) nodes that may come into contact, in the same order in both bodies
+    surface: Nodes  # all nodes of the loaded surface
+    far: Nodes  # nodes that carry the far-field displacement; none in the ball
+    planes: tuple[Nodes, Nodes, Nodes]  # nodes with u_x = 0, u_y = 0, u_z = 0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PairMesh:
+    """Two bodies, the gap between them and the direction in which they touch."""
+
+    upper: BodyMesh
+    lower: BodyMesh
+    gap: Array  # (m,) along the normal, m
+    normal: Array  # (3, m) unit vectors out of the upper body
+    semi_axes: tuple[float, float]  # along rolling and transverse, m: where the mesh expects the edge
+
+
+def pair_mesh(
+    contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float], extent: float | None = None
+) -> PairMesh:
+    """Mesh both bodies of a contact on one level of a recipe.
+
+    semi_axes : expected semi-axes along rolling and transverse, m; they size the mesh
+    extent : far boundary of blocks, in major semi-axes; the recipe's unless given
+    Raises InputError if the bodies cannot be meshed at that size.
+    """
+    reach = (recipe.domain.extent if extent is None else extent) * max(semi_axes)
+    if recipe.geometry == "hertzian":
+        return _half_spaces(contact, recipe, level, semi_axes, reach)
+    return _ball_on_race(contact, recipe, level, semi_axes, min(reach, 0.7 * abs(contact.rolling_radius)))
+
+
+def _half_spaces(
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float
+) -> PairMesh:
+    patch = patch_mesh(_cells(recipe, level, growth=reach / min(semi_axes)))
+    x, y = plane = _plane(patch, recipe, semi_axes, reach)
+    lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=reach)
+    flat = np.zeros_like(x)
+    upper = _body("half space", patch, _stack(patch, plane, flat, lines, reach))
+    lower = _body("half space", patch, _stack(patch, plane, flat, lines, -reach))
+    curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius
+    curvature_y = 1 / contact.ball_radius - 1 / contact.groove_radius
+    gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[patch.zone]
+    normal = np.tile([[0.0], [0.0], [-1.0]], gap.size)
+    return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
+
+
+def _ball_on_race(
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float
+) -> PairMesh:
+    radius = contact.ball_radius
+    widest = 0.7 * radius / recipe.patch.margin_size
+    if max(semi_axes) > widest:
+        raise InputError(
+            f"a contact of semi-axis {max(semi_axes):.3g} m is too wide for a ball of radius {radius:.3g} m: the mesh "
+            f"holds up to {widest:.3g} m. Lower the load or raise the stiffness."
+        )
+    upper = _ball(radius, recipe, level, semi_axes)
+    touching = upper.mesh.doflocs[:, upper.touching]
+    normal = touching / radius - np.array([[0.0], [0.0], [1.0]])
+    gap = _distance_to_race(contact, normal)
+    lower = _race(contact, recipe, level, semi_axes, reach, touching + gap * normal)
+    return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
+
+
+def _ball(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> BodyMesh:
+    """The octant of a ball, from its pole to its middle plane, by a smooth map of the cube [0, 1]^3.
+
+    The map x = X sqrt(1 - Y^2/2 - Z^2/2 + Y^2 Z^2/3) and its permutations sends the cube's faces
+    X, Y, Z = 1 to the sphere and X, Y, Z = 0 to the octant's planes.
+    Source: P. Nowell, "Mapping a cube to a sphere" (2005), not seen; the ball's volume checks it.
+    """
+    patch = patch_mesh(_cells(recipe, level, growth=radius / min(semi_axes)))
+    zone_x, zone_y = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes) / radius
+    linear = 3 - 2 * (zone_x**2 - zone_y**2)  # the map's inverse on the face Z = 1 is a quadratic in Y^2
+    square_y = (linear - np.sqrt(linear**2 - 24 * zone_y**2)) / 2
+    square_x = square_y + 2 * (zone_x**2 - zone_y**2)
+    near = np.sqrt(np.maximum([square_x, square_y], 0.0))  # round-off may go below zero on the axes
+    share = outside_share(patch, growth=radius / (recipe.patch.margin_size * min(semi_axes)))
+    cube = near * (1 - share) + far_square(patch.u, patch.v) * share
+    lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=radius)
+    at_x, at_y = cube[:, patch.column]
+    at_z = 1 - lines[np.rint(2 * patch.layer).astype(int)] / radius
+    xx, yy, zz = at_x**2, at_y**2, at_z**2
+    position = radius * np.array(
+        [
+            at_x * np.sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3),
+            at_y * np.sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3),
+            1 - at_z * np.sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3),
+        ]
+    )
+    return _body("ball", patch, position)
+
+
+def _race(
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float, meeting: Array
+) -> BodyMesh:
+    """A block of the ring under its groove; `meeting` is where the touching columns start, (3, m)."""
+    patch = patch_mesh(_cells(recipe, level, growth=reach / min(semi_axes)))
+    plane = _plane(patch, recipe, semi_axes, reach)
+    plane[:, patch.zone] = meeting[:2]
+    height = race_height(contact, *plane)
+    lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=reach)
+    return _body("race", patch, _stack(patch, plane, height, lines, -reach))
+
+
+def race_height(contact: Contact, x: Array, y: Array) -> Array:
+    """z of the race's surface over the tangent plane, m: a torus, and the land beyond its shoulder.
+
+    The profile's height r_g - sqrt(r_g^2 - y^2) adds to the ring's radius on the inner ring and
+    takes from it on the outer; the ring turns about an axis parallel to y.
+    """
+    across = np.minimum(np.abs(y), contact.shoulder)
+    rise = contact.groove_radius - np.sqrt(contact.groove_radius**2 - across**2)
+    side, radius = np.sign(contact.rolling_radius), abs(contact.rolling_radius)
+    return side * (np.sqrt((radius + side * rise) ** 2 - x**2) - radius)
+
+
+def _distance_to_race(contact: Contact, normal: Array) -> Array:
+    """Along each of the ball's normals (3, m): how far the race lies from the ball, m."""
+    along = np.full(normal.shape[1], contact.ball_radius)
+    for _ in range(8):  # Newton: converges quadratically from the ball's own radius
+        x, y = normal[0] * along, normal[1] * along
+        step = 1e-6 * contact.ball_radius
+        miss = contact.ball_radius + normal[2] * along - race_height(contact, x, y)
+        ahead = along + step
+        slope = (
+            contact.ball_radius + normal[2] * ahead - race_height(contact, normal[0] * ahead, normal[1] * ahead) - miss
+        ) / step
+        along = along - miss / slope
+    return along - contact.ball_radius
+
+
+def _cells(recipe: Recipe, level: int, *, growth: float) -> Cells:
+    """Cell counts of a level; more of them where a far boundary `growth` times off the contact needs them."""
+    needed = int(np.ceil(np.log(growth) / np.log(recipe.domain.growth)))
+    base = recipe.cells
+    return replace(base, outside=max(base.outside, needed), depth=max(base.depth, needed)).times(level)
+
+
+def _plane(patch: PatchMesh, recipe: Recipe, semi_axes: tuple[float, float], reach: float) -> Array:
+    """x, y of the columns of a block, (2, columns), m."""
+    zone = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes)
+    share = outside_share(patch, growth=reach / (recipe.patch.margin_size * min(semi_axes)))
+    return zone * (1 - share) + reach * far_square(patch.u, patch.v) * share
+
+
+def _stack(patch: PatchMesh, plane: Array, height: Array, lines: Array, far: float) -> Array:
+    """Positions (3, nodes) of columns that run from their `height` to the plane z = far.
+
+    A race's layers are counted from the far boundary upwards, so that its cells stay right-handed.
+    """
+    step = np.rint(2 * patch.layer).astype(int)
+    share = lines[step if far > 0 else lines.size - 1 - step] / lines[-1]
+    start = height[patch.column]
+    x, y = plane[:, patch.column]
+    return np.array([x, y, start + (far - start) * share])
+
+
+def _body(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
+    lower = position[2].min() < 0 and name != "ball"
+    surface_layer = patch.cells.depth if lower else 0
+    on_surface = np.abs(patch.layer - surface_layer) < NODE
+    ring, column = patch.ring, patch.column
+    order = np.full(ring.size, -1)
+    order[column[on_surface]] = np.flatnonzero(on_surface)
+    outermost = (ring > patch.cells.rings - NODE)[column]
+    deepest = np.abs(patch.layer - (patch.cells.depth - surface_layer)) < NODE
+    far = np.flatnonzero(outermost | deepest) if name != "ball" else np.array([], dtype=np.intp)
+    middle = np.flatnonzero(deepest) if name == "ball" else np.array([], dtype=np.intp)
+    return BodyMesh(
+        name=name,
+        mesh=MeshHex2(np.ascontiguousarray(position), patch.topology.t),
+        touching=order[patch.zone],
+        surface=np.flatnonzero(on_surface),
+        far=far,
+        planes=(np.flatnonzero((patch.u < NODE)[column]), np.flatnonzero((patch.v < NODE)[column]), middle),
+    )

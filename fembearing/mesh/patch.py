@@ -1,0 +1,134 @@
+"""The patch under a contact: cells that follow the ellipse, from its centre to the far boundary.
+
+Pressure ends at the edge of a contact like a square root, so an edge that crosses cells spoils the
+semi-axes at first order. Here a ring of cell faces lies on the expected edge and the cells shrink
+towards it from both sides. A quarter of the patch is a square core and, around it, rings of cells:
+
+    v        ____________
+    |       |\\    |     |        u, v: coordinates of the patch; ring number max(u, v) - 1
+    |       | \\___|_____|        core: max(u, v) <= 1
+    |       |__|_\\      |        along a ring v/u (or u/v) runs from 0 on the axis
+    |       |__|__|\\____|        to 1 on the diagonal
+    +-----------------------u
+
+`layer` counts cells along depth. Nodes of the quadratic cells sit at half steps of all three.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+from skfem import MeshHex1, MeshHex2
+
+from fembearing.mesh.recipe import Cells, Depth, Patch
+
+Array = NDArray[np.float64]
+
+
+NODE = 1e-6  # patch coordinates are multiples of 1/(2 cells); nearer than this is the same
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PatchMesh:
+    """The patch before it gets a shape: columns of nodes under (u, v), and what connects them."""
+
+    cells: Cells
+    topology: MeshHex2  # its own positions mean nothing but (u, v, layer)
+    u: Array  # (columns,)
+    v: Array  # (columns,)
+    column: NDArray[np.intp]  # (nodes,) the column a node belongs to
+    layer: Array  # (nodes,) 0 to cells.depth, in half steps
+
+    @property
+    def ring(self) -> Array:
+        """(columns,) rings outside the core; negative inside it."""
+        return np.maximum(self.u, self.v) - 1.0
+
+    @property
+    def zone(self) -> NDArray[np.bool_]:
+        """(columns,) where contact may be: out to the margin's rim, the rim left out."""
+        return self.ring < self.cells.inside + self.cells.margin - NODE
+
+
+def patch_mesh(cells: Cells) -> PatchMesh:
+    """27-node hexahedra over the patch."""
+    corners: dict[tuple[float, float], int] = {}
+    quads = np.array(
+        [[corners.setdefault((round(u, 9), round(v, 9)), len(corners)) for u, v in quad] for quad in _quads(cells)]
+    ).T
+    count = len(corners)
+    plane = np.array(list(corners)).T
+    points = np.hstack([np.vstack([plane, np.full(count, float(layer))]) for layer in range(cells.depth + 1)])
+    low = np.hstack([quads + layer * count for layer in range(cells.depth)])
+    high = low + count
+    hexahedra = np.vstack([low[0], high[0], low[1], low[2], high[1], high[2], low[3], high[3]])  # scikit-fem's order
+    topology = MeshHex2.from_mesh(MeshHex1(np.ascontiguousarray(points), np.ascontiguousarray(hexahedra)))
+    u, v, layer = topology.doflocs
+    columns, column = np.unique(np.round(np.array([u, v]) / NODE).astype(np.int64), axis=1, return_inverse=True)
+    return PatchMesh(
+        cells=cells, topology=topology, u=columns[0] * NODE, v=columns[1] * NODE, column=column.ravel(), layer=layer
+    )
+
+
+def _quads(cells: Cells) -> list[list[tuple[float, float]]]:
+    """Corners of every quadrilateral, in the order (0, 0), (0, 1), (1, 0), (1, 1) of its own axes."""
+    ends = [(di, dj) for di in (0, 1) for dj in (0, 1)]
+    step = 1 / cells.core
+    quads = [
+        [((i + di) * step, (j + dj) * step) for di, dj in ends] for i in range(cells.core) for j in range(cells.core)
+    ]
+    for ring in range(1, cells.rings + 1):
+        for j in range(cells.core):
+            quads.append([(ring + di, (ring + di) * (j + dj) * step) for di, dj in ends])
+            quads.append([((ring + dj) * (j + di) * step, ring + dj) for di, dj in ends])
+    return quads
+
+
+def contact_zone(patch: PatchMesh, *, shape: Patch, semi_axes: tuple[float, float]) -> Array:
+    """x, y of the columns out to the margin, (2, columns), m; columns further out are put on the margin's rim."""
+    u, v, ring, cells = patch.u, patch.v, patch.ring, patch.cells
+    direction = _ray(u, v)
+    scale = np.maximum(1.0, np.maximum(u, v))
+    core_u, core_v = u / scale, v / scale
+    bulge = shape.core_bulge / 2
+    core = shape.core_size * np.array(
+        [core_u * np.sqrt(1 - bulge * core_v**2), core_v * np.sqrt(1 - bulge * core_u**2)]
+    )
+    inwards = np.clip(1 - ring / cells.inside, 0, 1) ** shape.edge_grading  # 1 at the core, 0 on the edge
+    outwards = np.clip((ring - cells.inside) / cells.margin, 0, 1) ** shape.edge_grading  # 0 on the edge
+    inside = core * inwards + direction * (1 - inwards)
+    outside = direction * (1 + (shape.margin_size - 1) * outwards)
+    place = np.where(ring <= NODE, core, np.where(ring <= cells.inside + NODE, inside, outside))
+    return np.array(semi_axes)[:, None] * place
+
+
+def outside_share(patch: PatchMesh, *, growth: float) -> Array:
+    """(columns,) 0 on the margin's rim to 1 on the far boundary, in steps that grow `growth` times in all."""
+    steps = np.clip((patch.ring - patch.cells.inside - patch.cells.margin) / patch.cells.outside, 0, 1)
+    return np.expm1(steps * np.log(growth)) / (growth - 1)
+
+
+def far_square(u: Array, v: Array) -> Array:
+    """Where the ray of the patch through (u, v) meets the unit square, (2, ...), 0 to 1."""
+    reach = np.maximum(np.maximum(u, v), np.finfo(float).tiny)
+    return np.array([u, v]) / reach
+
+
+def depth_lines(layers: int, *, depth: Depth, minor: float, extent: float) -> Array:
+    """Distances under the surface of 2 layers + 1 nodes, m: even down to the layer's depth, then ever thicker."""
+    steps = np.linspace(0.0, 1.0, 2 * layers + 1)
+    even, share = depth.layer * minor, depth.share
+    slope = even / share
+    if slope >= extent:
+        return steps * extent
+    rate = brentq(lambda rate: even + slope * np.expm1(rate * (1 - share)) / rate - extent, 1e-9, 500.0)
+    thicker = even + slope * np.expm1(rate * np.maximum(steps - share, 0)) / rate
+    return np.where(steps <= share, slope * steps, thicker)
+
+
+def _ray(u: Array, v: Array) -> Array:
+    """Unit vector from the centre to the edge, in semi-axes: the angle runs evenly along a ring. Shape (2, ...)."""
+    across, along = far_square(u, v)
+    angle = np.where(v > u, np.pi / 2 - across * np.pi / 4, along * np.pi / 4)
+    return np.array([np.cos(angle), np.sin(angle)])

@@ -1,0 +1,41 @@
+"""How good the cells of a mesh are."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from skfem import Basis, ElementHex2, MeshHex2
+
+
+@dataclass(frozen=True, kw_only=True)
+class Quality:
+    """Of the Jacobian determinant det J at every integration point of every cell."""
+
+    cells: int
+    nodes: int
+    volume: float  # m^3
+    least_determinant: float  # smallest det J over the mean of its own cell; must be positive
+    worst_cell: int  # the cell that holds it
+    worst_place: tuple[float, float, float]  # its centre, m
+    negative_points: int  # integration points with det J <= 0
+
+    @property
+    def valid(self) -> bool:
+        return self.negative_points == 0
+
+
+def mesh_quality(mesh: MeshHex2, *, degree: int = 5) -> Quality:
+    """Quality over the integration points of quadrature `degree`; 5 is what the stiffness is integrated with."""
+    basis = Basis(mesh, ElementHex2(), intorder=degree)
+    determinant = -basis.mapping.detDF(basis.X)  # scikit-fem's reference cell is left-handed: det J = -1 on a unit cube
+    relative = determinant.min(axis=1) / np.abs(determinant).mean(axis=1)
+    worst = int(np.argmin(relative))
+    x, y, z = mesh.p[:, mesh.t[:, worst]].mean(axis=1)
+    return Quality(
+        cells=mesh.t.shape[1],
+        nodes=mesh.doflocs.shape[1],
+        volume=float((determinant * basis.W).sum()),
+        least_determinant=float(relative[worst]),
+        worst_cell=worst,
+        worst_place=(float(x), float(y), float(z)),
+        negative_points=int(np.count_nonzero(determinant <= 0)),
+    )

@@ -1,0 +1,75 @@
+"""What a user installs: the data travels with the code, and every version that the gate runs is written down."""
+
+import re
+import tomllib
+from importlib.metadata import PackageNotFoundError, requires
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+ROOT = Path(__file__).resolve().parents[1]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+DECLARED = [Requirement(line) for line in [*PROJECT["dependencies"], *PROJECT["optional-dependencies"]["dev"]]]
+PINNED = {
+    canonicalize_name(pin.name): pin
+    for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines()
+    if line and not line.startswith("#")
+    for pin in [Requirement(line)]
+}
+
+
+def applies(requirement: Requirement, extra: str = "") -> bool:
+    return requirement.marker is None or requirement.marker.evaluate({"extra": extra})
+
+
+def closure(start: list[Requirement]) -> set[str]:
+    """Every package that these requirements bring to this machine, themselves included."""
+    found: set[tuple[str, str]] = set()
+    ahead = [(canonicalize_name(r.name), extra) for r in start if applies(r) for extra in ("", *r.extras)]
+    while ahead:
+        name, extra = ahead.pop()
+        if (name, extra) in found:
+            continue
+        found.add((name, extra))
+        try:
+            needs = [Requirement(line) for line in requires(name) or []]
+        except PackageNotFoundError:
+            continue
+        ahead += [(canonicalize_name(r.name), e) for r in needs if applies(r, extra) for e in ("", *r.extras)]
+    return {name for name, _ in found}
+
+
+@pytest.mark.parametrize(("package", "folder"), [("fembearing", "meshes"), ("analytic", "catalog")])
+def test_data_is_found_as_package_data(package: str, folder: str) -> None:
+    data = Path(str(files(package) / folder))
+    assert list(data.rglob("*.toml"))
+
+
+def test_a_version_is_exact_and_has_no_address() -> None:
+    for pin in PINNED.values():
+        assert re.fullmatch(r"==[^,*]+", str(pin.specifier)), pin
+        assert pin.url is None
+
+
+@pytest.mark.parametrize("requirement", DECLARED, ids=str)
+def test_the_tested_version_lies_in_the_declared_range(requirement: Requirement) -> None:
+    pin = PINNED[canonicalize_name(requirement.name)]
+    (exact,) = pin.specifier
+    assert requirement.specifier.contains(exact.version)
+    assert (requirement.marker is None) == (pin.marker is None)
+
+
+def test_every_package_that_comes_along_is_written_down() -> None:
+    assert closure(DECLARED) <= set(PINNED)
+
+
+@pytest.mark.parametrize("purpose", ["main", "tests"])
+def test_the_readme_marks_its_commands(purpose: str) -> None:
+    readme = (ROOT / "README.md").read_text("utf-8")
+    command = re.search(rf"^<!-- command: {purpose} -->\n```bash\n(.+)\n```$", readme, re.MULTILINE)
+    assert command, "the gate runs what stands there; one line"
+    assert command[1].startswith("python3 -m venv ")
+    assert " install -c constraints.txt " in command[1]
