@@ -28,7 +28,7 @@ MAY_IMPORT = {
     "analytic.scene": (),
     "analytic.fit": NOUNS,  # does a bearing fit together
     "analytic.quantity": (),  # units: with `tables` and `scenefile` the one place that knows them
-    "analytic.tables": ("analytic.catalog", "analytic.quantity"),
+    "analytic.tables": (*NOUNS, "analytic.catalog", "analytic.quantity"),
     "analytic.scenefile": (*NOUNS, "analytic.catalog", "analytic.fit", "analytic.quantity", "analytic.tables"),
     "fembearing": ("analytic", "fembearing.mesh", "fembearing.fem", "fembearing.compare", "fembearing.report"),
     "fembearing.mesh": NOUNS,

@@ -13,7 +13,7 @@ from analytic.equilibrium import thrust_equilibrium
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Scene
 from fembearing.compare.uncertainty import Estimate, estimate
-from fembearing.compare.verdict import Verdict, verdict, worst
+from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
@@ -61,7 +61,7 @@ class ContactSolution:
     @property
     def verdicts(self) -> dict[str, Verdict]:
         return {
-            name: verdict(
+            name: judge(
                 discrepancy=self.discrepancy[name],
                 uncertainty=part.total,
                 tolerance=self.tolerance,

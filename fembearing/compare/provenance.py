@@ -10,7 +10,7 @@ from analytic.scene import Scene
 PACKAGES = ("fembearing", "numpy", "scipy", "scikit-fem", "meshio", "numba", "pypardiso", "mkl", "pyvista", "vtk")
 
 
-def provenance(scene: Scene) -> dict[str, Any]:
+def provenance_of(scene: Scene) -> dict[str, Any]:
     """Versions of what computed a result, the machine, the command and the scene's name."""
     return {
         "scene": scene.name,

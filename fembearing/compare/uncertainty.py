@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-FORMAL_ORDER = 2.0  # assumed where none is observed: the pressure's square-root edge allows no more in general
+FORMAL_ORDER = 2.0  # what the pressure's square-root edge allows in general; a higher one is observed but not relied on
 REASONABLE_ORDER = (0.5, 5.0)  # quadratic cells give the approach order 4, the edge 2 to 3
 SAFE, CAUTIOUS = 1.25, 3.0  # Roache's factors with an observed order and without
 
@@ -51,7 +51,7 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float]) -> Estimate:
         index = CAUTIOUS * spread / (ratio**FORMAL_ORDER - 1)
         richardson = None
     elif REASONABLE_ORDER[0] <= order <= REASONABLE_ORDER[1]:
-        index = SAFE * change / (ratio**order - 1)
+        index = SAFE * change / (ratio ** min(order, FORMAL_ORDER) - 1)
         richardson = fine + (fine - values[-2]) / (ratio**order - 1)
     else:
         index = CAUTIOUS * change / (ratio**FORMAL_ORDER - 1)

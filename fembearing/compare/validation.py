@@ -7,7 +7,7 @@ from typing import Any
 from analytic.contact import Race
 from analytic.scene import Scene
 from fembearing.compare.discrepancy import ContactSolution, Progress, peak_memory, silent, solve_contact
-from fembearing.compare.provenance import provenance
+from fembearing.compare.provenance import provenance_of
 from fembearing.compare.verdict import Verdict, worst
 
 RACES: tuple[Race, ...] = ("inner", "outer")
@@ -48,7 +48,7 @@ class Validation:
             "contacts": [contact.to_json() for contact in self.contacts],
             "cost": {"seconds": self.seconds, "peak_memory": peak_memory()},
             "warnings": list(self.scene.warnings),
-            "provenance": provenance(self.scene),
+            "provenance": provenance_of(self.scene),
         }
 
 

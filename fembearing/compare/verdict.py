@@ -7,7 +7,7 @@ Verdict = Literal["pass", "fail", "undecided", "outside validity"]
 AGREE = 0.1  # meshes without order still agree when they differ by less than this share of the tolerance
 
 
-def verdict(
+def judge(
     *, discrepancy: float, uncertainty: float, tolerance: float, ordered: bool, spread: float, valid: bool = True
 ) -> Verdict:
     """All arguments relative.

@@ -104,9 +104,10 @@ def contact_zone(patch: PatchMesh, *, shape: Patch, semi_axes: tuple[float, floa
 
 
 def outside_share(patch: PatchMesh, *, growth: float) -> Array:
-    """(columns,) 0 on the margin's rim to 1 on the far boundary, in steps that grow `growth` times in all."""
-    steps = np.clip((patch.ring - patch.cells.inside - patch.cells.margin) / patch.cells.outside, 0, 1)
-    return np.expm1(steps * np.log(growth)) / (growth - 1)
+    """(columns,) 0 on the margin's rim to 1 on the far boundary, in cells that grow `growth` times in all."""
+    rings = np.arange(patch.cells.outside + 1)
+    share = np.expm1(rings / patch.cells.outside * np.log(growth)) / (growth - 1)
+    return np.interp(patch.ring - patch.cells.inside - patch.cells.margin, rings, share)
 
 
 def far_square(u: Array, v: Array) -> Array:
@@ -116,15 +117,20 @@ def far_square(u: Array, v: Array) -> Array:
 
 
 def depth_lines(layers: int, *, depth: Depth, minor: float, extent: float) -> Array:
-    """Distances under the surface of 2 layers + 1 nodes, m: even down to the layer's depth, then ever thicker."""
-    steps = np.linspace(0.0, 1.0, 2 * layers + 1)
+    """Distances under the surface of 2 layers + 1 nodes, m: even down to the layer's depth, then ever thicker.
+
+    Middle nodes lie half way: on the smooth curve through the layers a thick cell would turn inside out.
+    """
     even, share = depth.layer * minor, depth.share
     slope = even / share
+    steps = np.linspace(0.0, 1.0, layers + 1)
     if slope >= extent:
-        return steps * extent
-    rate = brentq(lambda rate: even + slope * np.expm1(rate * (1 - share)) / rate - extent, 1e-9, 500.0)
-    thicker = even + slope * np.expm1(rate * np.maximum(steps - share, 0)) / rate
-    return np.where(steps <= share, slope * steps, thicker)
+        lines = steps * extent
+    else:
+        rate = brentq(lambda rate: even + slope * np.expm1(rate * (1 - share)) / rate - extent, 1e-9, 500.0)
+        thicker = even + slope * np.expm1(rate * np.maximum(steps - share, 0)) / rate
+        lines = np.where(steps <= share, slope * steps, thicker)
+    return np.interp(np.arange(2 * layers + 1) / 2, np.arange(layers + 1), lines)
 
 
 def _ray(u: Array, v: Array) -> Array:

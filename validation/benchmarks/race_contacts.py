@@ -1,0 +1,122 @@
+"""Accuracy and price of the race contacts: python validation/benchmarks/race_contacts.py
+
+Prints the wall time and memory of `fembearing validate`, the errors of the finite elements against exact
+Hertz on the Hertzian idealisation, and those of the Hertz formulas against 50 digits. Times are the machine's.
+"""
+
+import os
+import platform
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+import mpmath
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from analytic import hertz_contact, load_scene
+from analytic.scenefile import builtin_scene
+from fembearing import solve_contact
+
+LOADS = (50.0, 200.0, 620.0, 2000.0)  # N
+RATIOS = (1.0, 1.0 + 1e-12, 1.37, 9.4, 310.0, 2.3e4, 1e6)
+REPEATS = 3
+out = Console(width=110)
+
+
+def main() -> None:
+    out.print(
+        f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}"
+    )
+    time_validate()
+    errors_of_idealisation()
+    errors_of_hertz()
+
+
+def time_validate() -> None:
+    """Whole processes; the first of each has no compiled kernels to fall back on."""
+    seconds = []
+    for _ in range(REPEATS):
+        with tempfile.TemporaryDirectory() as cache:
+            start = time.perf_counter()
+            command = [sys.executable, "-c", "from fembearing.cli import main; main()", "validate", "--json"]
+            environment = os.environ | {"NUMBA_CACHE_DIR": cache}
+            subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=environment)
+            seconds.append(time.perf_counter() - start)
+    memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024**2
+    spread = f"{min(seconds):.1f} to {max(seconds):.1f}"
+    out.print(
+        f"fembearing validate: {statistics.median(seconds):.1f} s (median of {REPEATS}, {spread}), {memory:.2f} GiB"
+    )
+
+
+def errors_of_idealisation() -> None:
+    scene = load_scene(builtin_scene("6205"))
+    names = ("approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure")
+    heads = ("approach, %", "a, %", "b, %", "p0, %")
+    table = Table("pair", "load, N", *heads, "seconds", "unknowns")
+    worst = 0.0
+    for pair in ("inner", "outer"):
+        for load in LOADS:
+            found = solve_contact(scene, pair=pair, load=load, geometry="hertzian", tolerance=1e-4)
+            errors = {name: getattr(found.reference, name) / getattr(found.hertz, name) - 1 for name in names}
+            worst = max(worst, *map(abs, errors.values()))
+            shown = [f"{100 * errors[name]:+.4f}" for name in names]
+            table.add_row(pair, f"{load:g}", *shown, f"{found.seconds:.1f}", str(found.meshes[-1].unknowns))
+    out.print("Finite elements against exact Hertz on the Hertzian idealisation, finest level:", table)
+    out.print(f"worst: {100 * worst:.4f} %")
+
+
+def errors_of_hertz() -> None:
+    """Against the defining equation in 50 digits, every ratio both ways round."""
+    load, modulus, curvature = 620.0, 113.2e9, 37.0
+    worst = 0.0
+    with mpmath.workdps(80):  # the text book's form loses digits near the circle: 50 are left
+        for ratio in RATIOS:
+            axis, pressure, approach = reference(ratio, load, modulus, curvature)
+            for swapped in (False, True):
+                pair = (curvature, ratio * curvature) if swapped else (ratio * curvature, curvature)
+                found = hertz_contact(curvature_x=pair[0], curvature_y=pair[1], load=load, modulus=modulus)
+                major = found.semi_axis_x if swapped else found.semi_axis_y
+                errors = (
+                    mpmath.mpf(float(major)) / axis - 1,
+                    mpmath.mpf(float(found.peak_pressure)) / pressure - 1,
+                    mpmath.mpf(float(found.approach)) / approach - 1,
+                )
+                worst = max(worst, *(abs(float(error)) for error in errors))
+    out.print(f"Hertz against 50 digits, curvature ratios {RATIOS[0]:g} to {RATIOS[-1]:g}: worst {worst:.1e}")
+    count = 10**6
+    curvatures = np.geomspace(37.0, 3.7e7, count)
+    hertz_contact(curvature_x=curvatures[:9], curvature_y=37.0, load=load, modulus=modulus)
+    start = time.perf_counter()
+    hertz_contact(curvature_x=curvatures, curvature_y=37.0, load=load, modulus=modulus)
+    out.print(f"one million Hertz contacts: {time.perf_counter() - start:.2f} s")
+
+
+def reference(ratio: float, load: float, modulus: float, curvature: float) -> tuple[mpmath.mpf, ...]:
+    """Major semi-axis, peak pressure and approach from the elliptic integrals as the text books print them."""
+    exact = mpmath.mpf(ratio)
+
+    def integrals(logarithm: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
+        m = 1 - mpmath.exp(-2 * logarithm)
+        return mpmath.ellipk(m), mpmath.ellipe(m)
+
+    def misfit(logarithm: mpmath.mpf) -> mpmath.mpf:
+        first, second = integrals(logarithm)
+        return (mpmath.exp(2 * logarithm) * second - first) / (first - second) / exact - 1
+
+    aim = mpmath.log(exact)
+    logarithm = mpmath.findroot(misfit, (aim / 2, aim * 2 / 3), solver="anderson", tol=1e-30) if ratio > 1 else aim
+    first, second = integrals(logarithm)
+    elongation = mpmath.exp(logarithm)
+    major = mpmath.cbrt(3 * elongation**2 * second * load / (mpmath.pi * modulus * curvature * (1 + exact)))
+    pressure = 3 * load / (2 * mpmath.pi * major**2 / elongation)
+    return major, pressure, 3 * load * first / (2 * mpmath.pi * modulus * major)
+
+
+if __name__ == "__main__":
+    main()
