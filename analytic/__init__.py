@@ -2,7 +2,7 @@
 
     import analytic
     scene = analytic.load_scene("bearing.toml")
-    balls = analytic.thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=scene.operation.axial_load)
+    torque = analytic.friction_torque(scene).torque
 
 Names are imported on first use, so that a program pays only for what it calls.
 """
@@ -14,12 +14,14 @@ if TYPE_CHECKING:
     from analytic.equilibrium import thrust_equilibrium
     from analytic.hertz import hertz_contact
     from analytic.scenefile import load_scene
+    from analytic.torque import friction_torque
 
     __version__: str
 
-__all__ = ["__version__", "hertz_contact", "load_scene", "thrust_equilibrium"]
+__all__ = ["__version__", "friction_torque", "hertz_contact", "load_scene", "thrust_equilibrium"]
 
 _HOME = {
+    "friction_torque": "analytic.torque",
     "hertz_contact": "analytic.hertz",
     "load_scene": "analytic.scenefile",
     "thrust_equilibrium": "analytic.equilibrium",

@@ -133,14 +133,14 @@ def microslip_torque(
     difference = np.asarray(spin_difference, dtype=np.float64)
     match spin_rule:
         case "balanced":
-            share = _balanced_share(inner, outer, difference)
+            shares = _balanced_shares(inner, outer, difference)
         case "inner_control":
-            share = np.zeros_like(difference)
+            shares = np.zeros_like(difference), np.ones_like(difference)
         case "outer_control":
-            share = np.ones_like(difference)
+            shares = np.ones_like(difference), np.zeros_like(difference)
         case _:
             raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
-    inner_rate, outer_rate = share * difference, -(1 - share) * difference
+    inner_rate, outer_rate = shares[0] * difference, -shares[1] * difference
     inner_spin, inner_roll = _moments(inner, inner_rate)
     outer_spin, outer_roll = _moments(outer, outer_rate)
     fields = np.broadcast_arrays(
@@ -219,39 +219,42 @@ def _spin_to_roll(contact: SlidingContact, spin_rate: Array) -> Array:
         return np.nan_to_num(numerator / denominator, nan=0.0)
 
 
-def _balanced_share(inner: SlidingContact, outer: SlidingContact, difference: Array) -> Array:
-    """w_s,i/(w_s,i - w_s,o) in [0, 1] at which both spin moments are opposite, by Newton kept in a bracket.
+def _balanced_shares(inner: SlidingContact, outer: SlidingContact, difference: Array) -> tuple[Array, Array]:
+    """Shares of w_s,i - w_s,o that inner and outer take so that their moments are opposite; they add up to 1.
 
-    The excess of the inner moment over the outer one grows with the share, from minus the outer moment to the inner.
+    Newton kept in a bracket, for the contact that can carry the larger moment: its share is the one that can be next to
+    nothing, and so keeps its digits. Its moment less the other's grows with the share, from below 0 to above.
     """
-    ratio_inner, ratio_outer = _spin_to_roll(inner, difference), _spin_to_roll(outer, difference)
-    limit_inner, limit_outer = (
-        np.asarray(c.friction_coefficient) * np.asarray(c.load) * np.asarray(c.semi_axis_transverse)
-        for c in (inner, outer)
+    limit_inner, limit_outer, ratio_inner, ratio_outer = np.broadcast_arrays(
+        *(
+            np.asarray(c.friction_coefficient) * np.asarray(c.load) * np.asarray(c.semi_axis_transverse)
+            for c in (inner, outer)
+        ),
+        *(_spin_to_roll(c, difference) for c in (inner, outer)),
     )
-    ratio_inner, ratio_outer, limit_inner, limit_outer = np.broadcast_arrays(
-        ratio_inner, ratio_outer, limit_inner, limit_outer
-    )
-    stiff_inner, stiff_outer = limit_inner * ratio_inner, limit_outer * ratio_outer
-    total = stiff_inner + stiff_outer
-    share = np.divide(stiff_outer, total, out=np.full_like(total, 0.5), where=total > 0)  # both moments linear in spin
+    swap = limit_outer > limit_inner
+    limit, limit_other = np.where(swap, limit_outer, limit_inner), np.where(swap, limit_inner, limit_outer)
+    ratio, ratio_other = np.where(swap, ratio_outer, ratio_inner), np.where(swap, ratio_inner, ratio_outer)
+    stiff, stiff_other = limit * ratio, limit_other * ratio_other
+    total = stiff + stiff_other
+    share = np.divide(stiff_other, total, out=np.full_like(total, 0.5), where=total > 0)  # both moments linear in spin
     low, high, last = np.zeros_like(share), np.ones_like(share), np.ones_like(share)
     settled = np.zeros(share.shape, dtype=bool)
     for _ in range(MOST_STEPS):
-        eps_inner, eps_outer = ratio_inner * share, ratio_outer * (1 - share)
-        moment_inner, moment_outer = limit_inner * _spin_moment(eps_inner), limit_outer * _spin_moment(eps_outer)
-        slope = stiff_inner * _spin_stiffness(eps_inner) + stiff_outer * _spin_stiffness(eps_outer)
-        excess = moment_inner - moment_outer
+        eps, eps_other = ratio * share, ratio_other * (1 - share)
+        moment = limit * _spin_moment(eps)
+        excess = moment - limit_other * _spin_moment(eps_other)
+        slope = stiff * _spin_stiffness(eps) + stiff_other * _spin_stiffness(eps_other)
         low, high = np.where(excess < 0, share, low), np.where(excess > 0, share, high)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # where both contacts spin in full
             step = -excess / slope
             newton = (share + step >= low) & (share + step <= high) & (np.abs(step) <= np.abs(last) / 2)
-        settled |= np.abs(excess) <= ROUND_OFF * moment_inner
+        settled |= np.abs(excess) <= ROUND_OFF * moment
         last = np.where(settled, 0.0, np.where(newton, step, (low + high) / 2 - share))
         share = share + last
         settled |= np.abs(last) <= ROUND_OFF * share
         if np.all(settled):
-            return share
+            return np.where(swap, 1 - share, share), np.where(swap, share, 1 - share)
     raise ConvergenceError(
         iterations=MOST_STEPS,
         residual=float(np.max(np.abs(last))),

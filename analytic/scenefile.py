@@ -21,7 +21,7 @@ from analytic import catalog, fit
 from analytic.errors import InputError
 from analytic.quantity import Dimension
 from analytic.scene import Array, Bearing, Cage, ContactAngle, Groove, Material, Operation, Scene
-from analytic.tables import CageTable, GrooveTable, MaterialTable, OperationTable, SceneTable, Table
+from analytic.tables import CageTable, FrictionTable, GrooveTable, MaterialTable, OperationTable, SceneTable, Table
 
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts; the TOML parser's memory grows with the square of their number.
@@ -133,7 +133,8 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
     """Keys that are right alone and wrong together."""
     angle, cage, operation = table.bearing.contact_angle, table.cage, document["operation"]
     if angle.rule == "given" and not angle.value:
-        yield 'bearing.contact_angle.value must be above 0 with rule = "given", for example "0.18 rad"'
+        problem = 'must be above 0 with rule = "given", for example "0.18 rad"'
+        yield _complaint(document, "bearing.contact_angle.value", problem)
     elif angle.rule == "given" and angle.free is not None:
         yield _complaint(document, "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out')
     if angle.rule == "solved" and angle.value is not None:
@@ -179,7 +180,7 @@ def _scene(table: SceneTable) -> tuple[Scene, list[tuple[str, str]]]:
         contact_angle=angle,
         operation=_operation(table.operation),
         cage=cage,
-        friction_coefficient=None if table.friction is None else table.friction.coefficient,
+        **({} if table.friction is None else _friction(table.friction)),
         effects=MappingProxyType(table.effects.model_dump()),
         warnings=tuple(fit.doubts(bearing, cage)),
     )
@@ -199,6 +200,14 @@ def _cage(given: CageTable, bearing: Bearing) -> Cage:
         mass=given.mass,
         material=_material(given.material),
     )
+
+
+def _friction(given: FrictionTable) -> dict[str, Any]:
+    return {
+        "friction_coefficient": given.coefficient,
+        "hysteresis_loss": given.hysteresis_loss,
+        "spin_rule": given.spin_rule,
+    }
 
 
 def _operation(given: OperationTable) -> Operation:

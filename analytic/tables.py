@@ -9,6 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from analytic import catalog
 from analytic.quantity import Dimension
+from analytic.scene import SpinRule
 
 
 def _text(given: object) -> str:
@@ -111,6 +112,8 @@ class OperationTable(Table):
 
 class FrictionTable(Table):
     coefficient: Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
+    hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
+    spin_rule: SpinRule = "balanced"
 
 
 class EffectsTable(Table):

@@ -5,6 +5,7 @@ load Q, the touching nodes move by compliance @ f + drift * Q along the directio
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -104,10 +105,7 @@ def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple
     upper = triu(vstack([hstack([matrix, column]), hstack([csr_matrix((1, size)), corner])]), format="csr")
     upper.sort_indices()
     keep = np.append(touched, size)
-    assert PyPardisoSolver is not None
-    solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
-    for number, value in ((1, 1), (2, 2), (10, 8), (36, 1)):  # own settings, METIS, pivot 1e-8, Schur complement
-        solver.set_iparm(number, value)
+    solver = _pardiso()
     solver.perm = np.zeros(size + 1, dtype=np.int32)
     solver.perm[keep] = 1
     solver.set_phase(12)
@@ -119,6 +117,15 @@ def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple
     here = push[touched].toarray()
     moved = cho_solve(factor, np.column_stack([here, left[:-1, -1] / -scale]))
     return here.T @ moved[:, :-1], here.T @ moved[:, -1]
+
+
+@cache
+def _pardiso() -> "PyPardisoSolver":
+    """One solver for all bodies: looking for MKL's library takes pypardiso longer than a small factorisation."""
+    solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
+    for number, value in ((1, 1), (2, 2), (10, 8), (36, 1)):  # own settings, METIS, pivot 1e-8, Schur complement
+        solver.set_iparm(number, value)
+    return solver
 
 
 def _by_superlu(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array]:

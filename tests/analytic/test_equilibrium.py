@@ -10,7 +10,7 @@ from scipy.optimize import minimize_scalar
 
 from analytic.equilibrium import ThrustEquilibrium, free_angle, thrust_equilibrium
 from analytic.errors import InputError
-from analytic.scene import Bearing, ContactAngle
+from analytic.scene import Bearing, ContactAngle, Material
 
 SOLVED = ContactAngle(rule="solved")
 LOADS = 10.0 ** np.arange(-12, 13, 2)  # N, from nothing to what no bearing survives
@@ -137,6 +137,18 @@ def test_a_preloaded_ball_carries_its_interference(bearing_6205: Bearing) -> Non
     found = thrust_equilibrium(with_clearance(bearing_6205, -14e-6), SOLVED, axial_load=1e-12)
     assert found.free_angle is None
     np.testing.assert_allclose(found.approach, 7e-6, rtol=1e-9)  # one ball: half of the interference on the diameter
+
+
+def test_each_race_has_its_own_material(bearing_6205: Bearing) -> None:
+    """At one ball load a soft outer ring leaves the inner contact as it is; delta ~ E*^(-2/3) on the outer."""
+    given = ContactAngle(rule="given", value=0.18)
+    peek = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
+    soft = replace(bearing_6205, outer=replace(bearing_6205.outer, material=peek))
+    hard, mixed = (thrust_equilibrium(bearing, given, axial_load=300.0) for bearing in (bearing_6205, soft))
+    np.testing.assert_allclose(mixed.inner.approach, hard.inner.approach, rtol=1e-13)  # the same calculation
+    steel_side = (1 - 0.3**2) / 206e9
+    ratio = (2 * steel_side / (steel_side + (1 - 0.38**2) / 3.6e9)) ** (2 / 3)
+    np.testing.assert_allclose(hard.outer.approach / mixed.outer.approach, ratio, rtol=1e-12)  # round-off
 
 
 def test_more_clearance_gives_a_steeper_angle(bearing_6205: Bearing) -> None:

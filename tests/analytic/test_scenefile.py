@@ -232,6 +232,7 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
     (changed('{ rule = "solved" }', '"solved"'), ("bearing.contact_angle = 'solved'", "not a table", "rule")),
     (changed('"solved"', '"sloved"'), ("bearing.contact_angle.rule = 'sloved'", "'solved' or 'given'")),
     (changed('"solved"', '"given"'), ("bearing.contact_angle.value", '"0.18 rad"')),
+    (changed('"solved"', '"given", value = "0 rad"'), ("bearing.contact_angle.value = '0 rad'", "above 0")),
     (changed('"solved"', '"given", value = 0.3'), ("bearing.contact_angle.value = 0.3", '"0.18 rad"')),
     (changed('"solved"', '"given", value = "18"'), ("bearing.contact_angle.value = '18'", "unit is missing")),
     (changed('"solved"', '"given", value = "18 %"'), ("bearing.contact_angle.value = '18 %'", "rad")),
