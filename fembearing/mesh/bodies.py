@@ -71,7 +71,8 @@ def _half_spaces(
     contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float
 ) -> PairMesh:
     patch = patch_mesh(_cells(recipe, level, growth=reach / min(semi_axes)))
-    x, y = plane = _plane(patch, recipe, semi_axes, reach)
+    zone = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes)
+    x, y = plane = _plane(patch, recipe, zone, semi_axes, reach)
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=reach)
     flat = np.zeros_like(x)
     upper = _body("half space", patch, _stack(patch, plane, flat, lines, reach))
@@ -97,7 +98,7 @@ def _ball_on_race(
     touching = upper.mesh.doflocs[:, upper.touching]
     normal = touching / radius - np.array([[0.0], [0.0], [1.0]])
     gap = _distance_to_race(contact, normal)
-    lower = _race(contact, recipe, level, semi_axes, reach, touching + gap * normal)
+    lower = _race(contact, recipe, level, semi_axes, reach)
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
 
 
@@ -114,7 +115,8 @@ def _ball(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, flo
     square_y = (linear - np.sqrt(linear**2 - 24 * zone_y**2)) / 2
     square_x = square_y + 2 * (zone_x**2 - zone_y**2)
     near = np.sqrt(np.maximum([square_x, square_y], 0.0))  # round-off may go below zero on the axes
-    share = outside_share(patch, growth=radius / (recipe.patch.margin_size * min(semi_axes)))
+    share = outside_share(patch, growth=radius / (recipe.patch.margin_size * min(semi_axes)), straight=False)
+    # Not straight: at the cube's far corner the map is flat, and cells with middle nodes half way turn inside out there.
     cube = near * (1 - share) + far_square(patch.u, patch.v) * share
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=radius)
     at_x, at_y = cube[:, patch.column]
@@ -130,13 +132,14 @@ def _ball(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, flo
     return _body("ball", patch, position)
 
 
-def _race(
-    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float, meeting: Array
-) -> BodyMesh:
-    """A block of the ring under its groove; `meeting` is where the touching columns start, (3, m)."""
+def _race(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float) -> BodyMesh:
+    """A block of the ring under its groove; columns start where the ball's normals meet the race, the rim's too."""
     patch = patch_mesh(_cells(recipe, level, growth=reach / min(semi_axes)))
-    plane = _plane(patch, recipe, semi_axes, reach)
-    plane[:, patch.zone] = meeting[:2]
+    zone = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes)
+    across = zone / contact.ball_radius
+    normal = np.vstack([across, -np.sqrt(1 - np.sum(across**2, axis=0))])
+    zone = zone + _distance_to_race(contact, normal) * normal[:2]
+    plane = _plane(patch, recipe, zone, semi_axes, reach)
     height = race_height(contact, *plane)
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=reach)
     return _body("race", patch, _stack(patch, plane, height, lines, -reach))
@@ -176,9 +179,8 @@ def _cells(recipe: Recipe, level: int, *, growth: float) -> Cells:
     return replace(base, outside=max(base.outside, needed), depth=max(base.depth, needed)).times(level)
 
 
-def _plane(patch: PatchMesh, recipe: Recipe, semi_axes: tuple[float, float], reach: float) -> Array:
-    """x, y of the columns of a block, (2, columns), m."""
-    zone = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes)
+def _plane(patch: PatchMesh, recipe: Recipe, zone: Array, semi_axes: tuple[float, float], reach: float) -> Array:
+    """x, y of the columns of a block, (2, columns), m; `zone` is where they start, those further out on its rim."""
     share = outside_share(patch, growth=reach / (recipe.patch.margin_size * min(semi_axes)))
     return zone * (1 - share) + reach * far_square(patch.u, patch.v) * share
 
