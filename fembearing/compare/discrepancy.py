@@ -66,7 +66,7 @@ class ContactSolution:
                 uncertainty=part.total,
                 tolerance=self.tolerance,
                 ordered=part.order is not None,
-                spread=(max(part.values) - min(part.values)) / abs(part.value),
+                spread=part.spread,
                 valid=self.valid,
             )
             for name, part in self.estimates.items()
