@@ -6,8 +6,8 @@ from typing import Any
 
 from analytic.contact import Race
 from analytic.scene import Scene
-from fembearing.compare.discrepancy import ContactSolution, Progress, peak_memory, silent, solve_contact
-from fembearing.compare.provenance import provenance_of
+from fembearing.compare.discrepancy import ContactSolution, Progress, silent, solve_contact
+from fembearing.compare.provenance import peak_memory, provenance_of
 from fembearing.compare.verdict import Verdict, worst
 
 RACES: tuple[Race, ...] = ("inner", "outer")
