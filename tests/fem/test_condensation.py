@@ -1,0 +1,116 @@
+"""A body reduced to its contact nodes against the whole body solved, and one solver against the other."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.sparse.linalg import spsolve
+
+from analytic.scene import Contact
+from fembearing.fem import condensation
+from fembearing.fem.condensation import condense, held_stiffness
+from fembearing.mesh.bodies import BodyMesh, PairMesh, pair_mesh
+from fembearing.mesh.recipe import load_recipe
+
+Array = NDArray[np.float64]
+CASES = [("race", "upper"), ("race", "lower"), ("hertzian", "upper"), ("hertzian", "lower")]
+SEMI_AXES = 0.10e-3, 0.93e-3  # m
+BOTH = pytest.mark.parametrize("solver", ["as installed", "scipy"])
+
+
+@pytest.fixture(scope="module")
+def pairs(contacts: dict[str, Contact]) -> dict[str, PairMesh]:
+    return {
+        recipe: pair_mesh(contacts["inner"], recipe=load_recipe(recipe), level=1, semi_axes=SEMI_AXES)
+        for recipe in ("race", "hertzian")
+    }
+
+
+def pushed(pair: PairMesh, side: str) -> tuple[BodyMesh, Array]:
+    return (pair.upper, -pair.normal) if side == "upper" else (pair.lower, pair.normal)
+
+
+@pytest.mark.skipif(condensation.PyPardisoSolver is None, reason="PARDISO is not available for this processor")
+@pytest.mark.parametrize(("recipe", "side"), CASES)
+def test_both_solvers_give_the_same(
+    contacts: dict[str, Contact],
+    pairs: dict[str, PairMesh],
+    recipe: str,
+    side: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    body, force = pushed(pairs[recipe], side)
+    material = contacts["inner"].ball_material
+    by_pardiso = condense(body, material=material, force=force, semi_axes=SEMI_AXES)
+    monkeypatch.setattr(condensation, "PyPardisoSolver", None)
+    by_superlu = condense(body, material=material, force=force, semi_axes=SEMI_AXES)
+    size = np.abs(by_superlu.compliance).max()
+    # Round-off times the condition of a mesh whose cells differ a hundredfold, about 1e6.
+    np.testing.assert_allclose(by_pardiso.compliance, by_superlu.compliance, atol=1e-9 * size, rtol=0)
+    drift = np.abs(by_superlu.drift).max()
+    np.testing.assert_allclose(by_pardiso.drift, by_superlu.drift, atol=1e-9 * drift, rtol=0)
+    assert by_pardiso.unknowns == by_superlu.unknowns
+
+
+@BOTH
+@pytest.mark.parametrize(("recipe", "side"), CASES)
+def test_condensed_nodes_move_as_in_the_whole_body(
+    contacts: dict[str, Contact],
+    pairs: dict[str, PairMesh],
+    recipe: str,
+    side: str,
+    solver: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Random forces and a far field at once; a lost node order, sign or scale of the far field shows here."""
+    if solver == "scipy":
+        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
+    body, force = pushed(pairs[recipe], side)
+    material = contacts["inner"].race_material
+    condensed = condense(body, material=material, force=force, semi_axes=SEMI_AXES)
+    system = held_stiffness(body, material=material, semi_axes=SEMI_AXES)
+    random = np.random.default_rng(21)
+    for load in (0.0, 153.0):
+        pushes = random.uniform(0.3, 2.9, body.touching.size)
+        right = np.zeros((3, body.mesh.doflocs.shape[1]))
+        right[:, body.touching] = force * pushes
+        displacement = np.zeros(right.size)
+        displacement[system.free] = spsolve(system.matrix.tocsc(), right.ravel()[system.free] + load * system.far_force)
+        moved = np.sum(displacement.reshape(3, -1)[:, body.touching] * force, axis=0)
+        found = condensed.compliance @ pushes + condensed.drift * load
+        np.testing.assert_allclose(found, moved, rtol=1e-9)  # as above
+        assert found.min() > 0  # pushed nodes give way
+
+
+@pytest.mark.parametrize(("recipe", "side"), CASES)
+def test_compliance_is_symmetric_and_positive_definite(
+    contacts: dict[str, Contact], pairs: dict[str, PairMesh], recipe: str, side: str
+) -> None:
+    body, force = pushed(pairs[recipe], side)
+    condensed = condense(body, material=contacts["inner"].ball_material, force=force, semi_axes=SEMI_AXES)
+    np.testing.assert_array_equal(condensed.compliance, condensed.compliance.T)
+    spectrum = np.linalg.eigvalsh(condensed.compliance)
+    assert spectrum[0] > 1e-9 * spectrum[-1]  # above its round-off
+    if recipe == "race" and side == "upper":
+        np.testing.assert_array_equal(condensed.drift, 0.0)  # a ball has no far field
+    else:
+        assert condensed.drift.min() > 0  # the far field goes the way of the load
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.21, 0.45])
+def test_two_half_spaces_are_mirror_images(
+    contacts: dict[str, Contact], pairs: dict[str, PairMesh], ratio: float
+) -> None:
+    """The solver condenses one of them only: that the far field of the other is its mirror image is what allows it."""
+    steel = contacts["inner"].ball_material
+    material = type(steel)(name="other", youngs_modulus=87e9, poisson_ratio=ratio, density=1.0, source="test")
+    upper, lower = (
+        condense(
+            *pushed(pairs["hertzian"], side)[:1],
+            material=material,
+            force=pushed(pairs["hertzian"], side)[1],
+            semi_axes=SEMI_AXES,
+        )
+        for side in ("upper", "lower")
+    )
+    np.testing.assert_allclose(upper.compliance, lower.compliance, atol=1e-9 * upper.compliance.max())  # as above
+    np.testing.assert_allclose(upper.drift, lower.drift, rtol=1e-9)

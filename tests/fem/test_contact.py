@@ -1,0 +1,170 @@
+"""The active set against the conditions that define unilateral contact, every subset tried in turn, and a minimiser."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+
+from analytic.errors import ConvergenceError
+from fembearing.fem import contact
+from fembearing.fem.contact import press
+
+Array = NDArray[np.float64]
+
+
+def problem(seed: int, nodes: int = 23) -> dict[str, np.ndarray]:
+    """Nodes on a line with a decaying compliance, a curved gap, slanting normals."""
+    rng = np.random.default_rng(seed)
+    place = np.sort(rng.uniform(-1.4, 1.4, nodes))
+    compliance = np.exp(-3.1 * np.abs(place[:, None] - place)) + 0.3 * np.eye(nodes)
+    return {
+        "compliance": compliance,
+        "drift": rng.uniform(-0.01, 0.01, nodes),
+        "gap": 0.9 * place**2 + 0.02 * rng.uniform(size=nodes),
+        "lever": np.cos(0.3 * place),
+    }
+
+
+def pressed(case: dict[str, np.ndarray], load: float, start: np.ndarray) -> tuple[np.ndarray, float, int]:
+    return press(**case, load=load, start=start)
+
+
+def remaining_gap(case: dict[str, np.ndarray], force: np.ndarray, approach: float, load: float) -> np.ndarray:
+    return case["gap"] + case["compliance"] @ force + case["drift"] * load - case["lever"] * approach
+
+
+@given(seed=st.integers(0, 999), load=st.floats(1e-3, 30.0))
+def test_forces_push_gaps_are_open_and_the_load_is_carried(seed: int, load: float) -> None:
+    case = problem(seed)
+    force, approach, _ = pressed(case, load, case["gap"] < 0.3)
+    gap = remaining_gap(case, force, approach, load)
+    round_off = 1e-10 * max(approach, np.abs(case["gap"]).max())
+    assert (force >= 0).all()
+    assert gap.min() > -round_off
+    assert np.abs(gap[force > 0]).max() < round_off
+    np.testing.assert_allclose(force @ case["lever"], load, rtol=1e-10)  # round-off
+
+
+@given(seed=st.integers(0, 999), bits=st.integers(0, 2**23 - 1))
+def test_any_start_ends_in_the_same_answer(seed: int, bits: int) -> None:
+    case, load = problem(seed), 1.7
+    start = np.array([bool(bits >> node & 1) for node in range(23)])
+    first = pressed(case, load, case["gap"] < 0.3)
+    second = pressed(case, load, start)
+    np.testing.assert_allclose(second[0], first[0], atol=1e-10 * load)  # round-off
+    np.testing.assert_allclose(second[1], first[1], rtol=1e-10)
+
+
+def test_forces_are_those_of_least_energy() -> None:
+    """A second method: the energy of the forces under their constraints, by a general minimiser."""
+    case, load = problem(5, nodes=9), 1.7
+    force, _, _ = pressed(case, load, case["gap"] < 0.3)
+    opened = case["gap"] + case["drift"] * load
+
+    def energy(trial: np.ndarray) -> float:
+        return float(trial @ case["compliance"] @ trial / 2 + opened @ trial)
+
+    found = minimize(
+        energy,
+        np.full(9, load / 9),
+        jac=lambda trial: case["compliance"] @ trial + opened,
+        bounds=[(0, None)] * 9,
+        constraints={"type": "eq", "fun": lambda trial: trial @ case["lever"] - load, "jac": lambda _: case["lever"]},
+        method="SLSQP",
+        options={"ftol": 1e-14, "maxiter": 500},
+    )
+    assert found.success
+    np.testing.assert_allclose(force, found.x, atol=1e-5 * load)  # the minimiser's own accuracy
+    assert (force == 0).any()  # else the constraint was never met
+    assert (force > 0).sum() > 1
+
+
+def test_a_light_load_rests_on_one_node() -> None:
+    case = problem(11) | {"drift": np.zeros(23)}
+    force, approach, _ = pressed(case, 1e-6, np.ones(23, dtype=bool))
+    assert np.flatnonzero(force).tolist() == [int(np.argmin(case["gap"] / case["lever"]))]
+    np.testing.assert_allclose(force.sum() * case["lever"][force > 0], 1e-6, rtol=1e-12)  # round-off
+    assert approach > 0
+
+
+def test_a_contact_that_does_not_settle_says_how_far_it_came(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(contact, "ROUNDS", 1)  # every start but the answer itself takes two
+    case = problem(3)
+    with pytest.raises(ConvergenceError, match=r"1 iterations: residual .* N.*load steps") as stop:
+        pressed(case, 1.7, np.ones(23, dtype=bool))
+    assert stop.value.residual > 0
+
+
+def exhaustive(compliance: Array, opened: Array, lever: Array, load: float) -> tuple[Array, float]:
+    """The one set of touching nodes whose forces all push and whose other gaps are all open."""
+    answers = []
+    for chosen in product((False, True), repeat=opened.size):
+        touching = np.flatnonzero(chosen)
+        if not touching.size:
+            continue
+        moved = np.linalg.inv(compliance[np.ix_(touching, touching)])
+        to_load, to_gap = moved @ lever[touching], moved @ opened[touching]
+        approach = (load + lever[touching] @ to_gap) / (lever[touching] @ to_load)
+        force = np.zeros_like(opened)
+        force[touching] = approach * to_load - to_gap
+        gap = opened + compliance @ force - lever * approach
+        if force.min() >= 0 and gap.min() > -1e-12 * abs(approach):
+            answers.append((force, approach))
+    assert len(answers) == 1
+    return answers[0]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_answer_is_the_one_that_trying_every_subset_finds(seed: int) -> None:
+    """Positive definite compliances with entries of either sign: one node's push may open or shut another."""
+    random, nodes = np.random.default_rng(seed), 7
+    root = random.normal(size=(nodes, nodes + 3)) * 3e-5
+    case = {
+        "compliance": root @ root.T,  # about 1e-8 m/N
+        "drift": random.uniform(0.0, 2e-9, nodes),
+        "gap": np.append(0.0, random.uniform(0.0, 1.5e-6, nodes - 1)),
+        "lever": random.uniform(0.7, 0.99, nodes),
+    }
+    load = float(random.uniform(3.0, 300.0))
+    expected, depth = exhaustive(case["compliance"], case["gap"] + load * case["drift"], case["lever"], load)
+    for start in (np.zeros(nodes, bool), np.ones(nodes, bool), random.random(nodes) < 0.5):
+        force, approach, rounds = press(**case, load=load, start=start)
+        np.testing.assert_allclose(force, expected, atol=1e-9 * load)  # round-off of two ways to solve
+        np.testing.assert_allclose(approach, depth, rtol=1e-9)
+        assert rounds <= 2**nodes
+
+
+def test_loads_over_six_decades_and_other_units() -> None:
+    """The same contact in millimetres and kilonewtons: what is open and what is shut does not change."""
+    random, nodes = np.random.default_rng(4), 19
+    place = np.linspace(-1.0, 1.3, nodes)
+    compliance = 4e-9 * np.exp(-2.0 * np.abs(place[:, None] - place))
+    case = {"drift": np.full(nodes, 1e-10), "gap": 3e-6 * place**2, "lever": random.uniform(0.9, 0.99, nodes)}
+    start, carrying = np.ones(nodes, bool), []
+    for load in (2e-3, 0.7, 31.0, 2300.0):
+        force, approach, _ = press(**case, compliance=compliance, load=load, start=start)
+        scaled = {"drift": case["drift"] * 1e6, "gap": case["gap"] * 1e3, "lever": case["lever"]}
+        other, deep, _ = press(**scaled, compliance=compliance * 1e6, load=load / 1e3, start=start)
+        np.testing.assert_allclose(other, force / 1e3, atol=1e-12 * load)  # round-off
+        np.testing.assert_allclose(deep, approach * 1e3, rtol=1e-10)
+        carrying.append(int((force > 0).sum()))
+    assert carrying == sorted(carrying)
+    assert carrying[0] == 1
+    assert carrying[-1] > 9
+
+
+def test_a_set_that_goes_in_circles_is_given_up_with_what_is_missing() -> None:
+    """An indefinite compliance has no answer to find; the message must not say that nothing is missing."""
+    for seed in (1, 3, 7):
+        random = np.random.default_rng(seed)
+        root = random.normal(size=(7, 7))
+        case = {"compliance": root + root.T, "gap": random.uniform(0, 1.1, 7), "lever": random.uniform(0.7, 0.9, 7)}
+        with pytest.raises(ConvergenceError) as stop:
+            press(**case, drift=np.zeros(7), load=3.0, start=np.ones(7, bool))
+        assert stop.value.residual > 0
+        assert f"{stop.value.iterations} iterations: residual {stop.value.residual:.1e} N" in str(stop.value)
+        assert "\n" not in str(stop.value)

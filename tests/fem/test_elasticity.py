@@ -1,0 +1,171 @@
+"""The stiffness of a body against what elasticity says of it."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.linalg import eigvalsh
+from scipy.sparse.linalg import spsolve
+from skfem import Basis, ElementHex2, ElementVector, Functional, LinearForm, MeshHex1, MeshHex2
+from skfem.models.elasticity import linear_elasticity
+
+from analytic.scene import Contact, Material
+from fembearing.fem.condensation import held_stiffness
+from fembearing.fem.elasticity import lame_parameters, scalar_basis, stiffness, surface_mass
+from fembearing.mesh.bodies import pair_mesh
+from fembearing.mesh.recipe import load_recipe
+
+Array = NDArray[np.float64]
+RUBBERY = Material(name="rubbery", youngs_modulus=2.7, poisson_ratio=0.37, density=1.3, source="test")
+SIDES = np.array([1.3, 0.7, 1.9])
+
+
+def box(cells: tuple[int, int, int]) -> MeshHex1:
+    return MeshHex1.init_tensor(*(np.linspace(0.0, side, n + 1) for side, n in zip(SIDES, cells, strict=True)))
+
+
+def on_boundary(mesh: MeshHex2) -> NDArray[np.bool_]:
+    place = mesh.doflocs
+    return (np.abs(place) < 1e-12).any(axis=0) | (np.abs(place - SIDES[:, None]) < 1e-12).any(axis=0)
+
+
+@pytest.fixture(scope="module")
+def distorted() -> MeshHex2:
+    """Cells with straight edges, every inner corner moved: what linear fields must survive.
+
+    With curved edges too, three points each way no longer integrate the products exactly.
+    """
+    straight = box((3, 2, 2))
+    inner = ((straight.p > 1e-9) & (straight.p < SIDES[:, None] - 1e-9)).all(axis=0)
+    shift = np.where(inner, np.random.default_rng(8).uniform(-0.09, 0.09, straight.p.shape), 0.0)
+    assert inner.any()
+    return MeshHex2.from_mesh(MeshHex1(straight.p + shift, straight.t))
+
+
+def solved(mesh: MeshHex2, fixed: NDArray[np.bool_], value: Array, body_force: Array) -> Array:
+    """Displacement (3, nodes), `value` on the fixed nodes."""
+    matrix = stiffness(scalar_basis(mesh), RUBBERY)
+    held = np.tile(fixed, 3)
+    displacement = np.where(held, value.ravel(), 0.0)
+    right = (body_force - matrix @ displacement)[~held]
+    displacement[~held] = spsolve(matrix[~held][:, ~held].tocsc(), right)
+    return displacement.reshape(3, -1)
+
+
+def test_a_linear_displacement_survives_distorted_cells(distorted: MeshHex2) -> None:
+    """The patch test: held at its surface as a linear field says, a body follows it inside."""
+    gradient = np.array([[0.31, -0.12, 0.07], [0.22, -0.43, 0.15], [-0.06, 0.09, 0.53]])
+    linear = gradient @ distorted.doflocs
+    found = solved(distorted, on_boundary(distorted), linear, np.zeros(linear.size))
+    assert (~on_boundary(distorted)).sum() > 40
+    np.testing.assert_allclose(found, linear, atol=1e-12)  # round-off of a solution of condition 1e3
+
+
+def test_pulling_a_bar_takes_youngs_modulus_times_strain(distorted: MeshHex2) -> None:
+    """Forces on the faces of a constant stress: E and nu enter as they are defined, not through lambda and mu."""
+    modulus, ratio, strain = RUBBERY.youngs_modulus, RUBBERY.poisson_ratio, 0.021
+    for axis in range(3):
+        others = np.delete(np.arange(3), axis)
+        displacement = -ratio * strain * distorted.doflocs
+        displacement[axis] = strain * distorted.doflocs[axis]
+        force = (stiffness(scalar_basis(distorted), RUBBERY) @ displacement.ravel()).reshape(3, -1)
+        pulled = distorted.doflocs[axis] > SIDES[axis] - 1e-12
+        pull = force[axis, pulled].sum()
+        np.testing.assert_allclose(pull, modulus * strain * np.prod(SIDES[others]), rtol=1e-12)  # round-off
+        assert np.abs(force[others]).max() < 1e-13 * modulus  # the sides are free: no force on any node of theirs
+
+
+def test_shearing_a_block_takes_the_shear_modulus(distorted: MeshHex2) -> None:
+    modulus = RUBBERY.youngs_modulus / (2 * (1 + RUBBERY.poisson_ratio))
+    displacement = np.zeros_like(distorted.doflocs)
+    displacement[0] = 0.013 * distorted.doflocs[2]
+    force = (stiffness(scalar_basis(distorted), RUBBERY) @ displacement.ravel()).reshape(3, -1)
+    top = distorted.doflocs[2] > SIDES[2] - 1e-12
+    np.testing.assert_allclose(force[0, top].sum(), modulus * 0.013 * SIDES[0] * SIDES[1], rtol=1e-12)  # round-off
+
+
+def test_moving_a_body_as_a_whole_takes_no_force(distorted: MeshHex2) -> None:
+    matrix = stiffness(scalar_basis(distorted), RUBBERY)
+    x, y, z = distorted.doflocs
+    none, one = np.zeros_like(x), np.ones_like(x)
+    motions = [[one, none, none], [none, one, none], [none, none, one], [-y, x, none], [none, -z, y], [z, none, -x]]
+    for motion in motions:
+        force = matrix @ np.concatenate(motion)
+        assert np.abs(force).max() < 1e-12 * matrix.diagonal().max()  # round-off
+    spectrum = eigvalsh(matrix.toarray())
+    assert np.count_nonzero(np.abs(spectrum) < 1e-10 * spectrum[-1]) == 6  # no other motion is free
+    assert spectrum[0] > -1e-10 * spectrum[-1]
+
+
+@pytest.mark.parametrize("recipe", ["race", "hertzian"])
+def test_held_bodies_are_symmetric_and_positive_definite(contacts: dict[str, Contact], recipe: str) -> None:
+    """PARDISO is told so, and looks at one triangle only."""
+    pair = pair_mesh(contacts["inner"], recipe=load_recipe(recipe), level=1, semi_axes=(0.10e-3, 0.94e-3))
+    for body in (pair.upper, pair.lower):
+        held = held_stiffness(body, material=contacts["inner"].ball_material, semi_axes=pair.semi_axes)
+        dense = held.matrix.toarray()
+        np.testing.assert_allclose(dense, dense.T, atol=1e-12 * np.abs(dense).max())  # sums in another order
+        assert eigvalsh((dense + dense.T) / 2)[0] > 0
+        assert 0 < held.free.size < 3 * body.mesh.doflocs.shape[1]
+
+
+def test_stiffness_equals_the_vector_form(distorted: MeshHex2) -> None:
+    """The nine products, put together, are scikit-fem's own form over vector-valued functions."""
+    vector = Basis(distorted, ElementVector(ElementHex2()), intorder=5)
+    expected = linear_elasticity(*lame_parameters(RUBBERY)).assemble(vector)
+    scalar = scalar_basis(distorted)
+    node, axis = np.divmod(np.arange(vector.N), 3)  # a vector basis numbers x, y, z of one function together
+    np.testing.assert_array_equal(vector.doflocs, scalar.doflocs[:, node])
+    ours = stiffness(scalar, RUBBERY)[node + axis * scalar.N][:, node + axis * scalar.N]
+    assert abs(ours - expected).max() < 1e-13 * abs(expected).max()  # round-off
+
+
+WAVES = np.array([[1.1, -0.7, 0.9], [0.8, 1.3, -0.6], [-0.5, 0.9, 1.2]])  # of u_x, u_y, u_z
+SIZES, PHASES = np.array([0.8, -1.1, 0.6]), np.array([0.3, 1.1, 2.0])
+
+
+def exact(place: Array) -> Array:
+    """u_i = size_i sin(wave_i . x + phase_i), (3, ...)."""
+    phase = np.einsum("ij,j...->i...", WAVES, place) + PHASES.reshape(3, *[1] * (place.ndim - 1))
+    return SIZES.reshape(3, *[1] * (place.ndim - 1)) * np.sin(phase)
+
+
+def density_of_force(place: Array) -> Array:
+    """-(lambda + mu) grad div u - mu laplace u of `exact`: d_i d_j u_j = -wave_ji wave_jj u_j."""
+    lam, mu = lame_parameters(RUBBERY)
+    u = exact(place)
+    push = np.einsum("ji,j,j...->i...", WAVES, np.diag(WAVES), u)
+    return (lam + mu) * push + mu * np.einsum("i,i...->i...", np.sum(WAVES**2, axis=1), u)
+
+
+def test_displacement_error_falls_with_order_three() -> None:
+    """A manufactured solution on smoothly curved cells; order 2 would be linear cells, or a wrong middle node."""
+    errors = []
+    for cells in (2, 3, 4, 6):
+        mesh = MeshHex2.from_mesh(box((cells, cells, cells)))
+        bend = 0.06 * np.prod(np.sin(np.pi * mesh.doflocs / SIDES[:, None]), axis=0)  # nothing on the boundary
+        mesh = MeshHex2(mesh.doflocs + np.outer([1.0, -0.6, 0.8], bend), mesh.t)
+        basis = Basis(mesh, ElementHex2(), intorder=7)
+        parts = [LinearForm(lambda v, w, i=i: density_of_force(w.x)[i] * v).assemble(basis) for i in range(3)]
+        u = solved(mesh, on_boundary(mesh), exact(mesh.doflocs), np.concatenate(parts))
+        squared = [
+            Functional(lambda w, i=i: (w["u"] - exact(w.x)[i]) ** 2).assemble(basis, u=basis.interpolate(u[i]))
+            for i in range(3)
+        ]
+        errors.append(np.sqrt(sum(squared)))
+    orders = np.diff(np.log(errors)) / np.diff(np.log([1 / 2, 1 / 3, 1 / 4, 1 / 6]))
+    np.testing.assert_allclose(orders, 3.0, atol=0.3)  # the coarsest, of two cells a side, is not yet asymptotic
+    assert errors[-1] < 2e-3
+
+
+def test_surface_mass_knows_the_area(contacts: dict[str, Contact]) -> None:
+    """Over all nodes of the ball's surface: an eighth of a sphere's; over the touching ones: less."""
+    pair = pair_mesh(contacts["outer"], recipe=load_recipe("race"), level=2, semi_axes=(0.13e-3, 0.77e-3))
+    radius = contacts["outer"].ball_radius
+    sphere = pair.upper.mesh.boundary_facets()
+    on_sphere = np.abs(np.linalg.norm(pair.upper.mesh.doflocs - [[0], [0], [radius]], axis=0) - radius) < 1e-9 * radius
+    mass = surface_mass(pair.upper.mesh, np.flatnonzero(on_sphere))
+    assert sphere.size > 0
+    np.testing.assert_allclose(mass.sum(), 4 * np.pi * radius**2 / 8, rtol=5e-3)  # coarse cells far from the pole
+    touching = surface_mass(pair.upper.mesh, pair.upper.touching)
+    margin = 1.4**2 * np.pi * 0.13e-3 * 0.77e-3 / 4
+    assert 0.5 * margin < touching.sum() < margin  # the outermost ring of facets has rim nodes and does not count

@@ -1,0 +1,81 @@
+"""What is read off a contact, on pressures whose semi-axes and peak are known; and the first guess."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
+from analytic.scene import Contact
+from fembearing.fem.elasticity import surface_mass
+from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.measure import nodal_pressure, peak_pressure, semi_axis
+from fembearing.mesh.bodies import PairMesh, pair_mesh
+from fembearing.mesh.recipe import load_recipe
+
+Array = NDArray[np.float64]
+A, B, PEAK = 0.13e-3, 0.77e-3, 1.9e9  # m, m, Pa
+
+
+@pytest.fixture(scope="module")
+def pair(contacts: dict[str, Contact]) -> PairMesh:
+    return pair_mesh(contacts["outer"], recipe=load_recipe("hertzian"), level=3, semi_axes=(A, B))
+
+
+def semi_ellipsoid(x: Array, y: Array) -> Array:
+    return PEAK * np.sqrt(np.maximum(1 - (x / A) ** 2 - (y / B) ** 2, 0.0))
+
+
+def test_semi_axes_of_a_semi_ellipsoidal_pressure() -> None:
+    """Forces of the pressure on a fine even grid, x and y told apart."""
+    step = (np.arange(400) + 0.5) / 400
+    x, y = (axis.ravel() for axis in np.meshgrid(A * step, B * step))
+    force = semi_ellipsoid(x, y)
+    np.testing.assert_allclose(semi_axis(x, force), A, rtol=2e-4)  # the grid's own error at the edge
+    np.testing.assert_allclose(semi_axis(y, force), B, rtol=2e-4)
+
+
+def test_peak_pressure_is_fitted_through_scatter() -> None:
+    """Exact on the pressure itself; one wild node at the centre, where raw values are worst, hardly counts."""
+    random = np.random.default_rng(9)
+    x, y = random.uniform(0, A, 300), random.uniform(0, B, 300)
+    x[0] = y[0] = 0.0
+    area = random.uniform(0.4, 1.9, 300) * A * B / 300
+    pressure = semi_ellipsoid(x, y)
+    np.testing.assert_allclose(peak_pressure(x, y, pressure, area, semi_axes=(A, B)), PEAK, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(
+        peak_pressure(x, y, pressure, area, semi_axes=(1.03 * A, 0.96 * B)), PEAK, rtol=1e-12
+    )  # the measured axes only choose the nodes
+    pressure[0] *= 1.3
+    assert 0 < peak_pressure(x, y, pressure, area, semi_axes=(A, B)) / PEAK - 1 < 0.02  # one of 150 nodes, 30 % off
+    area[0] *= 1e-8
+    np.testing.assert_allclose(peak_pressure(x, y, pressure, area, semi_axes=(A, B)), PEAK, rtol=1e-7)  # by its area
+
+
+def test_nodal_pressure_gives_back_the_pressure_behind_the_forces(pair: PairMesh) -> None:
+    """Any pressure that the shape functions can hold, here one that falls along both axes, comes back exactly."""
+    x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
+    mass = surface_mass(pair.upper.mesh, pair.upper.touching)
+    carrying = mass.diagonal() > 0
+    assert carrying.sum() > 0.8 * carrying.size
+    pressure = np.where(carrying, PEAK * (1.2 - 0.4 * x / A - 0.3 * y / B), 0.0)
+    force = mass @ pressure
+    found = nodal_pressure(force, mass)
+    np.testing.assert_allclose(found, pressure, atol=1e-10 * PEAK)  # round-off times the condition of the mass
+    total = PEAK * np.asarray(mass.sum(axis=1)).ravel()
+    np.testing.assert_allclose(total.sum(), PEAK * mass.sum(), rtol=1e-12)
+    assert 0.5 < mass.sum() / (1.4**2 * np.pi * A * B / 4) < 1  # quarter of the patch less its outermost cells
+
+
+@pytest.mark.parametrize("name", ["inner", "outer"])
+def test_the_first_guess_is_near_enough_for_one_correction(contacts: dict[str, Contact], name: str) -> None:
+    """Within 5 % of Hertz from nearly round to nearly a line; along and across rolling are not mixed up."""
+    for conformity in (0.505, 0.53, 0.7, 3.1):
+        for load in (2e-3, 372.0):
+            contact = replace(contacts[name], groove_radius=conformity * 7.94e-3, load=load)
+            curvature_x, curvature_y = relative_curvatures(contact)
+            modulus = contact_modulus(contact.ball_material, contact.race_material)
+            exact = hertz_contact(curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus)
+            expected = float(exact.semi_axis_x), float(exact.semi_axis_y)
+            np.testing.assert_allclose(expected_semi_axes(contact), expected, rtol=0.05)

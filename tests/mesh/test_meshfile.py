@@ -1,0 +1,149 @@
+"""Meshes as files: nothing lost through meshio, nothing wrong let in, and VTK sees cells the right way out."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import meshio
+import numpy as np
+import pytest
+import pyvista
+
+from analytic.errors import InputError
+from analytic.scene import Contact
+from fembearing.mesh.bodies import BodyMesh, pair_mesh
+from fembearing.mesh.meshfile import read_body, write_body
+from fembearing.mesh.quality import mesh_quality
+from fembearing.mesh.recipe import load_recipe
+
+SEMI_AXES = 0.11e-3, 0.83e-3  # m
+
+
+def bodies(contacts: dict[str, Contact], recipe: str, level: int = 2) -> tuple[BodyMesh, BodyMesh]:
+    pair = pair_mesh(contacts["outer"], recipe=load_recipe(recipe), level=level, semi_axes=SEMI_AXES)
+    return pair.upper, pair.lower
+
+
+@pytest.mark.parametrize("recipe", ["race", "hertzian"])
+def test_a_body_comes_back_as_it_was(contacts: dict[str, Contact], recipe: str, tmp_path: Path) -> None:
+    """Bit for bit, order of the touching nodes included: the two bodies' contact nodes are paired by it."""
+    for body in bodies(contacts, recipe):
+        write_body(tmp_path / "body.vtu", body)
+        again = read_body(tmp_path / "body.vtu", name=body.name)
+        assert again.name == body.name
+        np.testing.assert_array_equal(again.mesh.doflocs, body.mesh.doflocs)
+        np.testing.assert_array_equal(again.mesh.t, body.mesh.t)
+        np.testing.assert_array_equal(again.touching, body.touching)
+        assert (np.diff(body.touching) < 0).any()  # else sorting them would pass for keeping their order
+        np.testing.assert_array_equal(again.surface, body.surface)
+        np.testing.assert_array_equal(again.far, body.far)
+        for plane, expected in zip(again.planes, body.planes, strict=True):
+            np.testing.assert_array_equal(plane, expected)
+
+
+@pytest.mark.parametrize("recipe", ["race", "hertzian"])
+def test_vtk_sees_every_cell_the_right_way_out(contacts: dict[str, Contact], recipe: str, tmp_path: Path) -> None:
+    """A node order that VTK reads differently gives negative or wrong volumes."""
+    for body in bodies(contacts, recipe, level=3):
+        write_body(tmp_path / "body.vtu", body)
+        grid = pyvista.read(tmp_path / "body.vtu")
+        assert isinstance(grid, pyvista.UnstructuredGrid)
+        assert set(grid.celltypes) == {pyvista.CellType.TRIQUADRATIC_HEXAHEDRON}
+        volume = np.asarray(grid.compute_cell_sizes(length=False, area=False).cell_data["Volume"])
+        assert volume.min() > 0
+        # VTK cuts a cell into flat-faced tetrahedra: exact for the idealisation's bricks, not for a ball's curved cells
+        tolerance = 1e-12 if recipe == "hertzian" else 0.02
+        np.testing.assert_allclose(volume.sum(), mesh_quality(body.mesh).volume, rtol=tolerance)
+
+
+def test_fields_are_written_beside_the_mesh(contacts: dict[str, Contact], tmp_path: Path) -> None:
+    body = bodies(contacts, "race", level=1)[0]
+    displacement = np.random.default_rng(5).normal(size=(body.mesh.doflocs.shape[1], 3))
+    write_body(tmp_path / "body.vtu", body, displacement=displacement)
+    np.testing.assert_array_equal(pyvista.read(tmp_path / "body.vtu").point_data["displacement"], displacement)
+
+
+def test_a_failed_write_leaves_the_old_file_and_nothing_else(
+    contacts: dict[str, Contact], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    body = bodies(contacts, "race", level=1)[0]
+    write_body(tmp_path / "body.vtu", body)
+    before = (tmp_path / "body.vtu").read_bytes()
+
+    def disk_full(path: str, _: object) -> None:
+        Path(path).write_text("half a mesh")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(meshio.vtu, "write", disk_full)
+    with pytest.raises(OSError, match="No space left"):
+        write_body(tmp_path / "body.vtu", body)
+    assert (tmp_path / "body.vtu").read_bytes() == before
+    assert [path.name for path in tmp_path.iterdir()] == ["body.vtu"]
+
+
+def test_others_may_read_the_file_as_any_other(contacts: dict[str, Contact], tmp_path: Path) -> None:
+    (tmp_path / "plain.txt").write_text("as the umask has it")
+    write_body(tmp_path / "body.vtu", bodies(contacts, "hertzian", level=1)[1])
+    assert (tmp_path / "body.vtu").stat().st_mode == (tmp_path / "plain.txt").stat().st_mode
+
+
+def without(array: str) -> Callable[[Path], None]:
+    def strip(path: Path) -> None:
+        content = meshio.vtu.read(str(path))
+        del content.point_data[array]
+        meshio.vtu.write(str(path), content)
+
+    return strip
+
+
+def cut(share: float) -> Callable[[Path], object]:
+    return lambda path: path.write_bytes(path.read_bytes()[: int(share * path.stat().st_size)])
+
+
+def corrupted(path: Path) -> None:
+    content = bytearray(path.read_bytes())
+    middle = content.index(b"AQAAAA") + 60  # inside the first compressed block
+    content[middle : middle + 12] = b"AAAAAAAAAAAA"
+    path.write_bytes(content)
+
+
+def tetrahedra(path: Path) -> None:
+    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    content = meshio.Mesh(points, [("tetra", np.array([[0, 1, 2, 3]]))])
+    for name in ("touching", "surface", "far", "plane_x", "plane_y", "plane_z"):
+        content.point_data[name] = np.zeros(4, dtype=np.int32)
+    meshio.vtu.write(str(path), content)
+
+
+def straight_hexahedra(path: Path) -> None:
+    content = meshio.vtu.read(str(path))
+    (cells,) = content.cells
+    content.cells = [meshio.CellBlock("hexahedron", cells.data[:, :8])]
+    meshio.vtu.write(str(path), content)
+
+
+FAULTS: dict[str, Callable[[Path], object]] = {
+    "missing": lambda path: path.unlink(),
+    "empty": lambda path: path.write_bytes(b""),
+    "text": lambda path: path.write_text("this is no mesh\n"),
+    "other xml": lambda path: path.write_text("<html><body>moved</body></html>"),
+    "no grid": lambda path: path.write_text('<VTKFile type="UnstructuredGrid" version="0.1"></VTKFile>'),
+    "cut early": cut(0.05),
+    "cut late": cut(0.7),
+    "corrupted": corrupted,
+    "binary": lambda path: path.write_bytes(bytes(range(256)) * 20),
+    "tetrahedra": tetrahedra,
+    "straight hexahedra": straight_hexahedra,
+    "no touching": without("touching"),
+    "no plane": without("plane_y"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_broken_file_is_refused_in_one_line(contacts: dict[str, Contact], tmp_path: Path, fault: str) -> None:
+    path = tmp_path / "body.vtu"
+    write_body(path, bodies(contacts, "race", level=1)[0])
+    read_body(path, name="ball")  # sound so far
+    FAULTS[fault](path)
+    with pytest.raises(InputError, match=r"body\.vtu: not a mesh written by fembearing") as caught:
+        read_body(path, name="ball")
+    assert "\n" not in str(caught.value)

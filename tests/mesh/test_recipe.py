@@ -1,0 +1,90 @@
+"""Recipes: every mesh comes from one, and a mistake in one is named."""
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+import analytic
+import fembearing
+from analytic.errors import FembearingError, InputError
+from analytic.scene import Scene
+from analytic.scenefile import builtin_scene
+from fembearing.mesh import recipe as recipes
+from fembearing.mesh.recipe import load_recipe, parse_recipe
+
+SHIPPED = Path(fembearing.__file__).parent / "meshes"
+
+
+@pytest.fixture
+def scene() -> Scene:
+    return analytic.load_scene(builtin_scene("6205"))
+
+
+@pytest.mark.parametrize(("name", "geometry"), [("race", "real"), ("hertzian", "hertzian")])
+def test_the_shipped_recipes_are_sound(name: str, geometry: str) -> None:
+    recipe = load_recipe(name)
+    assert (recipe.name, recipe.geometry) == (name, geometry)
+    assert len(recipe.levels) >= 3
+    assert recipe.cells.times(3).depth == 3 * recipe.cells.depth
+
+
+FAULTS = {  # what is replaced, by what, and what the message must name
+    "no toml": ("geometry =", "geometry = =", "race"),
+    "unknown key": ('geometry = "real"', 'geometry = "real"\nsmoothing = 3', "smoothing"),
+    "other geometry": ('"real"', '"cylinder"', "'cylinder', accepted: 'real' or 'hertzian'"),
+    "levels not rising": ("[1, 2, 3, 4]", "[4, 5, 6]", r"\[4, 5, 6\].*1.3 times"),
+    "levels falling": ("[1, 2, 3, 4]", "[4, 3, 2]", r"\[4, 3, 2\].*1.3 times"),
+    "two levels": ("[1, 2, 3, 4]", "[2, 4]", "three or more"),
+    "level zero": ("[1, 2, 3, 4]", "[0, 2, 3]", r"levels = \[0, 2, 3\]"),
+    "broken level": ("[1, 2, 3, 4]", "[1, 2, 3.5]", "whole numbers"),
+    "levels no list": ("[1, 2, 3, 4]", "7", "levels = 7"),
+    "text for a number": ("core_size = 0.6", 'core_size = "0.6"', "core_size = '0.6'"),
+    "flag for a number": ("core = 1", "core = true", "cells.core = True"),
+    "broken cell count": ("depth = 3", "depth = 2.5", "cells.depth = 2.5"),
+    "no cells": ("inside = 1", "inside = 0", "cells.inside = 0"),
+    "negative": ("layer = 0.8", "layer = -0.8", "depth.layer = -0.8"),
+    "not a number": ("extent = 6.0", "extent = nan", "domain.extent = nan"),
+    "infinite": ("extent = 6.0", "extent = inf", "domain.extent = inf"),
+    "margin inside the contact": ("margin_size = 1.4", "margin_size = 0.9", "margin_size = 0.9"),
+    "unknown in a section": ("edge_grading = 1.5", "edge_gradin = 1.5", r"\[patch\].*edge_grading"),
+    "missing section": ("[depth]", "[depht]", "depht"),
+    "section no table": ("[domain]", "[[domain]]", r"\[domain\]"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_mistake_is_named_in_one_line(tmp_path: Path, fault: str) -> None:
+    old, new, named = FAULTS[fault]
+    text = (SHIPPED / "race.toml").read_text("utf-8")
+    assert old in text
+    (tmp_path / "race.toml").write_text(text.replace(old, new, 1), "utf-8")
+    with pytest.raises(InputError, match=f"mesh recipe race.*{named}") as caught:
+        parse_recipe(tmp_path / "race.toml", name="race")
+    assert "\n" not in str(caught.value)
+
+
+def test_a_file_that_is_no_text_is_named(tmp_path: Path) -> None:
+    (tmp_path / "race.toml").write_bytes(b"\xff\xfe\x00 geometry")
+    with pytest.raises(InputError, match="mesh recipe race") as caught:
+        parse_recipe(tmp_path / "race.toml", name="race")
+    assert "\n" not in str(caught.value)
+
+
+def test_without_its_recipe_nothing_is_solved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, scene: Scene) -> None:
+    """Recipes are read from a copy of the package's folder, then one is deleted from it: no other source of meshes."""
+    shutil.copytree(SHIPPED, tmp_path / "meshes")
+    monkeypatch.setattr(recipes, "files", lambda _: tmp_path)
+    assert load_recipe("race").geometry == "real"
+    (tmp_path / "meshes" / "race.toml").unlink()
+    for attempt in (
+        lambda: load_recipe("race"),
+        lambda: fembearing.solve_contact(scene, pair="inner"),
+        lambda: fembearing.validate(scene),
+    ):
+        with pytest.raises(FembearingError, match=r"restore meshes/race\.toml") as caught:
+            attempt()
+        assert "\n" not in str(caught.value)
+    (tmp_path / "meshes" / "hertzian.toml").unlink()
+    with pytest.raises(InputError, match=r"restore meshes/hertzian\.toml"):
+        fembearing.solve_contact(scene, pair="outer", geometry="hertzian")

@@ -1,0 +1,52 @@
+"""The committed reference meshes: untouched, and what the recipes still make."""
+
+import hashlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from fembearing.cli import app
+from fembearing.mesh.bodies import BodyMesh, BodyName
+from fembearing.mesh.meshfile import read_body
+
+REFERENCE = Path(__file__).resolve().parents[2] / "meshes" / "reference"
+BODIES: dict[tuple[str, str], BodyName] = {
+    ("real", "upper"): "ball",
+    ("real", "lower"): "race",
+    ("hertzian", "upper"): "half space",
+    ("hertzian", "lower"): "half space",
+}
+
+
+def test_the_files_are_as_committed() -> None:
+    lines = (REFERENCE / "SHA256SUMS").read_text("ascii").splitlines()
+    listed = {name: digest for digest, name in (line.split() for line in lines)}
+    present = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in REFERENCE.glob("*.vtu")}
+    assert present == listed
+    assert sorted(present) == sorted(
+        f"{pair}-{shape}-{side}.vtu" for pair in ("inner", "outer") for shape, side in BODIES
+    )
+
+
+def sets(body: BodyMesh) -> list[np.ndarray]:
+    return [body.touching, body.surface, body.far, *body.planes]
+
+
+@pytest.mark.parametrize("geometry", ["real", "hertzian"])
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+def test_the_recipe_still_makes_them(pair: str, geometry: str, tmp_path: Path) -> None:
+    """By the command that made them: a changed recipe, mesh or built-in scene must come with new files."""
+    wanted = ["mesh", "--pair", pair, "--geometry", geometry, "--level", "1", "--out", str(tmp_path)]
+    result = CliRunner().invoke(app, wanted)
+    assert result.exit_code == 0, result.output
+    for side in ("upper", "lower"):
+        name = f"{pair}-{geometry}-{side}.vtu"
+        old, new = (read_body(folder / name, name=BODIES[geometry, side]) for folder in (REFERENCE, tmp_path))
+        np.testing.assert_array_equal(new.mesh.t, old.mesh.t)
+        for expected, found in zip(sets(old), sets(new), strict=True):
+            np.testing.assert_array_equal(found, expected)
+        # Round-off of the contact angle's root finder (4 eps) and of another machine's sine, with room to grow.
+        size = np.abs(old.mesh.doflocs).max()
+        np.testing.assert_allclose(new.mesh.doflocs, old.mesh.doflocs, rtol=0, atol=1e-9 * size)
