@@ -21,12 +21,13 @@ from fembearing.mesh.patch import (
     far_square,
     outside_share,
     patch_mesh,
+    ray,
 )
 from fembearing.mesh.recipe import Cells, Recipe
 
 Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
-BodyName = Literal["ball", "race", "half space"]
+BodyName = Literal["ball", "race", "pocket wall", "half space"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -37,7 +38,8 @@ class BodyMesh:
     mesh: MeshHex2  # positions in m, frame of `fembearing.mesh`
     touching: Nodes  # (m,) nodes that may come into contact, in the same order in both bodies
     surface: Nodes  # all nodes of the loaded surface
-    far: Nodes  # nodes that carry the far-field displacement; none in the ball
+    far: Nodes  # nodes that carry the far-field displacement of a half space
+    clamped: Nodes  # nodes that cannot move
     planes: tuple[Nodes, Nodes, Nodes]  # nodes with u_x = 0, u_y = 0, u_z = 0
 
 
@@ -71,7 +73,8 @@ def _half_spaces(
     contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float
 ) -> PairMesh:
     patch = patch_mesh(_cells(recipe, level, growth=reach / min(semi_axes)))
-    x, y = plane = _plane(patch, recipe, semi_axes, reach)
+    zone = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes)
+    x, y = plane = _plane(patch, recipe, zone, semi_axes, reach)
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=reach)
     flat = np.zeros_like(x)
     upper = _body("half space", patch, _stack(patch, plane, flat, lines, reach))
@@ -97,7 +100,10 @@ def _ball_on_race(
     touching = upper.mesh.doflocs[:, upper.touching]
     normal = touching / radius - np.array([[0.0], [0.0], [1.0]])
     gap = _distance_to_race(contact, normal)
-    lower = _race(contact, recipe, level, semi_axes, reach, touching + gap * normal)
+    if recipe.geometry == "wall":
+        lower = _pocket_wall(contact, recipe, level, semi_axes)
+    else:
+        lower = _race(contact, recipe, level, semi_axes, reach)
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
 
 
@@ -114,7 +120,8 @@ def _ball(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, flo
     square_y = (linear - np.sqrt(linear**2 - 24 * zone_y**2)) / 2
     square_x = square_y + 2 * (zone_x**2 - zone_y**2)
     near = np.sqrt(np.maximum([square_x, square_y], 0.0))  # round-off may go below zero on the axes
-    share = outside_share(patch, growth=radius / (recipe.patch.margin_size * min(semi_axes)))
+    share = outside_share(patch, growth=radius / (recipe.patch.margin_size * min(semi_axes)), straight=False)
+    # Not straight: at the cube's far corner the map is flat, and cells with middle nodes half way turn inside out there.
     cube = near * (1 - share) + far_square(patch.u, patch.v) * share
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=radius)
     at_x, at_y = cube[:, patch.column]
@@ -130,16 +137,52 @@ def _ball(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, flo
     return _body("ball", patch, position)
 
 
-def _race(
-    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float, meeting: Array
-) -> BodyMesh:
-    """A block of the ring under its groove; `meeting` is where the touching columns start, (3, m)."""
+def _race(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float) -> BodyMesh:
+    """A block of the ring under its groove; columns start where the ball's normals meet the race, the rim's too."""
     patch = patch_mesh(_cells(recipe, level, growth=reach / min(semi_axes)))
-    plane = _plane(patch, recipe, semi_axes, reach)
-    plane[:, patch.zone] = meeting[:2]
+    zone = _meeting(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
+    plane = _plane(patch, recipe, zone, semi_axes, reach)
     height = race_height(contact, *plane)
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=reach)
     return _body("race", patch, _stack(patch, plane, height, lines, -reach))
+
+
+def _pocket_wall(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> BodyMesh:
+    """Half a spherical pocket of sheet metal, from its pole to its rim in the plane where the halves join.
+
+    The patch is laid on the sphere with distances from the pole kept; the rim is held as rivets hold it.
+    Raises InputError if the contact would reach the rim.
+    """
+    if contact.wall is None:
+        raise InputError("a pocket wall needs the cage's wall thickness and pocket depth")
+    radius, thickness = contact.groove_radius, contact.wall.thickness
+    rim = float(np.arccos(1 - contact.wall.depth / radius))
+    patch = patch_mesh(_cells(recipe, level, growth=max(rim * radius, thickness) / min(semi_axes)))
+    zone = _meeting(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
+    distance = np.hypot(*zone)
+    widest = float(distance.max()) / radius
+    if widest >= np.sin(rim):
+        raise InputError(
+            f"the contact, {widest * radius:.3g} m wide with its margin, reaches the rim of a pocket {contact.wall.depth:.3g} m "
+            "deep: lower the load or deepen the pocket"
+        )
+    polar = np.arcsin(distance / radius)
+    near = zone / np.maximum(distance, np.finfo(float).tiny) * polar
+    share = outside_share(patch, growth=rim * radius / (recipe.patch.margin_size * min(semi_axes)))
+    plane = near * (1 - share) + rim * ray(patch.u, patch.v) * share
+    angle = np.hypot(*plane)
+    out = plane / np.maximum(angle, np.finfo(float).tiny) * np.sin(angle)
+    direction = np.vstack([out, -np.cos(angle)])[:, patch.column]
+    lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=thickness)
+    reach = radius + lines[lines.size - 1 - np.rint(2 * patch.layer).astype(int)]
+    return _body("pocket wall", patch, reach * direction + np.array([[0.0], [0.0], [radius]]))
+
+
+def _meeting(contact: Contact, zone: Array) -> Array:
+    """x, y where the ball's normals through its surface points above `zone` (2, ...) meet the race, m."""
+    across = zone / contact.ball_radius
+    normal = np.vstack([across, -np.sqrt(1 - np.sum(across**2, axis=0))])
+    return zone + _distance_to_race(contact, normal) * normal[:2]
 
 
 def race_height(contact: Contact, x: Array, y: Array) -> Array:
@@ -176,9 +219,8 @@ def _cells(recipe: Recipe, level: int, *, growth: float) -> Cells:
     return replace(base, outside=max(base.outside, needed), depth=max(base.depth, needed)).times(level)
 
 
-def _plane(patch: PatchMesh, recipe: Recipe, semi_axes: tuple[float, float], reach: float) -> Array:
-    """x, y of the columns of a block, (2, columns), m."""
-    zone = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes)
+def _plane(patch: PatchMesh, recipe: Recipe, zone: Array, semi_axes: tuple[float, float], reach: float) -> Array:
+    """x, y of the columns of a block, (2, columns), m; `zone` is where they start, those further out on its rim."""
     share = outside_share(patch, growth=reach / (recipe.patch.margin_size * min(semi_axes)))
     return zone * (1 - share) + reach * far_square(patch.u, patch.v) * share
 
@@ -204,13 +246,17 @@ def _body(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
     order[column[on_surface]] = np.flatnonzero(on_surface)
     outermost = (ring > patch.cells.rings - NODE)[column]
     deepest = np.abs(patch.layer - (patch.cells.depth - surface_layer)) < NODE
-    far = np.flatnonzero(outermost | deepest) if name != "ball" else np.array([], dtype=np.intp)
-    middle = np.flatnonzero(deepest) if name == "ball" else np.array([], dtype=np.intp)
+    none = np.array([], dtype=np.intp)
     return BodyMesh(
         name=name,
         mesh=MeshHex2(np.ascontiguousarray(position), patch.topology.t),
         touching=order[patch.zone],
         surface=np.flatnonzero(on_surface),
-        far=far,
-        planes=(np.flatnonzero((patch.u < NODE)[column]), np.flatnonzero((patch.v < NODE)[column]), middle),
+        far=np.flatnonzero(outermost | deepest) if name in ("race", "half space") else none,
+        clamped=np.flatnonzero(outermost) if name == "pocket wall" else none,
+        planes=(
+            np.flatnonzero((patch.u < NODE)[column]),
+            np.flatnonzero((patch.v < NODE)[column]),
+            np.flatnonzero(deepest) if name == "ball" else none,
+        ),
     )
