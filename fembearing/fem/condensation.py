@@ -6,6 +6,7 @@ load Q, the touching nodes move by compliance @ f + drift * Q along the directio
 
 from dataclasses import dataclass
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -121,8 +122,9 @@ def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple
 
 
 @cache
-def _pardiso() -> "PyPardisoSolver":
+def _pardiso() -> Any:
     """One solver for all bodies: looking for MKL's library takes pypardiso longer than a small factorisation."""
+    assert PyPardisoSolver is not None  # the caller asked
     solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
     for number, value in ((1, 1), (2, 2), (10, 8), (36, 1)):  # own settings, METIS, pivot 1e-8, Schur complement
         solver.set_iparm(number, value)

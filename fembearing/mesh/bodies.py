@@ -160,11 +160,10 @@ def _pocket_wall(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[
     patch = patch_mesh(_cells(recipe, level, growth=max(rim * radius, thickness) / min(semi_axes)))
     zone = _meeting(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
     distance = np.hypot(*zone)
-    widest = float(distance.max()) / radius
-    if widest >= np.sin(rim):
+    if distance.max() >= radius * np.sin(rim):
         raise InputError(
-            f"the contact, {widest * radius:.3g} m wide with its margin, reaches the rim of a pocket {contact.wall.depth:.3g} m "
-            "deep: lower the load or deepen the pocket"
+            f"the contact, {distance.max():.3g} m wide with its margin, reaches the rim of a pocket "
+            f"{contact.wall.depth:.3g} m deep: lower the load or deepen the pocket"
         )
     polar = np.arcsin(distance / radius)
     near = zone / np.maximum(distance, np.finfo(float).tiny) * polar

@@ -112,7 +112,7 @@ def outside_share(patch: PatchMesh, *, growth: float, straight: bool = True) -> 
     rings = np.arange(2 * patch.cells.outside + 1) / 2
     share = np.expm1(rings / patch.cells.outside * np.log(growth)) / (growth - 1)
     near, far = share[:-1:2], share[2::2]
-    least = 0.5 if straight else 0.35
+    least = 0.5 if straight else 0.4
     share[1::2] = np.maximum(share[1::2], near + least * (far - near))
     return np.interp(patch.ring - patch.cells.inside - patch.cells.margin, rings, share)
 
