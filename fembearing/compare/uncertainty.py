@@ -31,6 +31,12 @@ class Estimate:
         return self.values[-1]
 
     @property
+    def spread(self) -> float:
+        """Largest difference between the last three meshes, relative."""
+        last = self.values[-3:]
+        return (max(last) - min(last)) / abs(self.value)
+
+    @property
     def total(self) -> float:
         """Mesh and domain uncertainty added: nothing says that they are independent."""
         return self.mesh + self.domain
@@ -47,8 +53,7 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float]) -> Estimate:
     order = observed_order(values[-3:], cell_sizes[-3:])
     change, ratio = abs(fine - values[-2]), cell_sizes[-2] / cell_sizes[-1]
     if order is None:
-        spread = max(values[-3:]) - min(values[-3:])
-        index = CAUTIOUS * spread / (ratio**FORMAL_ORDER - 1)
+        index = CAUTIOUS * (max(values[-3:]) - min(values[-3:])) / (ratio**FORMAL_ORDER - 1)
         richardson = None
     elif REASONABLE_ORDER[0] <= order <= REASONABLE_ORDER[1]:
         index = SAFE * change / (ratio ** min(order, FORMAL_ORDER) - 1)

@@ -121,7 +121,7 @@ def _ball(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, flo
     square_x = square_y + 2 * (zone_x**2 - zone_y**2)
     near = np.sqrt(np.maximum([square_x, square_y], 0.0))  # round-off may go below zero on the axes
     share = outside_share(patch, growth=radius / (recipe.patch.margin_size * min(semi_axes)), straight=False)
-    # Not straight: at the cube's far corner the map is flat, and cells with middle nodes half way turn inside out there.
+    # Not straight: at the cube's far corner the map is flat, and cells with middle nodes half way turn inside out.
     cube = near * (1 - share) + far_square(patch.u, patch.v) * share
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=radius)
     at_x, at_y = cube[:, patch.column]
