@@ -72,7 +72,11 @@ def parse_scene(text: str, *, origin: str) -> Scene:
     try:
         document = tomllib.loads(text)
     except (ValueError, RecursionError) as problem:  # ValueError: TOMLDecodeError, dates and integers out of range
-        reason = "nested too deep" if isinstance(problem, RecursionError) else " ".join(str(problem).split())
+        reason = " ".join(str(problem).split())
+        if isinstance(problem, RecursionError):
+            reason = "nested too deep"
+        elif "set_int_max_str_digits" in reason:
+            reason = "a number of thousands of digits"
         raise InputError(f"{origin}: not TOML: {reason}") from problem
     faults = _take_catalog(document)
     if not faults:

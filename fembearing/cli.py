@@ -3,11 +3,13 @@
 """
 
 import json
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -15,6 +17,7 @@ from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 from rich.table import Table
+from typer.exceptions import Abort, TyperException
 
 from analytic.errors import ConvergenceError, FembearingError, InputError
 from analytic.quantity import Dimension
@@ -26,12 +29,23 @@ if TYPE_CHECKING:  # the solver takes a second to import: only the commands that
     from fembearing.compare.verdict import Verdict
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
+INTERRUPTED, PIPE_CLOSED = 130, 141  # what a shell makes of the two signals
 BUILTIN = "6205"
 TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
 LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
-out, err = Console(), Console(stderr=True)
+
+
+class Output(Console):
+    """Standard output. Rich would end with status 1 when the reader goes away, and that means a failed check here."""
+
+    def on_broken_pipe(self) -> None:
+        _close_output()
+        raise typer.Exit(PIPE_CLOSED)
+
+
+out, err = Output(), Console(stderr=True)
 
 
 class PairName(StrEnum):
@@ -62,14 +76,37 @@ Geometry = Annotated[
 
 def main() -> None:
     """Run the command line; a user's mistake is one line, anything else is our bug and keeps its traceback."""
+    if sys.stdout is None:
+        sys.exit(_complain("standard output is closed; give the result somewhere to go", INPUT_AT_FAULT))
     try:
-        app()
+        status = app(standalone_mode=False)
+        sys.stdout.flush()
     except ConvergenceError as problem:
-        typer.echo(f"fembearing: {problem}", err=True)
-        sys.exit(NOT_SOLVED)
-    except FembearingError as problem:
-        typer.echo(f"fembearing: {problem}", err=True)
-        sys.exit(INPUT_AT_FAULT)
+        status = _complain(problem, NOT_SOLVED)
+    except (FembearingError, TyperException) as problem:
+        status = _complain(problem.format_message() if isinstance(problem, TyperException) else problem, INPUT_AT_FAULT)
+    except Abort:
+        status = INTERRUPTED
+    except OSError as problem:
+        _close_output()
+        status = (
+            PIPE_CLOSED
+            if isinstance(problem, BrokenPipeError)
+            else _complain(f"cannot write the result: {problem.strerror}; check where it goes", INPUT_AT_FAULT)
+        )
+    sys.exit(status)
+
+
+def _close_output() -> None:
+    """Let what is still buffered go nowhere: Python would complain of it on its way out."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _complain(problem: object, status: int) -> int:
+    words = " ".join(str(problem).split())
+    if words:  # typer has none where it printed the help
+        typer.echo(f"fembearing: {words}", err=True)
+    return status
 
 
 @app.callback()
@@ -137,8 +174,8 @@ def mesh(
     """Write the two meshes of a contact and report their worst cells."""
     given = _scene(scene)
     force = _load(load)
-    if folder.exists() and not folder.is_dir():
-        raise InputError(f"--out {folder}: is a file, a folder is wanted")
+    if str(folder) in ("", ".") or (folder.exists() and not folder.is_dir()):
+        raise InputError(f"--out {str(folder)!r}: give a folder for the meshes; it is made if it is missing")
     from dataclasses import asdict
 
     from fembearing.compare.discrepancy import RECIPES, contact_of
@@ -154,15 +191,18 @@ def mesh(
         raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
     found = contact_of(given, pair=pair.value, load=force)
     bodies = pair_mesh(found, recipe=recipe, level=chosen, semi_axes=expected_semi_axes(found))
+    written = {}
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        written = {}
-        for side, body in (("upper", bodies.upper), ("lower", bodies.lower)):
-            path = folder / f"{pair}-{geometry}-{side}.vtu"
-            write_body(path, body)
-            written[str(path)] = asdict(mesh_quality(body.mesh)) | {"body": body.name}
+        with TemporaryDirectory(dir=folder, prefix=".") as apart:  # both files or none
+            for side, body in (("upper", bodies.upper), ("lower", bodies.lower)):
+                name = f"{pair}-{geometry}-{side}.vtu"
+                write_body(Path(apart) / name, body)
+                written[str(folder / name)] = asdict(mesh_quality(body.mesh)) | {"body": body.name}
+            for path in written:
+                (Path(apart) / Path(path).name).replace(path)
     except OSError as problem:
-        raise InputError(f"--out {folder}: {problem.strerror}") from problem
+        raise InputError(f"--out {str(folder)!r}: {problem.strerror}") from problem
     if as_json:
         _print_json({"pair": pair.value, "geometry": geometry.value, "level": chosen, "meshes": written})
         return
@@ -211,16 +251,17 @@ def _progress() -> Iterator[Callable[[float, str], None]]:
 
 
 def _print_json(content: dict[str, Any]) -> None:
-    typer.echo(json.dumps(content, indent=1, allow_nan=False))
+    out.out(json.dumps(content, indent=1, allow_nan=False), highlight=False)
 
 
 SHOWN = {
     "approach": ("approach, um", 1e6),
-    "semi_axis_rolling": ("semi-axis rolling, mm", 1e3),
-    "semi_axis_transverse": ("semi-axis transverse, mm", 1e3),
+    "semi_axis_rolling": ("semi-axis a, mm", 1e3),
+    "semi_axis_transverse": ("semi-axis b, mm", 1e3),
     "peak_pressure": ("peak pressure, GPa", 1e-9),
     "stiffness": ("stiffness, GN/m^1.5", 1e-9),
 }
+COLUMNS = {"quantity": 19, "Hertz": 10, "FE": 10, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
 
 
 def _print_contact(contact: "ContactSolution") -> None:
@@ -231,9 +272,12 @@ def _print_contact(contact: "ContactSolution") -> None:
         title_justify="left",
         box=SIMPLE_HEAD,
         padding=(0, 1, 0, 0),
+        pad_edge=False,
+        show_edge=False,
     )
-    for head in ("quantity", "Hertz", "FE", "Hertz/FE-1", "+-", "order", "verdict"):
-        table.add_column(head, justify="left" if head in ("quantity", "verdict") else "right", no_wrap=True)
+    for head, width in COLUMNS.items():
+        left = head in ("quantity", "verdict")
+        table.add_column(head, justify="left" if left else "right", no_wrap=True, min_width=width)
     for name, (words, factor) in SHOWN.items():
         part, discrepancy = contact.estimates[name], contact.discrepancy[name]
         table.add_row(
@@ -243,12 +287,12 @@ def _print_contact(contact: "ContactSolution") -> None:
             f"{discrepancy:+.2%} {'*' if abs(discrepancy) > part.total else ' '}",
             f"{part.total:.2%}",
             "none" if part.order is None else f"{part.order:.1f}",
-            contact.verdicts[name],
+            contact.verdicts[name].removesuffix(" validity"),
         )
     out.print(table)
     out.print(
-        "x along rolling, y transverse, z along the load. FE: finite elements; +-: their numerical uncertainty, 95 %; "
-        "*: the difference exceeds it; order: observed on the meshes.\n"
+        "a along rolling (x), b transverse (y), load along z. FE: finite elements; +-: their numerical uncertainty, "
+        "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
         f"{contact.rung}, {contact.seconds:.1f} s\n",
         style="dim",
         highlight=False,
@@ -259,3 +303,7 @@ def _print_contact(contact: "ContactSolution") -> None:
 def _print_warnings(warnings: tuple[str, ...]) -> None:
     for warning in warnings:
         typer.echo(f"fembearing: warning: {warning}", err=True)
+
+
+if __name__ == "__main__":
+    main()

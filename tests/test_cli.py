@@ -1,6 +1,9 @@
 """The command line as a user meets it: exit status, what stands on which stream, one line for each mistake."""
 
+import io
 import json
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -35,13 +38,12 @@ def command(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch)
 def validated() -> dict[str, Any]:
     """The main job once, through the command line."""
     with pytest.MonkeyPatch.context() as patch:
-        printed: list[str] = []
         patch.setattr("sys.argv", ["fembearing", "validate", "--json"])
-        patch.setattr(cli.typer, "echo", lambda text, err=False: printed.append(text) if not err else None)
+        patch.setattr("sys.stdout", printed := io.StringIO())
         with pytest.raises(SystemExit) as stop:
             cli.main()
     assert (stop.value.code or 0) == 0
-    return json.loads("".join(printed))
+    return json.loads(printed.getvalue())
 
 
 def test_the_main_job_judges_every_quantity_of_both_races(validated: dict[str, Any]) -> None:
@@ -107,7 +109,7 @@ def test_meshes_that_disagree_without_order_are_undecided(command, monkeypatch: 
 
 def test_table_names_axes_and_units(command) -> None:
     result = command("contact", "--geometry", "hertzian", "--load", "51 N")
-    for words in ("Hertz", "FE", "GPa", "x along rolling", "um", "order"):
+    for words in ("Hertz", "FE", "GPa", "a along rolling", "b transverse", "um", "order"):
         assert words in result.out
 
 
@@ -157,6 +159,42 @@ def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path
     assert result.status == 0
     assert {Path(path).name for path in found["meshes"]} == {"inner-real-upper.vtu", "inner-real-lower.vtu"}
     assert all(Path(path).is_file() and quality["negative_points"] == 0 for path, quality in found["meshes"].items())
+
+
+def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
+    """The width of a pipe. The load and the shoulder make the longest verdict, the smallest numbers."""
+    for arguments in (["--load", "1e-9 N"], ["--load", "1500 N", "--tolerance", "99 %"]):
+        lines = command("contact", "--geometry", "hertzian", *arguments).out.splitlines()
+        assert max(map(len, lines)) <= 80
+        assert not any("\N{HORIZONTAL ELLIPSIS}" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["contact", "--pair", "left"], ["--pair", "left", "inner", "outer"]),
+        (["contact", "--frobnicate"], ["--frobnicate"]),
+        (["mesh"], ["--out"]),
+        (["judge"], ["judge"]),
+        (["validate", "a.toml", "b.toml"], ["b.toml"]),
+    ],
+)
+def test_a_mistyped_command_gets_one_line_too(command, arguments: list[str], words: list[str]) -> None:
+    result = command(*arguments)
+    assert (result.status, result.out, result.err.count("\n")) == (2, "", 1)
+    assert all(word in result.err for word in words), result.err
+
+
+@pytest.mark.parametrize(("target", "status"), [(">/dev/full", 2), ("| true", 141), (">&-", 2)])
+def test_a_result_that_cannot_be_written_is_no_success(tmp_path: Path, target: str, status: int) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("this system has no /dev/full")
+    line = f'"{sys.executable}" -m fembearing.cli mesh --level 1 --out "{tmp_path}/made" --json {target}'
+    script = f"{line}; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=False)
+    assert done.returncode == status, done.stderr
+    assert "Traceback" not in done.stderr
+    assert done.stderr.count("\n") == (0 if status == 141 else 1)
 
 
 def test_help_shows_an_example(command) -> None:

@@ -1,6 +1,5 @@
 """One contact both ways: Hertz's closed forms and finite elements on the meshed bodies."""
 
-import resource
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
@@ -13,6 +12,7 @@ from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
+from fembearing.compare.provenance import peak_memory
 from fembearing.compare.uncertainty import Estimate, estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
@@ -21,7 +21,6 @@ from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 
 RECIPES: dict[Geometry, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall"}
 POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
-LARGER_DOMAIN = 1.5  # the far boundary moves out this much to see what it does
 EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
 
 ENOUGH = 0.2  # mesh uncertainty, as a share of the tolerance, at which no finer mesh is called for
@@ -146,12 +145,15 @@ def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contac
         return pocket_contact(scene.bearing, scene.cage, load=POCKET_LOAD if load is None else load)
     balls = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=scene.operation.axial_load)
     point = int(np.argmax(balls.ball_load))
-    return race_contact(
-        scene.bearing,
-        pair,
-        contact_angle=float(balls.contact_angle[point]),
-        ball_load=float(balls.ball_load[point]) if load is None else load,
-    )
+    try:
+        return race_contact(
+            scene.bearing,
+            pair,
+            contact_angle=float(balls.contact_angle[point]),
+            ball_load=float(balls.ball_load[point]) if load is None else load,
+        )
+    except InputError as problem:
+        raise InputError(f"operation.axial_load = {scene.operation.axial_load[point]:g} N: {problem}") from problem
 
 
 def compare_contact(
@@ -159,8 +161,8 @@ def compare_contact(
 ) -> ContactSolution:
     """Solve `contact` on ever finer levels of `recipe` until the tolerance asks for no more.
 
-    At least three levels are solved. On the last but one the far boundary of blocks is moved out as well,
-    to see what it does.
+    At least three levels are solved. On the last but one the outermost cells of blocks are taken off as well: what that
+    changes, over the ratio of the two sizes less one, is what the boundary still does if it fades as one over the size.
     """
     start = time.perf_counter()
     work = np.cumsum([level**3 for level in (*recipe.levels[: FEWEST + 1],)])
@@ -178,17 +180,16 @@ def compare_contact(
             break
     middle = meshes[-2]
     if middle.pair.lower.far.size:
-        progress(0.95, f"{contact.pair}: larger domain")
-        larger = solve_on_mesh(
-            contact,
-            recipe=recipe,
-            level=middle.level,
-            semi_axes=semi_axes,
-            extent=LARGER_DOMAIN * recipe.domain.extent,
-            upper=middle.upper,
+        progress(0.95, f"{contact.pair}: far boundary")
+        trimmed = solve_on_mesh(
+            contact, recipe=recipe, level=middle.level, semi_axes=semi_axes, trimmed=True, upper=middle.upper
         )
+        ratio = _depth(middle) / _depth(trimmed)
         estimates = {
-            name: replace(part, domain=abs(getattr(larger.quantities, name) / getattr(middle.quantities, name) - 1))
+            name: replace(
+                part,
+                domain=abs(getattr(middle.quantities, name) / getattr(trimmed.quantities, name) - 1) / (ratio - 1),
+            )
             for name, part in estimates.items()
         }
     overrun = EDGE_OF_GROOVE * meshes[-1].quantities.semi_axis_transverse > contact.shoulder
@@ -205,6 +206,11 @@ def compare_contact(
         warnings=warnings,
         valid=not thin and not (overrun and recipe.geometry == "real"),
     )
+
+
+def _depth(mesh: MeshSolution) -> float:
+    """How far the race or lower half space reaches down, m."""
+    return -float(mesh.pair.lower.mesh.doflocs[2].min())
 
 
 def estimates_of(meshes: Sequence[MeshSolution]) -> dict[str, Estimate]:
@@ -232,11 +238,6 @@ def hertz_quantities(contact: Contact) -> Quantities:
         approach=float(found.approach),
         stiffness=float(found.stiffness),
     )
-
-
-def peak_memory() -> int:
-    """Largest resident memory of this process so far, bytes."""
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
 
 
 def _warnings(

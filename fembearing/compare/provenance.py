@@ -1,4 +1,4 @@
-"""Where a result comes from: versions, machine, scene."""
+"""Where a result comes from and what it took: versions, machine, scene, memory."""
 
 import platform
 import sys
@@ -6,6 +6,11 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from analytic.scene import Scene
+
+try:
+    import resource
+except ImportError:  # Windows
+    resource = None
 
 PACKAGES = ("fembearing", "numpy", "scipy", "scikit-fem", "meshio", "numba", "pypardiso", "mkl", "pyvista", "vtk")
 
@@ -20,6 +25,14 @@ def provenance_of(scene: Scene) -> dict[str, Any]:
         "processor": platform.machine(),
         "versions": {package: _version(package) for package in PACKAGES},
     }
+
+
+def peak_memory() -> int | None:
+    """Largest resident memory of this process so far, bytes; None where the system keeps no such record."""
+    if resource is None:
+        return None
+    largest = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return largest if sys.platform == "darwin" else 1024 * largest  # bytes there, kilobytes elsewhere
 
 
 def _version(package: str) -> str | None:

@@ -53,14 +53,12 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float]) -> Estimate:
     order = observed_order(values[-3:], cell_sizes[-3:])
     change, ratio = abs(fine - values[-2]), cell_sizes[-2] / cell_sizes[-1]
     if order is None:
-        index = CAUTIOUS * (max(values[-3:]) - min(values[-3:])) / (ratio**FORMAL_ORDER - 1)
-        richardson = None
-    elif REASONABLE_ORDER[0] <= order <= REASONABLE_ORDER[1]:
-        index = SAFE * change / (ratio ** min(order, FORMAL_ORDER) - 1)
-        richardson = fine + (fine - values[-2]) / (ratio**order - 1)
+        richardson, change = None, max(values[-3:]) - min(values[-3:])
     else:
-        index = CAUTIOUS * change / (ratio**FORMAL_ORDER - 1)
-        richardson = None
+        richardson = fine + (fine - values[-2]) / (ratio**order - 1)
+    reasonable = order is not None and REASONABLE_ORDER[0] <= order <= REASONABLE_ORDER[1]
+    trusted = FORMAL_ORDER if order is None else min(order, FORMAL_ORDER)
+    index = (SAFE if reasonable else CAUTIOUS) * change / (ratio**trusted - 1)
     return Estimate(values=tuple(values), order=order, richardson=richardson, mesh=index / abs(fine))
 
 

@@ -54,8 +54,6 @@ class HeldBody:
     matrix: csr_matrix  # (n, n) N/m
     far_force: Array  # (n,) force on the free ones from the far field of a unit load
     free: NDArray[np.intp]  # (n,) degrees of freedom
-    held: NDArray[np.intp]
-    held_displacement: Array  # of a unit load, m/N
     nodes: int
 
     def forces(self, nodes: NDArray[np.intp], direction: Array) -> csr_matrix:
@@ -82,13 +80,10 @@ def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float
     displacement[2] *= side
     held, free = np.flatnonzero(is_held), np.flatnonzero(~is_held)
     rows = matrix[free]
-    held_displacement = displacement.ravel()[held]
     return HeldBody(
         matrix=rows[:, free],
-        far_force=-(rows[:, held] @ held_displacement),
+        far_force=-(rows[:, held] @ displacement.ravel()[held]),
         free=free,
-        held=held,
-        held_displacement=held_displacement,
         nodes=count,
     )
 

@@ -27,7 +27,7 @@ def press(
     if not active.any():
         active[np.argmin(gap)] = True
     force = np.zeros_like(gap)
-    approach = 0.0
+    overlap, approach = -opened, 0.0
     for rounds in range(1, ROUNDS + 1):
         index = np.flatnonzero(active)
         system = np.zeros((index.size + 1, index.size + 1))
@@ -47,4 +47,5 @@ def press(
         active = settled
         if not active.any():
             active[np.argmin(gap)] = True
-    raise ConvergenceError(iterations=ROUNDS, residual=float(-force.min()), tolerance=0.0)
+    missing = overlap / np.abs(compliance.diagonal())  # the force, N, that would part a node that overlaps
+    raise ConvergenceError(iterations=ROUNDS, residual=float(max(missing.max(), -force.min())), tolerance=0.0)

@@ -1,6 +1,7 @@
 """The displacement of a half space far from a load: what a block of finite size is held by.
 
-Half space at depth > 0, load pushing into it. A fixed far face would be stiff by per cents at forty
+Half space at depth > 0, load pushing into it; the flanks of a groove lie a little above its surface, where the same
+formulas hold as long as they keep off the load's axis. A fixed far face would be stiff by per cents at forty
 contact radii; this one is exact to the moments of the pressure.
 """
 

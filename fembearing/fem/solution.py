@@ -48,16 +48,16 @@ def solve_on_mesh(
     recipe: Recipe,
     level: int,
     semi_axes: tuple[float, float],
-    extent: float | None = None,
+    trimmed: bool = False,
     upper: CondensedBody | None = None,
 ) -> MeshSolution:
     """Solve a contact on one level of a recipe, the mesh made for an ellipse of `semi_axes` (m).
 
-    extent : far boundary of blocks in major semi-axes; the recipe's unless given
-    upper : the ball's condensation where it is known for this level and ellipse: `extent` does not change a ball
+    trimmed : leave off the outermost cells of a block, to see what its far boundary does
+    upper : the ball's condensation where it is known for this level and ellipse: trimming does not change a ball
     Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not settle.
     """
-    pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extent=extent)
+    pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, trimmed=trimmed)
     upper, lower = _condensed(contact, pair, upper)
     x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
     lever = -pair.normal[2]

@@ -23,10 +23,12 @@ from fembearing.mesh.patch import (
     patch_mesh,
     ray,
 )
+from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import Cells, Recipe
 
 Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
+WIDEST_BLOCK = 0.7  # of the rolling radius: further round, an inner ring's surface falls too steeply
 BodyName = Literal["ball", "race", "pocket wall", "half space"]
 
 
@@ -55,30 +57,38 @@ class PairMesh:
 
 
 def pair_mesh(
-    contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float], extent: float | None = None
+    contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool = False
 ) -> PairMesh:
     """Mesh both bodies of a contact on one level of a recipe.
 
     semi_axes : expected semi-axes along rolling and transverse, m; they size the mesh
-    extent : far boundary of blocks, in major semi-axes; the recipe's unless given
+    trimmed : leave off the outermost ring and layer of a block's cells; the others stay where they are, so that the
+        difference shows what the far boundary does and nothing else
     Raises InputError if the bodies cannot be meshed at that size.
     """
-    reach = (recipe.domain.extent if extent is None else extent) * max(semi_axes)
-    if recipe.geometry == "hertzian":
-        return _half_spaces(contact, recipe, level, semi_axes, reach)
-    return _ball_on_race(contact, recipe, level, semi_axes, min(reach, 0.7 * abs(contact.rolling_radius)))
+    make = _half_spaces if recipe.geometry == "hertzian" else _ball_on_race
+    pair = make(contact, recipe, level, semi_axes, trimmed)
+    for body in (pair.upper, pair.lower):
+        quality = mesh_quality(body.mesh)
+        if not quality.valid:
+            x, y, z = quality.worst_place
+            raise InputError(
+                f"{contact.pair}: cell {quality.worst_cell} of the {body.name} is inside out at ({x:.3g}, {y:.3g}, "
+                f"{z:.3g}) m, meshed for an ellipse of {semi_axes[0]:.3g} by {semi_axes[1]:.3g} m: lower the load, or "
+                f"give mesh recipe {recipe.name} more outer cells"
+            )
+    return pair
 
 
 def _half_spaces(
-    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool
 ) -> PairMesh:
-    patch = patch_mesh(_cells(recipe, level, growth=reach / min(semi_axes)))
-    zone = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes)
-    x, y = plane = _plane(patch, recipe, zone, semi_axes, reach)
-    lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=reach)
+    block = _Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=recipe.domain.extent * max(semi_axes))
+    patch = patch_mesh(block.cells(trimmed))
+    x, y = plane = block.plane(patch, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
     flat = np.zeros_like(x)
-    upper = _body("half space", patch, _stack(patch, plane, flat, lines, reach))
-    lower = _body("half space", patch, _stack(patch, plane, flat, lines, -reach))
+    upper = _body("half space", patch, block.stack(patch, plane, flat, side=1))
+    lower = _body("half space", patch, block.stack(patch, plane, flat, side=-1))
     curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius
     curvature_y = 1 / contact.ball_radius - 1 / contact.groove_radius
     gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[patch.zone]
@@ -87,14 +97,15 @@ def _half_spaces(
 
 
 def _ball_on_race(
-    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool
 ) -> PairMesh:
     radius = contact.ball_radius
     widest = 0.7 * radius / recipe.patch.margin_size
     if max(semi_axes) > widest:
         raise InputError(
-            f"a contact of semi-axis {max(semi_axes):.3g} m is too wide for a ball of radius {radius:.3g} m: the mesh "
-            f"holds up to {widest:.3g} m. Lower the load or raise the stiffness."
+            f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {max(semi_axes):.3g} m, too wide "
+            f"for a ball of radius {radius:.3g} m: the mesh holds up to {widest:.3g} m. Lower the load, widen the "
+            "groove_radius or raise youngs_modulus."
         )
     upper = _ball(radius, recipe, level, semi_axes)
     touching = upper.mesh.doflocs[:, upper.touching]
@@ -103,7 +114,7 @@ def _ball_on_race(
     if recipe.geometry == "wall":
         lower = _pocket_wall(contact, recipe, level, semi_axes)
     else:
-        lower = _race(contact, recipe, level, semi_axes, reach)
+        lower = _race(contact, recipe, level, semi_axes, trimmed)
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
 
 
@@ -116,11 +127,11 @@ def _ball(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, flo
     """
     patch = patch_mesh(_cells(recipe, level, growth=radius / min(semi_axes)))
     zone_x, zone_y = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes) / radius
-    linear = 3 - 2 * (zone_x**2 - zone_y**2)  # the map's inverse on the face Z = 1 is a quadratic in Y^2
-    square_y = (linear - np.sqrt(linear**2 - 24 * zone_y**2)) / 2
-    square_x = square_y + 2 * (zone_x**2 - zone_y**2)
-    near = np.sqrt(np.maximum([square_x, square_y], 0.0))  # round-off may go below zero on the axes
-    share = outside_share(patch, growth=radius / (recipe.patch.margin_size * min(semi_axes)), straight=False)
+    square, difference = np.array([zone_x, zone_y]) ** 2, zone_x**2 - zone_y**2
+    linear = 3 + 2 * np.array([difference, -difference])
+    near = np.sqrt(12 * square / (linear + np.sqrt(linear**2 - 24 * square)))  # the map's inverse on the face Z = 1
+    growth = radius / (recipe.patch.margin_size * min(semi_axes))
+    share = outside_share(patch, rings=patch.cells.outside, growth=growth, straight=False)
     # Not straight: at the cube's far corner the map is flat, and cells with middle nodes half way turn inside out.
     cube = near * (1 - share) + far_square(patch.u, patch.v) * share
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=radius)
@@ -137,14 +148,14 @@ def _ball(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, flo
     return _body("ball", patch, position)
 
 
-def _race(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], reach: float) -> BodyMesh:
+def _race(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool) -> BodyMesh:
     """A block of the ring under its groove; columns start where the ball's normals meet the race, the rim's too."""
-    patch = patch_mesh(_cells(recipe, level, growth=reach / min(semi_axes)))
+    reach = min(recipe.domain.extent * max(semi_axes), WIDEST_BLOCK * abs(contact.rolling_radius))
+    block = _Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach)
+    patch = patch_mesh(block.cells(trimmed))
     zone = _meeting(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
-    plane = _plane(patch, recipe, zone, semi_axes, reach)
-    height = race_height(contact, *plane)
-    lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=reach)
-    return _body("race", patch, _stack(patch, plane, height, lines, -reach))
+    plane = block.plane(patch, zone)
+    return _body("race", patch, block.stack(patch, plane, race_height(contact, *plane), side=-1))
 
 
 def _pocket_wall(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> BodyMesh:
@@ -162,12 +173,13 @@ def _pocket_wall(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[
     distance = np.hypot(*zone)
     if distance.max() >= radius * np.sin(rim):
         raise InputError(
-            f"the contact, {distance.max():.3g} m wide with its margin, reaches the rim of a pocket "
-            f"{contact.wall.depth:.3g} m deep: lower the load or deepen the pocket"
+            f"pocket: {contact.load:g} N spread the contact with its margin to {distance.max():.3g} m, past the rim of a "
+            f"pocket {contact.wall.depth:.3g} m deep: lower the load or raise cage.pocket_depth"
         )
     polar = np.arcsin(distance / radius)
     near = zone / np.maximum(distance, np.finfo(float).tiny) * polar
-    share = outside_share(patch, growth=rim * radius / (recipe.patch.margin_size * min(semi_axes)))
+    growth = rim * radius / (recipe.patch.margin_size * min(semi_axes))
+    share = outside_share(patch, rings=patch.cells.outside, growth=growth)
     plane = near * (1 - share) + rim * ray(patch.u, patch.v) * share
     angle = np.hypot(*plane)
     out = plane / np.maximum(angle, np.finfo(float).tiny) * np.sin(angle)
@@ -191,24 +203,71 @@ def race_height(contact: Contact, x: Array, y: Array) -> Array:
     takes from it on the outer; the ring turns about an axis parallel to y.
     """
     across = np.minimum(np.abs(y), contact.shoulder)
-    rise = contact.groove_radius - np.sqrt(contact.groove_radius**2 - across**2)
+    rise = across**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - across**2))
     side, radius = np.sign(contact.rolling_radius), abs(contact.rolling_radius)
-    return side * (np.sqrt((radius + side * rise) ** 2 - x**2) - radius)
+    out = (
+        side * 2 * radius + rise
+    ) * rise - x**2  # square of the ring's radius at y, less x^2, less that at the bottom
+    return side * out / (np.sqrt(radius**2 + out) + radius)
 
 
 def _distance_to_race(contact: Contact, normal: Array) -> Array:
-    """Along each of the ball's normals (3, m): how far the race lies from the ball, m."""
-    along = np.full(normal.shape[1], contact.ball_radius)
-    for _ in range(8):  # Newton: converges quadratically from the ball's own radius
-        x, y = normal[0] * along, normal[1] * along
-        step = 1e-6 * contact.ball_radius
-        miss = contact.ball_radius + normal[2] * along - race_height(contact, x, y)
-        ahead = along + step
-        slope = (
-            contact.ball_radius + normal[2] * ahead - race_height(contact, normal[0] * ahead, normal[1] * ahead) - miss
-        ) / step
-        along = along - miss / slope
-    return along - contact.ball_radius
+    """Along each of the ball's normals (3, m): how far the race lies from the ball, m.
+
+    Heights are formed as sagittas, not as differences of radii: a light contact's gap is far below their round-off.
+    """
+    radius, across = contact.ball_radius, normal[0] ** 2 + normal[1] ** 2
+    height = radius * across / (1 + np.sqrt(1 - across))  # of the ball's surface over the tangent plane
+
+    def miss(distance: Array) -> Array:
+        reach = radius + distance
+        return height + normal[2] * distance - race_height(contact, normal[0] * reach, normal[1] * reach)
+
+    step = 1e-6 * radius
+    distance = np.zeros_like(across)
+    for _ in range(8):  # Newton, the slope by difference: six digits a round from the ball's own surface
+        found = miss(distance)
+        distance = distance - found * step / (miss(distance + step) - found)
+    return distance
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Block:
+    """The grid of a block: columns under the patch out to `reach` and down to it."""
+
+    recipe: Recipe
+    level: int
+    semi_axes: tuple[float, float]
+    reach: float
+
+    @property
+    def whole(self) -> Cells:
+        return _cells(self.recipe, self.level, growth=self.reach / min(self.semi_axes))
+
+    def cells(self, trimmed: bool) -> Cells:
+        return (
+            replace(self.whole, outside=self.whole.outside - 1, depth=self.whole.depth - 1) if trimmed else self.whole
+        )
+
+    def plane(self, patch: PatchMesh, zone: Array) -> Array:
+        """x, y of the columns, (2, columns), m; `zone` is where they start, those further out on its rim."""
+        growth = self.reach / (self.recipe.patch.margin_size * min(self.semi_axes))
+        share = outside_share(patch, rings=self.whole.outside, growth=growth)
+        return zone * (1 - share) + self.reach * far_square(patch.u, patch.v) * share
+
+    def stack(self, patch: PatchMesh, plane: Array, height: Array, *, side: Literal[1, -1]) -> Array:
+        """Positions (3, nodes) of columns that run from their `height` towards the plane z = side * reach.
+
+        Layers of a body below are counted from the far boundary upwards, so that its cells stay right-handed.
+        """
+        lines = depth_lines(self.whole.depth, depth=self.recipe.depth, minor=min(self.semi_axes), extent=self.reach)[
+            : 2 * patch.cells.depth + 1
+        ]
+        step = np.rint(2 * patch.layer).astype(int)
+        share = lines[step if side > 0 else lines.size - 1 - step] / self.reach
+        start = height[patch.column]
+        x, y = plane[:, patch.column]
+        return np.array([x, y, start + (side * self.reach - start) * share])
 
 
 def _cells(recipe: Recipe, level: int, *, growth: float) -> Cells:
@@ -216,24 +275,6 @@ def _cells(recipe: Recipe, level: int, *, growth: float) -> Cells:
     needed = int(np.ceil(np.log(growth) / np.log(recipe.domain.growth)))
     base = recipe.cells
     return replace(base, outside=max(base.outside, needed), depth=max(base.depth, needed)).times(level)
-
-
-def _plane(patch: PatchMesh, recipe: Recipe, zone: Array, semi_axes: tuple[float, float], reach: float) -> Array:
-    """x, y of the columns of a block, (2, columns), m; `zone` is where they start, those further out on its rim."""
-    share = outside_share(patch, growth=reach / (recipe.patch.margin_size * min(semi_axes)))
-    return zone * (1 - share) + reach * far_square(patch.u, patch.v) * share
-
-
-def _stack(patch: PatchMesh, plane: Array, height: Array, lines: Array, far: float) -> Array:
-    """Positions (3, nodes) of columns that run from their `height` to the plane z = far.
-
-    A race's layers are counted from the far boundary upwards, so that its cells stay right-handed.
-    """
-    step = np.rint(2 * patch.layer).astype(int)
-    share = lines[step if far > 0 else lines.size - 1 - step] / lines[-1]
-    start = height[patch.column]
-    x, y = plane[:, patch.column]
-    return np.array([x, y, start + (far - start) * share])
 
 
 def _body(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:

@@ -2,7 +2,6 @@
 
 import binascii
 import os
-import tempfile
 import xml.etree.ElementTree as ElementTree
 import zlib
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import Any
 
 import meshio
 import numpy as np
+from skfem import MeshHex2
 from skfem.io.meshio import from_meshio, to_meshio
 
 from analytic.errors import InputError
@@ -45,13 +45,12 @@ def write_body(path: Path, body: BodyMesh, **fields: Any) -> None:
         marks[name] = np.isin(np.arange(count), nodes).astype(np.int8)
     content = to_meshio(body.mesh)
     content.point_data.update(marks | fields)
-    handle, temporary = tempfile.mkstemp(suffix=".vtu", dir=path.parent)
-    os.close(handle)
+    temporary = path.with_name(f".{path.stem}-{os.getpid()}.vtu")  # not tempfile's: that one only its owner may read
     try:
-        meshio.vtu.write(temporary, content)
+        meshio.vtu.write(str(temporary), content)
         os.replace(temporary, path)
     finally:
-        Path(temporary).unlink(missing_ok=True)
+        temporary.unlink(missing_ok=True)
 
 
 def read_body(path: Path, *, name: BodyName) -> BodyMesh:
@@ -59,6 +58,8 @@ def read_body(path: Path, *, name: BodyName) -> BodyMesh:
     try:
         content = meshio.vtu.read(str(path))
         mesh = from_meshio(content)
+        if not isinstance(mesh, MeshHex2):
+            raise TypeError(f"cells are {', '.join(sorted(content.cells_dict))}, wanted hexahedron27")
         order = content.point_data["touching"]
         sets = {part: np.flatnonzero(content.point_data[part]) for part in SETS}
     except UNREADABLE as problem:

@@ -103,18 +103,18 @@ def contact_zone(patch: PatchMesh, *, shape: Patch, semi_axes: tuple[float, floa
     return np.array(semi_axes)[:, None] * place
 
 
-def outside_share(patch: PatchMesh, *, growth: float, straight: bool = True) -> Array:
-    """(columns,) 0 on the margin's rim to 1 on the far boundary, in cells that grow `growth` times in all.
+def outside_share(patch: PatchMesh, *, rings: int, growth: float, straight: bool = True) -> Array:
+    """(columns,) 0 on the margin's rim to 1 `rings` further out, in cells that grow `growth` times in all.
 
     straight : middle nodes lie half way; else on the smooth curve through the rings, as near as a cell allows that
         must not turn inside out (a middle node in the outer quarter of its cell does that)
     """
-    rings = np.arange(2 * patch.cells.outside + 1) / 2
-    share = np.expm1(rings / patch.cells.outside * np.log(growth)) / (growth - 1)
+    steps = np.arange(2 * rings + 1) / 2
+    share = np.expm1(steps / rings * np.log(growth)) / (growth - 1)
     near, far = share[:-1:2], share[2::2]
-    least = 0.5 if straight else 0.4
+    least = 0.5 if straight else 0.35
     share[1::2] = np.maximum(share[1::2], near + least * (far - near))
-    return np.interp(patch.ring - patch.cells.inside - patch.cells.margin, rings, share)
+    return np.interp(patch.ring - patch.cells.inside - patch.cells.margin, steps, share)
 
 
 def far_square(u: Array, v: Array) -> Array:

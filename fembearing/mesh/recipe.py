@@ -12,6 +12,10 @@ from analytic.errors import InputError
 Geometry = Literal["real", "hertzian", "wall"]
 
 
+LARGEST = 1000  # of any number in a recipe: beyond it, a slip
+LEAST = {"core_bulge": (0, True), "margin_size": (1, False), "growth": (1, False)}  # and whether it is itself accepted
+
+
 @dataclass(frozen=True, kw_only=True)
 class Cells:
     """Cells of a quarter patch, per level unit in a recipe, in full once multiplied by a level."""
@@ -72,6 +76,11 @@ def parse_recipe(source: Traversable, *, name: str) -> Recipe:
     """Read one recipe. Raises InputError naming the key, the value and what is accepted."""
     try:
         table = tomllib.loads(source.read_text("utf-8"))
+    except FileNotFoundError as problem:
+        raise InputError(
+            f"mesh recipe {name} is missing, and nothing is meshed without one: install fembearing again, or in a "
+            f"checkout restore meshes/{name}.toml"
+        ) from problem
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as problem:
         raise InputError(f"mesh recipe {name}: {problem}; restore meshes/{name}.toml") from problem
     parts = {"cells": (Cells, int), "patch": (Patch, float), "depth": (Depth, float), "domain": (Domain, float)}
@@ -95,9 +104,10 @@ def _section(name: str, key: str, kind: type, number: type, given: Any) -> Any:
     if not isinstance(given, dict) or given.keys() != wanted:
         raise InputError(f"mesh recipe {name}: [{key}] must hold exactly {', '.join(sorted(wanted))}, got {given!r}")
     for part, value in given.items():
-        least = 0 if part == "core_bulge" else 1 if number is int or part in ("growth", "margin_size") else 0
-        strict = part not in ("core_bulge",) and number is float
-        ok = isinstance(value, int | number) and not isinstance(value, bool)
-        if not ok or not (value > least if strict else value >= least) or value > 1000:
-            raise InputError(f"mesh recipe {name}: {key}.{part} = {value!r}, accepted: a number above {least}")
+        least, inclusive = LEAST.get(part, (1, True) if number is int else (0, False))
+        real = isinstance(value, int | number) and not isinstance(value, bool)
+        if not real or not (least < value <= LARGEST or (inclusive and value == least)):
+            sort = "whole number" if number is int else "number"
+            bound = f"{least} or more" if inclusive else f"more than {least}"
+            raise InputError(f"mesh recipe {name}: {key}.{part} = {value!r}, accepted: a {sort}, {bound}, to {LARGEST}")
     return kind(**given)

@@ -66,6 +66,12 @@ def test_unreasonable_order_takes_the_cautious_factor_and_the_formal_order() -> 
     assert found.mesh * values[-1] > 10 * abs(values[-1] - 7.3)  # wide, as it should be
 
 
+@pytest.mark.parametrize("order", [0.1, 0.2, 0.4])
+def test_a_crawling_sequence_is_covered(order: float) -> None:
+    values = sequence(7.3, 0.4, order)
+    assert estimate(values, SIZES).mesh * values[-1] >= abs(values[-1] - 7.3)
+
+
 def test_only_the_last_three_meshes_decide() -> None:
     fine = sequence(7.3, 0.4, 2.7)
     assert estimate([99.0, *fine], [1.0, *SIZES]).mesh == estimate(fine, SIZES).mesh
