@@ -7,6 +7,7 @@ from typing import Any
 from analytic.scene import Pair, Scene
 from fembearing.compare.discrepancy import ContactSolution, Progress, silent, solve_contact
 from fembearing.compare.provenance import peak_memory, provenance_of
+from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
 from fembearing.mesh.recipe import Geometry
 

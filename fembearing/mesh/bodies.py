@@ -173,8 +173,8 @@ def _pocket_wall(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[
     distance = np.hypot(*zone)
     if distance.max() >= radius * np.sin(rim):
         raise InputError(
-            f"pocket: {contact.load:g} N spread the contact with its margin to {distance.max():.3g} m, past the rim of a "
-            f"pocket {contact.wall.depth:.3g} m deep: lower the load or raise cage.pocket_depth"
+            f"pocket: {contact.load:g} N spread the contact with its margin to {distance.max():.3g} m, past the rim "
+            f"of a pocket {contact.wall.depth:.3g} m deep: lower the load or raise cage.pocket_depth"
         )
     polar = np.arcsin(distance / radius)
     near = zone / np.maximum(distance, np.finfo(float).tiny) * polar
