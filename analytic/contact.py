@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative
-from analytic.scene import Array, Bearing, Contact, Groove
+from analytic.scene import Array, Bearing, Cage, Contact, Groove, Wall
 
 Race = Literal["inner", "outer"]
 
@@ -72,6 +72,33 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
         load=float(ball_load),
         ball_material=bearing.ball_material,
         race_material=groove.material,
+    )
+
+
+def pocket_contact(bearing: Bearing, cage: Cage, *, load: float) -> Contact:
+    """A ball in its cage pocket: a sphere in a spherical seat, along the pocket's axis.
+
+    load : N, >= 0
+    Raises InputError if the load is out of range or the pocket is no wider than the ball.
+    """
+    require_non_negative(load=load)
+    radius = cage.pocket_diameter / 2
+    if not radius > bearing.ball_radius:
+        raise InputError(
+            f"pocket_diameter {cage.pocket_diameter!r} m must exceed ball_diameter {bearing.ball_diameter!r} m: "
+            "the ball has no room"
+        )
+    return Contact(
+        pair="pocket",
+        ball_radius=bearing.ball_radius,
+        groove_radius=radius,
+        rolling_radius=-radius,
+        shoulder=float(np.sqrt(radius**2 - (radius - cage.pocket_depth) ** 2)),
+        contact_angle=0.0,
+        load=float(load),
+        ball_material=bearing.ball_material,
+        race_material=cage.material,
+        wall=Wall(thickness=cage.wall_thickness, depth=cage.pocket_depth),
     )
 
 

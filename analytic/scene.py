@@ -121,6 +121,14 @@ class Scene:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Wall:
+    """The sheet behind a cage pocket."""
+
+    thickness: float  # m
+    depth: float  # k: from the pole of a half pocket to the plane where the halves join, m
+
+
+@dataclass(frozen=True, kw_only=True)
 class Contact:
     """A ball pressed into a groove: all that an elastic solution needs to know.
 
@@ -139,3 +147,4 @@ class Contact:
     load: float  # N
     ball_material: Material
     race_material: Material
+    wall: Wall | None = None  # of a pocket

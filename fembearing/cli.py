@@ -48,14 +48,16 @@ class Output(Console):
 out, err = Output(), Console(stderr=True)
 
 
-class Race(StrEnum):
+class PairName(StrEnum):
     inner = "inner"
     outer = "outer"
+    pocket = "pocket"
 
 
 class GeometryName(StrEnum):
     real = "real"
     hertzian = "hertzian"
+    wall = "wall"
 
 
 ScenePath = Annotated[
@@ -64,7 +66,12 @@ ScenePath = Annotated[
 Tolerance = Annotated[str | None, typer.Option(help='Asked accuracy, for example "1 %"; the scene\'s without it.')]
 AsJson = Annotated[bool, typer.Option("--json", help="Machine-readable result on standard output, nothing else there.")]
 Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N"; from the scene without it.')]
-Geometry = Annotated[GeometryName, typer.Option(help="True shapes, or the idealisation whose exact answer is Hertz.")]
+Geometry = Annotated[
+    GeometryName,
+    typer.Option(
+        help="True shapes; the idealisation whose exact answer is Hertz; or the sheet of a pocket on its support."
+    ),
+]
 
 
 def main() -> None:
@@ -129,7 +136,7 @@ def validate(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJs
 @app.command(epilog='Example: fembearing contact --pair outer --load "620 N" --geometry hertzian')
 def contact(
     scene: ScenePath = None,
-    pair: Annotated[Race, typer.Option(help="Which contact.")] = Race.inner,
+    pair: Annotated[PairName, typer.Option(help="Which contact.")] = PairName.inner,
     load: Load = None,
     geometry: Geometry = GeometryName.real,
     tolerance: Tolerance = None,
@@ -158,7 +165,7 @@ def contact(
 def mesh(
     folder: Annotated[Path, typer.Option("--out", help="Folder for the .vtu files; made if it is missing.")],
     scene: ScenePath = None,
-    pair: Annotated[Race, typer.Option(help="Which contact.")] = Race.inner,
+    pair: Annotated[PairName, typer.Option(help="Which contact.")] = PairName.inner,
     geometry: Geometry = GeometryName.real,
     level: Annotated[int | None, typer.Option(help="Level of the recipe; its finest without it.")] = None,
     load: Load = None,
@@ -259,8 +266,9 @@ COLUMNS = {"quantity": 19, "Hertz": 10, "FE": 10, "Hertz/FE-1": 10, "+-": 6, "or
 
 def _print_contact(contact: "ContactSolution") -> None:
     noun = contact.contact
+    place = "in cage pocket" if noun.pair == "pocket" else f"on {noun.pair} race at {noun.contact_angle:.4f} rad"
     table = Table(
-        title=f"Ball on {noun.pair} race, {contact.geometry}: {noun.load:.4g} N at {noun.contact_angle:.4f} rad",
+        title=f"Ball {place}, {contact.geometry}: {noun.load:.4g} N",
         title_justify="left",
         box=SIMPLE_HEAD,
         padding=(0, 1, 0, 0),

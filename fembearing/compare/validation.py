@@ -1,16 +1,18 @@
-"""The main job: every contact of a scene, production formula against finite elements."""
+"""The main job: every contact of a scene, formula against finite elements, and what it does to the torque."""
 
 import time
 from dataclasses import dataclass
 from typing import Any
 
-from analytic.contact import Race
-from analytic.scene import Scene
+from analytic.scene import Pair, Scene
 from fembearing.compare.discrepancy import ContactSolution, Progress, silent, solve_contact
 from fembearing.compare.provenance import peak_memory, provenance_of
+from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
+from fembearing.mesh.recipe import Geometry
 
-RACES: tuple[Race, ...] = ("inner", "outer")
+RACES: tuple[tuple[Pair, Geometry], ...] = (("inner", "real"), ("outer", "real"))
+POCKET: tuple[tuple[Pair, Geometry], ...] = (("pocket", "real"), ("pocket", "wall"))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -20,12 +22,18 @@ class Validation:
     scene: Scene
     tolerance: float
     contacts: tuple[ContactSolution, ...]
+    torque: TorqueChange | None  # None where the scene gives no friction coefficient
     seconds: float
+
+    @property
+    def judged(self) -> tuple[ContactSolution, ...]:
+        """The contacts that Hertz's formulas are made for: a cage's sheet on its own support is shown, not judged."""
+        return tuple(contact for contact in self.contacts if contact.geometry != "wall")
 
     @property
     def verdict(self) -> Verdict:
         """The worst of all contacts and quantities."""
-        return worst(found for contact in self.contacts for found in contact.verdicts.values())
+        return worst(found for contact in self.judged for found in contact.verdicts.values())
 
     def to_json(self) -> dict[str, Any]:
         """The result as plain types, SI; discrepancies and uncertainties relative."""
@@ -41,9 +49,11 @@ class Validation:
                     "exceeds_uncertainty": abs(contact.discrepancy[name]) > part.total,
                     "verdict": contact.verdicts[name],
                 }
-                for contact in self.contacts
+                for contact in self.judged
                 for name, part in contact.estimates.items()
             ],
+            "torque_change": None if self.torque is None else self.torque.to_json(),
+            "torque": None if self.torque is None else self.torque.hertz.to_json(),
             "tolerance": self.tolerance,
             "contacts": [contact.to_json() for contact in self.contacts],
             "cost": {"seconds": self.seconds, "peak_memory": peak_memory()},
@@ -53,7 +63,7 @@ class Validation:
 
 
 def validate(scene: Scene, *, tolerance: float | None = None, progress: Progress = silent) -> Validation:
-    """Check each race contact of a scene.
+    """Check each contact of a scene: both races and, where the scene has a cage, its pocket.
 
     tolerance : relative; the scene's unless given
     progress : called with the share done, 0 to 1, and a word on the step at hand
@@ -61,11 +71,20 @@ def validate(scene: Scene, *, tolerance: float | None = None, progress: Progress
     """
     start = time.perf_counter()
     asked = scene.tolerance if tolerance is None else tolerance
+    jobs = RACES if scene.cage is None else RACES + POCKET
     contacts = []
-    for number, pair in enumerate(RACES):
+    for number, (pair, geometry) in enumerate(jobs):
 
         def report(share: float, step: str, done: int = number) -> None:
-            progress((done + share) / len(RACES), step)
+            progress((done + share) / len(jobs), step)
 
-        contacts.append(solve_contact(scene, pair=pair, tolerance=asked, progress=report))
-    return Validation(scene=scene, tolerance=asked, contacts=tuple(contacts), seconds=time.perf_counter() - start)
+        contacts.append(solve_contact(scene, pair=pair, geometry=geometry, tolerance=asked, progress=report))
+    has_friction = scene.friction_coefficient is not None
+    torque = change_of_torque(scene, inner=contacts[0], outer=contacts[1]) if has_friction else None
+    return Validation(
+        scene=scene,
+        tolerance=asked,
+        contacts=tuple(contacts),
+        torque=torque,
+        seconds=time.perf_counter() - start,
+    )

@@ -73,6 +73,7 @@ def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float
     for axis, plane in enumerate(body.planes):
         is_held[axis, plane] = True
     is_held[:, body.far] = True
+    is_held[:, body.clamped] = True
     x, y, z = body.mesh.doflocs[:, body.far]
     side = 1.0 if z.size and z.min() >= 0 else -1.0
     displacement[:, body.far] = pressed_ellipse(x, y, side * z, semi_axes=semi_axes, material=material)

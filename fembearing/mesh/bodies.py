@@ -21,6 +21,7 @@ from fembearing.mesh.patch import (
     far_square,
     outside_share,
     patch_mesh,
+    ray,
 )
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import Cells, Recipe
@@ -28,7 +29,7 @@ from fembearing.mesh.recipe import Cells, Recipe
 Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
 WIDEST_BLOCK = 0.7  # of the rolling radius: further round, an inner ring's surface falls too steeply
-BodyName = Literal["ball", "race", "half space"]
+BodyName = Literal["ball", "race", "pocket wall", "half space"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -39,7 +40,8 @@ class BodyMesh:
     mesh: MeshHex2  # positions in m, frame of `fembearing.mesh`
     touching: Nodes  # (m,) nodes that may come into contact, in the same order in both bodies
     surface: Nodes  # all nodes of the loaded surface
-    far: Nodes  # nodes that carry the far-field displacement; none in the ball
+    far: Nodes  # nodes that carry the far-field displacement of a half space
+    clamped: Nodes  # nodes that cannot move
     planes: tuple[Nodes, Nodes, Nodes]  # nodes with u_x = 0, u_y = 0, u_z = 0
 
 
@@ -109,7 +111,10 @@ def _ball_on_race(
     touching = upper.mesh.doflocs[:, upper.touching]
     normal = touching / radius - np.array([[0.0], [0.0], [1.0]])
     gap = _distance_to_race(contact, normal)
-    lower = _race(contact, recipe, level, semi_axes, trimmed)
+    if recipe.geometry == "wall":
+        lower = _pocket_wall(contact, recipe, level, semi_axes)
+    else:
+        lower = _race(contact, recipe, level, semi_axes, trimmed)
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
 
 
@@ -148,12 +153,47 @@ def _race(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, 
     reach = min(recipe.domain.extent * max(semi_axes), WIDEST_BLOCK * abs(contact.rolling_radius))
     block = _Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach)
     patch = patch_mesh(block.cells(trimmed))
-    zone = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes)
-    across = zone / contact.ball_radius
-    normal = np.vstack([across, -np.sqrt(1 - np.sum(across**2, axis=0))])
-    zone = zone + _distance_to_race(contact, normal) * normal[:2]
+    zone = _meeting(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
     plane = block.plane(patch, zone)
     return _body("race", patch, block.stack(patch, plane, race_height(contact, *plane), side=-1))
+
+
+def _pocket_wall(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> BodyMesh:
+    """Half a spherical pocket of sheet metal, from its pole to its rim in the plane where the halves join.
+
+    The patch is laid on the sphere with distances from the pole kept; the rim is held as rivets hold it.
+    Raises InputError if the contact would reach the rim.
+    """
+    if contact.wall is None:
+        raise InputError("a pocket wall needs the cage's wall thickness and pocket depth")
+    radius, thickness = contact.groove_radius, contact.wall.thickness
+    rim = float(np.arccos(1 - contact.wall.depth / radius))
+    patch = patch_mesh(_cells(recipe, level, growth=max(rim * radius, thickness) / min(semi_axes)))
+    zone = _meeting(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
+    distance = np.hypot(*zone)
+    if distance.max() >= radius * np.sin(rim):
+        raise InputError(
+            f"pocket: {contact.load:g} N spread the contact with its margin to {distance.max():.3g} m, past the rim "
+            f"of a pocket {contact.wall.depth:.3g} m deep: lower the load or raise cage.pocket_depth"
+        )
+    polar = np.arcsin(distance / radius)
+    near = zone / np.maximum(distance, np.finfo(float).tiny) * polar
+    growth = rim * radius / (recipe.patch.margin_size * min(semi_axes))
+    share = outside_share(patch, rings=patch.cells.outside, growth=growth)
+    plane = near * (1 - share) + rim * ray(patch.u, patch.v) * share
+    angle = np.hypot(*plane)
+    out = plane / np.maximum(angle, np.finfo(float).tiny) * np.sin(angle)
+    direction = np.vstack([out, -np.cos(angle)])[:, patch.column]
+    lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=thickness)
+    reach = radius + lines[lines.size - 1 - np.rint(2 * patch.layer).astype(int)]
+    return _body("pocket wall", patch, reach * direction + np.array([[0.0], [0.0], [radius]]))
+
+
+def _meeting(contact: Contact, zone: Array) -> Array:
+    """x, y where the ball's normals through its surface points above `zone` (2, ...) meet the race, m."""
+    across = zone / contact.ball_radius
+    normal = np.vstack([across, -np.sqrt(1 - np.sum(across**2, axis=0))])
+    return zone + _distance_to_race(contact, normal) * normal[:2]
 
 
 def race_height(contact: Contact, x: Array, y: Array) -> Array:
@@ -246,13 +286,17 @@ def _body(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
     order[column[on_surface]] = np.flatnonzero(on_surface)
     outermost = (ring > patch.cells.rings - NODE)[column]
     deepest = np.abs(patch.layer - (patch.cells.depth - surface_layer)) < NODE
-    far = np.flatnonzero(outermost | deepest) if name != "ball" else np.array([], dtype=np.intp)
-    middle = np.flatnonzero(deepest) if name == "ball" else np.array([], dtype=np.intp)
+    none = np.array([], dtype=np.intp)
     return BodyMesh(
         name=name,
         mesh=MeshHex2(np.ascontiguousarray(position), patch.topology.t),
         touching=order[patch.zone],
         surface=np.flatnonzero(on_surface),
-        far=far,
-        planes=(np.flatnonzero((patch.u < NODE)[column]), np.flatnonzero((patch.v < NODE)[column]), middle),
+        far=np.flatnonzero(outermost | deepest) if name in ("race", "half space") else none,
+        clamped=np.flatnonzero(outermost) if name == "pocket wall" else none,
+        planes=(
+            np.flatnonzero((patch.u < NODE)[column]),
+            np.flatnonzero((patch.v < NODE)[column]),
+            np.flatnonzero(deepest) if name == "ball" else none,
+        ),
     )

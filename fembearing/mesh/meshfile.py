@@ -16,7 +16,7 @@ from analytic.errors import InputError
 from fembearing.mesh.bodies import BodyMesh, BodyName
 
 ABSENT = -1  # number of a node that may not touch
-SETS = ("surface", "far", "plane_x", "plane_y", "plane_z")
+SETS = ("surface", "far", "clamped", "plane_x", "plane_y", "plane_z")
 UNREADABLE = (
     meshio.ReadError,
     OSError,
@@ -41,7 +41,7 @@ def write_body(path: Path, body: BodyMesh, **fields: Any) -> None:
     order = np.full(count, ABSENT, dtype=np.int32)
     order[body.touching] = np.arange(body.touching.size)
     marks: dict[str, Any] = {"touching": order}
-    for name, nodes in zip(SETS, (body.surface, body.far, *body.planes), strict=True):
+    for name, nodes in zip(SETS, (body.surface, body.far, body.clamped, *body.planes), strict=True):
         marks[name] = np.isin(np.arange(count), nodes).astype(np.int8)
     content = to_meshio(body.mesh)
     content.point_data.update(marks | fields)
@@ -72,5 +72,6 @@ def read_body(path: Path, *, name: BodyName) -> BodyMesh:
         touching=touching[np.argsort(order[touching])],
         surface=sets["surface"],
         far=sets["far"],
+        clamped=sets["clamped"],
         planes=(sets["plane_x"], sets["plane_y"], sets["plane_z"]),
     )

@@ -88,7 +88,7 @@ def _quads(cells: Cells) -> list[list[tuple[float, float]]]:
 def contact_zone(patch: PatchMesh, *, shape: Patch, semi_axes: tuple[float, float]) -> Array:
     """x, y of the columns out to the margin, (2, columns), m; columns further out are put on the margin's rim."""
     u, v, ring, cells = patch.u, patch.v, patch.ring, patch.cells
-    direction = _ray(u, v)
+    direction = ray(u, v)
     scale = np.maximum(1.0, np.maximum(u, v))
     core_u, core_v = u / scale, v / scale
     bulge = shape.core_bulge / 2
@@ -140,7 +140,7 @@ def depth_lines(layers: int, *, depth: Depth, minor: float, extent: float) -> Ar
     return np.interp(np.arange(2 * layers + 1) / 2, np.arange(layers + 1), lines)
 
 
-def _ray(u: Array, v: Array) -> Array:
+def ray(u: Array, v: Array) -> Array:
     """Unit vector from the centre to the edge, in semi-axes: the angle runs evenly along a ring. Shape (2, ...)."""
     across, along = far_square(u, v)
     angle = np.where(v > u, np.pi / 2 - across * np.pi / 4, along * np.pi / 4)

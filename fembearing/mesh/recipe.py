@@ -5,11 +5,11 @@ from dataclasses import dataclass, fields
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 from analytic.errors import InputError
 
-Geometry = Literal["real", "hertzian"]
+Geometry = Literal["real", "hertzian", "wall"]
 
 
 LARGEST = 1000  # of any number in a recipe: beyond it, a slip
@@ -88,8 +88,8 @@ def parse_recipe(source: Traversable, *, name: str) -> Recipe:
     if unknown:
         raise InputError(f"mesh recipe {name}: unknown key {min(unknown)!r}")
     geometry, levels = table.get("geometry"), table.get("levels")
-    if geometry not in ("real", "hertzian"):
-        raise InputError(f"mesh recipe {name}: geometry = {geometry!r}, accepted: 'real' or 'hertzian'")
+    if geometry not in get_args(Geometry):
+        raise InputError(f"mesh recipe {name}: geometry = {geometry!r}, accepted: {', '.join(get_args(Geometry))}")
     if not (isinstance(levels, list) and len(levels) >= 3 and all(type(level) is int for level in levels)):
         raise InputError(f"mesh recipe {name}: levels = {levels!r}, accepted: three or more whole numbers")
     if levels[0] < 1 or any(fine < 1.3 * coarse for coarse, fine in pairwise(levels)):

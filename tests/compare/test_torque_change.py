@@ -1,0 +1,79 @@
+"""What contact discrepancies do to the race torque, against how each part scales."""
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.scenefile import parse_scene
+from fembearing.compare.torque_change import change_of_torque
+from fembearing.compare.uncertainty import Estimate
+
+SCENE = """
+name = "held angle"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "RULE", VALUE = "0.21 rad" }
+[operation]
+axial_load = ["700 N", "900 N"]
+inner_speed = "90 rpm"
+[friction]
+coefficient = 0.07
+hysteresis_loss = 0.006
+[effects]
+spin = "off"
+"""
+FIXED = parse_scene(SCENE.replace("RULE", "given").replace("VALUE", "value"), origin="test")
+SOLVED = parse_scene(SCENE.replace("RULE", "solved").replace("VALUE", "free"), origin="test")
+NAMES = ("semi_axis_rolling", "semi_axis_transverse", "approach")
+
+
+def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
+    """All that is read of a solved contact; `ratios` are finite elements over Hertz."""
+    return SimpleNamespace(
+        discrepancy={name: 1 / ratios.get(name, 1.0) - 1 for name in NAMES},
+        estimates={name: Estimate(values=(1.0,), order=2.0, richardson=None, mesh=uncertainty) for name in NAMES},
+    )
+
+
+def test_no_discrepancy_changes_nothing() -> None:
+    found = change_of_torque(SOLVED, inner=solution(), outer=solution())
+    np.testing.assert_array_equal(found.relative("total"), 0.0)
+    assert found.uncertainty == 0.0
+
+
+def test_conformity_goes_with_the_square_of_the_major_axis_and_hysteresis_with_the_minor() -> None:
+    both = solution(semi_axis_rolling=1.03, semi_axis_transverse=0.98)
+    found = change_of_torque(FIXED, inner=both, outer=both)
+    np.testing.assert_allclose(found.relative("conformity"), 0.98**2 - 1, rtol=1e-9)  # round-off
+    np.testing.assert_allclose(found.relative("hysteresis"), 1.03 - 1, rtol=1e-9)
+    assert found.relative("spin") is None
+
+
+def test_a_stiffer_contact_steepens_nothing() -> None:
+    """Less approach leaves the ball at a flatter angle, which takes more load to carry the thrust."""
+    stiff = solution(approach=0.97)
+    found = change_of_torque(SOLVED, inner=stiff, outer=stiff)
+    assert (found.corrected.contact_angle < found.hertz.contact_angle).all()
+    assert (found.corrected.ball_load > found.hertz.ball_load).all()
+    assert (found.relative("total") > 0).all()
+
+
+def test_uncertainty_adds_what_each_input_does_alone() -> None:
+    sure, unsure = solution(), solution(uncertainty=0.01)
+    alone = [
+        change_of_torque(FIXED, inner=unsure, outer=sure).uncertainty,
+        change_of_torque(FIXED, inner=sure, outer=unsure).uncertainty,
+    ]
+    both = change_of_torque(FIXED, inner=unsure, outer=unsure).uncertainty
+    np.testing.assert_allclose(both, sum(alone), rtol=1e-9)  # round-off
+    assert 0.01 < both < 0.05  # b counts twice, a once for its share, the approach not at a held angle
+
+
+def test_the_numbers_are_plain_in_json() -> None:
+    found = change_of_torque(FIXED, inner=solution(approach=0.97), outer=solution()).to_json()
+    assert found["change"]["spin"] is None
+    assert found["change"]["total"] == pytest.approx([0.0, 0.0], abs=1e-15)
+    assert len(found["torque"]["hertz"]) == 2

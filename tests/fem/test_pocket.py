@@ -1,0 +1,118 @@
+"""The ball in its cage pocket: a thick seat against Hertz, a sheet against the theory of shells."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.contact import pocket_contact
+from analytic.errors import InputError
+from analytic.hertz import contact_modulus
+from analytic.scene import Bearing, Cage, Contact, Groove, Material
+from fembearing.compare.discrepancy import hertz_quantities
+from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
+from fembearing.mesh.bodies import pair_mesh
+from fembearing.mesh.quality import mesh_quality
+from fembearing.mesh.recipe import load_recipe
+
+STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
+PEEK = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
+GROOVE = Groove(bottom_radius=15.53e-3, groove_radius=4.13e-3, shoulder_half_width=3.1e-3, material=STEEL)
+BEARING = Bearing(
+    name="test",
+    ball_count=9,
+    ball_diameter=7.94e-3,
+    ball_mass=2.04e-3,
+    ball_material=STEEL,
+    inner=GROOVE,
+    outer=replace(GROOVE, bottom_radius=23.48e-3, groove_radius=4.21e-3),
+)
+CAGE = Cage(pocket_diameter=8.14e-3, pocket_depth=3.9e-3, wall_thickness=0.9e-3, mass=6.58e-3, material=STEEL)
+
+
+def pocket(load: float = 28.0, **changed: object) -> Contact:
+    return pocket_contact(BEARING, replace(CAGE, **changed), load=load)
+
+
+def solve(contact: Contact, recipe: str, level: int = 2) -> MeshSolution:
+    made = load_recipe(recipe)
+    return solve_on_mesh(contact, recipe=made, level=level, semi_axes=fitted_semi_axes(contact, recipe=made))
+
+
+def test_a_pocket_is_a_sphere_around_a_smaller_one() -> None:
+    found = pocket()
+    assert (found.groove_radius, found.rolling_radius) == (4.07e-3, -4.07e-3)
+    assert found.load == 28.0
+    # the rim of a half pocket: a circle of the sphere, `depth` over its pole
+    assert found.shoulder**2 + (4.07e-3 - 3.9e-3) ** 2 == pytest.approx(4.07e-3**2, rel=1e-12)
+    # K = (4/3) E* sqrt(R), 1/R = 2/D_b - 2/D_p
+    reduced = 1 / (2 / 7.94e-3 - 2 / 8.14e-3)
+    expected = 4 / 3 * contact_modulus(STEEL, STEEL) * np.sqrt(reduced)
+    assert hertz_quantities(found).stiffness == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_pocket_no_wider_than_the_ball_is_refused() -> None:
+    with pytest.raises(InputError, match=r"pocket_diameter 0\.00794 m must exceed ball_diameter 0\.00794"):
+        pocket(pocket_diameter=7.94e-3)
+
+
+@pytest.mark.parametrize("level", [1, 2, 3])
+def test_the_sheet_lies_between_two_spheres_and_is_held_at_its_rim(level: int) -> None:
+    contact = pocket()
+    body = pair_mesh(contact, recipe=load_recipe("wall"), level=level, semi_axes=(0.31e-3, 0.31e-3)).lower
+    place = body.mesh.doflocs
+    radius = np.linalg.norm(place - np.array([[0.0], [0.0], [4.07e-3]]), axis=0)
+    np.testing.assert_allclose(radius[body.surface], 4.07e-3, rtol=1e-12)  # round-off
+    assert radius.max() == pytest.approx(4.97e-3, rel=1e-12)
+    rim = (4.07e-3 - place[2, body.clamped]) / radius[body.clamped]  # the cosine of the angle from the pole
+    np.testing.assert_allclose(rim, (4.07e-3 - 3.9e-3) / 4.07e-3, atol=1e-12)
+    assert body.far.size == 0
+
+
+def test_volume_of_the_sheet_converges_to_that_between_the_spheres() -> None:
+    contact = pocket()
+    exact = 2 * np.pi / 3 * (4.97e-3**3 - 4.07e-3**3) * (3.9 / 4.07) / 4
+    errors = []
+    for level in (1, 2, 4):
+        body = pair_mesh(contact, recipe=load_recipe("wall"), level=level, semi_axes=(0.31e-3, 0.31e-3)).lower
+        quality = mesh_quality(body.mesh)
+        assert quality.valid
+        errors.append(abs(quality.volume / exact - 1))
+    assert errors[2] < errors[1] < errors[0] < 0.01
+    assert errors[2] < 1e-4
+
+
+def test_a_thick_seat_departs_from_hertz_in_proportion_to_the_contact() -> None:
+    """The first correction to a half space is of the order of contact over ball, so it goes as the load's cube root."""
+    departures = []
+    for load in (28.0, 2.0):
+        contact = pocket(load)
+        departures.append(solve(contact, "race", level=3).quantities.approach / hertz_quantities(contact).approach - 1)
+    assert departures[0] < -0.01
+    np.testing.assert_allclose(
+        departures[1] / departures[0], (2 / 28) ** (1 / 3), rtol=0.1
+    )  # 1e-3 of mesh error in 7e-3
+
+
+def test_a_sheet_gives_as_shells_do() -> None:
+    """Beyond the local contact: Reissner's deflection of a shallow spherical cap under a point load,
+    w = sqrt(3 (1 - nu^2)) P R/(4 E t^2) (Timoshenko and Woinowsky-Krieger, Theory of Plates and Shells; not seen).
+    """
+    sheet = 0.45e-3
+    contact = pocket(load=2.0, wall_thickness=sheet)
+    bending = solve(contact, "wall").quantities.approach - solve(contact, "race").quantities.approach
+    middle = 4.07e-3 + sheet / 2
+    expected = np.sqrt(3 * (1 - 0.3**2)) / 4 * 2.0 * middle / (206e9 * sheet**2)
+    np.testing.assert_allclose(bending, expected, rtol=0.1)  # the shell is a tenth of its radius thick, not thin
+
+
+def test_sheet_metal_is_softer_than_its_half_space_says_and_plastic_more_so() -> None:
+    steel, plastic = (solve(pocket(material=material), "wall", level=1) for material in (STEEL, PEEK))
+    ratios = [found.quantities.stiffness / hertz_quantities(found.contact).stiffness for found in (steel, plastic)]
+    assert 0.3 < ratios[0] < 0.9
+    assert ratios[1] < ratios[0]
+
+
+def test_a_contact_that_reaches_the_rim_is_refused() -> None:
+    with pytest.raises(InputError, match=r"pocket: 28 N .* past the rim .* raise cage\.pocket_depth"):
+        pair_mesh(pocket(pocket_depth=0.03e-3), recipe=load_recipe("wall"), level=1, semi_axes=(0.4e-3, 0.4e-3))
