@@ -26,6 +26,7 @@ from analytic.scenefile import builtin_scene, load_scene
 
 if TYPE_CHECKING:  # the solver takes a second to import: only the commands that solve pay for it
     from fembearing.compare.discrepancy import ContactSolution
+    from fembearing.compare.torque_change import TorqueChange
     from fembearing.compare.verdict import Verdict
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
@@ -128,6 +129,8 @@ def validate(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJs
     else:
         for contact in result.contacts:
             _print_contact(contact)
+        if result.torque is not None:
+            _print_torque(result.torque)
         _print_warnings(result.scene.warnings)
         out.print(f"{result.verdict}: tolerance {result.tolerance:g}, {result.seconds:.1f} s", highlight=False)
     raise typer.Exit(_status(result.verdict))
@@ -298,6 +301,21 @@ def _print_contact(contact: "ContactSolution") -> None:
         highlight=False,
     )
     _print_warnings(contact.warnings)
+
+
+def _print_torque(change: "TorqueChange") -> None:
+    """What an engineer acts on, at the operating point of the largest torque."""
+    before, after = change.hertz, change.corrected
+    point = int(before.torque.total.argmax())
+    relative = change.relative("total")
+    assert relative is not None  # the total is always there
+    out.print(
+        f"Race torque with Hertz's contacts {before.torque.total[point] * 1e3:.4g} N mm, with those of FE "
+        f"{after.torque.total[point] * 1e3:.4g} N mm: {relative[point]:+.2%} +- {change.uncertainty:.2%} (numerical).\n"
+        f"Contact angle {before.contact_angle[point]:.4f} rad and {after.contact_angle[point]:.4f} rad. The friction "
+        "coefficient is the scene's, not a lubricant's.\n",
+        highlight=False,
+    )
 
 
 def _print_warnings(warnings: tuple[str, ...]) -> None:

@@ -1,18 +1,17 @@
-"""The main job: every contact of a scene, formula against finite elements, and what it does to the torque."""
+"""The main job: both race contacts of a scene, formula against finite elements, and what it does to the torque."""
 
 import time
 from dataclasses import dataclass
 from typing import Any
 
 from analytic.scene import Pair, Scene
+from analytic.torque import friction_torque
 from fembearing.compare.discrepancy import ContactSolution, Progress, silent, solve_contact
 from fembearing.compare.provenance import peak_memory, provenance_of
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
-from fembearing.mesh.recipe import Geometry
 
-RACES: tuple[tuple[Pair, Geometry], ...] = (("inner", "real"), ("outer", "real"))
-POCKET: tuple[tuple[Pair, Geometry], ...] = (("pocket", "real"), ("pocket", "wall"))
+RACES: tuple[Pair, ...] = ("inner", "outer")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -26,14 +25,9 @@ class Validation:
     seconds: float
 
     @property
-    def judged(self) -> tuple[ContactSolution, ...]:
-        """The contacts that Hertz's formulas are made for: a cage's sheet on its own support is shown, not judged."""
-        return tuple(contact for contact in self.contacts if contact.geometry != "wall")
-
-    @property
     def verdict(self) -> Verdict:
         """The worst of all contacts and quantities."""
-        return worst(found for contact in self.judged for found in contact.verdicts.values())
+        return worst(found for contact in self.contacts for found in contact.verdicts.values())
 
     def to_json(self) -> dict[str, Any]:
         """The result as plain types, SI; discrepancies and uncertainties relative."""
@@ -49,7 +43,7 @@ class Validation:
                     "exceeds_uncertainty": abs(contact.discrepancy[name]) > part.total,
                     "verdict": contact.verdicts[name],
                 }
-                for contact in self.judged
+                for contact in self.contacts
                 for name, part in contact.estimates.items()
             ],
             "torque_change": None if self.torque is None else self.torque.to_json(),
@@ -63,7 +57,7 @@ class Validation:
 
 
 def validate(scene: Scene, *, tolerance: float | None = None, progress: Progress = silent) -> Validation:
-    """Check each contact of a scene: both races and, where the scene has a cage, its pocket.
+    """Check each race contact of a scene.
 
     tolerance : relative; the scene's unless given
     progress : called with the share done, 0 to 1, and a word on the step at hand
@@ -71,20 +65,21 @@ def validate(scene: Scene, *, tolerance: float | None = None, progress: Progress
     """
     start = time.perf_counter()
     asked = scene.tolerance if tolerance is None else tolerance
-    jobs = RACES if scene.cage is None else RACES + POCKET
+    has_friction = scene.friction_coefficient is not None
+    if has_friction:
+        friction_torque(scene)  # refuses what it cannot model before anything is solved
     contacts = []
-    for number, (pair, geometry) in enumerate(jobs):
+    for number, pair in enumerate(RACES):
 
         def report(share: float, step: str, done: int = number) -> None:
-            progress((done + share) / len(jobs), step)
+            progress((done + share) / len(RACES), step)
 
-        contacts.append(solve_contact(scene, pair=pair, geometry=geometry, tolerance=asked, progress=report))
-    has_friction = scene.friction_coefficient is not None
-    torque = change_of_torque(scene, inner=contacts[0], outer=contacts[1]) if has_friction else None
+        contacts.append(solve_contact(scene, pair=pair, tolerance=asked, progress=report))
+    inner, outer = contacts
     return Validation(
         scene=scene,
         tolerance=asked,
-        contacts=tuple(contacts),
-        torque=torque,
+        contacts=(inner, outer),
+        torque=change_of_torque(scene, inner=inner, outer=outer) if has_friction else None,
         seconds=time.perf_counter() - start,
     )

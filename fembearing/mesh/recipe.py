@@ -87,7 +87,8 @@ def parse_recipe(source: Traversable, *, name: str) -> Recipe:
     unknown = table.keys() - parts.keys() - {"geometry", "levels"}
     if unknown:
         raise InputError(f"mesh recipe {name}: unknown key {min(unknown)!r}")
-    geometry, levels = table.get("geometry"), table.get("levels")
+    geometry: Any = table.get("geometry")
+    levels = table.get("levels")
     if geometry not in get_args(Geometry):
         raise InputError(f"mesh recipe {name}: geometry = {geometry!r}, accepted: {', '.join(get_args(Geometry))}")
     if not (isinstance(levels, list) and len(levels) >= 3 and all(type(level) is int for level in levels)):
