@@ -21,7 +21,7 @@ def scene() -> Scene:
     return analytic.load_scene(builtin_scene("6205"))
 
 
-@pytest.mark.parametrize(("name", "geometry"), [("race", "real"), ("hertzian", "hertzian")])
+@pytest.mark.parametrize(("name", "geometry"), [("race", "real"), ("hertzian", "hertzian"), ("wall", "wall")])
 def test_the_shipped_recipes_are_sound(name: str, geometry: str) -> None:
     recipe = load_recipe(name)
     assert (recipe.name, recipe.geometry) == (name, geometry)
@@ -32,7 +32,7 @@ def test_the_shipped_recipes_are_sound(name: str, geometry: str) -> None:
 FAULTS = {  # what is replaced, by what, and what the message must name
     "no toml": ("geometry =", "geometry = =", "race"),
     "unknown key": ('geometry = "real"', 'geometry = "real"\nsmoothing = 3', "smoothing"),
-    "other geometry": ('"real"', '"cylinder"', "'cylinder', accepted: 'real' or 'hertzian'"),
+    "other geometry": ('"real"', '"cylinder"', "'cylinder', accepted: real, hertzian, wall"),
     "levels not rising": ("[1, 2, 3, 4]", "[4, 5, 6]", r"\[4, 5, 6\].*1.3 times"),
     "levels falling": ("[1, 2, 3, 4]", "[4, 3, 2]", r"\[4, 3, 2\].*1.3 times"),
     "two levels": ("[1, 2, 3, 4]", "[2, 4]", "three or more"),

@@ -17,7 +17,10 @@ BODIES: dict[tuple[str, str], BodyName] = {
     ("real", "lower"): "race",
     ("hertzian", "upper"): "half space",
     ("hertzian", "lower"): "half space",
+    ("wall", "upper"): "ball",
+    ("wall", "lower"): "pocket wall",
 }
+CONTACTS = [("inner", "real"), ("inner", "hertzian"), ("outer", "real"), ("outer", "hertzian"), ("pocket", "wall")]
 
 
 def test_the_files_are_as_committed() -> None:
@@ -26,16 +29,15 @@ def test_the_files_are_as_committed() -> None:
     present = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in REFERENCE.glob("*.vtu")}
     assert present == listed
     assert sorted(present) == sorted(
-        f"{pair}-{shape}-{side}.vtu" for pair in ("inner", "outer") for shape, side in BODIES
+        f"{pair}-{geometry}-{side}.vtu" for pair, geometry in CONTACTS for side in ("upper", "lower")
     )
 
 
 def sets(body: BodyMesh) -> list[np.ndarray]:
-    return [body.touching, body.surface, body.far, *body.planes]
+    return [body.touching, body.surface, body.far, body.clamped, *body.planes]
 
 
-@pytest.mark.parametrize("geometry", ["real", "hertzian"])
-@pytest.mark.parametrize("pair", ["inner", "outer"])
+@pytest.mark.parametrize(("pair", "geometry"), CONTACTS)
 def test_the_recipe_still_makes_them(pair: str, geometry: str, tmp_path: Path) -> None:
     """By the command that made them: a changed recipe, mesh or built-in scene must come with new files."""
     wanted = ["mesh", "--pair", pair, "--geometry", geometry, "--level", "1", "--out", str(tmp_path)]
