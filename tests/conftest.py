@@ -6,7 +6,13 @@ under test; everywhere else they explore, and a failure prints the blob that rep
 
 import os
 
+from typing import TYPE_CHECKING
+
+import pytest
 from hypothesis import settings
+
+if TYPE_CHECKING:
+    from analytic.scene import Contact
 
 if "PYTEST_XDIST_WORKER" in os.environ:  # before NumPy loads: the workers are the parallelism already
     os.environ.setdefault("OMP_NUM_THREADS", "1")
@@ -21,3 +27,34 @@ settings.load_profile(PROFILE)
 
 def pytest_report_header() -> str:
     return f"hypothesis profile: {PROFILE}"
+
+
+@pytest.fixture(scope="session")
+def contacts() -> "dict[str, Contact]":
+    """The race contacts of a 6205, typed in by hand so that no formula stands between them and a mesh."""
+    from analytic.scene import Contact, Material  # NumPy comes with it: not before the threads are set
+
+    steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
+    inner = Contact(
+        pair="inner",
+        ball_radius=3.97e-3,
+        groove_radius=4.13e-3,
+        rolling_radius=16.47e-3,
+        shoulder=2.14e-3,
+        contact_angle=0.303,
+        load=372.0,
+        ball_material=steel,
+        race_material=steel,
+    )
+    outer = Contact(
+        pair="outer",
+        ball_radius=3.97e-3,
+        groove_radius=4.21e-3,
+        rolling_radius=-24.41e-3,
+        shoulder=2.11e-3,
+        contact_angle=0.303,
+        load=372.0,
+        ball_material=steel,
+        race_material=steel,
+    )
+    return {"inner": inner, "outer": outer}
