@@ -5,7 +5,6 @@ under test; everywhere else they explore, and a failure prints the blob that rep
 """
 
 import os
-
 from typing import TYPE_CHECKING
 
 import pytest
