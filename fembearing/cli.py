@@ -183,8 +183,8 @@ def mesh(
 
     from fembearing.compare.discrepancy import RECIPES, contact_of
     from fembearing.fem.guess import expected_semi_axes
-    from fembearing.mesh.bodies import pair_mesh
     from fembearing.mesh.meshfile import write_body
+    from fembearing.mesh.pair import pair_mesh
     from fembearing.mesh.quality import mesh_quality
     from fembearing.mesh.recipe import load_recipe
 

@@ -12,7 +12,7 @@ from fembearing.fem.contact import press
 from fembearing.fem.elasticity import surface_mass
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities, nodal_pressure, peak_pressure, semi_axis
-from fembearing.mesh.bodies import PairMesh, pair_mesh
+from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]

@@ -8,7 +8,8 @@ from scipy.sparse.linalg import spsolve
 from analytic.scene import Contact
 from fembearing.fem import condensation
 from fembearing.fem.condensation import condense, held_stiffness
-from fembearing.mesh.bodies import BodyMesh, PairMesh, pair_mesh
+from fembearing.mesh.bodies import BodyMesh
+from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import load_recipe
 
 Array = NDArray[np.float64]

@@ -11,7 +11,7 @@ from skfem.models.elasticity import linear_elasticity
 from analytic.scene import Contact, Material
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.elasticity import lame_parameters, scalar_basis, stiffness, surface_mass
-from fembearing.mesh.bodies import pair_mesh
+from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.recipe import load_recipe
 
 Array = NDArray[np.float64]

@@ -11,7 +11,7 @@ from analytic.scene import Contact
 from fembearing.fem.elasticity import surface_mass
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import nodal_pressure, peak_pressure, semi_axis
-from fembearing.mesh.bodies import PairMesh, pair_mesh
+from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import load_recipe
 
 Array = NDArray[np.float64]

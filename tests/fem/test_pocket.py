@@ -11,7 +11,7 @@ from analytic.hertz import contact_modulus
 from analytic.scene import Bearing, Cage, Contact, Groove, Material
 from fembearing.compare.discrepancy import hertz_quantities
 from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
-from fembearing.mesh.bodies import pair_mesh
+from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
 

@@ -10,8 +10,9 @@ import pyvista
 
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.mesh.bodies import BodyMesh, pair_mesh
+from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.meshfile import read_body, write_body
+from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
 

@@ -9,7 +9,8 @@ from skfem import MeshHex2
 
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.mesh.bodies import BodyMesh, PairMesh, pair_mesh
+from fembearing.mesh.bodies import BodyMesh
+from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
 

@@ -1,0 +1,95 @@
+"""Two bodies in contact as meshes.
+
+Both are meshed over the same patch, so their contact nodes face each other: a ball's node and the race's node where
+the ball's normal meets the race.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.errors import InputError
+from analytic.scene import Contact
+from fembearing.mesh.ball import ball_octant
+from fembearing.mesh.bodies import Block, BodyMesh, body_mesh
+from fembearing.mesh.patch import contact_zone, patch_mesh
+from fembearing.mesh.pocket import pocket_wall
+from fembearing.mesh.quality import mesh_quality
+from fembearing.mesh.race import distance_to_race, race_block
+from fembearing.mesh.recipe import Recipe
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PairMesh:
+    """Two bodies, the gap between them and the direction in which they touch."""
+
+    upper: BodyMesh
+    lower: BodyMesh
+    gap: Array  # (m,) along the normal, m
+    normal: Array  # (3, m) unit vectors out of the upper body
+    semi_axes: tuple[float, float]  # along rolling and transverse, m: where the mesh expects the edge
+
+
+def pair_mesh(
+    contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool = False
+) -> PairMesh:
+    """Mesh both bodies of a contact on one level of a recipe.
+
+    semi_axes : expected semi-axes along rolling and transverse, m; they size the mesh
+    trimmed : leave off the outermost ring and layer of a block's cells; the others stay where they are, so that the
+        difference shows what the far boundary does and nothing else
+    Raises InputError if the bodies cannot be meshed at that size.
+    """
+    make = _half_spaces if recipe.geometry == "hertzian" else _ball_on_race
+    pair = make(contact, recipe, level, semi_axes, trimmed)
+    for body in (pair.upper, pair.lower):
+        quality = mesh_quality(body.mesh)
+        if not quality.valid:
+            x, y, z = quality.worst_place
+            raise InputError(
+                f"{contact.pair}: cell {quality.worst_cell} of the {body.name} is inside out at ({x:.3g}, {y:.3g}, "
+                f"{z:.3g}) m, meshed for an ellipse of {semi_axes[0]:.3g} by {semi_axes[1]:.3g} m: lower the load, or "
+                f"give mesh recipe {recipe.name} more outer cells"
+            )
+    return pair
+
+
+def _half_spaces(
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool
+) -> PairMesh:
+    block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=recipe.domain.extent * max(semi_axes))
+    patch = patch_mesh(block.cells(trimmed))
+    x, y = plane = block.plane(patch, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
+    flat = np.zeros_like(x)
+    upper = body_mesh("half space", patch, block.stack(patch, plane, flat, side=1))
+    lower = body_mesh("half space", patch, block.stack(patch, plane, flat, side=-1))
+    curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius
+    curvature_y = 1 / contact.ball_radius - 1 / contact.groove_radius
+    gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[patch.zone]
+    normal = np.tile([[0.0], [0.0], [-1.0]], gap.size)
+    return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
+
+
+def _ball_on_race(
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool
+) -> PairMesh:
+    radius = contact.ball_radius
+    widest = 0.7 * radius / recipe.patch.margin_size
+    if max(semi_axes) > widest:
+        raise InputError(
+            f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {max(semi_axes):.3g} m, too wide "
+            f"for a ball of radius {radius:.3g} m: the mesh holds up to {widest:.3g} m. Lower the load, widen the "
+            "groove_radius or raise youngs_modulus."
+        )
+    upper = ball_octant(radius, recipe, level, semi_axes)
+    touching = upper.mesh.doflocs[:, upper.touching]
+    normal = touching / radius - np.array([[0.0], [0.0], [1.0]])
+    gap = distance_to_race(contact, normal)
+    if recipe.geometry == "wall":
+        lower = pocket_wall(contact, recipe, level, semi_axes)
+    else:
+        lower = race_block(contact, recipe, level, semi_axes, trimmed)
+    return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
