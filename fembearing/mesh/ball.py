@@ -8,7 +8,7 @@ from fembearing.mesh.recipe import Recipe
 
 
 def ball_octant(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> BodyMesh:
-    """The octant of a ball, from its pole to its middle plane, by a smooth map of the cube [0, 1]^3.
+    """A smooth map of the cube [0, 1]^3, its face Z = 1 under the contact.
 
     The map x = X sqrt(1 - Y^2/2 - Z^2/2 + Y^2 Z^2/3) and its permutations sends the cube's faces
     X, Y, Z = 1 to the sphere and X, Y, Z = 0 to the octant's planes.

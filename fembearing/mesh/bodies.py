@@ -29,6 +29,7 @@ class BodyMesh:
 
 
 def body_mesh(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
+    """A body whose nodes lie at `position` (3, nodes), m. Its first layer is the loaded one where it lies at z > 0."""
     lower = position[2].min() < 0 and name != "ball"
     surface_layer = patch.cells.depth if lower else 0
     on_surface = np.abs(patch.layer - surface_layer) < NODE
@@ -74,9 +75,9 @@ class Block:
         return cells_of(self.recipe, self.level, growth=self.reach / min(self.semi_axes))
 
     def cells(self, trimmed: bool) -> Cells:
-        return (
-            replace(self.whole, outside=self.whole.outside - 1, depth=self.whole.depth - 1) if trimmed else self.whole
-        )
+        """All of them, or all but the outermost ring and layer."""
+        whole = self.whole
+        return replace(whole, outside=whole.outside - 1, depth=whole.depth - 1) if trimmed else whole
 
     def plane(self, patch: PatchMesh, zone: Array) -> Array:
         """x, y of the columns, (2, columns), m; `zone` is where they start, those further out on its rim."""
@@ -89,9 +90,8 @@ class Block:
 
         Layers of a body below are counted from the far boundary upwards, so that its cells stay right-handed.
         """
-        lines = depth_lines(self.whole.depth, depth=self.recipe.depth, minor=min(self.semi_axes), extent=self.reach)[
-            : 2 * patch.cells.depth + 1
-        ]
+        lines = depth_lines(self.whole.depth, depth=self.recipe.depth, minor=min(self.semi_axes), extent=self.reach)
+        lines = lines[: 2 * patch.cells.depth + 1]
         step = np.rint(2 * patch.layer).astype(int)
         share = lines[step if side > 0 else lines.size - 1 - step] / self.reach
         start = height[patch.column]
