@@ -256,7 +256,7 @@ def _warnings(
         worst = int(np.argmin(room))
         if room[worst] <= 0:
             raise InputError(
-                f"operation.axial_load {balls.ball_load[worst]:.6g} N a ball puts the contact at "
+                f"operation.axial_load = {scene.operation.axial_load[worst]:g} N: the contact moves to "
                 f"{balls.contact_angle[worst]:.4f} rad, beyond the {race} race's shoulder: lower the load, reduce the "
                 "clearance or raise shoulder_half_width"
             )

@@ -131,7 +131,7 @@ def validate(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJs
             _print_contact(contact)
         if result.torque is not None:
             _print_torque(result.torque)
-        _print_warnings(result.scene.warnings)
+        _print_warnings(tuple(dict.fromkeys(warning for contact in result.contacts for warning in contact.warnings)))
         out.print(f"{result.verdict}: tolerance {result.tolerance:g}, {result.seconds:.1f} s", highlight=False)
     raise typer.Exit(_status(result.verdict))
 
@@ -159,9 +159,8 @@ def contact(
         _print_json(result.to_json())
     else:
         _print_contact(result)
-    from fembearing.compare.verdict import worst
-
-    raise typer.Exit(_status(worst(result.verdicts.values())))
+        _print_warnings(result.warnings)
+    raise typer.Exit(_status(result.verdict))
 
 
 @app.command(epilog="Example: fembearing mesh --pair inner --level 2 --out meshes-of-the-inner-race")
@@ -181,7 +180,7 @@ def mesh(
         raise InputError(f"--out {str(folder)!r}: give a folder for the meshes; it is made if it is missing")
     from dataclasses import asdict
 
-    from fembearing.compare.discrepancy import RECIPES, contact_of
+    from fembearing.compare.discrepancy import RECIPES, contact_of, traced_to_load
     from fembearing.fem.guess import expected_semi_axes
     from fembearing.mesh.meshfile import write_body
     from fembearing.mesh.pair import pair_mesh
@@ -193,7 +192,8 @@ def mesh(
     if chosen not in recipe.levels:
         raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
     found = contact_of(given, pair=pair.value, load=force)
-    bodies = pair_mesh(found, recipe=recipe, level=chosen, semi_axes=expected_semi_axes(found))
+    with traced_to_load(given, pair=pair.value, load=force):
+        bodies = pair_mesh(found, recipe=recipe, level=chosen, semi_axes=expected_semi_axes(found))
     written = {}
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -209,6 +209,7 @@ def mesh(
     if as_json:
         _print_json({"pair": pair.value, "geometry": geometry.value, "level": chosen, "meshes": written})
         return
+    _print_warnings(given.warnings)
     table = Table("file", "body", "cells", "nodes", "least det J/mean", "there x, y, z, mm", box=SIMPLE_HEAD)
     for path, quality in written.items():
         place = ", ".join(f"{1e3 * part:.3g}" for part in quality["worst_place"])
@@ -300,7 +301,6 @@ def _print_contact(contact: "ContactSolution") -> None:
         style="dim",
         highlight=False,
     )
-    _print_warnings(contact.warnings)
 
 
 def _print_torque(change: "TorqueChange") -> None:

@@ -94,6 +94,27 @@ def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> Non
         assert abs(found["discrepancy"][name]) <= found["uncertainty"][name]
 
 
+def test_the_far_boundary_is_judged_apart(validated: dict[str, Any]) -> None:
+    """Some effect, and less than the extent of six major semi-axes leaves room for."""
+    for contact in validated["contacts"]:
+        for name, part in contact["convergence"].items():
+            assert 0 < part["domain"] < 0.01
+            assert contact["uncertainty"][name] == pytest.approx(part["mesh"] + part["domain"], rel=1e-12)  # round-off
+
+
+def test_a_sheet_is_outside_what_hertz_is_made_for(command, tmp_path: Path) -> None:
+    """And the pocket of the printed table cannot be made: the warning goes with the answer."""
+    scene = tmp_path / "printed.toml"
+    scene.write_text(SCENE + '[cage]\nvariant = "as_printed"\n')
+    result = command("contact", str(scene), "--pair", "pocket", "--geometry", "wall", "--tolerance", "90 %", "--json")
+    found = json.loads(result.out)
+    assert (found["verdict"], result.status) == ("outside validity", 1)
+    assert found["load"] == 28.0  # the largest ball-cage force that the paper reports
+    warnings = " ".join(found["warnings"])
+    assert "neighbouring pockets overlap" in warnings
+    assert "bends on its rim" in warnings
+
+
 def test_meshes_that_disagree_without_order_are_undecided(command, monkeypatch: pytest.MonkeyPatch) -> None:
     """Peak pressure is made to swing by 3 % from mesh to mesh, as it does for solvers that read it off one node."""
     true = solution.peak_pressure
@@ -135,7 +156,9 @@ coefficient = 0.1
         (["contact", "--load", "620"], ["--load", "620", "N"]),
         (["contact", "--load", "nan N"], ["--load", "nan N"]),
         (["contact", "--load", "3 mm"], ["--load", "3 mm", "N"]),
-        (["contact", "--load", "90 kN"], ["too wide", "m"]),  # plastic long before: no mesh for it
+        (["contact", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),  # plastic long before: no mesh
+        (["validate", "heavy.toml"], ["operation.axial_load = 700000 N", "shoulder"]),
+        (["validate", "wide.toml"], ["operation.axial_load = 90000 N", "too wide"]),
         (["mesh", "--out", "scene.toml"], ["--out", "scene.toml", "folder"]),
         (["mesh", "--out", "new", "--level", "77"], ["--level", "77", "1, 2, 3, 4"]),
     ],
@@ -145,12 +168,18 @@ def test_a_mistake_gets_one_line_and_status_2(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "scene.toml").write_text(SCENE)
+    (tmp_path / "heavy.toml").write_text(SCENE.replace("700 N", "700000 N").replace('"given", value', '"solved", free'))
+    (tmp_path / "wide.toml").write_text(SCENE.replace("700 N", "90000 N"))
     result = command(*arguments)
     assert result.status == 2
     assert result.out == ""
     assert result.err.count("\n") == 1
     assert all(word in result.err for word in words), result.err
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["scene.toml"]  # nothing half-written
+    assert sorted(path.name for path in tmp_path.iterdir()) == [
+        "heavy.toml",
+        "scene.toml",
+        "wide.toml",
+    ]  # nothing half-written
 
 
 def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path: Path) -> None:

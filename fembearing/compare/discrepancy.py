@@ -1,7 +1,8 @@
 """One contact both ways: Hertz's closed forms and finite elements on the meshed bodies."""
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, fields, replace
 from typing import Any
 
@@ -74,6 +75,11 @@ class ContactSolution:
         }
 
     @property
+    def verdict(self) -> Verdict:
+        """The worst of all quantities."""
+        return worst(self.verdicts.values())
+
+    @property
     def rung(self) -> str:
         return f"finite elements, {self.geometry}, {self.meshes[-1].unknowns} unknowns"
 
@@ -88,7 +94,7 @@ class ContactSolution:
             "uncertainty": {name: part.total for name, part in self.estimates.items()},
             "hertz": asdict(self.hertz),
             "discrepancy": self.discrepancy,
-            "verdict": worst(self.verdicts.values()),
+            "verdict": self.verdict,
             "rung": self.rung,
             "convergence": {
                 name: {
@@ -126,12 +132,11 @@ def solve_contact(
     contact = contact_of(scene, pair=pair, load=load)
     if geometry == "wall" and pair != "pocket":
         raise InputError(f"geometry 'wall' is that of a pocket; the {pair} race has 'real' and 'hertzian'")
-    return compare_contact(
-        contact,
-        recipe=load_recipe(RECIPES[geometry]),
-        tolerance=scene.tolerance if tolerance is None else tolerance,
-        progress=progress,
-    )
+    recipe = load_recipe(RECIPES[geometry])
+    asked = scene.tolerance if tolerance is None else tolerance
+    with traced_to_load(scene, pair=pair, load=load):
+        found = compare_contact(contact, recipe=recipe, tolerance=asked, progress=progress)
+    return replace(found, warnings=(*scene.warnings, *found.warnings))
 
 
 def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contact:
@@ -145,15 +150,26 @@ def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contac
         return pocket_contact(scene.bearing, scene.cage, load=POCKET_LOAD if load is None else load)
     balls = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=scene.operation.axial_load)
     point = int(np.argmax(balls.ball_load))
-    try:
+    with traced_to_load(scene, pair=pair, load=load):
         return race_contact(
             scene.bearing,
             pair,
             contact_angle=float(balls.contact_angle[point]),
             ball_load=float(balls.ball_load[point]) if load is None else load,
         )
+
+
+@contextmanager
+def traced_to_load(scene: Scene, *, pair: Pair, load: float | None) -> Iterator[None]:
+    """Name the load that a person gave in front of what it leads to."""
+    try:
+        yield
     except InputError as problem:
-        raise InputError(f"operation.axial_load = {scene.operation.axial_load[point]:g} N: {problem}") from problem
+        if load is None and pair != "pocket":
+            cause = f"operation.axial_load = {scene.operation.axial_load.max():g} N"
+        else:
+            cause = f"load = {POCKET_LOAD if load is None else load:g} N"
+        raise InputError(f"{cause}: {problem}") from problem
 
 
 def compare_contact(
@@ -165,7 +181,7 @@ def compare_contact(
     changes, over the ratio of the two sizes less one, is what the boundary still does if it fades as one over the size.
     """
     start = time.perf_counter()
-    work = np.cumsum([level**3 for level in (*recipe.levels[: FEWEST + 1],)])
+    work = np.cumsum([level**3 for level in recipe.levels[: FEWEST + 1]])
     progress(0.0, f"{contact.pair}: size of the contact")
     semi_axes = fitted_semi_axes(contact, recipe=recipe)
     meshes: list[MeshSolution] = []

@@ -20,6 +20,7 @@ from fembearing.mesh.race import distance_to_race, race_block
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
+WIDEST_CONTACT = 0.7  # of the ball's radius, margin included: further round, the octant's map folds
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -77,12 +78,12 @@ def _ball_on_race(
     contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool
 ) -> PairMesh:
     radius = contact.ball_radius
-    widest = 0.7 * radius / recipe.patch.margin_size
+    widest = WIDEST_CONTACT * radius / recipe.patch.margin_size
     if max(semi_axes) > widest:
         raise InputError(
             f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {max(semi_axes):.3g} m, too wide "
-            f"for a ball of radius {radius:.3g} m: the mesh holds up to {widest:.3g} m. Lower the load, widen the "
-            "groove_radius or raise youngs_modulus."
+            f"for a ball of radius {radius:.3g} m: the mesh holds up to {widest:.3g} m. Lower the load, or raise "
+            "groove_radius or youngs_modulus"
         )
     upper = ball_octant(radius, recipe, level, semi_axes)
     touching = upper.mesh.doflocs[:, upper.touching]

@@ -31,9 +31,8 @@ def race_height(contact: Contact, x: Array, y: Array) -> Array:
     across = np.minimum(np.abs(y), contact.shoulder)
     rise = across**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - across**2))
     side, radius = np.sign(contact.rolling_radius), abs(contact.rolling_radius)
-    out = (
-        side * 2 * radius + rise
-    ) * rise - x**2  # square of the ring's radius at y, less x^2, less that at the bottom
+    # The square of the ring's radius at y, less x^2, less the square of its radius at the bottom of the groove.
+    out = (side * 2 * radius + rise) * rise - x**2
     return side * out / (np.sqrt(radius**2 + out) + radius)
 
 

@@ -10,6 +10,7 @@ from analytic.errors import InputError
 from analytic.hertz import contact_modulus
 from analytic.scene import Bearing, Cage, Contact, Groove, Material
 from fembearing.compare.discrepancy import hertz_quantities
+from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.quality import mesh_quality
@@ -67,6 +68,14 @@ def test_the_sheet_lies_between_two_spheres_and_is_held_at_its_rim(level: int) -
     rim = (4.07e-3 - place[2, body.clamped]) / radius[body.clamped]  # the cosine of the angle from the pole
     np.testing.assert_allclose(rim, (4.07e-3 - 3.9e-3) / 4.07e-3, atol=1e-12)
     assert body.far.size == 0
+
+
+def test_the_rim_cannot_move_at_all() -> None:
+    body = pair_mesh(pocket(), recipe=load_recipe("wall"), level=1, semi_axes=(0.31e-3, 0.31e-3)).lower
+    held = held_stiffness(body, material=STEEL, semi_axes=(0.31e-3, 0.31e-3))
+    components = np.concatenate([body.clamped + axis * held.nodes for axis in range(3)])
+    assert not np.isin(components, held.free).any()
+    assert not held.far_force.any()  # and nothing but the ball pushes
 
 
 def test_volume_of_the_sheet_converges_to_that_between_the_spheres() -> None:
