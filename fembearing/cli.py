@@ -2,6 +2,7 @@
 2 the input is at fault, 3 could not be solved to the asked accuracy.
 """
 
+import errno
 import json
 import os
 import sys
@@ -31,6 +32,7 @@ if TYPE_CHECKING:  # the solver takes a second to import: only the commands that
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
 INTERRUPTED, PIPE_CLOSED = 130, 141  # what a shell makes of the two signals
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard output can take no more
 BUILTIN = "6205"
 TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
 LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
@@ -88,13 +90,14 @@ def main() -> None:
         status = _complain(problem.format_message() if isinstance(problem, TyperException) else problem, INPUT_AT_FAULT)
     except Abort:
         status = INTERRUPTED
-    except OSError as problem:
+    except BrokenPipeError:
         _close_output()
-        status = (
-            PIPE_CLOSED
-            if isinstance(problem, BrokenPipeError)
-            else _complain(f"cannot write the result: {problem.strerror}; check where it goes", INPUT_AT_FAULT)
-        )
+        status = PIPE_CLOSED
+    except OSError as problem:
+        if problem.errno not in NO_ROOM:
+            raise
+        _close_output()
+        status = _complain(f"cannot write the result: {problem.strerror}; check where it goes", INPUT_AT_FAULT)
     sys.exit(status)
 
 

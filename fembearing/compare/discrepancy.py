@@ -23,7 +23,6 @@ from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 RECIPES: dict[Geometry, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall"}
 POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
 EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
-
 ENOUGH = 0.2  # mesh uncertainty, as a share of the tolerance, at which no finer mesh is called for
 FEWEST = 3  # meshes
 

@@ -25,7 +25,7 @@ def stiffness(basis: Basis, material: Material) -> csr_matrix:
     """Stiffness matrix (3 n, 3 n), N/m, of the weak form lambda div u div v + 2 mu eps(u) : eps(v).
 
     Built from the nine products of derivatives d_i v d_j u: one vector form over all 81 functions
-    of a cell costs more than ten times as much.
+    of a cell takes about five times as long (measured on 512 cells).
     """
     lam, mu = lame_parameters(material)
     product: dict[tuple[int, int], csr_matrix] = {}

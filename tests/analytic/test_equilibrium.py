@@ -106,7 +106,10 @@ def test_the_axial_load_is_the_slope_of_the_elastic_energy(bearing_6205: Bearing
 
     def energy(axial: float) -> float:
         approach = np.hypot(radial, axial) - bearing_6205.groove_centre_distance
-        shared = lambda inner: 0.4 * (springs[0] * inner**2.5 + springs[1] * (approach - inner) ** 2.5)  # noqa: E731
+
+        def shared(inner: float) -> float:
+            return 0.4 * (springs[0] * inner**2.5 + springs[1] * (approach - inner) ** 2.5)
+
         return bearing_6205.ball_count * minimize_scalar(shared, bounds=(0, approach), options={"xatol": 1e-14}).fun
 
     step = 2e-8  # m: against an approach of 12 um the difference's own error is 1e-6
