@@ -1,5 +1,6 @@
 """One contact solved on one mesh."""
 
+import time
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,6 +36,7 @@ class MeshSolution:
     pressure: Array  # (m,) Pa
     unknowns: int
     rounds: int  # of the active set
+    seconds: float  # that meshing and solving took
     upper: CondensedBody
 
     @property
@@ -57,6 +59,7 @@ def solve_on_mesh(
     upper : the ball's condensation where it is known for this level and ellipse: trimming does not change a ball
     Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not settle.
     """
+    start = time.perf_counter()
     pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, trimmed=trimmed)
     upper, lower = _condensed(contact, pair, upper)
     x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
@@ -91,6 +94,7 @@ def solve_on_mesh(
         pressure=pressure,
         unknowns=upper.unknowns + lower.unknowns,
         rounds=rounds,
+        seconds=time.perf_counter() - start,
         upper=upper,
     )
 
