@@ -1,16 +1,41 @@
 """fembearing checks the closed forms of ball-bearing contact against finite elements.
 
-import analytic, fembearing
-scene = analytic.load_scene("bearing.toml")
-contact = fembearing.solve_contact(scene, pair="inner")
-result = fembearing.validate(scene)
+    import analytic, fembearing
+    scene = analytic.load_scene("bearing.toml")
+    contact = fembearing.solve_contact(scene, pair="inner")
+    result = fembearing.validate(scene, out="report-folder")
+
+Names are imported on first use, so that a program pays only for what it calls.
 """
 
+from importlib import import_module
 from importlib.metadata import version
+from typing import TYPE_CHECKING, Any
 
-from fembearing.compare.discrepancy import ContactSolution, solve_contact
-from fembearing.compare.validation import Validation, validate
+if TYPE_CHECKING:
+    from fembearing.compare.discrepancy import ContactSolution, solve_contact
+    from fembearing.compare.validation import Validation
+    from fembearing.report.folder import validate
+
+    __version__: str
 
 __all__ = ["ContactSolution", "Validation", "__version__", "solve_contact", "validate"]
 
-__version__ = version("fembearing")
+_HOME = {
+    "ContactSolution": "fembearing.compare.discrepancy",
+    "Validation": "fembearing.compare.validation",
+    "solve_contact": "fembearing.compare.discrepancy",
+    "validate": "fembearing.report.folder",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        return version("fembearing")
+    if name in _HOME:
+        return getattr(import_module(_HOME[name]), name)
+    raise AttributeError(f"module 'fembearing' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

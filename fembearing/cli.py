@@ -26,8 +26,6 @@ from analytic.scene import Scene
 from analytic.scenefile import builtin_scene, load_scene
 
 if TYPE_CHECKING:  # the solver takes a second to import: only the commands that solve pay for it
-    from fembearing.compare.discrepancy import ContactSolution
-    from fembearing.compare.torque_change import TorqueChange
     from fembearing.compare.verdict import Verdict
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
@@ -118,24 +116,32 @@ def about() -> None:
     """Friction and contact of a ball bearing: closed forms, checked by finite elements."""
 
 
-@app.command(epilog='Example: fembearing validate bearing.toml --tolerance "1 %" --json')
-def validate(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJson = False) -> None:
+@app.command(epilog='Example: fembearing validate bearing.toml --tolerance "1 %" --out report-of-my-bearing')
+def validate(
+    scene: ScenePath = None,
+    tolerance: Tolerance = None,
+    folder: Annotated[
+        Path | None,
+        typer.Option("--out", help="New folder for report.html, report.json, pictures and meshes; nothing without it."),
+    ] = None,
+    hard: Annotated[bool, typer.Option("--hard", help="Run the table of hard cases too.")] = False,
+    as_json: AsJson = False,
+) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
     given = _scene(scene)
     asked = _tolerance(tolerance, given)
-    from fembearing.compare.validation import validate as run
+    from fembearing.report.folder import validate as run
+    from fembearing.report.terminal import print_validation
 
     with _progress() as report:
-        result = run(given, tolerance=asked, progress=report)
+        result = run(given, out=folder, tolerance=asked, hard=hard, progress=report)
     if as_json:
         _print_json(result.to_json())
     else:
-        for contact in result.contacts:
-            _print_contact(contact)
-        if result.torque is not None:
-            _print_torque(result.torque)
-        _print_warnings(tuple(dict.fromkeys(warning for contact in result.contacts for warning in contact.warnings)))
-        out.print(f"{result.verdict}: tolerance {result.tolerance:g}, {result.seconds:.1f} s", highlight=False)
+        print_validation(out, result)
+        _print_warnings(result.warnings)
+        if folder is not None:
+            out.print(f"report: {folder / 'report.html'}", highlight=False, soft_wrap=True)
     raise typer.Exit(_status(result.verdict))
 
 
@@ -153,6 +159,7 @@ def contact(
     asked = _tolerance(tolerance, given)
     force = _load(load)
     from fembearing.compare.discrepancy import solve_contact
+    from fembearing.report.terminal import print_contact
 
     with _progress() as report:
         result = solve_contact(
@@ -161,7 +168,7 @@ def contact(
     if as_json:
         _print_json(result.to_json())
     else:
-        _print_contact(result)
+        print_contact(out, result)
         _print_warnings(result.warnings)
     raise typer.Exit(_status(result.verdict))
 
@@ -259,66 +266,6 @@ def _progress() -> Iterator[Callable[[float, str], None]]:
 
 def _print_json(content: dict[str, Any]) -> None:
     out.out(json.dumps(content, indent=1, allow_nan=False), highlight=False)
-
-
-SHOWN = {
-    "approach": ("approach, um", 1e6),
-    "semi_axis_rolling": ("semi-axis a, mm", 1e3),
-    "semi_axis_transverse": ("semi-axis b, mm", 1e3),
-    "peak_pressure": ("peak pressure, GPa", 1e-9),
-    "stiffness": ("stiffness, GN/m^1.5", 1e-9),
-}
-COLUMNS = {"quantity": 19, "Hertz": 10, "FE": 10, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
-
-
-def _print_contact(contact: "ContactSolution") -> None:
-    noun = contact.contact
-    place = "in cage pocket" if noun.pair == "pocket" else f"on {noun.pair} race at {noun.contact_angle:.4f} rad"
-    table = Table(
-        title=f"Ball {place}, {contact.geometry}: {noun.load:.4g} N",
-        title_justify="left",
-        box=SIMPLE_HEAD,
-        padding=(0, 1, 0, 0),
-        pad_edge=False,
-        show_edge=False,
-    )
-    for head, width in COLUMNS.items():
-        left = head in ("quantity", "verdict")
-        table.add_column(head, justify="left" if left else "right", no_wrap=True, min_width=width)
-    for name, (words, factor) in SHOWN.items():
-        part, discrepancy = contact.estimates[name], contact.discrepancy[name]
-        table.add_row(
-            words,
-            f"{getattr(contact.hertz, name) * factor:.5g}",
-            f"{part.value * factor:.5g}",
-            f"{discrepancy:+.2%} {'*' if abs(discrepancy) > part.total else ' '}",
-            f"{part.total:.2%}",
-            "none" if part.order is None else f"{part.order:.1f}",
-            contact.verdicts[name].removesuffix(" validity"),
-        )
-    out.print(table)
-    out.print(
-        "a along rolling (x), b transverse (y), load along z. FE: finite elements; +-: their numerical uncertainty, "
-        "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
-        f"{contact.rung}, {contact.seconds:.1f} s\n",
-        style="dim",
-        highlight=False,
-    )
-
-
-def _print_torque(change: "TorqueChange") -> None:
-    """What an engineer acts on, at the operating point of the largest torque."""
-    before, after = change.hertz, change.corrected
-    point = int(before.torque.total.argmax())
-    relative = change.relative("total")
-    assert relative is not None  # the total is always there
-    out.print(
-        f"Race torque with Hertz's contacts {before.torque.total[point] * 1e3:.4g} N mm, with those of FE "
-        f"{after.torque.total[point] * 1e3:.4g} N mm: {relative[point]:+.2%} +- {change.uncertainty:.2%} (numerical).\n"
-        f"Contact angle {before.contact_angle[point]:.4f} rad and {after.contact_angle[point]:.4f} rad. The friction "
-        "coefficient is the scene's, not a lubricant's.\n",
-        highlight=False,
-    )
 
 
 def _print_warnings(warnings: tuple[str, ...]) -> None:

@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, fields, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from fembearing.compare.uncertainty import Estimate, estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
+from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 
 RECIPES: dict[Geometry, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall"}
@@ -79,8 +81,24 @@ class ContactSolution:
         return worst(self.verdicts.values())
 
     @property
+    def judged(self) -> bool:
+        """A sheet is shown beside the thick seat, not judged: Hertz's half space is not made for it."""
+        return self.geometry != "wall"
+
+    @property
     def rung(self) -> str:
         return f"finite elements, {self.geometry}, {self.meshes[-1].unknowns} unknowns"
+
+    def write_meshes(self, folder: Path) -> dict[str, Path]:
+        """Write both bodies of the finest mesh with the pressure, Pa, as .vtu; "upper" and "lower" to their paths."""
+        finest, written = self.meshes[-1], {}
+        for side, body in (("upper", finest.pair.upper), ("lower", finest.pair.lower)):
+            pressure = np.zeros(body.mesh.doflocs.shape[1])
+            # A node without force is open: what the fit of nodal values leaves there is noise.
+            pressure[body.touching] = np.where(finest.force > 0, finest.pressure, 0.0)
+            written[side] = folder / f"{self.contact.pair}-{self.geometry}-{side}.vtu"
+            write_body(written[side], body, pressure=pressure)
+        return written
 
     def to_json(self) -> dict[str, Any]:
         """The contact as plain types; SI, discrepancies and uncertainties relative."""
@@ -208,7 +226,7 @@ def compare_contact(
             for name, part in estimates.items()
         }
     overrun = EDGE_OF_GROOVE * meshes[-1].quantities.semi_axis_transverse > contact.shoulder
-    thin = recipe.geometry == "wall"  # a half space's formula is not made for a sheet
+    thin = recipe.geometry == "wall"
     warnings = _warnings(contact, meshes[-1], estimates, overrun=overrun, thin=thin)
     return ContactSolution(
         contact=contact,

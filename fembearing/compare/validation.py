@@ -1,4 +1,4 @@
-"""The main job: both race contacts of a scene, formula against finite elements, and what it does to the torque."""
+"""The main job: every contact of a scene, formula against finite elements, and what it does to the torque."""
 
 import time
 from dataclasses import dataclass
@@ -6,28 +6,40 @@ from typing import Any
 
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
-from fembearing.compare.discrepancy import ContactSolution, Progress, silent, solve_contact
+from fembearing.compare.cost import contact_ladder_of
+from fembearing.compare.discrepancy import ContactSolution, Progress, contact_of, silent, solve_contact
+from fembearing.compare.hard_cases import HardOutcome, run_hard_cases
 from fembearing.compare.provenance import peak_memory, provenance_of
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
+from fembearing.mesh.recipe import Geometry
 
-RACES: tuple[Pair, ...] = ("inner", "outer")
+RACES: tuple[tuple[Pair, Geometry], ...] = (("inner", "real"), ("outer", "real"))
+POCKET: tuple[tuple[Pair, Geometry], ...] = (("pocket", "real"), ("pocket", "wall"))  # a thick seat, and the sheet
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Validation:
-    """What `validate` found."""
+    """What was found. The first two contacts are the inner and the outer race; a pocket comes as seat and as sheet."""
 
     scene: Scene
     tolerance: float
     contacts: tuple[ContactSolution, ...]
     torque: TorqueChange | None  # None where the scene gives no friction coefficient
+    hard: tuple[HardOutcome, ...]  # empty unless they were asked for
     seconds: float
 
     @property
     def verdict(self) -> Verdict:
-        """The worst of all contacts and quantities."""
-        return worst(found for contact in self.contacts for found in contact.verdicts.values())
+        """The worst of all quantities that are judged; a hard case that went wrong fails the whole."""
+        if any(case.outcome == "wrong" for case in self.hard):
+            return "fail"
+        return worst(found for contact in self.contacts if contact.judged for found in contact.verdicts.values())
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Of the scene and of all contacts, each once."""
+        return tuple(dict.fromkeys(warning for contact in self.contacts for warning in contact.warnings))
 
     def to_json(self) -> dict[str, Any]:
         """The result as plain types, SI; discrepancies and uncertainties relative."""
@@ -44,42 +56,55 @@ class Validation:
                     "verdict": contact.verdicts[name],
                 }
                 for contact in self.contacts
+                if contact.judged
                 for name, part in contact.estimates.items()
             ],
             "torque_change": None if self.torque is None else self.torque.to_json(),
             "torque": None if self.torque is None else self.torque.hertz.to_json(),
             "tolerance": self.tolerance,
             "contacts": [contact.to_json() for contact in self.contacts],
-            "cost": {"seconds": self.seconds, "peak_memory": peak_memory()},
-            "warnings": list(self.scene.warnings),
+            "cost": {
+                "seconds": self.seconds,
+                "peak_memory": peak_memory(),
+                "ladders": [contact_ladder_of(contact).to_json() for contact in self.contacts if contact.judged],
+            },
+            "hard": [outcome.to_json() for outcome in self.hard],
+            "warnings": list(self.warnings),
             "provenance": provenance_of(self.scene),
         }
 
 
-def validate(scene: Scene, *, tolerance: float | None = None, progress: Progress = silent) -> Validation:
-    """Check each race contact of a scene.
+def check_scene(
+    scene: Scene, *, tolerance: float | None = None, hard: bool = False, progress: Progress = silent
+) -> Validation:
+    """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
 
     tolerance : relative; the scene's unless given
+    hard : run the table of hard cases too
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """
     start = time.perf_counter()
     asked = scene.tolerance if tolerance is None else tolerance
+    jobs = RACES if scene.cage is None else RACES + POCKET
     has_friction = scene.friction_coefficient is not None
     if has_friction:
         friction_torque(scene)  # refuses what it cannot model before anything is solved
+    for pair, _ in jobs:
+        contact_of(scene, pair=pair)  # and so do the contacts
     contacts = []
-    for number, pair in enumerate(RACES):
+    for number, (pair, geometry) in enumerate(jobs):
 
         def report(share: float, step: str, done: int = number) -> None:
-            progress((done + share) / len(RACES), step)
+            progress((done + share) / len(jobs), step)
 
-        contacts.append(solve_contact(scene, pair=pair, tolerance=asked, progress=report))
-    inner, outer = contacts
+        contacts.append(solve_contact(scene, pair=pair, geometry=geometry, tolerance=asked, progress=report))
+    inner, outer = contacts[:2]
     return Validation(
         scene=scene,
         tolerance=asked,
-        contacts=(inner, outer),
+        contacts=tuple(contacts),
         torque=change_of_torque(scene, inner=inner, outer=outer) if has_friction else None,
+        hard=run_hard_cases(progress=progress) if hard else (),
         seconds=time.perf_counter() - start,
     )

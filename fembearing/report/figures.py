@@ -1,0 +1,78 @@
+"""Plots of a validation: how the meshes converge, and what accuracy costs."""
+
+from io import BytesIO
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from fembearing.compare.cost import Ladder
+from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.validation import Validation
+from fembearing.report.wording import QUANTITIES, place_of
+
+DOTS = 110  # per inch
+MARKS = "os^D"
+SAME = 1e-6  # relative: what is nearer to its limit is drawn here
+
+
+def convergence_figure(result: Validation) -> bytes:
+    """PNG. Each quantity's distance from its extrapolated value against the number of unknowns."""
+    figure = Figure(figsize=(11, 6.4), layout="constrained")
+    panels = figure.subplots(2, 3, sharex=True).ravel()
+    for panel, (name, shown) in zip(panels, QUANTITIES.items(), strict=False):
+        for mark, contact in zip(MARKS, result.contacts, strict=False):
+            _convergence(panel, contact, name, mark)
+        panel.set(title=shown.name, xscale="log", yscale="log")
+        panel.grid(alpha=0.3, which="both")
+    panels[3].set_xlabel("unknowns")
+    panels[4].set_xlabel("unknowns")
+    for panel in (panels[0], panels[3]):
+        panel.set_ylabel("distance from the limit, %")
+    panels[-1].set_axis_off()
+    panels[-1].legend(*panels[0].get_legend_handles_labels(), loc="center", frameon=False)
+    return _png(figure)
+
+
+def _convergence(panel, contact: ContactSolution, name: str, mark: str) -> None:
+    part = contact.estimates[name]
+    limit = part.value if part.richardson is None else part.richardson
+    distance = 100 * np.maximum(np.abs(np.array(part.values) / limit - 1), SAME)
+    unknowns = [mesh.unknowns for mesh in contact.meshes]
+    if part.richardson is None:  # its own finest mesh is the limit
+        unknowns, distance = unknowns[:-1], distance[:-1]
+    style = "--" if part.richardson is None else "-"
+    panel.plot(unknowns, distance, style + mark, label=place_of(contact), markersize=5)
+
+
+def cost_figure(ladders: list[Ladder], *, tolerance: float) -> bytes:
+    """PNG. Error of each rung against its median time."""
+    figure = Figure(figsize=(11, 4.2), layout="constrained")
+    axes = figure.subplots()
+    for mark, ladder in zip(MARKS, ladders, strict=False):
+        rungs = [rung for rung in ladder.rungs if rung.error is not None]
+        (line,) = axes.plot(
+            [rung.seconds for rung in rungs],
+            [100 * max(rung.error, SAME) for rung in rungs],
+            "-" + mark,
+            label=ladder.quantity,
+        )
+        for rung in rungs:
+            axes.annotate(
+                rung.name,
+                (rung.seconds, 100 * max(rung.error, SAME)),
+                xytext=(5, 5),
+                textcoords="offset points",
+                fontsize=8,
+                color=line.get_color(),
+            )
+    axes.axhline(100 * tolerance, color="red", linestyle=":", label=f"tolerance {tolerance:.3g}")
+    axes.set(xscale="log", yscale="log", xlabel="time, s", ylabel="error, %")
+    axes.grid(alpha=0.3, which="both")
+    axes.legend(frameon=False)
+    return _png(figure)
+
+
+def _png(figure: Figure) -> bytes:
+    content = BytesIO()
+    figure.savefig(content, dpi=DOTS, format="png")
+    return content.getvalue()

@@ -1,0 +1,89 @@
+"""The main job with its report: a folder that is written whole or not at all."""
+
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+from pathlib import Path
+
+from analytic.errors import InputError
+from analytic.scene import Scene
+from fembearing.compare.discrepancy import Progress, silent
+from fembearing.compare.validation import Validation, check_scene
+
+CHECKED = 0.9  # of the whole job, when the contacts are solved and the report is still to be written
+
+
+def validate(
+    scene: Scene,
+    *,
+    out: Path | str | None = None,
+    tolerance: float | None = None,
+    hard: bool = False,
+    progress: Progress = silent,
+) -> Validation:
+    """Check every contact of a scene, and write the report.
+
+    out : folder for report.html, report.json, pictures and meshes (.vtu); it must not exist yet. None writes nothing
+    tolerance : relative; the scene's unless given
+    hard : run the table of hard cases too
+    progress : called with the share done, 0 to 1, and a word on the step at hand
+    Raises InputError for a scene that cannot be solved or a folder that cannot be made, ConvergenceError for a contact
+    that does not settle.
+    """
+    with nullcontext() if out is None else whole_folder(Path(out)) as folder:
+        share = 1.0 if folder is None else CHECKED
+        result = check_scene(
+            scene, tolerance=tolerance, hard=hard, progress=lambda done, step: progress(share * done, step)
+        )
+        if folder is not None:
+            progress(CHECKED, "report")
+            write_report(result, folder)
+    return result
+
+
+def write_report(result: Validation, folder: Path) -> None:
+    """Write report.html, report.json, pictures and meshes into a folder."""
+    from fembearing.report.page import write_page  # with matplotlib: half a second that only a report pays for
+    from fembearing.report.pictures import draw_pictures
+
+    pictures, trouble = draw_pictures(result.contacts, folder)
+    content = result.to_json() | {"pictures": [picture.to_json() for picture in pictures], "renderer": trouble or "VTK"}
+    (folder / "report.json").write_text(json.dumps(content, indent=1, allow_nan=False), "utf-8")
+    write_page(result, pictures=pictures, trouble=trouble, file=folder / "report.html")
+
+
+@contextmanager
+def whole_folder(target: Path) -> Iterator[Path]:
+    """A folder to fill that takes its name only when all went well; else nothing of it is left.
+
+    Raises InputError, before anything is filled in, if it exists or cannot be made.
+    """
+    place = f"--out {str(target)!r}"
+    if os.path.lexists(target):
+        raise InputError(f"{place} exists already: give a new name, or remove it first")
+    parent = target.absolute().parent
+    try:
+        apart = Path(tempfile.mkdtemp(dir=parent, prefix=f".{target.name}-"))
+    except OSError as problem:
+        raise InputError(
+            f"{place} cannot be made in {str(parent)!r}: {problem.strerror}; give a name in a folder that you may write"
+        ) from problem
+    try:
+        yield apart
+        apart.chmod(0o777 & ~_umask())  # mkdtemp lets in nobody but its owner
+        try:
+            apart.rename(target)
+        except OSError as problem:  # somebody made it meanwhile
+            raise InputError(f"{place} cannot be written: {problem.strerror}; nothing is left of it") from problem
+    finally:
+        shutil.rmtree(apart, ignore_errors=True)
+
+
+def _umask() -> int:
+    """Of this process; the system tells it only by setting it."""
+    found = os.umask(0)
+    os.umask(found)
+    return found

@@ -1,0 +1,56 @@
+"""A contact's pressure as a plain map by matplotlib, where VTK cannot draw; to the same frame."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.tri import Triangulation
+
+from fembearing.compare.discrepancy import ContactSolution
+from fembearing.report.framing import Frame
+from fembearing.report.wording import title_of
+
+DOTS = 100  # per inch
+LEVELS = 60
+LEAST_SHOWN = 0.005  # of the peak pressure: below, nothing is painted
+
+
+def draw_map(contact: ContactSolution, *, frame: Frame, unit: str, factor: float, peak: float, file: Path) -> None:
+    """Draw the pressure on the finest mesh with Hertz's ellipse, whole or not at all.
+
+    unit, factor, peak : of the pressure as it is shown, what Pa are multiplied by, and the end of the colour scale
+    """
+    figure = Figure(figsize=(frame.width / DOTS, frame.height / DOTS), dpi=DOTS)
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    left, top = frame.centre
+    axes.set_xlim(-left / frame.scale, (frame.width - left) / frame.scale)
+    axes.set_ylim((top - frame.height) / frame.scale, top / frame.scale)
+    axes.set_axis_off()
+    finest = contact.meshes[-1]
+    pressure = np.where(finest.force > 0, finest.pressure, 0.0) * factor
+    horizontal, vertical = (finest.x, finest.y) if frame.rolling_is_horizontal else (finest.y, finest.x)
+    levels = np.linspace(0, peak, LEVELS + 1)
+    levels[0] = LEAST_SHOWN * peak
+    # Triangles of a circle: those of a slender ellipse would reach from its edge across to nodes outside.
+    triangles = Triangulation(finest.x / finest.x.max(), finest.y / finest.y.max()).triangles
+    for right in (1, -1):  # the mesh is a quarter of the contact
+        for up in (1, -1):
+            quarter = Triangulation(right * horizontal, up * vertical, triangles)
+            painted = axes.tricontourf(quarter, np.clip(pressure, 0, peak), levels=levels, cmap="viridis")
+    angle = np.linspace(0, 2 * np.pi, 721)
+    hertz = contact.hertz
+    along = hertz.semi_axis_rolling * np.cos(angle), hertz.semi_axis_transverse * np.sin(angle)
+    axes.plot(*(along if frame.rolling_is_horizontal else along[::-1]), color="red", linewidth=1.5)
+    figure.text(12 / frame.width, 1 - 28 / frame.height, title_of(contact), fontsize=12)
+    figure.text(12 / frame.width, 1 - 52 / frame.height, "red: Hertz's ellipse", fontsize=10, color="red")
+    bar = figure.add_axes((1 - 440 / frame.width, 56 / frame.height, 420 / frame.width, 20 / frame.height))
+    colours = figure.colorbar(painted, cax=bar, orientation="horizontal", ticks=np.linspace(0, peak, 5), format="%.3g")
+    colours.set_label(f"contact pressure, {unit}")
+    start = (30 - left) / frame.scale, (top - frame.height + 30) / frame.scale
+    axes.plot([start[0], start[0] + frame.bar], [start[1], start[1]], color="black", linewidth=3)
+    direction = "rolling" if frame.rolling_is_horizontal else "transverse"
+    figure.text(30 / frame.width, 40 / frame.height, f"{frame.bar * 1e3:g} mm, {direction}", fontsize=10)
+    temporary = file.with_name(f".{file.stem}-{os.getpid()}.png")
+    figure.savefig(temporary, dpi=DOTS)
+    os.replace(temporary, file)

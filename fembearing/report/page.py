@@ -1,0 +1,159 @@
+"""The report as one HTML page with everything in it: no other file, no address."""
+
+import base64
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from numpy import pi
+
+from analytic.scene import Array, Scene
+from fembearing.compare.cost import contact_ladder_of
+from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.provenance import provenance_of
+from fembearing.compare.validation import Validation
+from fembearing.report.figures import convergence_figure, cost_figure
+from fembearing.report.pictures import Picture
+from fembearing.report.wording import AXES, QUANTITIES, place_of, title_of
+
+PER_MINUTE = 30 / pi  # rpm in one rad/s
+LONGEST_LIST = 12  # values in a table's cell
+
+
+def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str | None, file: Path) -> None:
+    """Write the page.
+
+    pictures : of the contacts, already drawn
+    trouble : why VTK drew none, if it did not
+    """
+    environment = Environment(
+        loader=PackageLoader("fembearing.report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    ladders = [contact_ladder_of(contact) for contact in result.contacts if contact.judged]
+    page = environment.get_template("page.html").render(
+        result=result,
+        scene=result.scene,
+        axes=AXES,
+        verdicts=[(title_of(found), _rows(_verdict, found)) for found in result.contacts if found.judged],
+        pocket=_pocket(result),
+        torque=_torque(result),
+        meshes=[(place_of(found), _rows(_study, found)) for found in result.contacts],
+        convergence=embedded(convergence_figure(result)),
+        pictures=[(title_of(p.contact), p.caption, embedded(p.file.read_bytes())) for p in pictures],
+        trouble=trouble,
+        ladders=ladders,
+        cost=embedded(cost_figure(ladders, tolerance=result.tolerance)),
+        provenance=provenance_of(result.scene),
+        **_scene(result.scene, result),
+    )
+    file.write_text(page, "utf-8")
+
+
+def _scene(scene: Scene, result: Validation) -> dict[str, Any]:
+    """What the scene's table needs besides the scene itself."""
+    bodies = [scene.bearing.ball_material, scene.bearing.inner.material, scene.bearing.outer.material]
+    materials = bodies + ([] if scene.cage is None else [scene.cage.material])
+    rule, inner = scene.contact_angle, result.contacts[0].contact
+    if rule.rule == "given":
+        angle = f"given, {rule.value:.4g} rad"
+    else:
+        free = "that of the clearance" if rule.free is None else f"{rule.free:.4g} rad"
+        angle = f"solved from the load, free angle {free}; {inner.contact_angle:.4f} rad at the largest ball load"
+    return {
+        "materials": list(dict.fromkeys(materials)),
+        "loads": _listed(scene.operation.axial_load),
+        "speeds": _listed(scene.operation.inner_speed * PER_MINUTE),
+        "angle": angle,
+        "pocket_load": f"{result.contacts[-1].contact.load:g}",
+    }
+
+
+def _listed(values: Array) -> str:
+    """Distinct values in their order; a long series by its ends."""
+    distinct = list(dict.fromkeys(f"{value:.4g}" for value in values))
+    if len(distinct) > LONGEST_LIST:
+        return f"{distinct[0]} to {distinct[-1]}, {len(distinct)} values"
+    return ", ".join(distinct)
+
+
+def embedded(png: bytes) -> str:
+    return f"data:image/png;base64,{base64.b64encode(png).decode()}"
+
+
+def _rows(row: Callable[[ContactSolution, str], dict[str, Any]], contact: ContactSolution) -> list[dict[str, Any]]:
+    return [row(contact, name) for name in QUANTITIES]
+
+
+def _verdict(contact: ContactSolution, name: str) -> dict[str, Any]:
+    shown, part = QUANTITIES[name], contact.estimates[name]
+    return {
+        "quantity": shown.heading(),
+        "production": f"{getattr(contact.hertz, name) * shown.factor:.5g}",
+        "reference": f"{part.value * shown.factor:.5g}",
+        "discrepancy": f"{contact.discrepancy[name]:+.2%}",
+        "uncertainty": f"{part.total:.2%}",
+        "exceeds": abs(contact.discrepancy[name]) > part.total,
+        "verdict": contact.verdicts[name],
+    }
+
+
+def _pocket(result: Validation) -> list[dict[str, Any]]:
+    """K_pb by each model, and the approach at the load; empty without a cage."""
+    if len(result.contacts) < 4:
+        return []
+    seat, sheet = result.contacts[2:]
+    formula = seat.hertz
+    rows = [("Hertz: two half spaces", formula, None)]
+    rows += [(place_of(found), found.reference, found.estimates["stiffness"].total) for found in (seat, sheet)]
+    return [
+        {
+            "model": model,
+            "stiffness": f"{found.stiffness * QUANTITIES['stiffness'].factor:.4g}",
+            "uncertainty": "" if uncertainty is None else f"{uncertainty:.2%}",
+            "approach": f"{found.approach * QUANTITIES['approach'].factor:.4g}",
+            "change": f"{found.stiffness / formula.stiffness - 1:+.1%}",
+        }
+        for model, found, uncertainty in rows
+    ]
+
+
+def _torque(result: Validation) -> list[dict[str, Any]]:
+    """One row for each operating point; empty where the scene gives no friction."""
+    change = result.torque
+    if change is None:
+        return []
+    hertz, corrected = change.hertz, change.corrected
+    relative = change.relative("total")
+    assert relative is not None  # the total is always there
+    return [
+        {
+            "load": f"{hertz.axial_load[point]:.4g}",
+            "speed": f"{hertz.inner_speed[point] * PER_MINUTE:.4g}",
+            "angles": [f"{found.contact_angle[point]:.4f}" for found in (hertz, corrected)],
+            "parts": {
+                name: f"{part[point] * 1e3:.4g}"
+                for name, part in vars(hertz.torque).items()
+                if part is not None and name != "race"  # which is the total as long as there is no cage
+            },
+            "corrected": f"{corrected.torque.total[point] * 1e3:.4g}",
+            "change": f"{relative[point]:+.2%}",
+        }
+        for point in range(hertz.axial_load.size)
+    ]
+
+
+def _study(contact: ContactSolution, name: str) -> dict[str, Any]:
+    shown, part = QUANTITIES[name], contact.estimates[name]
+    return {
+        "quantity": shown.heading(),
+        "values": ", ".join(f"{value * shown.factor:.5g}" for value in part.values),
+        "order": "none" if part.order is None else f"{part.order:.1f}",
+        "richardson": "" if part.richardson is None else f"{part.richardson * shown.factor:.5g}",
+        "mesh": f"{part.mesh:.2%}",
+        "domain": f"{part.domain:.2%}",
+    }

@@ -1,0 +1,86 @@
+"""Results as tables and lines of text for a terminal or a pipe of 80 characters."""
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.torque_change import TorqueChange
+from fembearing.compare.validation import Validation
+from fembearing.report.wording import AXES, QUANTITIES, title_of
+
+COLUMNS = {"quantity": 19, "Hertz": 10, "FE": 10, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
+
+
+def print_validation(out: Console, result: Validation) -> None:
+    for contact in result.contacts:
+        print_contact(out, contact)
+    if len(result.contacts) > 2:
+        _print_pocket(out, *result.contacts[2:])
+    if result.torque is not None:
+        _print_torque(out, result.torque)
+    wrong = sum(case.outcome == "wrong" for case in result.hard)
+    hard = f", {len(result.hard)} hard cases, {wrong} wrong" if result.hard else ""
+    out.print(f"{result.verdict}: tolerance {result.tolerance:g}{hard}, {result.seconds:.1f} s", highlight=False)
+
+
+def print_contact(out: Console, contact: ContactSolution) -> None:
+    table = Table(
+        title=title_of(contact),
+        title_justify="left",
+        box=SIMPLE_HEAD,
+        padding=(0, 1, 0, 0),
+        pad_edge=False,
+        show_edge=False,
+    )
+    for head, width in COLUMNS.items():
+        left = head in ("quantity", "verdict")
+        table.add_column(head, justify="left" if left else "right", no_wrap=True, min_width=width)
+    for name, shown in QUANTITIES.items():
+        part, discrepancy = contact.estimates[name], contact.discrepancy[name]
+        table.add_row(
+            shown.heading(),
+            f"{getattr(contact.hertz, name) * shown.factor:.5g}",
+            f"{part.value * shown.factor:.5g}",
+            f"{discrepancy:+.2%} {'*' if abs(discrepancy) > part.total else ' '}",
+            f"{part.total:.2%}",
+            "none" if part.order is None else f"{part.order:.1f}",
+            contact.verdicts[name].removesuffix(" validity") if contact.judged else "shown",
+        )
+    out.print(table)
+    out.print(
+        f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
+        "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
+        f"{contact.rung}, {contact.seconds:.1f} s\n",
+        style="dim",
+        highlight=False,
+    )
+
+
+def _print_pocket(out: Console, seat: ContactSolution, sheet: ContactSolution) -> None:
+    """K_pb three ways: the half space's formula, a thick seat, and the sheet that is there."""
+    shown = QUANTITIES["stiffness"]
+    formula, thick, thin = (
+        shown.factor * value
+        for value in (seat.hertz.stiffness, seat.reference.stiffness, sheet.reference.stiffness)
+    )
+    out.print(
+        f"Pocket, F = K_pb delta^1.5: K_pb {formula:.4g} {shown.unit} by Hertz, {thick:.4g} in a thick seat, "
+        f"{thin:.4g} with the sheet on its rim ({thin / formula - 1:+.0%}).\n",
+        highlight=False,
+    )
+
+
+def _print_torque(out: Console, change: TorqueChange) -> None:
+    """What an engineer acts on, at the operating point of the largest torque."""
+    before, after = change.hertz, change.corrected
+    point = int(before.torque.total.argmax())
+    relative = change.relative("total")
+    assert relative is not None  # the total is always there
+    out.print(
+        f"Race torque with Hertz's contacts {before.torque.total[point] * 1e3:.4g} N mm, with those of FE "
+        f"{after.torque.total[point] * 1e3:.4g} N mm: {relative[point]:+.2%} +- {change.uncertainty:.2%} (numerical).\n"
+        f"Contact angle {before.contact_angle[point]:.4f} rad and {after.contact_angle[point]:.4f} rad. The friction "
+        "coefficient is the scene's, not a lubricant's.\n",
+        highlight=False,
+    )

@@ -1,0 +1,42 @@
+"""How results are named to a reader: quantities with their units, contacts with their place."""
+
+from typing import NamedTuple
+
+from fembearing.compare.discrepancy import ContactSolution
+
+
+class Shown(NamedTuple):
+    """A quantity as it is printed: its name, its unit, and what an SI value is multiplied by."""
+
+    name: str
+    unit: str
+    factor: float
+
+    def heading(self) -> str:
+        return f"{self.name}, {self.unit}"
+
+
+QUANTITIES = {
+    "approach": Shown("approach", "um", 1e6),
+    "semi_axis_rolling": Shown("semi-axis a", "mm", 1e3),
+    "semi_axis_transverse": Shown("semi-axis b", "mm", 1e3),
+    "peak_pressure": Shown("peak pressure", "GPa", 1e-9),
+    "stiffness": Shown("stiffness", "GN/m^1.5", 1e-9),
+}
+AXES = "a along rolling (x), b transverse (y), load along z"
+
+
+def place_of(contact: ContactSolution) -> str:
+    """Where the ball sits, for example "ball on inner race"."""
+    if contact.contact.pair == "pocket":
+        return "ball in cage pocket, " + ("sheet on its rim" if contact.geometry == "wall" else "thick seat")
+    ideal = ", idealised" if contact.geometry == "hertzian" else ""
+    return f"ball on {contact.contact.pair} race{ideal}"
+
+
+def title_of(contact: ContactSolution) -> str:
+    """Place and load, for the head of a table or a picture."""
+    noun = contact.contact
+    angle = "" if noun.pair == "pocket" else f" at {noun.contact_angle:.4f} rad"
+    place = place_of(contact)
+    return f"{place[0].upper()}{place[1:]}{angle}: {noun.load:.4g} N"

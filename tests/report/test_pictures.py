@@ -1,0 +1,192 @@
+"""Each picture is read back: is the contact in it, where it should be and as large as it should be?"""
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+from numpy.typing import NDArray
+
+from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.validation import Validation
+from fembearing.report import pictures as module
+from fembearing.report.framing import BAR, TITLE, Frame, frame_of
+from fembearing.report.pictures import Picture, draw_pictures
+
+Pixels = NDArray[np.float64]
+PAIRS = ("inner-real", "outer-real", "pocket-real", "pocket-wall")
+PEN = 3.0  # pixels: the width of the ellipse's line
+DIES = (sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGABRT)")  # as VTK without GL does
+
+
+@pytest.fixture(scope="module")
+def drawn(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Picture]:
+    found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
+    assert trouble is None
+    return {picture.file.stem: picture for picture in found}
+
+
+@pytest.fixture(scope="module")
+def mapped(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Picture]:
+    found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("maps"), renderer=DIES)
+    assert trouble is not None
+    assert "signal 6" in trouble
+    return {picture.file.stem: picture for picture in found}
+
+
+def pixels_of(file: Path) -> Pixels:
+    """(height, width, 3), 0 to 1."""
+    return imread(file)[..., :3].astype(float)
+
+
+def middle_of(frame: Frame, pixels: Pixels) -> Pixels:
+    """The picture without title and colour bar."""
+    left, top = frame.centre
+    room = int(min(top - TITLE, frame.height - top - BAR))
+    return pixels[int(top) - room : int(top) + room, :]
+
+
+def half_sizes(marked: NDArray[np.bool_]) -> tuple[float, float, float, float]:
+    """Half width, half height, and the middle from left and top, of what is marked, in pixels."""
+    rows, columns = np.nonzero(marked)
+    assert rows.size, "nothing of that colour in the picture"
+    return (
+        (columns.max() - columns.min() + 1) / 2,
+        (rows.max() - rows.min() + 1) / 2,
+        (columns.max() + columns.min() + 1) / 2,
+        (rows.max() + rows.min() + 1) / 2,
+    )
+
+
+def is_red(pixels: Pixels) -> NDArray[np.bool_]:
+    return (pixels[..., 0] > 0.75) & (pixels[..., 1] < 0.35) & (pixels[..., 2] < 0.35)
+
+
+def is_pressed(pixels: Pixels) -> NDArray[np.bool_]:
+    """Of the colour scale: far from grey, and not the red line."""
+    return (np.ptp(pixels, axis=-1) > 0.2) & (pixels[..., 0] < pixels[..., 1:].max(axis=-1) + 0.2)
+
+
+def on_screen(frame: Frame, rolling: float, transverse: float) -> tuple[float, float]:
+    """Half width and half height in pixels."""
+    return frame.scale * (rolling if frame.rolling_is_horizontal else transverse), frame.scale * (
+        transverse if frame.rolling_is_horizontal else rolling
+    )
+
+
+def check_ellipse(picture: Picture) -> None:
+    frame, hertz = picture.frame, picture.contact.hertz
+    assert frame is not None
+    pixels = pixels_of(picture.file)
+    assert pixels.shape == (frame.height, frame.width, 3)
+    width, height, left, top = half_sizes(is_red(middle_of(frame, pixels)))
+    expected = on_screen(frame, hertz.semi_axis_rolling, hertz.semi_axis_transverse)
+    np.testing.assert_allclose((width, height), expected, atol=PEN)  # half the line lies outside, blurred by a pixel
+    shown = middle_of(frame, pixels).shape
+    np.testing.assert_allclose((left, top), (frame.centre[0], shown[0] / 2), atol=2)  # pixels
+
+
+def check_pressure(picture: Picture) -> None:
+    frame, computed = picture.frame, picture.contact.reference
+    assert frame is not None
+    pixels = middle_of(frame, pixels_of(picture.file))
+    width, height, *_ = half_sizes(is_pressed(pixels))
+    expected = on_screen(frame, computed.semi_axis_rolling, computed.semi_axis_transverse)
+    # Pressure ends between two nodes, and the nodes near the edge lie up to 6 % of a semi-axis apart on these meshes.
+    np.testing.assert_allclose((width, height), expected, rtol=0.06, atol=PEN)
+    brightness = pixels.sum(axis=-1)
+    row, column = pixels.shape[0] // 2, pixels.shape[1] // 2
+    inside = brightness[row, column]
+    edge = brightness[row, int(column + 0.93 * expected[0])]
+    assert inside > 1.4 * edge  # viridis: yellow where pressure is high, violet where it is low
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_vtk_draws_hertz_ellipse_to_scale(drawn: dict[str, Picture], pair: str) -> None:
+    check_ellipse(drawn[f"{pair}-pressure"])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_vtk_paints_the_pressure_where_the_contact_is(drawn: dict[str, Picture], pair: str) -> None:
+    check_pressure(drawn[f"{pair}-pressure"])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_renderer_that_dies_leaves_a_map_that_says_the_same(mapped: dict[str, Picture], pair: str) -> None:
+    check_ellipse(mapped[f"{pair}-pressure"])
+    check_pressure(mapped[f"{pair}-pressure"])
+
+
+def test_there_is_no_section_without_vtk(mapped: dict[str, Picture]) -> None:
+    assert {name.rpartition("-")[2] for name in mapped} == {"pressure"}
+    assert not list(next(iter(mapped.values())).file.parent.glob("*section*"))
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_section_shows_two_bodies_and_the_pressure_between(drawn: dict[str, Picture], pair: str) -> None:
+    pixels = pixels_of(drawn[f"{pair}-section"].file)
+    height, width, _ = pixels.shape
+    red, _, blue = np.moveaxis(pixels, -1, 0)
+    ball, lower = blue > red + 0.04, red > blue + 0.08
+    left, right = np.s_[:, : width // 2], np.s_[: int(0.8 * height), width // 2 :]  # without the colour bar
+    assert 0.15 < ball[left].mean() < 0.6
+    assert lower[left].mean() > 0.08
+    assert np.argwhere(ball[left])[:, 0].mean() < np.argwhere(lower[left])[:, 0].mean()  # the ball lies above
+    assert lower[right].mean() > 0.5  # the close-up is filled by the lower body
+    vivid = np.ptp(pixels, axis=-1) > 0.45
+    rows, columns = np.nonzero(vivid[right])
+    assert columns.max() - columns.min() > 0.25 * width  # half the close-up is the contact
+    assert abs(columns.mean() / (width / 2) - 0.5) < 0.1  # in its middle
+    assert rows.size > 1000
+
+
+def test_the_reader_sees_an_ellipse_of_the_wrong_size(checked: Validation, tmp_path: Path) -> None:
+    """The pictures' test, tested: Hertz a tenth too large is drawn where it does not belong."""
+    contact = checked.contacts[0]
+    stretched = replace(contact, hertz=replace(contact.hertz, semi_axis_transverse=contact.hertz.semi_axis_transverse * 0.9))
+    (picture,), _ = draw_pictures([stretched], tmp_path, renderer=DIES)
+    with pytest.raises(AssertionError):
+        check_ellipse(replace(picture, contact=contact))
+
+
+@pytest.mark.parametrize(
+    ("renderer", "words"),
+    [
+        ((sys.executable, "-c", "raise SystemExit('no GL here')"), "status 1: no GL here"),
+        ((sys.executable, "-c", ""), "status 0"),  # ends well and draws nothing
+        (("/nowhere/python",), "could not be started"),
+        ((sys.executable, "-c", "import time; time.sleep(60)"), "did not finish within"),
+    ],
+)
+def test_every_way_to_fail_is_named(
+    checked: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, renderer: tuple[str, ...], words: str
+) -> None:
+    monkeypatch.setattr(module, "PATIENCE", 5 if "sleep" not in renderer[-1] else 0.5)
+    found, trouble = draw_pictures(checked.contacts[:1], tmp_path, renderer=renderer)
+    assert trouble is not None
+    assert words in trouble
+    assert [picture.file.name for picture in found] == ["inner-real-pressure.png"]
+    assert found[0].file.is_file()
+
+
+def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]) -> None:
+    """The groove closes in on the ball: Hertz reaches further across."""
+    contact: ContactSolution = checked.contacts[0]
+    share = contact.hertz.semi_axis_transverse / contact.reference.semi_axis_transverse - 1
+    assert share > 0
+    assert f"{share:.1%} beyond" in drawn["inner-real-pressure"].caption
+    assert "1.4 mm off its race" in drawn["inner-real-section"].caption
+
+
+@pytest.mark.parametrize(("rolling", "transverse"), [(1.1e-4, 9.3e-4), (9.3e-4, 1.1e-4), (3.1e-4, 3.0e-4), (2e-7, 9e-7)])
+def test_a_frame_holds_its_contact(rolling: float, transverse: float) -> None:
+    frame = frame_of(semi_axis_rolling=rolling, semi_axis_transverse=transverse)
+    width, height = on_screen(frame, rolling, transverse)
+    assert width >= height
+    assert width < min(frame.centre[0], frame.width - frame.centre[0])
+    assert height < min(frame.centre[1], frame.height - frame.centre[1]) - 40  # title and colour bar
+    assert max(width / frame.width, height / frame.height) > 0.2  # and fills it
+    assert f"{frame.bar:.0e}"[0] in "125"
+    assert 100 < frame.bar * frame.scale <= 260
