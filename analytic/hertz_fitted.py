@@ -20,8 +20,8 @@ def hertz_contact_fitted(
         k = alpha^(2/pi),  E = 1 + (pi/2 - 1)/alpha,  K = pi/2 + (pi/2 - 1) ln alpha
         major^3 = 3 k^2 E Q R/(pi E*),  minor = major/k
         p0 = 3 Q/(2 pi major minor),  delta = 3 Q K/(2 pi E* major)
-    Against hertz_contact over curvature ratios 1 to 100: minor semi-axis up to +1.2 %, major -2.7 %, peak pressure
-    +1.7 %, approach -4.2 % (at 100 and still growing), stiffness +6.5 % (there too). The circle is exact.
+    Against hertz_contact, over curvature ratios 1 (exact) to 100, in per cent: minor semi-axis -1.1 to +1.2,
+    major -2.7 to +2.1, peak pressure -1.1 to +1.7, approach -4.2 to +2.7, stiffness -4.0 to +6.5.
     Raises InputError as hertz_contact does.
     """
     along, across, force, stiff = contact_arguments(
