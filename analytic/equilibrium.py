@@ -101,8 +101,9 @@ def thrust_equilibrium_frozen(
     free = _asked_free_angle(bearing, contact_angle)
     if free is None:
         raise InputError(
-            f"the frozen stiffness is that of the free contact angle, which a preload of "
-            f"{-bearing.diametral_clearance:.6g} m on the diameter does not leave: use thrust_equilibrium, or give contact_angle.free"
+            "the frozen stiffness is that of the free contact angle, which a preload of "
+            f"{-bearing.diametral_clearance:.6g} m on the diameter does not leave: use thrust_equilibrium, "
+            "or give contact_angle.free"
         )
     frozen = np.tan(free)
     unit = np.asarray(1.0)  # N
