@@ -49,17 +49,9 @@ def hertz_contact(
     Curvature ratios from 1 (a circle, exactly) to 1e6 agree with 50-digit arithmetic to 1e-14.
     Raises InputError if an argument is negative, zero (load excepted), not finite, or if shapes do not broadcast.
     """
-    require_positive(curvature_x=curvature_x, curvature_y=curvature_y, modulus=modulus)
-    require_non_negative(load=load)
-    try:
-        along, across, force, stiff = np.broadcast_arrays(
-            *(np.asarray(value, dtype=np.float64) for value in (curvature_x, curvature_y, load, modulus)), subok=False
-        )
-    except ValueError as problem:
-        shapes = ", ".join(str(np.shape(value)) for value in (curvature_x, curvature_y, load, modulus))
-        raise InputError(
-            f"curvature_x, curvature_y, load, modulus have shapes {shapes}: give equal lengths"
-        ) from problem
+    along, across, force, stiff = contact_arguments(
+        curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus
+    )
     log_ratio = np.log(
         np.asarray(curvature_x) / np.asarray(curvature_y)
     )  # before broadcasting: solved once per geometry
@@ -80,6 +72,23 @@ def hertz_contact(
         approach=root**2 * approach,
         stiffness=approach**-1.5,
     )
+
+
+def contact_arguments(
+    *, curvature_x: ArrayLike, curvature_y: ArrayLike, load: ArrayLike, modulus: ArrayLike
+) -> tuple[Array, Array, Array, Array]:
+    """The arguments of a Hertz formula as arrays of one shape; refuses what hertz_contact refuses."""
+    require_positive(curvature_x=curvature_x, curvature_y=curvature_y, modulus=modulus)
+    require_non_negative(load=load)
+    given = [np.asarray(value, dtype=np.float64) for value in (curvature_x, curvature_y, load, modulus)]
+    try:
+        along, across, force, stiff = np.broadcast_arrays(*given, subok=False)
+    except ValueError as problem:
+        shapes = ", ".join(str(value.shape) for value in given)
+        raise InputError(
+            f"curvature_x, curvature_y, load, modulus have shapes {shapes}: give equal lengths"
+        ) from problem
+    return along, across, force, stiff
 
 
 def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:

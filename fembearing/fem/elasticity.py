@@ -8,6 +8,10 @@ from skfem import Basis, BilinearForm, ElementHex2, FacetBasis, MeshHex2
 from analytic.scene import Material
 
 QUADRATURE = 5  # degree: 3 points each way integrate a quadratic cell's products exactly where it is a brick
+# Above this Poisson ratio the change of volume is integrated with 2 points each way. With 3 a quadratic cell locks: at
+# 0.4999 the peak pressure comes out 60 % high on 35 000 unknowns, with 2 it is right to 0.02 %. Below, both agree.
+NEARLY_INCOMPRESSIBLE = 0.45
+REDUCED = 3  # degree: 2 points each way
 
 
 def lame_parameters(material: Material) -> tuple[float, float]:
@@ -28,17 +32,25 @@ def stiffness(basis: Basis, material: Material) -> csr_matrix:
     of a cell takes about five times as long (measured on 512 cells).
     """
     lam, mu = lame_parameters(material)
+    product = dilation = _products(basis)
+    if material.poisson_ratio > NEARLY_INCOMPRESSIBLE:
+        dilation = _products(Basis(basis.mesh, ElementHex2(), intorder=REDUCED))
+    laplace = product[0, 0] + product[1, 1] + product[2, 2]
+    blocks = [
+        [lam * dilation[i, j] + mu * product[j, i] + (mu * laplace if i == j else 0 * laplace) for j in range(3)]
+        for i in range(3)
+    ]
+    return csr_matrix(bmat(blocks, format="csr"))
+
+
+def _products(basis: Basis) -> dict[tuple[int, int], csr_matrix]:
+    """The integrals of d_i v d_j u, m."""
     product: dict[tuple[int, int], csr_matrix] = {}
     for i in range(3):
         for j in range(i, 3):
             product[i, j] = BilinearForm(lambda u, v, _, i=i, j=j: v.grad[i] * u.grad[j]).assemble(basis)
             product[j, i] = product[i, j].T
-    laplace = product[0, 0] + product[1, 1] + product[2, 2]
-    blocks = [
-        [lam * product[i, j] + mu * product[j, i] + (mu * laplace if i == j else 0 * laplace) for j in range(3)]
-        for i in range(3)
-    ]
-    return csr_matrix(bmat(blocks, format="csr"))
+    return product
 
 
 def surface_mass(mesh: MeshHex2, nodes: NDArray[np.intp]) -> csr_matrix:

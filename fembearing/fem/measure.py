@@ -42,8 +42,11 @@ def peak_pressure(x: Array, y: Array, pressure: Array, area: Array, *, semi_axes
     """Pressure at the centre, Pa, from a fit of p^2 = c0 + c1 x^2 + c2 y^2 over the inner half of the ellipse.
 
     p^2 is that polynomial where the pressure is semi-ellipsoidal; nodes count by their `area`, m^2.
-    Raw nodal values are some tenths of a per cent off.
+    Raw nodal values are some tenths of a per cent off; where too few nodes touch for a fit, the centre's is returned.
     """
+    centre = float(pressure[np.argmin(x**2 + y**2)])
+    if min(semi_axes) == 0:  # a single node or line of nodes
+        return centre
     reach = (x / semi_axes[0]) ** 2 + (y / semi_axes[1]) ** 2
     inner = reach < 0.5
     terms = np.column_stack(
@@ -51,4 +54,4 @@ def peak_pressure(x: Array, y: Array, pressure: Array, area: Array, *, semi_axes
     )
     weight = np.sqrt(area[inner])
     fitted = np.linalg.lstsq(terms * weight[:, None], pressure[inner] ** 2 * weight, rcond=None)[0]
-    return float(np.sqrt(fitted[0]))
+    return float(np.sqrt(fitted[0])) if fitted[0] > 0 else centre

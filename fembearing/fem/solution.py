@@ -19,7 +19,10 @@ from fembearing.mesh.recipe import Recipe
 Array = NDArray[np.float64]
 QUARTERS = 4  # a mesh is a quarter of the contact
 GOOD_GUESS = 0.05  # a mesh this far off its ellipse changes no quantity by more than its own discretisation error
-MOST_GUESSES = 6
+# A mesh far too large is touched by one node and shows no size, one far too small is touched all over and shows 1.6
+# times its own. Each try mends a factor of 4 or 1.6: these many, a guess 100 times too large or too small.
+SMALLEST_CHANGE = 0.25
+MOST_GUESSES = 12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -111,8 +114,9 @@ def fitted_semi_axes(
     misfit = np.inf
     for _ in range(MOST_GUESSES):
         measured = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=semi_axes).semi_axes
-        misfit = max(abs(new / old - 1) for new, old in zip(measured, semi_axes, strict=True))
-        semi_axes = measured
+        changes = [max(new / old, SMALLEST_CHANGE) for new, old in zip(measured, semi_axes, strict=True)]
+        misfit = max(abs(change - 1) for change in changes)
+        semi_axes = (semi_axes[0] * changes[0], semi_axes[1] * changes[1])
         if misfit < GOOD_GUESS:
             return semi_axes
     raise ConvergenceError(

@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given
 from scipy.optimize import minimize_scalar
 
-from analytic.equilibrium import ThrustEquilibrium, free_angle, thrust_equilibrium
+from analytic.equilibrium import ThrustEquilibrium, free_angle, thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.errors import InputError
+from analytic.hertz import contact_modulus, hertz_contact
 from analytic.scene import Bearing, ContactAngle, Material
 
 SOLVED = ContactAngle(rule="solved")
@@ -188,3 +189,53 @@ def test_a_bearing_without_an_angle_is_refused(bearing_6205: Bearing) -> None:
     for angle in (SOLVED, ContactAngle(rule="given", value=0.18)):
         with pytest.raises(InputError, match=r"inner groove_radius 0\.00397 m must exceed .* line"):
             thrust_equilibrium(narrow, angle, axial_load=5.0)
+
+
+@pytest.mark.parametrize("free", [0.0, 0.18, 0.61])
+def test_frozen_contacts_balance_with_the_stiffness_of_the_free_angle(bearing_6205: Bearing, free: float) -> None:
+    """One load in each decade; the stiffness by hand, from the curvatures of the races at al0."""
+    loads = LOADS[LOADS < 1e6]
+    found = thrust_equilibrium_frozen(bearing_6205, ContactAngle(rule="solved", free=free), axial_load=loads)
+    steel, radius, cosine = bearing_6205.ball_material, bearing_6205.ball_radius, np.cos(free)
+    middle = bearing_6205.pitch_diameter / 2
+    along = {
+        "inner": 1 / radius + cosine / (middle - radius * cosine),
+        "outer": 1 / radius - cosine / (middle + radius * cosine),
+    }
+    for race, curvature in along.items():
+        across = 1 / radius - 1 / getattr(bearing_6205, race).groove_radius
+        modulus = contact_modulus(steel, steel)
+        hand = hertz_contact(curvature_x=curvature, curvature_y=across, load=found.ball_load, modulus=modulus)
+        np.testing.assert_allclose(getattr(found, race).approach, hand.approach, rtol=1e-12)  # round-off
+    al, distance = found.contact_angle, bearing_6205.groove_centre_distance
+    np.testing.assert_allclose(bearing_6205.ball_count * found.ball_load * np.sin(al), loads, rtol=1e-12)
+    stretched = (distance + found.approach) * np.cos(al)
+    np.testing.assert_allclose(stretched, distance * np.cos(free), rtol=1e-12)
+    assert found.free_angle == free
+
+
+def test_the_frozen_stiffness_is_near_and_nearer_under_less_load(bearing_6205: Bearing) -> None:
+    """The curvature along rolling changes with cos al, so the error goes with al^2 - al0^2 and is one-sided."""
+    angle, loads = ContactAngle(rule="solved", free=0.18), [0.7, 30.0, 1000.0]
+    exact = thrust_equilibrium(bearing_6205, angle, axial_load=loads).contact_angle
+    error = thrust_equilibrium_frozen(bearing_6205, angle, axial_load=loads).contact_angle / exact - 1
+    assert 0 < error[0] < error[1] < error[2]
+    assert 1.5e-5 < error[2] < 1.75e-5  # as the docstring states it
+
+
+@pytest.mark.parametrize(
+    ("clearance", "angle", "load", "words"),
+    [
+        (20e-6, ContactAngle(rule="given", value=0.18), 5.0, ("frozen", "rule 'given'", "thrust_equilibrium")),
+        (-14e-6, SOLVED, 5.0, ("frozen", "preload of 1.4e-05 m", "thrust_equilibrium")),
+        (20e-6, SOLVED, -2.0, ("axial_load", "-2.0")),
+        (20e-6, ContactAngle(rule="solved", free=18.0), 5.0, ("free", "18.0", "degrees")),
+        (0.81e-3, SOLVED, 5.0, ("diametral clearance", "2 A0")),
+    ],
+)
+def test_what_a_frozen_stiffness_cannot_do_is_refused(
+    bearing_6205: Bearing, clearance: float, angle: ContactAngle, load: float, words: tuple
+) -> None:
+    with pytest.raises(InputError) as refusal:
+        thrust_equilibrium_frozen(with_clearance(bearing_6205, clearance), angle, axial_load=load)
+    assert all(word in str(refusal.value) for word in words), refusal.value

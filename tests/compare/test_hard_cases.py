@@ -1,0 +1,187 @@
+"""The table of hard cases: every row, every literal of it by 40 digits, and that a wrong answer is called wrong."""
+
+import json
+import math
+from functools import cache
+
+import mpmath
+import pytest
+from mpmath import mpf
+
+from analytic.errors import ConvergenceError, InputError
+from fembearing.compare import hard_cases
+from fembearing.compare.hard_cases import HARD_CASES, HardCase, outcome_of, run_hard_cases
+
+TABLE = {case.name: case for case in HARD_CASES}
+STEEL, PEEK, INCOMPRESSIBLE = ("206e9", "0.3"), ("3.6e9", "0.38"), ("206e9", "0.4999")  # Pa and Poisson ratio
+
+
+@cache
+def exact(curvature_x: mpf, curvature_y: mpf, load: mpf, modulus: mpf) -> dict[str, mpf]:
+    """Hertz's contact by the textbook form in Legendre's integrals, to more than 40 digits."""
+    large, small = max(curvature_x, curvature_y), min(curvature_x, curvature_y)
+    log_ratio = mpmath.log(large / small)
+
+    def integrals(log_k: mpf) -> tuple[mpf, mpf]:
+        m = 1 - mpmath.exp(-2 * log_k)
+        return mpmath.ellipk(m), mpmath.ellipe(m)
+
+    def excess(log_k: mpf) -> mpf:
+        K, E = integrals(log_k)
+        return mpmath.log((mpmath.exp(2 * log_k) * E - K) / (K - E)) - log_ratio
+
+    log_k = mpf(0)
+    if log_ratio:
+        log_k = mpmath.findroot(excess, (log_ratio / 2, log_ratio * 2 / 3), solver="anderson", tol=mpf(10) ** -90)
+    K, E = integrals(log_k)
+    k = mpmath.exp(log_k)
+    major = mpmath.cbrt(3 * k**2 * E * load / (mpmath.pi * modulus * (large + small)))
+    approach = 3 * load * K / (2 * mpmath.pi * modulus * major)
+    return {
+        "minor": major / k,
+        "major": major,
+        "pressure": 3 * load * k / (2 * mpmath.pi * major**2),
+        "approach": approach,
+        "stiffness": load / approach ** (mpf(3) / 2),
+        "log_k": log_k,
+    }
+
+
+def plain(quantity: str, curvature_x: str = "310", curvature_y: str = "9.7", load: str = "613") -> mpf:
+    return exact(mpf(curvature_x), mpf(curvature_y), mpf(load), mpf("1.13e11"))[quantity]
+
+
+def on_race(
+    quantity: str,
+    *,
+    load: str = "620",
+    ball: tuple[str, str] = STEEL,
+    race: tuple[str, str] = STEEL,
+    groove: str = "4.13e-3",
+) -> mpf:
+    """The ball on the inner race of the 6205 at 0.18 rad, from the dimensions of its table typed in again."""
+    radius, pitch, cosine = mpf("3.97e-3"), mpf("15.53e-3") + mpf("23.48e-3"), mpmath.cos(mpf("0.18"))
+    along = 1 / radius + cosine / (pitch / 2 - radius * cosine)
+    softness = sum((1 - mpf(ratio) ** 2) / mpf(modulus) for modulus, ratio in (ball, race))
+    return exact(along, 1 / radius - 1 / mpf(groove), mpf(load), 1 / softness)[quantity]
+
+
+REFERENCES = {
+    "Hertz: circle": lambda: plain("approach", curvature_y="310"),
+    "Hertz: nearly a circle": lambda: plain("log_k", "310", str(310 * (1 - mpf("1e-12")))) * mpf("1e12"),
+    "Hertz: ratio 1e6": lambda: plain("minor", "9.7e6"),
+    "Hertz: ratio 1e-6": lambda: plain("minor", "9.7", "9.7e6"),
+    "Hertz: 1e-12 N": lambda: plain("approach", load="1e-12"),
+    "Hertz: no load": lambda: plain("stiffness"),
+    "Hertz: plastic overload": lambda: plain("pressure", load="1e7") / plain("pressure", load="10"),
+    "Hertz: incompressible": lambda: mpf("206e9") / (2 * (1 - mpf("0.4999") ** 2)),
+    "Hertz: steel on PEEK": lambda: on_race("approach", race=PEEK),
+    "contact angle: vanishing load": lambda: mpf("0.18"),
+    "contact angle: from zero": lambda: mpf(1) / 4,
+    "contact angle: preload": lambda: mpf("14e-6") / 2,
+    "contact angle: huge load": lambda: mpf(1),
+    "contact: 1e-6 N": lambda: on_race("approach", load="1e-6"),
+    "contact: load to the two thirds": lambda: mpf(2) / 3,
+    "contact: incompressible": lambda: on_race("pressure", ball=INCOMPRESSIBLE, race=INCOMPRESSIBLE),
+    "contact: close groove": lambda: on_race("major", groove=str(mpf("0.505") * mpf("7.94e-3"))),
+    "contact: mesh ten times too small": lambda: on_race("minor"),
+    "contact: mesh ten times too large": lambda: on_race("approach"),
+    "contact: a single node": lambda: on_race("pressure"),
+}
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_every_case_is_right(name: str) -> None:
+    found = outcome_of(TABLE[name])
+    assert found.outcome == ("refused" if TABLE[name].refusal else "right"), found.detail
+
+
+@pytest.mark.parametrize("name", [name for name, case in TABLE.items() if case.expected is not None])
+def test_every_literal_is_that_of_many_digits(name: str) -> None:
+    case = TABLE[name]
+    assert case.expected is not None
+    with mpmath.workdps(100):  # the circle's form loses half of them at a ratio of 1 + 1e-12
+        off = abs(mpf(case.expected) / REFERENCES[name]() - 1)
+    near = 1e-11 if name == "Hertz: nearly a circle" else 3e-16  # a first-order limit; a double's own rounding
+    assert off < near, mpmath.nstr(off, 3)
+
+
+def test_the_table_is_sound() -> None:
+    assert len(TABLE) == len(HARD_CASES)
+    assert len(TABLE) >= 18
+    refused = [case for case in HARD_CASES if case.refusal]
+    assert 0 < 3 * len(refused) <= len(HARD_CASES)  # a table of refusals would show nothing
+    assert {case.name for case in HARD_CASES if case.expected is not None} == REFERENCES.keys()
+
+
+def number(evaluate: object, expected: float = 2.5) -> HardCase:
+    tolerance = (1e-3, "a test's")
+    return HardCase(name="n", asked="a", right="r", evaluate=evaluate, expected=expected, tolerance=tolerance)  # pyright: ignore[reportArgumentType]
+
+
+def refusal(evaluate: object) -> HardCase:
+    return HardCase(name="n", asked="a", right="r", evaluate=evaluate, refusal="too steep")  # pyright: ignore[reportArgumentType]
+
+
+def refuse(words: str) -> float:
+    raise InputError(f"it is {words}: mind the step")
+
+
+def stop() -> float:
+    raise ConvergenceError(iterations=3, residual=0.5, tolerance=0.1, problem="too steep")
+
+
+@pytest.mark.parametrize(
+    ("case", "outcome", "words"),
+    [
+        (number(lambda: 2.5 * (1 + 0.9e-3)), "right", "2.50225, expected 2.5: off by 9.0e-04, allowed 1.0e-03"),
+        (number(lambda: 2.5 * (1 + 1.1e-3)), "wrong", "off by 1.1e-03"),
+        (number(lambda: 2.5 * (1 - 1.1e-3)), "wrong", "off by -1.1e-03"),
+        (number(lambda: -2.5), "wrong", "-2.5"),
+        (number(lambda: math.nan), "wrong", "nan"),
+        (number(lambda: math.inf), "wrong", "inf"),
+        (number(lambda: math.inf, expected=math.inf), "wrong", "inf"),
+        (number(lambda: refuse("too steep")), "wrong", "refused: it is too steep"),
+        (number(lambda: 1 / 0), "wrong", "bug, ZeroDivisionError: division by zero"),
+        (refusal(lambda: refuse("too steep")), "refused", "it is too steep: mind the step"),
+        (refusal(stop), "refused", "too steep did not settle in 3 iterations"),
+        (refusal(lambda: refuse("too flat")), "wrong", "it is too flat"),
+        (refusal(lambda: 2.5), "wrong", "2.5 instead of a refusal"),
+        (refusal(lambda: math.nan), "wrong", "nan instead of a refusal"),
+        (refusal(lambda: 1 / 0), "wrong", "bug, ZeroDivisionError"),
+    ],
+)
+def test_a_wrong_answer_is_called_wrong(case: HardCase, outcome: str, words: str) -> None:
+    found = outcome_of(case)
+    assert found.outcome == outcome
+    assert words in found.detail
+
+
+def test_the_table_is_what_runs_unless_told_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hard_cases, "HARD_CASES", (number(lambda: 7.0),))
+    assert [each.outcome for each in run_hard_cases()] == ["wrong"]
+
+
+def test_one_bug_does_not_stop_the_table() -> None:
+    shares: list[float] = []
+    cases = (number(lambda: 1 / 0), number(lambda: 2.5))
+    found = run_hard_cases(cases=cases, progress=lambda share, _: shares.append(share))
+    assert [each.outcome for each in found] == ["wrong", "right"]
+    assert shares == [0, 0.5]
+    told = json.loads(json.dumps([each.to_json() for each in found]))
+    assert told[1].keys() == {"case", "outcome", "detail"}
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        {},
+        {"expected": 2.5},
+        {"expected": 2.5, "tolerance": (0.1, "why"), "refusal": "no"},
+        {"tolerance": (0.1, "why"), "refusal": "no"},
+        {"expected": 0.0, "tolerance": (0.1, "why")},
+    ],
+)
+def test_a_case_has_one_right_answer(answer: dict) -> None:
+    with pytest.raises(InputError, match="hard case 'n'"):
+        HardCase(name="n", asked="a", right="r", evaluate=lambda: 1.5, **answer)
