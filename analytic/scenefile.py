@@ -26,6 +26,7 @@ from analytic.tables import CageTable, FrictionTable, GrooveTable, MaterialTable
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts; the TOML parser's memory grows with the square of their number.
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
+AS_PRINTED = "as_printed"  # the variant of a cage that may have overlapping pockets: it is the paper's, and warns
 MOST_FAULTS = 5  # shown at once; the rest are counted
 
 
@@ -115,7 +116,7 @@ def _take_catalog(document: dict[str, Any]) -> list[str]:
             if cage["variant"] not in tuple(variants):
                 known = f"give one of {', '.join(variants)}" if variants else "this bearing has none"
                 return [_complaint(document, "cage.variant", f"is not a variant of the cage; {known}")]
-            if own_pocket:
+            if own_pocket and any(key.startswith("pocket_") for key in variants[cage["variant"]]):
                 return [_complaint(document, f"cage.{own_pocket[0]}", "comes with cage.variant; leave out one of them")]
             cage = variants[cage["variant"]] | cage
         if "pocket_clearance" in cage or "pocket_diameter" in cage:
@@ -175,8 +176,8 @@ def _scene(table: SceneTable) -> tuple[Scene, list[tuple[str, str]]]:
         if table.cage is not None:
             cage = _cage(table.cage, bearing)
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
-            variant = table.cage.variant is not None
-            misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=variant)
+            printed = table.cage.variant == AS_PRINTED
+            misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=printed)
     scene = Scene(
         name=table.name,
         tolerance=table.tolerance,

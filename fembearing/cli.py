@@ -173,6 +173,23 @@ def contact(
     raise typer.Exit(_status(result.verdict))
 
 
+@app.command(epilog='Example: fembearing cost bearing.toml --tolerance "1 %"')
+def cost(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJson = False) -> None:
+    """Measure error and time of every way to compute the same quantity, cheap to exact, on this machine."""
+    given = _scene(scene)
+    asked = _tolerance(tolerance, given)
+    from fembearing.compare.cost import measure_cost
+    from fembearing.report.terminal import print_cost
+
+    with _progress() as report:
+        result = measure_cost(given, tolerance=asked, progress=report)
+    if as_json:
+        _print_json(result.to_json())
+    else:
+        print_cost(out, result)
+        _print_warnings(given.warnings)
+
+
 @app.command(epilog="Example: fembearing mesh --pair inner --level 2 --out meshes-of-the-inner-race")
 def mesh(
     folder: Annotated[Path, typer.Option("--out", help="Folder for the .vtu files; made if it is missing.")],

@@ -4,13 +4,17 @@ import io
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
 
 from fembearing import cli
+from fembearing.compare import cost, hard_cases
+from fembearing.compare.hard_case import HardCase
 from fembearing.fem import solution
+from fembearing.mesh.recipe import load_recipe
 
 QUANTITIES = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach", "stiffness"}
 
@@ -35,10 +39,15 @@ def command(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch)
 
 
 @pytest.fixture(scope="module")
-def validated() -> dict[str, Any]:
+def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("main") / "report"
+
+
+@pytest.fixture(scope="module")
+def validated(report: Path) -> dict[str, Any]:
     """The main job once, through the command line."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("sys.argv", ["fembearing", "validate", "--json"])
+        patch.setattr("sys.argv", ["fembearing", "validate", "--json", "--out", str(report)])
         patch.setattr("sys.stdout", printed := io.StringIO())
         with pytest.raises(SystemExit) as stop:
             cli.main()
@@ -46,10 +55,34 @@ def validated() -> dict[str, Any]:
     return json.loads(printed.getvalue())
 
 
-def test_the_main_job_judges_every_quantity_of_both_races(validated: dict[str, Any]) -> None:
-    judged = {(row["pair"], row["quantity"]) for row in validated["verdicts"]}
-    assert judged == {(pair, quantity) for pair in ("inner", "outer") for quantity in QUANTITIES}
+def test_the_main_job_judges_every_quantity_of_all_three_pairs(validated: dict[str, Any]) -> None:
+    judged = [(row["pair"], row["quantity"]) for row in validated["verdicts"]]
+    assert sorted(judged) == sorted((pair, name) for pair in ("inner", "outer", "pocket") for name in QUANTITIES)
     assert {row["verdict"] for row in validated["verdicts"]} == {"pass"}
+    assert [ladder["quantity"] for ladder in validated["cost"]["ladders"]] == [
+        "contact, inner",
+        "contact, outer",
+        "contact, pocket",
+    ]
+
+
+def test_the_sheet_of_the_pocket_is_shown_beside_its_thick_seat(validated: dict[str, Any]) -> None:
+    """A half space behind sheet metal flatters K_pb; the sheet's verdict does not count."""
+    seat, sheet = validated["contacts"][2:]
+    assert (seat["geometry"], sheet["geometry"]) == ("real", "wall")
+    assert seat["load"] == sheet["load"] == 28.0
+    assert sheet["verdict"] == "outside validity"
+    assert sheet["fe"]["stiffness"] < 0.7 * seat["hertz"]["stiffness"] < seat["fe"]["stiffness"]
+
+
+def test_the_report_lies_where_it_was_asked_for(validated: dict[str, Any], report: Path) -> None:
+    written = json.loads((report / "report.json").read_text("utf-8"))
+    assert written["verdicts"] == validated["verdicts"]
+    assert (report / "report.html").is_file()
+    kinds = {(picture["pair"], picture["geometry"], picture["kind"]) for picture in written["pictures"]}
+    pairs = [("inner", "real"), ("outer", "real"), ("pocket", "real"), ("pocket", "wall")]
+    assert kinds == {(*pair, kind) for pair in pairs for kind in ("pressure", "section")}
+    assert written["renderer"] == "VTK"
 
 
 def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict[str, Any]) -> None:
@@ -60,7 +93,7 @@ def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict
 
 
 def test_the_true_groove_is_stiffer_than_hertz_says_and_the_inner_race_bears_more(validated: dict[str, Any]) -> None:
-    inner, outer = validated["contacts"]
+    inner, outer = validated["contacts"][:2]
     assert inner["fe"]["peak_pressure"] > outer["fe"]["peak_pressure"]
     for contact in (inner, outer):
         assert contact["fe"]["stiffness"] > contact["hertz"]["stiffness"]
@@ -95,8 +128,8 @@ def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> Non
 
 
 def test_the_far_boundary_is_judged_apart(validated: dict[str, Any]) -> None:
-    """Some effect, and less than the extent of six major semi-axes leaves room for."""
-    for contact in validated["contacts"]:
+    """Some effect, and less than the extent of six major semi-axes leaves room for; a sheet has no far boundary."""
+    for contact in validated["contacts"][:3]:
         for name, part in contact["convergence"].items():
             assert 0 < part["domain"] < 0.01
             assert contact["uncertainty"][name] == pytest.approx(part["mesh"] + part["domain"], rel=1e-12)  # round-off
@@ -159,6 +192,10 @@ coefficient = 0.1
         (["contact", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),  # plastic long before: no mesh
         (["validate", "heavy.toml"], ["operation.axial_load = 700000 N", "shoulder"]),
         (["validate", "wide.toml"], ["operation.axial_load = 90000 N", "too wide"]),
+        (["validate", "--out", "scene.toml"], ["--out", "scene.toml", "exists already"]),
+        (["validate", "--out", "no/report"], ["--out", "no/report", "cannot be made"]),
+        (["validate", "tight.toml"], ["cage.pocket_diameter", "7.9 mm", "7.94 mm"]),
+        (["validate", "deep.toml"], ["cage.pocket_depth", "4.5 mm", "4.07 mm"]),
         (["mesh", "--out", "scene.toml"], ["--out", "scene.toml", "folder"]),
         (["mesh", "--out", "new", "--level", "77"], ["--level", "77", "1, 2, 3, 4"]),
     ],
@@ -170,16 +207,15 @@ def test_a_mistake_gets_one_line_and_status_2(
     (tmp_path / "scene.toml").write_text(SCENE)
     (tmp_path / "heavy.toml").write_text(SCENE.replace("700 N", "700000 N").replace('"given", value', '"solved", free'))
     (tmp_path / "wide.toml").write_text(SCENE.replace("700 N", "90000 N"))
+    (tmp_path / "tight.toml").write_text(SCENE + '[cage]\npocket_diameter = "7.9 mm"')
+    (tmp_path / "deep.toml").write_text(SCENE + '[cage]\npocket_depth = "4.5 mm"')
+    before = sorted(tmp_path.iterdir())
     result = command(*arguments)
     assert result.status == 2
     assert result.out == ""
     assert result.err.count("\n") == 1
     assert all(word in result.err for word in words), result.err
-    assert sorted(path.name for path in tmp_path.iterdir()) == [
-        "heavy.toml",
-        "scene.toml",
-        "wide.toml",
-    ]  # nothing half-written
+    assert sorted(tmp_path.iterdir()) == before  # nothing half-written
 
 
 def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path: Path) -> None:
@@ -226,6 +262,39 @@ def test_a_result_that_cannot_be_written_is_no_success(tmp_path: Path, target: s
     assert done.stderr.count("\n") == (0 if status == 141 else 1)
 
 
+def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """One that goes wrong fails the whole, whatever the contacts say."""
+    cases = (
+        HardCase(name="two", asked="1 + 1", right="2", evaluate=lambda: 2.0, expected=2.0, tolerance=(0.0, "exact")),
+        HardCase(name="three", asked="1 + 2", right="3", evaluate=lambda: 4.0, expected=3.0, tolerance=(0.0, "exact")),
+    )
+    monkeypatch.setattr(hard_cases, "HARD_CASES", cases)
+    scene = tmp_path / "scene.toml"
+    scene.write_text(SCENE)
+    result = command("validate", str(scene), "--tolerance", "90 %", "--hard")
+    assert result.status == 1
+    assert "three: 4, expected 3" in result.out
+    assert "2 hard cases: 1 right, 0 refused as they should be, 1 wrong" in result.out
+    assert "pocket" not in result.out  # no [cage], no pocket solve
+
+
+def test_cost_shows_what_each_rung_gives_for_its_time(command, monkeypatch: pytest.MonkeyPatch) -> None:
+    short = replace(load_recipe("race"), levels=(1, 2, 3))
+    monkeypatch.setattr(cost, "load_recipe", lambda _: short)
+    monkeypatch.setattr(cost, "MESH_REPEATS", 1)
+    shown = command("cost", "--tolerance", "0.5 %")
+    assert shown.status == 0
+    for words in ("Hertz contact", "Contact angle", "Contact, inner", "frozen stiffness", "level 2", "GiB", "seconds"):
+        assert words in shown.out
+    chosen = [line for line in shown.out.splitlines() if line.startswith("> ")]
+    assert len([line for line in chosen if "%" in line or "reference" in line]) == 3
+    assert max(map(len, shown.out.splitlines())) <= 80
+    found = json.loads(command("cost", "--json").out)
+    assert [ladder["quantity"] for ladder in found["ladders"]] == ["Hertz contact", "contact angle", "contact, inner"]
+    for ladder in found["ladders"]:
+        assert {"name", "error", "seconds", "memory", "chosen"} <= set(ladder["rungs"][0])
+
+
 def test_help_shows_an_example(command) -> None:
-    for name in ("validate", "contact", "mesh"):
+    for name in ("validate", "contact", "mesh", "cost"):
         assert "Example: fembearing" in command(name, "--help").out

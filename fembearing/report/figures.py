@@ -3,6 +3,7 @@
 from io import BytesIO
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.compare.cost import Ladder
@@ -33,7 +34,7 @@ def convergence_figure(result: Validation) -> bytes:
     return _png(figure)
 
 
-def _convergence(panel, contact: ContactSolution, name: str, mark: str) -> None:
+def _convergence(panel: Axes, contact: ContactSolution, name: str, mark: str) -> None:
     part = contact.estimates[name]
     limit = part.value if part.richardson is None else part.richardson
     distance = 100 * np.maximum(np.abs(np.array(part.values) / limit - 1), SAME)
@@ -49,22 +50,15 @@ def cost_figure(ladders: list[Ladder], *, tolerance: float) -> bytes:
     figure = Figure(figsize=(11, 4.2), layout="constrained")
     axes = figure.subplots()
     for mark, ladder in zip(MARKS, ladders, strict=False):
-        rungs = [rung for rung in ladder.rungs if rung.error is not None]
-        (line,) = axes.plot(
-            [rung.seconds for rung in rungs],
-            [100 * max(rung.error, SAME) for rung in rungs],
-            "-" + mark,
-            label=ladder.quantity,
-        )
-        for rung in rungs:
-            axes.annotate(
-                rung.name,
-                (rung.seconds, 100 * max(rung.error, SAME)),
-                xytext=(5, 5),
-                textcoords="offset points",
-                fontsize=8,
-                color=line.get_color(),
-            )
+        shown = [
+            (rung.seconds, 100 * max(rung.error, SAME), rung.name.removeprefix("finite elements, "))
+            for rung in ladder.rungs
+            if rung.error is not None and rung.seconds is not None
+        ]
+        seconds, errors, names = zip(*shown, strict=True)
+        (line,) = axes.plot(seconds, errors, "-" + mark, label=ladder.quantity)
+        for place, name in zip(zip(seconds, errors, strict=True), names, strict=True):
+            axes.annotate(name, place, xytext=(5, 5), textcoords="offset points", fontsize=8, color=line.get_color())
     axes.axhline(100 * tolerance, color="red", linestyle=":", label=f"tolerance {tolerance:.3g}")
     axes.set(xscale="log", yscale="log", xlabel="time, s", ylabel="error, %")
     axes.grid(alpha=0.3, which="both")

@@ -47,7 +47,8 @@ def pressure_map(job: dict[str, Any]) -> pv.Plotter:
     edges = mirrored(loaded_face(body, 0).extract_all_edges(), (0, 1))
     above = np.ptp(surface.points[:, 2]) * eye  # the projection is parallel: height does not show
     plotter.add_mesh(surface, color=BARE, lighting=False)
-    painted = show_pressure(plotter, surface.translate(above), job)
+    bar = colour_bar(job, width=420 / width, left=1 - 440 / width, height=80 / height)
+    show_pressure(plotter, surface.translate(above), job, bar=bar)
     plotter.add_mesh(edges.translate(2 * above), color=LINES, opacity=0.3, line_width=1)
     plotter.add_mesh(ellipse(job["hertz"]).translate(3 * above), color=HERTZ, line_width=3)
     length = frame["bar"] * MM
@@ -57,7 +58,6 @@ def pressure_map(job: dict[str, Any]) -> pv.Plotter:
     plotter.add_text(f"{length:g} mm, {direction}", position=(30, 38), font_size=10, color=INK)
     plotter.add_text(job["title"], position=(12, height - 34), font_size=12, color=INK)
     plotter.add_text("red: Hertz's ellipse", position=(12, height - 62), font_size=10, color=HERTZ)
-    colour_bar(plotter, painted, job, width=420 / width, left=1 - 440 / width, height=80 / height)
     look(plotter, at=middle, eye=eye, up=up, half_height=height / 2 / scale)
     return plotter
 
@@ -74,9 +74,9 @@ def section(job: dict[str, Any]) -> pv.Plotter:
     look(plotter, at=[0, 0, 0.75 * radius], eye=VIEW, up=[0, 0, 1], half_height=1.3 * radius)
     plotter.add_text(job["title"], position=(12, 766), font_size=12, color=INK)
     plotter.subplot(0, 1)
-    painted = draw(plotter, bodies["lower"], "lower", job, half_height=1.25 * longer)
+    bar = colour_bar(job, width=0.6, left=0.3, height=0.1)
+    draw(plotter, bodies["lower"], "lower", job, half_height=1.25 * longer, bar=bar)
     look(plotter, at=[0, 0, 0], eye=VIEW, up=[0, 0, 1], half_height=1.25 * longer)
-    colour_bar(plotter, painted, job, width=0.6, left=0.3, height=0.1)
     plotter.add_text(job["near"], position=(12, 766), font_size=12, color=INK)
     return plotter
 
@@ -102,7 +102,15 @@ def loaded_face(body: pv.DataSet, subdivision: int) -> pv.PolyData:
     return loaded.extract_surface(algorithm="dataset_surface")
 
 
-def draw(plotter: pv.Plotter, body: pv.DataSet, side: str, job: dict[str, Any], *, half_height: float) -> pv.Actor:
+def draw(
+    plotter: pv.Plotter,
+    body: pv.DataSet,
+    side: str,
+    job: dict[str, Any],
+    *,
+    half_height: float,
+    bar: dict[str, Any] | None = None,
+) -> None:
     """Half of a body, cut along x = 0, with its cells and the pressure on it."""
     half = mirrored(body, (1,))
     solid = half.extract_surface(nonlinear_subdivision=ROUND, algorithm="dataset_surface")
@@ -110,16 +118,23 @@ def draw(plotter: pv.Plotter, body: pv.DataSet, side: str, job: dict[str, Any], 
     surface = mirrored(loaded_face(body, ROUND), (1,))
     nearer = half_height * VIEW  # what lies on a face is moved towards the eye, to be drawn on top of it
     plotter.add_mesh(solid, color=BODIES[side], ambient=0.35, diffuse=0.7)
-    painted = show_pressure(plotter, surface.translate(0.002 * nearer), job)
+    show_pressure(plotter, surface.translate(0.002 * nearer), job, bar=bar)
     plotter.add_mesh(cells.translate(0.01 * nearer), color=LINES, line_width=1)
-    return painted
 
 
-def show_pressure(plotter: pv.Plotter, surface: pv.DataSet, job: dict[str, Any]) -> pv.Actor:
+def show_pressure(
+    plotter: pv.Plotter, surface: pv.DataSet, job: dict[str, Any], *, bar: dict[str, Any] | None = None
+) -> None:
     """The part of a surface that carries pressure, in colours."""
     pressed = surface.clip_scalar(scalars="pressure", value=LEAST_SHOWN * job["peak"], invert=False)
-    return plotter.add_mesh(
-        pressed, scalars="pressure", cmap=COLOURS, clim=[0, job["peak"]], lighting=False, show_scalar_bar=False
+    plotter.add_mesh(
+        pressed,
+        scalars="pressure",
+        cmap=COLOURS,
+        clim=[0, job["peak"]],
+        lighting=False,
+        show_scalar_bar=bar is not None,
+        scalar_bar_args=bar,
     )
 
 
@@ -130,7 +145,7 @@ def ellipse(semi_axes: tuple[float, float]) -> pv.PolyData:
 
 
 def look(plotter: pv.Plotter, *, at: Any, eye: Any, up: Any, half_height: float) -> None:
-    plotter.set_background("white")
+    plotter.background_color = "white"
     plotter.enable_parallel_projection()
     plotter.enable_anti_aliasing("ssaa")
     plotter.camera.focal_point = at
@@ -140,23 +155,21 @@ def look(plotter: pv.Plotter, *, at: Any, eye: Any, up: Any, half_height: float)
     plotter.reset_camera_clipping_range()
 
 
-def colour_bar(
-    plotter: pv.Plotter, painted: pv.Actor, job: dict[str, Any], *, width: float, left: float, height: float
-) -> None:
-    plotter.add_scalar_bar(
-        title=f"contact pressure, {job['unit']}\n",  # the line break keeps it off the numbers
-        mapper=painted.mapper,
-        vertical=False,
-        width=width,
-        height=height,
-        position_x=left,
-        position_y=0.03,
-        color=INK,
-        n_labels=5,
-        fmt="%.3g",
-        title_font_size=18,
-        label_font_size=16,
-    )
+def colour_bar(job: dict[str, Any], *, width: float, left: float, height: float) -> dict[str, Any]:
+    """A bar with its unit near the lower edge; lengths are shares of the picture."""
+    return {
+        "title": f"contact pressure, {job['unit']}\n",  # the line break keeps it off the numbers
+        "vertical": False,
+        "width": width,
+        "height": height,
+        "position_x": left,
+        "position_y": 0.03,
+        "color": INK,
+        "n_labels": 5,
+        "fmt": "%.3g",
+        "title_font_size": 18,
+        "label_font_size": 16,
+    }
 
 
 KINDS = {"pressure": pressure_map, "section": section}

@@ -1,14 +1,27 @@
 """Results as tables and lines of text for a terminal or a pipe of 80 characters."""
 
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any
+
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
+from fembearing.compare.cost import Cost
 from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.hard_case import HardOutcome
 from fembearing.compare.torque_change import TorqueChange
 from fembearing.compare.validation import Validation
 from fembearing.report.wording import AXES, QUANTITIES, title_of
 
+PLAIN: dict[str, Any] = {
+    "title_justify": "left",
+    "box": SIMPLE_HEAD,
+    "padding": (0, 1, 0, 0),
+    "pad_edge": False,
+    "show_edge": False,
+}
 COLUMNS = {"quantity": 19, "Hertz": 10, "FE": 10, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
 
 
@@ -19,20 +32,13 @@ def print_validation(out: Console, result: Validation) -> None:
         _print_pocket(out, *result.contacts[2:])
     if result.torque is not None:
         _print_torque(out, result.torque)
-    wrong = sum(case.outcome == "wrong" for case in result.hard)
-    hard = f", {len(result.hard)} hard cases, {wrong} wrong" if result.hard else ""
-    out.print(f"{result.verdict}: tolerance {result.tolerance:g}{hard}, {result.seconds:.1f} s", highlight=False)
+    if result.hard:
+        _print_hard(out, result.hard)
+    out.print(f"{result.verdict}: tolerance {result.tolerance:g}, {result.seconds:.1f} s", highlight=False)
 
 
 def print_contact(out: Console, contact: ContactSolution) -> None:
-    table = Table(
-        title=title_of(contact),
-        title_justify="left",
-        box=SIMPLE_HEAD,
-        padding=(0, 1, 0, 0),
-        pad_edge=False,
-        show_edge=False,
-    )
+    table = Table(title=title_of(contact), **PLAIN)
     for head, width in COLUMNS.items():
         left = head in ("quantity", "verdict")
         table.add_column(head, justify="left" if left else "right", no_wrap=True, min_width=width)
@@ -61,8 +67,7 @@ def _print_pocket(out: Console, seat: ContactSolution, sheet: ContactSolution) -
     """K_pb three ways: the half space's formula, a thick seat, and the sheet that is there."""
     shown = QUANTITIES["stiffness"]
     formula, thick, thin = (
-        shown.factor * value
-        for value in (seat.hertz.stiffness, seat.reference.stiffness, sheet.reference.stiffness)
+        shown.factor * value for value in (seat.hertz.stiffness, seat.reference.stiffness, sheet.reference.stiffness)
     )
     out.print(
         f"Pocket, F = K_pb delta^1.5: K_pb {formula:.4g} {shown.unit} by Hertz, {thick:.4g} in a thick seat, "
@@ -82,5 +87,49 @@ def _print_torque(out: Console, change: TorqueChange) -> None:
         f"{after.torque.total[point] * 1e3:.4g} N mm: {relative[point]:+.2%} +- {change.uncertainty:.2%} (numerical).\n"
         f"Contact angle {before.contact_angle[point]:.4f} rad and {after.contact_angle[point]:.4f} rad. The friction "
         "coefficient is the scene's, not a lubricant's.\n",
+        highlight=False,
+    )
+
+
+def _print_hard(out: Console, outcomes: Sequence[HardOutcome]) -> None:
+    """What went wrong in full, the others by their names."""
+    table = Table("hard case", "outcome", title="Hard cases", **PLAIN)
+    for case in outcomes:
+        table.add_row(case.case, case.outcome)
+    out.print(table)
+    for case in outcomes:
+        if case.outcome == "wrong":
+            out.print(f"{case.case}: {case.detail}", highlight=False)
+    count = Counter(case.outcome for case in outcomes)
+    out.print(
+        f"{len(outcomes)} hard cases: {count['right']} right, {count['refused']} refused as they should be, "
+        f"{count['wrong']} wrong\n",
+        highlight=False,
+    )
+
+
+def print_cost(out: Console, cost: Cost) -> None:
+    """Each ladder with error, time and memory; an arrow where the tolerance would stop."""
+    for ladder in cost.ladders:
+        table = Table(title=f"{ladder.quantity[0].upper()}{ladder.quantity[1:]}", **PLAIN)
+        for head in ("", "rung", "error", "seconds", "spread", "GiB"):
+            table.add_column(head, justify="left" if head in ("", "rung") else "right", no_wrap=True)
+        for rung in ladder.rungs:
+            table.add_row(
+                ">" if rung.chosen else "",
+                rung.name,
+                "failed" if rung.failed else "reference" if rung.error is None else f"{rung.error:.2%}",
+                "" if rung.seconds is None else f"{rung.seconds:.2g}",
+                "" if rung.spread is None else f"{rung.spread:.1g}",
+                "" if rung.memory is None else f"{rung.memory / 2**30:.2f}",
+            )
+        out.print(table)
+        for rung in ladder.rungs:
+            if rung.failed:
+                out.print(f"{rung.name} failed: {rung.failed}", highlight=False)
+        out.print(f"Reference: {ladder.reference}.\n", style="dim", highlight=False)
+    out.print(
+        f">: the cheapest rung within the tolerance, {cost.tolerance:g}. Seconds: median of the repeats; GiB: resident "
+        f"memory at most up to this rung. {cost.seconds:.0f} s in all.",
         highlight=False,
     )

@@ -140,6 +140,21 @@ def test_the_printed_pocket_needs_its_name_and_warns() -> None:
     assert "overlap" in refusal(PLAIN + '[cage]\npocket_diameter = "13.9 mm"\npocket_depth = "6.81 mm"')
 
 
+def test_a_moulded_cage_is_a_variant_that_keeps_the_pocket() -> None:
+    moulded = scene(PLAIN + '[cage]\nvariant = "peek"\npocket_clearance = "0.3 mm"')
+    assert moulded.cage is not None
+    assert (moulded.cage.material.name, moulded.cage.wall_thickness) == ("peek", 1.5e-3)
+    assert moulded.cage.material.youngs_modulus == 3.6e9
+    np.testing.assert_allclose(moulded.cage.pocket_diameter, 8.24e-3, rtol=1e-15)
+    assert moulded.warnings == ()
+    stamped = scene(PLAIN + "[cage]").cage
+    assert stamped is not None
+    volume = 1.5 / 0.9 * stamped.mass / stamped.material.density
+    np.testing.assert_allclose(moulded.cage.mass, volume * moulded.cage.material.density, rtol=0.02)  # written: 1.8 g
+    # Only the printed pocket may overlap its neighbour.
+    assert "overlap" in refusal(PLAIN + '[cage]\nvariant = "peek"\npocket_diameter = "13.9 mm"')
+
+
 def test_a_ball_of_the_wrong_mass_is_doubted() -> None:
     (warning,) = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.5 mm"')).warnings
     assert "2.04 g" in warning

@@ -43,7 +43,7 @@ def pixels_of(file: Path) -> Pixels:
 
 def middle_of(frame: Frame, pixels: Pixels) -> Pixels:
     """The picture without title and colour bar."""
-    left, top = frame.centre
+    _, top = frame.centre
     room = int(min(top - TITLE, frame.height - top - BAR))
     return pixels[int(top) - room : int(top) + room, :]
 
@@ -145,7 +145,9 @@ def test_a_section_shows_two_bodies_and_the_pressure_between(drawn: dict[str, Pi
 def test_the_reader_sees_an_ellipse_of_the_wrong_size(checked: Validation, tmp_path: Path) -> None:
     """The pictures' test, tested: Hertz a tenth too large is drawn where it does not belong."""
     contact = checked.contacts[0]
-    stretched = replace(contact, hertz=replace(contact.hertz, semi_axis_transverse=contact.hertz.semi_axis_transverse * 0.9))
+    stretched = replace(
+        contact, hertz=replace(contact.hertz, semi_axis_transverse=contact.hertz.semi_axis_transverse * 0.9)
+    )
     (picture,), _ = draw_pictures([stretched], tmp_path, renderer=DIES)
     with pytest.raises(AssertionError):
         check_ellipse(replace(picture, contact=contact))
@@ -180,7 +182,9 @@ def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]
     assert "1.4 mm off its race" in drawn["inner-real-section"].caption
 
 
-@pytest.mark.parametrize(("rolling", "transverse"), [(1.1e-4, 9.3e-4), (9.3e-4, 1.1e-4), (3.1e-4, 3.0e-4), (2e-7, 9e-7)])
+@pytest.mark.parametrize(
+    ("rolling", "transverse"), [(1.1e-4, 9.3e-4), (9.3e-4, 1.1e-4), (3.1e-4, 3.0e-4), (2e-7, 9e-7)]
+)
 def test_a_frame_holds_its_contact(rolling: float, transverse: float) -> None:
     frame = frame_of(semi_axis_rolling=rolling, semi_axis_transverse=transverse)
     width, height = on_screen(frame, rolling, transverse)

@@ -1,0 +1,111 @@
+"""The report's folder: whole or not at all, and refused before anything is computed."""
+
+import json
+import os
+import stat
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from analytic.errors import InputError
+from analytic.scenefile import builtin_scene, load_scene
+from fembearing.compare.validation import Validation
+from fembearing.report import folder as module
+from fembearing.report import page
+from fembearing.report.folder import validate, whole_folder
+
+
+@pytest.fixture
+def solved(checked: Validation, monkeypatch: pytest.MonkeyPatch) -> Validation:
+    """The contacts are at hand: what is tested is what comes after. Pictures: of the inner race."""
+    short = replace(checked, contacts=checked.contacts[:2])
+    monkeypatch.setattr(module, "check_scene", lambda *_, **__: short)
+    return short
+
+
+def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp_path: Path) -> None:
+    out = tmp_path / "report"
+    steps: list[tuple[float, str]] = []
+    validate(solved.scene, out=out, progress=lambda share, step: steps.append((share, step)))
+    names = {path.name for path in out.iterdir()}
+    made = {f"{pair}-real-{part}" for pair in ("inner", "outer") for part in ("upper.vtu", "lower.vtu")}
+    made |= {f"{pair}-real-{part}.png" for pair in ("inner", "outer") for part in ("pressure", "section")}
+    assert names == made | {"report.html", "report.json"}
+    assert [path.name for path in tmp_path.iterdir()] == ["report"]  # nothing beside it
+    content = json.loads((out / "report.json").read_text("utf-8"))
+    expected = json.loads(json.dumps(solved.to_json()["verdicts"]))
+    assert content["verdicts"] == expected
+    assert {picture["file"] for picture in content["pictures"]} <= names
+    assert content["renderer"] == "VTK"
+    assert [step for _, step in steps] == ["report"]
+
+
+def test_the_folder_is_open_to_those_whom_the_umask_lets_in(tmp_path: Path) -> None:
+    old = os.umask(0o027)
+    try:
+        with whole_folder(tmp_path / "new"):
+            pass
+    finally:
+        os.umask(old)
+    assert stat.S_IMODE((tmp_path / "new").stat().st_mode) == 0o750
+
+
+@pytest.mark.parametrize("kind", ["folder", "file", "dangling link"])
+def test_what_exists_is_not_overwritten(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("computed before the folder was looked at")
+
+    monkeypatch.setattr(module, "check_scene", never)
+    out = tmp_path / "there"
+    if kind == "folder":
+        out.mkdir()
+    elif kind == "file":
+        out.write_text("mine")
+    else:
+        out.symlink_to(tmp_path / "nowhere")
+    with pytest.raises(InputError, match=r"there.* exists already"):
+        validate(load_scene(builtin_scene("6205")), out=out)
+    assert [path.name for path in tmp_path.iterdir()] == ["there"]
+
+
+@pytest.mark.parametrize("out", ["missing/report", "file/report"])
+def test_a_folder_that_cannot_be_made_is_refused_first(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, out: str
+) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("computed before the folder was looked at")
+
+    monkeypatch.setattr(module, "check_scene", never)
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(InputError, match="cannot be made in") as refusal:
+        validate(load_scene(builtin_scene("6205")), out=tmp_path / out)
+    assert "\n" not in str(refusal.value)
+
+
+@pytest.mark.parametrize("where", ["check_scene", "write_page"])
+def test_nothing_is_left_of_a_report_that_fails(
+    solved: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(module if where == "check_scene" else page, where, fail)
+    with pytest.raises(KeyboardInterrupt):
+        validate(solved.scene, out=tmp_path / "report")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_made_meanwhile_is_kept(tmp_path: Path) -> None:
+    out = tmp_path / "report"
+
+    def race() -> None:
+        with whole_folder(out) as place:
+            (place / "ours").write_text("ours")
+            out.mkdir()
+            (out / "theirs").write_text("theirs")
+
+    with pytest.raises(InputError, match="cannot be written"):
+        race()
+    assert [path.name for path in out.iterdir()] == ["theirs"]
+    assert [path.name for path in tmp_path.iterdir()] == ["report"]

@@ -1,0 +1,134 @@
+"""The page: everything a reader needs, in its order, in one file."""
+
+import base64
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from fembearing.compare.hard_case import HardOutcome
+from fembearing.compare.validation import Validation
+from fembearing.report.page import write_page
+from fembearing.report.pictures import draw_pictures
+
+ORDER = (
+    "Intended use",
+    "Scene and effects",
+    "Verdicts",
+    "What this does to the race torque",
+    "Mesh convergence",
+    "Contact pressure",
+    "What accuracy costs",
+    "Published numbers",
+    "Hard cases",
+    "Provenance",
+)
+
+
+class Page(HTMLParser):
+    """Headings, picture sources, addresses and text of a page; every tag must be closed."""
+
+    LONELY = ("meta", "img", "link", "br")
+
+    def __init__(self, content: str) -> None:
+        super().__init__()
+        self.headings: list[str] = []
+        self.sources: list[str] = []
+        self.text = ""
+        self.open: list[str] = []
+        self.feed(content)
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in self.LONELY:
+            self.open.append(tag)
+        self.sources += [value or "" for name, value in attrs if name in ("src", "href")]
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if self.open and self.open[-1] == "h2":
+            self.headings.append(data)
+        if "style" not in self.open:
+            self.text += data
+
+
+def page_of(result: Validation, folder: Path) -> Page:
+    write_page(result, pictures=[], trouble=None, file=folder / "page.html")
+    return Page((folder / "page.html").read_text("utf-8"))
+
+
+@pytest.fixture(scope="module")
+def page(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> Page:
+    folder = tmp_path_factory.mktemp("page")
+    pictures, trouble = draw_pictures(checked.contacts, folder)
+    write_page(checked, pictures=pictures, trouble=trouble, file=folder / "page.html")
+    return Page((folder / "page.html").read_text("utf-8"))
+
+
+def test_the_sections_stand_in_their_order(page: Page) -> None:
+    assert tuple(page.headings) == ORDER
+
+
+def test_every_picture_is_inside(page: Page) -> None:
+    assert len(page.sources) == 2 * 4 + 2  # two of each contact, convergence and cost
+    for source in page.sources:
+        head, _, content = source.partition(",")
+        assert head == "data:image/png;base64"
+        assert base64.b64decode(content, validate=True).startswith(b"\x89PNG")
+    assert "http" not in page.text
+
+
+def test_the_numbers_are_those_of_the_result(checked: Validation, page: Page) -> None:
+    for contact in checked.contacts:
+        if contact.judged:
+            for name, part in contact.estimates.items():
+                assert f"{contact.discrepancy[name]:+.2%}" in page.text
+                assert f"{part.total:.2%}" in page.text
+    seat, sheet = checked.contacts[2:]
+    for stiffness in (seat.hertz.stiffness, seat.reference.stiffness, sheet.reference.stiffness):
+        assert f"{1e-9 * stiffness:.4g}" in page.text
+    assert checked.torque is not None
+    assert f"{1e3 * checked.torque.hertz.torque.total[0]:.4g}" in page.text
+    assert f"{1e3 * checked.torque.corrected.torque.total[0]:.4g}" in page.text
+    assert f"{checked.torque.uncertainty:.2%}".replace("%", " %") in page.text
+
+
+def test_it_says_what_is_assumed_and_what_is_not_validated(page: Page) -> None:
+    words = " ".join(page.text.split())
+    for said in (
+        "Not validated by measurement",
+        "coefficient 0.1 at each race, given by the scene",
+        "typical values, no single source seen",  # of the steel
+        "bends on its rim",
+        "Not run with this report",  # the hard cases
+    ):
+        assert said in words
+
+
+def test_names_from_a_scene_cannot_break_the_page(checked: Validation, tmp_path: Path) -> None:
+    odd = replace(checked, scene=replace(checked.scene, name="<script>alert('x')</script> & co"))
+    page = page_of(odd, tmp_path)
+    assert "<script>alert('x')</script> & co" in page.text
+    assert "<script" not in (tmp_path / "page.html").read_text("utf-8")
+
+
+def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: Validation, tmp_path: Path) -> None:
+    scene = replace(checked.scene, cage=None, friction_coefficient=None)
+    page = page_of(replace(checked, scene=scene, contacts=checked.contacts[:2], torque=None), tmp_path)
+    assert tuple(page.headings) == ORDER
+    assert "none in the scene: no pocket contact" in page.text
+    assert "no friction coefficient, so there is no torque" in " ".join(page.text.split())
+    assert "K_pb" not in page.text
+
+
+def test_hard_cases_and_a_missing_renderer_are_shown(checked: Validation, tmp_path: Path) -> None:
+    hard = (HardOutcome(case="an odd one", outcome="wrong", detail="3, expected 2"),)
+    write_page(replace(checked, hard=hard), pictures=[], trouble="VTK ended with signal 6", file=tmp_path / "page.html")
+    page = Page((tmp_path / "page.html").read_text("utf-8"))
+    assert re.search(r"an odd one\s*wrong\s*3, expected 2", page.text)
+    assert "maps by matplotlib: VTK ended with signal 6" in page.text
+    assert replace(checked, hard=hard).verdict == "fail"  # whatever the contacts say
