@@ -109,7 +109,7 @@ def draw(
     job: dict[str, Any],
     *,
     half_height: float,
-    bar: dict[str, Any] | None = None,
+    bar: Any = None,
 ) -> None:
     """Half of a body, cut along x = 0, with its cells and the pressure on it."""
     half = mirrored(body, (1,))
@@ -122,9 +122,7 @@ def draw(
     plotter.add_mesh(cells.translate(0.01 * nearer), color=LINES, line_width=1)
 
 
-def show_pressure(
-    plotter: pv.Plotter, surface: pv.DataSet, job: dict[str, Any], *, bar: dict[str, Any] | None = None
-) -> None:
+def show_pressure(plotter: pv.Plotter, surface: pv.DataSet, job: dict[str, Any], *, bar: Any = None) -> None:
     """The part of a surface that carries pressure, in colours."""
     pressed = surface.clip_scalar(scalars="pressure", value=LEAST_SHOWN * job["peak"], invert=False)
     plotter.add_mesh(
@@ -145,8 +143,8 @@ def ellipse(semi_axes: tuple[float, float]) -> pv.PolyData:
 
 
 def look(plotter: pv.Plotter, *, at: Any, eye: Any, up: Any, half_height: float) -> None:
-    plotter.background_color = "white"
-    plotter.enable_parallel_projection()
+    plotter.background_color = pv.Color("white")
+    plotter.camera.parallel_projection = True
     plotter.enable_anti_aliasing("ssaa")
     plotter.camera.focal_point = at
     plotter.camera.position = np.asarray(at) + FAR * np.asarray(eye)
@@ -155,7 +153,7 @@ def look(plotter: pv.Plotter, *, at: Any, eye: Any, up: Any, half_height: float)
     plotter.reset_camera_clipping_range()
 
 
-def colour_bar(job: dict[str, Any], *, width: float, left: float, height: float) -> dict[str, Any]:
+def colour_bar(job: dict[str, Any], *, width: float, left: float, height: float) -> Any:
     """A bar with its unit near the lower edge; lengths are shares of the picture."""
     return {
         "title": f"contact pressure, {job['unit']}\n",  # the line break keeps it off the numbers

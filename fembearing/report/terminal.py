@@ -118,7 +118,7 @@ def print_cost(out: Console, cost: Cost) -> None:
             table.add_row(
                 ">" if rung.chosen else "",
                 rung.name,
-                "failed" if rung.failed else "reference" if rung.error is None else f"{rung.error:.2%}",
+                "failed" if rung.failed else "reference" if rung.error is None else f"{100 * rung.error:.2g} %",
                 "" if rung.seconds is None else f"{rung.seconds:.2g}",
                 "" if rung.spread is None else f"{rung.spread:.1g}",
                 "" if rung.memory is None else f"{rung.memory / 2**30:.2f}",
