@@ -51,7 +51,8 @@ def time_validate() -> None:
     memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024**2
     spread = f"{min(seconds):.1f} to {max(seconds):.1f}"
     out.print(
-        f"fembearing validate --out: {statistics.median(seconds):.1f} s (median of {REPEATS}, {spread}), {memory:.2f} GiB"
+        f"fembearing validate --out: {statistics.median(seconds):.1f} s (median of {REPEATS}, {spread}), "
+        f"{memory:.2f} GiB"
     )
 
 
