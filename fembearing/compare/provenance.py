@@ -2,6 +2,7 @@
 
 import platform
 import sys
+from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
@@ -16,9 +17,10 @@ PACKAGES = ("fembearing", "numpy", "scipy", "scikit-fem", "meshio", "numba", "py
 
 
 def provenance_of(scene: Scene) -> dict[str, Any]:
-    """Versions of what computed a result, the machine, the command and the scene's name."""
+    """Scene, time, command, machine, and the versions of what computed a result."""
     return {
         "scene": scene.name,
+        "date": datetime.now(UTC).isoformat(timespec="seconds"),
         "command": sys.argv,
         "python": platform.python_version(),
         "platform": platform.platform(),

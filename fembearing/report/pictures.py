@@ -102,6 +102,7 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
         "hertz": [contact.hertz.semi_axis_rolling, contact.hertz.semi_axis_transverse],
         "ball_radius": contact.contact.ball_radius,
     }
+    noun, thin = contact.contact, contact.geometry == "wall"
     near = "The pocket" if contact.contact.pair == "pocket" else "The race"
     return [
         {
@@ -115,7 +116,8 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
             "kind": "section",
             "file": str(_file(contact, "section", folder)),
             "near": f"{near} near the contact",
-            "lifted": LIFTED * contact.contact.ball_radius,
+            "lifted": LIFTED * noun.ball_radius,
+            "reach": noun.ball_radius if noun.wall is None or not thin else noun.groove_radius + noun.wall.thickness,
         },
     ]
 

@@ -66,12 +66,12 @@ def section(job: dict[str, Any]) -> pv.Plotter:
     """Left both bodies cut along the plane x = 0, the ball lifted off; right the lower one alone, near the contact."""
     plotter = pv.Plotter(shape=(1, 2), window_size=[1500, 800], border=False)
     bodies = {side: scaled(job[side], job) for side in BODIES}
-    radius, longer = MM * job["ball_radius"], MM * max(job["hertz"])
+    radius, longer, wide = MM * job["ball_radius"], MM * max(job["hertz"]), 1.3 * MM * job["reach"]
     lifted = np.array([0.0, 0.0, MM * job["lifted"]])
     plotter.subplot(0, 0)
-    draw(plotter, bodies["lower"], "lower", job, half_height=1.3 * radius)
-    draw(plotter, bodies["upper"].translate(lifted), "upper", job, half_height=1.3 * radius)
-    look(plotter, at=[0, 0, 0.75 * radius], eye=VIEW, up=[0, 0, 1], half_height=1.3 * radius)
+    draw(plotter, bodies["lower"], "lower", job, half_height=wide)
+    draw(plotter, bodies["upper"].translate(lifted), "upper", job, half_height=wide)
+    look(plotter, at=[0, 0, 0.75 * radius], eye=VIEW, up=[0, 0, 1], half_height=wide)
     plotter.add_text(job["title"], position=(12, 766), font_size=12, color=INK)
     plotter.subplot(0, 1)
     bar = colour_bar(job, width=0.6, left=0.3, height=0.1)
