@@ -141,7 +141,7 @@ def validate(
         print_validation(out, result)
         _print_warnings(result.warnings)
         if folder is not None:
-            out.print(f"report: {folder / 'report.html'}", highlight=False, soft_wrap=True)
+            out.print(f"report: {folder / 'report.html'}", highlight=False, soft_wrap=True, markup=False)
     raise typer.Exit(_status(result.verdict))
 
 

@@ -9,7 +9,9 @@ from analytic.correction import ContactCorrection, ContactFactors
 from analytic.scene import Scene
 from analytic.torque import FrictionTorque, friction_torque
 from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.verdict import Verdict, worst
 
+SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
 PARTS = ("total", "race", "spin", "conformity", "hysteresis")
 
@@ -21,11 +23,24 @@ class TorqueChange:
     hertz: FrictionTorque
     corrected: FrictionTorque
     uncertainty: float  # of the relative change of the total, from the contacts' numerical uncertainties
+    verdict: Verdict  # the worst of both contacts: beyond "pass" the change stands on contacts that did not pass
+
+    @property
+    def is_solved(self) -> np.ndarray:
+        """(n,) operating points at the ball load that was solved: elsewhere nothing is known of the change."""
+        load = self.hertz.ball_load
+        return load >= (1 - SAME_LOAD) * load.max()
 
     def relative(self, part: str) -> np.ndarray | None:
-        """Corrected over Hertz minus one at each operating point; None where the part was left out."""
+        """Corrected over Hertz minus one at each operating point, NaN where no contact was solved at its load.
+
+        None where the part was left out.
+        """
         before, after = getattr(self.hertz.torque, part), getattr(self.corrected.torque, part)
-        return None if before is None else np.divide(after, before, out=np.ones_like(before), where=before != 0) - 1
+        if before is None:
+            return None
+        change = np.divide(after, before, out=np.ones_like(before), where=before != 0) - 1
+        return np.where(self.is_solved, change, np.nan)
 
     def to_json(self) -> dict[str, Any]:
         """Lists over the operating points; SI, changes relative."""
@@ -33,32 +48,45 @@ class TorqueChange:
         return {
             "contact_angle": {
                 "hertz": self.hertz.contact_angle.tolist(),
-                "corrected": self.corrected.contact_angle.tolist(),
+                "corrected": _known(self.corrected.contact_angle, self.is_solved),
             },
             "torque": {
                 "hertz": self.hertz.torque.total.tolist(),
-                "corrected": self.corrected.torque.total.tolist(),
+                "corrected": _known(self.corrected.torque.total, self.is_solved),
             },
-            "change": {part: None if change is None else change.tolist() for part, change in changes.items()},
+            "change": {
+                part: None if change is None else _known(change, self.is_solved) for part, change in changes.items()
+            },
             "uncertainty": self.uncertainty,
+            "verdict": self.verdict,
         }
 
 
 def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolution) -> TorqueChange:
     """Race torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
 
-    The ratios of finite elements to Hertz are taken at the solved load and used over the whole series.
+    The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone.
     Raises InputError if the scene gives no friction coefficient.
     """
-    corrected = _corrected(scene, factors(inner), factors(outer))
+    hertz, corrected = friction_torque(scene), _corrected(scene, factors(inner), factors(outer))
+    solved = int(np.argmax(hertz.ball_load))
     spread = 0.0  # one input moved at a time, by its whole uncertainty; added, since nothing says they are independent
     for name in FACTORS:
         for moved in (
             _corrected(scene, factors(inner, up=name), factors(outer)),
             _corrected(scene, factors(inner), factors(outer, up=name)),
         ):
-            spread += float(np.max(np.abs(moved.torque.total / corrected.torque.total - 1)))
-    return TorqueChange(hertz=friction_torque(scene), corrected=corrected, uncertainty=spread)
+            spread += float(abs(moved.torque.total[solved] / corrected.torque.total[solved] - 1))
+    return TorqueChange(
+        hertz=hertz,
+        corrected=corrected,
+        uncertainty=spread,
+        verdict=worst((inner.verdict, outer.verdict)),
+    )
+
+
+def _known(values: np.ndarray, is_known: np.ndarray) -> list[float | None]:
+    return [float(value) if known else None for value, known in zip(values, is_known, strict=True)]
 
 
 def factors(solution: ContactSolution, *, up: str = "") -> ContactFactors:

@@ -134,16 +134,16 @@ def _torque(result: Validation) -> list[dict[str, Any]]:
         {
             "load": f"{hertz.axial_load[point]:.4g}",
             "speed": f"{hertz.inner_speed[point] * PER_MINUTE:.4g}",
-            "angles": [f"{found.contact_angle[point]:.4f}" for found in (hertz, corrected)],
+            "angles": [f"{hertz.contact_angle[point]:.4f}", f"{corrected.contact_angle[point]:.4f}" if known else "-"],
             "parts": {
                 name: f"{part[point] * 1e3:.4g}"
                 for name, part in vars(hertz.torque).items()
                 if part is not None and name != "race"  # which is the total as long as there is no cage
             },
-            "corrected": f"{corrected.torque.total[point] * 1e3:.4g}",
-            "change": f"{relative[point]:+.2%}",
+            "corrected": f"{corrected.torque.total[point] * 1e3:.4g}" if known else "-",
+            "change": f"{relative[point]:+.2%}" if known else "-",
         }
-        for point in range(hertz.axial_load.size)
+        for point, known in enumerate(change.is_solved)
     ]
 
 

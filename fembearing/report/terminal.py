@@ -77,9 +77,9 @@ def _print_pocket(out: Console, seat: ContactSolution, sheet: ContactSolution) -
 
 
 def _print_torque(out: Console, change: TorqueChange) -> None:
-    """What an engineer acts on, at the operating point of the largest torque."""
+    """What an engineer acts on, at the operating point whose contacts were solved."""
     before, after = change.hertz, change.corrected
-    point = int(before.torque.total.argmax())
+    point = int(before.ball_load.argmax())  # where the contacts were solved
     relative = change.relative("total")
     assert relative is not None  # the total is always there
     out.print(
@@ -89,6 +89,8 @@ def _print_torque(out: Console, change: TorqueChange) -> None:
         "coefficient is the scene's, not a lubricant's.\n",
         highlight=False,
     )
+    if change.verdict != "pass":
+        out.print(f"The race contacts are not all within the tolerance: {change.verdict}.\n", highlight=False)
 
 
 def _print_hard(out: Console, outcomes: Sequence[HardOutcome]) -> None:
@@ -99,7 +101,7 @@ def _print_hard(out: Console, outcomes: Sequence[HardOutcome]) -> None:
     out.print(table)
     for case in outcomes:
         if case.outcome == "wrong":
-            out.print(f"{case.case}: {case.detail}", highlight=False)
+            out.print(f"{case.case}: {case.detail}", highlight=False, markup=False)
     count = Counter(case.outcome for case in outcomes)
     out.print(
         f"{len(outcomes)} hard cases: {count['right']} right, {count['refused']} refused as they should be, "
@@ -126,7 +128,7 @@ def print_cost(out: Console, cost: Cost) -> None:
         out.print(table)
         for rung in ladder.rungs:
             if rung.failed:
-                out.print(f"{rung.name} failed: {rung.failed}", highlight=False)
+                out.print(f"{rung.name} failed: {rung.failed}", highlight=False, markup=False)
         out.print(f"Reference: {ladder.reference}.\n", style="dim", highlight=False)
     out.print(
         f">: the cheapest rung within the tolerance, {cost.tolerance:g}. Seconds: median of the repeats; GiB: resident "

@@ -34,6 +34,7 @@ NAMES = ("semi_axis_rolling", "semi_axis_transverse", "approach")
 def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
     """All that is read of a solved contact; `ratios` are finite elements over Hertz."""
     return SimpleNamespace(
+        verdict="pass",
         discrepancy={name: 1 / ratios.get(name, 1.0) - 1 for name in NAMES},
         estimates={name: Estimate(values=(1.0,), order=2.0, richardson=None, mesh=uncertainty) for name in NAMES},
     )
@@ -42,7 +43,7 @@ def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
 def relative(found: TorqueChange, part: str) -> NDArray[np.float64]:
     change = found.relative(part)
     assert change is not None
-    return change
+    return change[found.is_solved]
 
 
 def test_no_discrepancy_changes_nothing() -> None:
@@ -82,5 +83,22 @@ def test_uncertainty_adds_what_each_input_does_alone() -> None:
 def test_the_numbers_are_plain_in_json() -> None:
     found = change_of_torque(FIXED, inner=solution(approach=0.97), outer=solution()).to_json()
     assert found["change"]["spin"] is None
-    assert found["change"]["total"] == pytest.approx([0.0, 0.0], abs=1e-15)
+    assert found["change"]["total"] == [None, pytest.approx(0.0, abs=1e-15)]
+    assert found["torque"]["corrected"][0] is None
+    assert None not in found["torque"]["hertz"]
     assert len(found["torque"]["hertz"]) == 2
+
+
+def test_nothing_is_claimed_at_loads_that_were_not_solved() -> None:
+    """700 N and 900 N: the contacts are those of the heavier ball, and their ratios to Hertz fade with the load."""
+    change = change_of_torque(SOLVED, inner=solution(approach=0.97), outer=solution()).relative("total")
+    assert change is not None
+    assert np.isnan(change[0])
+    assert np.isfinite(change[1])
+
+
+def test_the_change_carries_the_worse_verdict_of_its_contacts() -> None:
+    sound, bad = solution(), solution()
+    bad.verdict = "outside validity"
+    for inner, outer in ((sound, bad), (bad, sound)):
+        assert change_of_torque(FIXED, inner=inner, outer=outer).to_json()["verdict"] == "outside validity"
