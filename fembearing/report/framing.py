@@ -7,6 +7,7 @@ WIDEST, HIGHEST = 1400, 640  # pixels of the part that shows the contact
 NARROWEST = 760  # pixels: title and colour bar need them
 ROOM = 1.3, 1.7  # shown around the contact: half widths along its longer and its shorter semi-axis
 TITLE, BAR = 76, 120  # pixels kept free above and below
+ROUND = 1.001  # ratio up to which a contact counts as a circle: round-off shall not turn the picture
 LONGEST_BAR = 260  # pixels
 
 
@@ -36,7 +37,7 @@ def frame_of(*, semi_axis_rolling: float, semi_axis_transverse: float) -> Frame:
         height=TITLE + shown + BAR,
         scale=scale,
         centre=(width / 2, TITLE + shown / 2),
-        rolling_is_horizontal=semi_axis_rolling > semi_axis_transverse,
+        rolling_is_horizontal=semi_axis_rolling > ROUND * semi_axis_transverse,
         bar=_round_length(LONGEST_BAR / scale),
     )
 

@@ -63,7 +63,13 @@ def draw_pictures(
         if trouble:
             draw_map(contact, frame=frame, **_scale(contact), file=file)
         pictures.append(
-            Picture(file=file, kind="pressure", contact=contact, frame=frame, caption=_pressure_caption(contact))
+            Picture(
+                file=file,
+                kind="pressure",
+                contact=contact,
+                frame=frame,
+                caption=_pressure_caption(contact, mesh=not trouble),
+            )
         )
         if not trouble:
             file = _file(contact, "section", folder)
@@ -142,12 +148,13 @@ def _scale(contact: ContactSolution) -> dict[str, Any]:
     return {"unit": unit, "factor": factor, "peak": peak * factor}
 
 
-def _pressure_caption(contact: ContactSolution) -> str:
+def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
     across = contact.discrepancy["semi_axis_transverse"]
     return (
-        f"Contact pressure by finite elements, seen along the load and drawn to scale, {place_of(contact)}. Grey lines "
-        f"are the mesh, the red line is Hertz's ellipse: transverse it reaches {abs(across):.1%} "
-        f"{'beyond' if across > 0 else 'less far than'} the computed one. {AXES}."
+        f"Contact pressure by finite elements, seen along the load and drawn to scale, {place_of(contact)}. "
+        f"{'Grey lines are the mesh, the' if mesh else 'The'} red line is Hertz's ellipse: transverse it reaches "
+        f"{abs(across):.1%} {'beyond' if across > 0 else 'less far than'} the computed semi-axis. The painted edge is "
+        f"only as sharp as one cell. {AXES}."
     )
 
 
