@@ -5,6 +5,7 @@
 import errno
 import json
 import os
+import signal
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -29,7 +30,7 @@ if TYPE_CHECKING:  # the solver takes a second to import: only the commands that
     from fembearing.compare.verdict import Verdict
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
-INTERRUPTED, PIPE_CLOSED = 130, 141  # what a shell makes of the two signals
+INTERRUPTED, PIPE_CLOSED, TERMINATED = 130, 141, 143  # what a shell makes of the three signals
 NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard output can take no more
 BUILTIN = "6205"
 TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
@@ -79,6 +80,7 @@ def main() -> None:
     """Run the command line; a user's mistake is one line, anything else is our bug and keeps its traceback."""
     if sys.stdout is None:
         sys.exit(_complain("standard output is closed; give the result somewhere to go", INPUT_AT_FAULT))
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(TERMINATED))  # an exception clears up on its way, the signal not
     try:
         status = app(standalone_mode=False)
         sys.stdout.flush()
@@ -234,7 +236,15 @@ def mesh(
     except OSError as problem:
         raise InputError(f"--out {str(folder)!r}: {problem.strerror}") from problem
     if as_json:
-        _print_json({"pair": pair.value, "geometry": geometry.value, "level": chosen, "meshes": written})
+        _print_json(
+            {
+                "pair": pair.value,
+                "geometry": geometry.value,
+                "level": chosen,
+                "meshes": written,
+                "warnings": given.warnings,
+            }
+        )
         return
     _print_warnings(given.warnings)
     table = Table("file", "body", "cells", "nodes", "least det J/mean", "there x, y, z, mm", box=SIMPLE_HEAD)

@@ -92,6 +92,7 @@ class Cost:
             "ladders": [ladder.to_json() for ladder in self.ladders],
             "tolerance": self.tolerance,
             "cost": {"seconds": self.seconds, "peak_memory": peak_memory()},
+            "warnings": list(self.scene.warnings),
             "provenance": provenance_of(self.scene),
         }
 

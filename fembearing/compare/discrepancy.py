@@ -15,7 +15,7 @@ from analytic.errors import InputError
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
 from fembearing.compare.provenance import peak_memory
-from fembearing.compare.uncertainty import Estimate, estimate
+from fembearing.compare.uncertainty import FORMAL_ORDER, Estimate, estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
@@ -27,12 +27,18 @@ POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
 EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
 ENOUGH = 0.2  # mesh uncertainty, as a share of the tolerance, at which no finer mesh is called for
 FEWEST = 3  # meshes
+SHOWN_OF_A_SHEET = ("approach", "stiffness")  # what its bending changes
 
 Progress = Callable[[float, str], None]
 
 
 def silent(_share: float, _step: str) -> None:
     """Progress that nobody watches."""
+
+
+def part_of(progress: Progress, begin: float, end: float) -> Progress:
+    """Progress of a part of the work, which takes the whole from one share to another."""
+    return lambda share, step: progress(begin + share * (end - begin), step)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -64,14 +70,7 @@ class ContactSolution:
     @property
     def verdicts(self) -> dict[str, Verdict]:
         return {
-            name: judge(
-                discrepancy=self.discrepancy[name],
-                uncertainty=part.total,
-                tolerance=self.tolerance,
-                ordered=part.order is not None,
-                spread=part.spread,
-                valid=self.valid,
-            )
+            name: _verdict(part, formula=getattr(self.hertz, name), tolerance=self.tolerance, valid=self.valid)
             for name, part in self.estimates.items()
         }
 
@@ -192,47 +191,43 @@ def traced_to_load(scene: Scene, *, pair: Pair, load: float | None) -> Iterator[
 def compare_contact(
     contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent
 ) -> ContactSolution:
-    """Solve `contact` on ever finer levels of `recipe` until the tolerance asks for no more.
+    """Solve `contact` on ever finer levels of `recipe`, three at least, until the tolerance asks for no more.
 
-    At least three levels are solved. On the last but one the outermost cells of blocks are taken off as well: what that
-    changes, over the ratio of the two sizes less one, is what the boundary still does if it fades as one over the size.
+    That is when the mesh uncertainty is a small share of it and no verdict is left that a finer mesh could decide.
+    A sheet has no verdict; its approach and stiffness settle it.
     """
     start = time.perf_counter()
     work = np.cumsum([level**3 for level in recipe.levels[: FEWEST + 1]])
     progress(0.0, f"{contact.pair}: size of the contact")
     semi_axes = fitted_semi_axes(contact, recipe=recipe)
+    hertz = hertz_quantities(contact)
+    thin = recipe.geometry == "wall"
     meshes: list[MeshSolution] = []
     estimates: dict[str, Estimate] = {}
+    domain: dict[str, float] = {}
     for number, level in enumerate(recipe.levels):
         progress(min(work[max(number - 1, 0)] / work[-1], 0.95), f"{contact.pair}: mesh {number + 1}")
         meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes))
         if len(meshes) < FEWEST:
             continue
         estimates = estimates_of(meshes)
-        if max(part.mesh for part in estimates.values()) <= ENOUGH * tolerance:
+        watched = [estimates[name] for name in (SHOWN_OF_A_SHEET if thin else estimates)]
+        if max(part.mesh for part in watched) > ENOUGH * tolerance and level != recipe.levels[-1]:
+            continue
+        if not domain:
+            domain = _far_boundary(meshes[-2], recipe=recipe, semi_axes=semi_axes, progress=progress)
+        estimates = {name: replace(part, domain=domain[name]) for name, part in estimates.items()}
+        if thin or not any(
+            _is_open(part, formula=getattr(hertz, name), tolerance=tolerance) for name, part in estimates.items()
+        ):
             break
-    middle = meshes[-2]
-    if middle.pair.lower.far.size:
-        progress(0.95, f"{contact.pair}: far boundary")
-        trimmed = solve_on_mesh(
-            contact, recipe=recipe, level=middle.level, semi_axes=semi_axes, trimmed=True, upper=middle.upper
-        )
-        ratio = _depth(middle) / _depth(trimmed)
-        estimates = {
-            name: replace(
-                part,
-                domain=abs(getattr(middle.quantities, name) / getattr(trimmed.quantities, name) - 1) / (ratio - 1),
-            )
-            for name, part in estimates.items()
-        }
     overrun = EDGE_OF_GROOVE * meshes[-1].quantities.semi_axis_transverse > contact.shoulder
-    thin = recipe.geometry == "wall"
     warnings = _warnings(contact, meshes[-1], estimates, overrun=overrun, thin=thin)
     return ContactSolution(
         contact=contact,
         geometry=recipe.geometry,
         tolerance=tolerance,
-        hertz=hertz_quantities(contact),
+        hertz=hertz,
         estimates=estimates,
         meshes=tuple(meshes),
         seconds=time.perf_counter() - start,
@@ -241,9 +236,49 @@ def compare_contact(
     )
 
 
+def _far_boundary(
+    mesh: MeshSolution, *, recipe: Recipe, semi_axes: tuple[float, float], progress: Progress
+) -> dict[str, float]:
+    """What the far boundary of a block still does to each quantity, relative; nothing for a body that has none.
+
+    The outermost cells are taken off: what that changes, over the ratio of the two sizes less one, is what is left if
+    it fades as one over the size.
+    """
+    contact = mesh.contact
+    if not mesh.pair.lower.far.size:
+        return {part.name: 0.0 for part in fields(Quantities)}
+    progress(0.95, f"{contact.pair}: far boundary")
+    trimmed = solve_on_mesh(
+        contact, recipe=recipe, level=mesh.level, semi_axes=semi_axes, trimmed=True, upper=mesh.upper
+    )
+    ratio = _depth(mesh) / _depth(trimmed)
+    return {
+        part.name: abs(getattr(mesh.quantities, part.name) / getattr(trimmed.quantities, part.name) - 1) / (ratio - 1)
+        for part in fields(Quantities)
+    }
+
+
 def _depth(mesh: MeshSolution) -> float:
     """How far the race or lower half space reaches down, m."""
     return -float(mesh.pair.lower.mesh.doflocs[2].min())
+
+
+def _is_open(part: Estimate, *, formula: float, tolerance: float) -> bool:
+    """Whether a quantity is undecided and a finer mesh could decide it: the far boundary's share it would not lower."""
+    perfect = replace(part, mesh=0.0, values=part.values[-1:] * FEWEST, order=FORMAL_ORDER)
+    now, then = (_verdict(each, formula=formula, tolerance=tolerance, valid=True) for each in (part, perfect))
+    return now == "undecided" != then
+
+
+def _verdict(part: Estimate, *, formula: float, tolerance: float, valid: bool) -> Verdict:
+    return judge(
+        discrepancy=formula / part.value - 1,
+        uncertainty=part.total,
+        tolerance=tolerance,
+        ordered=part.order is not None,
+        spread=part.spread,
+        valid=valid,
+    )
 
 
 def estimates_of(meshes: Sequence[MeshSolution]) -> dict[str, Estimate]:
@@ -285,7 +320,8 @@ def _warnings(
     if overrun:
         found.append(
             f"{contact.pair}: the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across, the "
-            f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz; lower the load or the contact angle"
+            f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz, and the pressure at that edge may "
+            "exceed the one at the centre; lower the load or the contact angle"
         )
     unordered = [name for name, part in estimates.items() if part.order is None]
     if unordered:

@@ -1,10 +1,16 @@
 """Where a result comes from and what it took: versions, machine, scene, memory."""
 
+import hashlib
+import json
 import platform
 import sys
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
+
+import numpy as np
 
 from analytic.scene import Scene
 
@@ -17,9 +23,12 @@ PACKAGES = ("fembearing", "numpy", "scipy", "scikit-fem", "meshio", "numba", "py
 
 
 def provenance_of(scene: Scene) -> dict[str, Any]:
-    """Scene, time, command, machine, and the versions of what computed a result."""
+    """The scene in full, SI, and its hash; time, command, machine, and the versions of what computed a result."""
+    content = _plain(scene)
     return {
         "scene": scene.name,
+        "scene_content": content,
+        "scene_sha256": hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest(),
         "date": datetime.now(UTC).isoformat(timespec="seconds"),
         "command": sys.argv,
         "python": platform.python_version(),
@@ -35,6 +44,15 @@ def peak_memory() -> int | None:
         return None
     largest = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return largest if sys.platform == "darwin" else 1024 * largest  # bytes there, kilobytes elsewhere
+
+
+def _plain(value: Any) -> Any:
+    """A noun as plain types."""
+    if is_dataclass(value):
+        return {part.name: _plain(getattr(value, part.name)) for part in fields(value)}
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    return dict(value) if isinstance(value, Mapping) else value
 
 
 def _version(package: str) -> str | None:

@@ -2,20 +2,25 @@
 
 import time
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
+
+import numpy as np
 
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
 from fembearing.compare.cost import contact_ladder_of
-from fembearing.compare.discrepancy import ContactSolution, Progress, contact_of, silent, solve_contact
+from fembearing.compare.discrepancy import ContactSolution, Progress, contact_of, part_of, silent, solve_contact
 from fembearing.compare.hard_cases import HardOutcome, run_hard_cases
 from fembearing.compare.provenance import peak_memory, provenance_of
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
 from fembearing.mesh.recipe import Geometry
 
-RACES: tuple[tuple[Pair, Geometry], ...] = (("inner", "real"), ("outer", "real"))
-POCKET: tuple[tuple[Pair, Geometry], ...] = (("pocket", "real"), ("pocket", "wall"))  # a thick seat, and the sheet
+# Contacts with the seconds that they took on one machine, for the progress alone.
+RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
+POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
+HARD_SECONDS = 11.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -28,6 +33,7 @@ class Validation:
     torque: TorqueChange | None  # None where the scene gives no friction coefficient
     hard: tuple[HardOutcome, ...]  # empty unless they were asked for
     seconds: float
+    trouble: tuple[str, ...] = ()  # met while the report was written
 
     @property
     def verdict(self) -> Verdict:
@@ -38,8 +44,9 @@ class Validation:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Of the scene and of all contacts, each once."""
-        return tuple(dict.fromkeys(warning for contact in self.contacts for warning in contact.warnings))
+        """Of the scene, of all contacts and of the report, each once."""
+        found = [warning for contact in self.contacts for warning in contact.warnings]
+        return tuple(dict.fromkeys([*found, *self.trouble]))
 
     def to_json(self) -> dict[str, Any]:
         """The result as plain types, SI; discrepancies and uncertainties relative."""
@@ -88,23 +95,23 @@ def check_scene(
     asked = scene.tolerance if tolerance is None else tolerance
     jobs = RACES if scene.cage is None else RACES + POCKET
     has_friction = scene.friction_coefficient is not None
-    if has_friction:
+    if has_friction or "on" in scene.effects.values():
         friction_torque(scene)  # refuses what it cannot model before anything is solved
-    for pair, _ in jobs:
+    for pair, *_ in jobs:
         contact_of(scene, pair=pair)  # and so do the contacts
+    shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs)])
+    shares /= shares[-1] + (HARD_SECONDS if hard else 0.0)
     contacts = []
-    for number, (pair, geometry) in enumerate(jobs):
-
-        def report(share: float, step: str, done: int = number) -> None:
-            progress((done + share) / len(jobs), step)
-
-        contacts.append(solve_contact(scene, pair=pair, geometry=geometry, tolerance=asked, progress=report))
+    for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
+        contacts.append(
+            solve_contact(scene, pair=pair, geometry=geometry, tolerance=asked, progress=part_of(progress, begin, end))
+        )
     inner, outer = contacts[:2]
     return Validation(
         scene=scene,
         tolerance=asked,
         contacts=tuple(contacts),
         torque=change_of_torque(scene, inner=inner, outer=outer) if has_friction else None,
-        hard=run_hard_cases(progress=progress) if hard else (),
+        hard=run_hard_cases(progress=part_of(progress, shares[-1], 1.0)) if hard else (),
         seconds=time.perf_counter() - start,
     )

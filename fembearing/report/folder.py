@@ -6,14 +6,15 @@ import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext
+from dataclasses import replace
 from pathlib import Path
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from fembearing.compare.discrepancy import Progress, silent
+from fembearing.compare.discrepancy import Progress, part_of, silent
 from fembearing.compare.validation import Validation, check_scene
 
-CHECKED = 0.9  # of the whole job, when the contacts are solved and the report is still to be written
+CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written
 
 
 def validate(
@@ -34,25 +35,26 @@ def validate(
     that does not settle.
     """
     with nullcontext() if out is None else whole_folder(Path(out)) as folder:
-        share = 1.0 if folder is None else CHECKED
-        result = check_scene(
-            scene, tolerance=tolerance, hard=hard, progress=lambda done, step: progress(share * done, step)
-        )
+        checked = 1.0 if folder is None else CHECKED
+        result = check_scene(scene, tolerance=tolerance, hard=hard, progress=part_of(progress, 0.0, checked))
         if folder is not None:
             progress(CHECKED, "report")
-            write_report(result, folder)
+            result = write_report(result, folder)
     return result
 
 
-def write_report(result: Validation, folder: Path) -> None:
-    """Write report.html, report.json, pictures and meshes into a folder."""
+def write_report(result: Validation, folder: Path) -> Validation:
+    """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
     from fembearing.report.page import write_page  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures import draw_pictures
 
     pictures, trouble = draw_pictures(result.contacts, folder)
+    if trouble:
+        result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
     content = result.to_json() | {"pictures": [picture.to_json() for picture in pictures], "renderer": trouble or "VTK"}
     (folder / "report.json").write_text(json.dumps(content, indent=1, allow_nan=False), "utf-8")
     write_page(result, pictures=pictures, trouble=trouble, file=folder / "report.html")
+    return result
 
 
 @contextmanager

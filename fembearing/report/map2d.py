@@ -4,6 +4,8 @@ import os
 from pathlib import Path
 
 import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
@@ -32,20 +34,22 @@ def draw_map(contact: ContactSolution, *, frame: Frame, unit: str, factor: float
     horizontal, vertical = (finest.x, finest.y) if frame.rolling_is_horizontal else (finest.y, finest.x)
     levels = np.linspace(0, peak, LEVELS + 1)
     levels[0] = LEAST_SHOWN * peak
+    scale = ScalarMappable(Normalize(0, peak), "viridis")
     # Triangles of a circle: those of a slender ellipse would reach from its edge across to nodes outside.
     triangles = Triangulation(finest.x / finest.x.max(), finest.y / finest.y.max()).triangles
     for right in (1, -1):  # the mesh is a quarter of the contact
         for up in (1, -1):
             quarter = Triangulation(right * horizontal, up * vertical, triangles)
-            painted = axes.tricontourf(quarter, np.clip(pressure, 0, peak), levels=levels, cmap="viridis")
+            axes.tricontourf(quarter, np.clip(pressure, 0, peak), levels=levels, cmap=scale.cmap, norm=scale.norm)
     angle = np.linspace(0, 2 * np.pi, 721)
-    hertz = contact.hertz
-    along = hertz.semi_axis_rolling * np.cos(angle), hertz.semi_axis_transverse * np.sin(angle)
-    axes.plot(*(along if frame.rolling_is_horizontal else along[::-1]), color="red", linewidth=1.5)
+    for found, colour, width in ((contact.reference, "black", 1.0), (contact.hertz, "red", 1.5)):
+        along = found.semi_axis_rolling * np.cos(angle), found.semi_axis_transverse * np.sin(angle)
+        axes.plot(*(along if frame.rolling_is_horizontal else along[::-1]), color=colour, linewidth=width)
     figure.text(12 / frame.width, 1 - 28 / frame.height, title_of(contact), fontsize=12)
     figure.text(12 / frame.width, 1 - 52 / frame.height, "red: Hertz's ellipse", fontsize=10, color="red")
+    figure.text(170 / frame.width, 1 - 52 / frame.height, "black: the computed one", fontsize=10)
     bar = figure.add_axes((1 - 440 / frame.width, 56 / frame.height, 420 / frame.width, 20 / frame.height))
-    colours = figure.colorbar(painted, cax=bar, orientation="horizontal", ticks=np.linspace(0, peak, 5), format="%.3g")
+    colours = figure.colorbar(scale, cax=bar, orientation="horizontal", ticks=np.linspace(0, peak, 5), format="%.3g")
     colours.set_label(f"contact pressure, {unit}")
     start = (30 - left) / frame.scale, (top - frame.height + 30) / frame.scale
     axes.plot([start[0], start[0] + frame.bar], [start[1], start[1]], color="black", linewidth=3)

@@ -2,6 +2,8 @@
 
 import base64
 from collections.abc import Callable, Sequence
+from itertools import groupby
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -123,17 +125,16 @@ def _pocket(result: Validation) -> list[dict[str, Any]]:
 
 
 def _torque(result: Validation) -> list[dict[str, Any]]:
-    """One row for each operating point; empty where the scene gives no friction."""
+    """One row for each operating point, points in a row that differ in speed alone together; empty without friction."""
     change = result.torque
     if change is None:
         return []
     hertz, corrected = change.hertz, change.corrected
     relative = change.relative("total")
     assert relative is not None  # the total is always there
-    return [
+    rows = [
         {
             "load": f"{hertz.axial_load[point]:.4g}",
-            "speed": f"{hertz.inner_speed[point] * PER_MINUTE:.4g}",
             "angles": [f"{hertz.contact_angle[point]:.4f}", f"{corrected.contact_angle[point]:.4f}" if known else "-"],
             "parts": {
                 name: f"{part[point] * 1e3:.4g}"
@@ -145,6 +146,9 @@ def _torque(result: Validation) -> list[dict[str, Any]]:
         }
         for point, known in enumerate(change.is_solved)
     ]
+    # At a constant coefficient all speeds read the same: one row for each run of them.
+    runs = [[point for point, _ in run] for _, run in groupby(enumerate(rows), key=itemgetter(1))]
+    return [{**rows[run[0]], "speed": _listed(hertz.inner_speed[run] * PER_MINUTE)} for run in runs]
 
 
 def _study(contact: ContactSolution, name: str) -> dict[str, Any]:

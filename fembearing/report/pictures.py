@@ -106,6 +106,7 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
         **scale,
         "title": title_of(contact),
         "hertz": [contact.hertz.semi_axis_rolling, contact.hertz.semi_axis_transverse],
+        "computed": [contact.reference.semi_axis_rolling, contact.reference.semi_axis_transverse],
         "ball_radius": contact.contact.ball_radius,
     }
     noun, thin = contact.contact, contact.geometry == "wall"
@@ -153,8 +154,8 @@ def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
     return (
         f"Contact pressure by finite elements, seen along the load and drawn to scale, {place_of(contact)}. "
         f"{'Grey lines are the mesh, the' if mesh else 'The'} red line is Hertz's ellipse: transverse it reaches "
-        f"{abs(across):.1%} {'beyond' if across > 0 else 'less far than'} the computed semi-axis. The painted edge is "
-        f"only as sharp as one cell. {AXES}."
+        f"{abs(across):.1%} {'beyond' if across > 0 else 'less far than'} the computed semi-axis, drawn in black. The "
+        f"painted edge is only as sharp as one cell. {AXES}."
     )
 
 

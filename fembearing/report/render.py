@@ -50,7 +50,8 @@ def pressure_map(job: dict[str, Any]) -> pv.Plotter:
     bar = colour_bar(job, width=420 / width, left=1 - 440 / width, height=80 / height)
     show_pressure(plotter, surface.translate(above), job, bar=bar)
     plotter.add_mesh(edges.translate(2 * above), color=LINES, opacity=0.3, line_width=1)
-    plotter.add_mesh(ellipse(job["hertz"]).translate(3 * above), color=HERTZ, line_width=3)
+    plotter.add_mesh(ellipse(job["computed"]).translate(3 * above), color=INK, line_width=2)
+    plotter.add_mesh(ellipse(job["hertz"]).translate(4 * above), color=HERTZ, line_width=3)
     length = frame["bar"] * MM
     start = middle + 3 * above + ((30 - width / 2) * right + (30 - height / 2) * up) / scale
     plotter.add_mesh(pv.Line(start, start + length * right), color=INK, line_width=4)
@@ -58,6 +59,7 @@ def pressure_map(job: dict[str, Any]) -> pv.Plotter:
     plotter.add_text(f"{length:g} mm, {direction}", position=(30, 38), font_size=10, color=INK)
     plotter.add_text(job["title"], position=(12, height - 34), font_size=12, color=INK)
     plotter.add_text("red: Hertz's ellipse", position=(12, height - 62), font_size=10, color=HERTZ)
+    plotter.add_text("black: the computed one", position=(190, height - 62), font_size=10, color=INK)
     look(plotter, at=middle, eye=eye, up=up, half_height=height / 2 / scale)
     return plotter
 

@@ -18,7 +18,7 @@ from fembearing.report.wording import AXES, QUANTITIES, title_of
 PLAIN: dict[str, Any] = {
     "title_justify": "left",
     "box": SIMPLE_HEAD,
-    "padding": (0, 1, 0, 0),
+    "padding": 0,
     "pad_edge": False,
     "show_edge": False,
 }
@@ -32,6 +32,8 @@ def print_validation(out: Console, result: Validation) -> None:
         _print_pocket(out, *result.contacts[2:])
     if result.torque is not None:
         _print_torque(out, result.torque)
+    else:
+        out.print("The scene gives no friction coefficient, so there is no torque.\n", highlight=False)
     if result.hard:
         _print_hard(out, result.hard)
     out.print(f"{result.verdict}: tolerance {result.tolerance:g}, {result.seconds:.1f} s", highlight=False)

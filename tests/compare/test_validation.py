@@ -5,8 +5,10 @@ from typing import Any
 
 import pytest
 
+from analytic.errors import InputError
 from analytic.scenefile import builtin_scene, load_scene
 from fembearing.compare import validation as module
+from fembearing.compare.discrepancy import Progress
 from fembearing.compare.validation import check_scene
 
 
@@ -18,9 +20,12 @@ class AskedError(Exception):
                                                  (False, ["inner real", "outer real"])])  # fmt: skip
 def test_no_cage_means_no_pocket_solve(monkeypatch: pytest.MonkeyPatch, has_cage: bool, pairs: list[str]) -> None:
     asked: list[str] = []
+    shares: list[float] = []
 
-    def note(_: object, *, pair: str, geometry: str, **__: Any) -> None:
+    def note(_: object, *, pair: str, geometry: str, progress: Progress, **__: Any) -> None:
         asked.append(f"{pair} {geometry}")
+        progress(0.0, "first")
+        progress(1.0, "last")
 
     def stop(*_: object, **__: object) -> None:
         raise AskedError
@@ -29,5 +34,21 @@ def test_no_cage_means_no_pocket_solve(monkeypatch: pytest.MonkeyPatch, has_cage
     monkeypatch.setattr(module, "change_of_torque", stop)
     scene = load_scene(builtin_scene("6205"))
     with pytest.raises(AskedError):
-        check_scene(scene if has_cage else replace(scene, cage=None))
+        check_scene(
+            scene if has_cage else replace(scene, cage=None), progress=lambda share, _: shares.append(float(share))
+        )
     assert asked == pairs
+    assert shares == sorted(shares)  # one after the other, and the whole in the end
+    assert (shares[0], shares[-1]) == (0.0, pytest.approx(1.0, abs=1e-12))  # round-off
+
+
+def test_an_effect_that_cannot_be_had_is_refused_without_friction_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without a coefficient there is no torque and no effect: asking for one is an error, not a wish to pass over."""
+
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("solved before it was refused")
+
+    monkeypatch.setattr(module, "solve_contact", never)
+    scene = replace(load_scene(builtin_scene("6205")), friction_coefficient=None, effects={"cage": "on"})
+    with pytest.raises(InputError, match=r"friction\.coefficient is missing"):
+        check_scene(scene)

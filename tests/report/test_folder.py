@@ -3,6 +3,9 @@
 import json
 import os
 import stat
+import subprocess
+import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,7 +15,7 @@ from analytic.errors import InputError
 from analytic.scenefile import builtin_scene, load_scene
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
-from fembearing.report import page
+from fembearing.report import page, pictures
 from fembearing.report.folder import validate, whole_folder
 
 
@@ -109,3 +112,28 @@ def test_a_folder_made_meanwhile_is_kept(tmp_path: Path) -> None:
         race()
     assert [path.name for path in out.iterdir()] == ["theirs"]
     assert [path.name for path in tmp_path.iterdir()] == ["report"]
+
+
+def test_a_renderer_that_fails_is_told_in_the_result(
+    solved: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": ("/nowhere/python",)})
+    result = validate(solved.scene, out=tmp_path / "report")
+    assert "maps by matplotlib: the renderer could not be started" in result.warnings[-1]
+    assert json.loads((tmp_path / "report" / "report.json").read_text("utf-8"))["warnings"] == list(result.warnings)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows ends a process without a signal")
+def test_a_process_that_is_told_to_end_leaves_nothing(tmp_path: Path) -> None:
+    run = subprocess.Popen([sys.executable, "-m", "fembearing.cli", "validate", "--out", str(tmp_path / "report")])
+    try:
+        for _ in range(600):  # the folder is there before anything is computed
+            if list(tmp_path.iterdir()):
+                break
+            time.sleep(0.1)
+        assert list(tmp_path.iterdir())
+        run.terminate()
+        assert run.wait(timeout=30) == 143
+    finally:
+        run.kill()
+    assert list(tmp_path.iterdir()) == []
