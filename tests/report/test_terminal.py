@@ -1,0 +1,108 @@
+"""The tables of a terminal and the numbers in JSON, against a result made by hand: see `made` in conftest.py."""
+
+import json
+import re
+from io import StringIO
+from typing import Any
+
+import pytest
+from rich.console import Console
+
+from fembearing.compare.validation import Validation
+from fembearing.report.terminal import print_validation
+
+
+@pytest.fixture(scope="module")
+def printed(made: Validation) -> str:
+    out = StringIO()
+    print_validation(Console(file=out, width=80), made)
+    return out.getvalue()
+
+
+@pytest.fixture(scope="module")
+def told(made: Validation) -> dict[str, Any]:
+    return json.loads(json.dumps(made.to_json(), allow_nan=False))
+
+
+def rows_of(printed: str) -> list[list[str]]:
+    return [re.split(r"\s{2,}", line.strip()) for line in printed.splitlines()]
+
+
+def test_each_row_of_the_terminal_shows_its_numbers(printed: str) -> None:
+    rows = rows_of(printed)
+    for row in (
+        ["approach, um", "5.3295", "5.225", "+2.00% *", "1.40%", "3.6", "pass"],
+        ["semi-axis a, mm", "0.1176", "0.12", "-2.00%", "2.50%", "2.7", "pass"],
+        ["semi-axis b, mm", "0.968", "0.88", "+10.00% *", "2.30%", "1.4", "fail"],
+        ["stiffness, GN/m^1.5", "22.8", "24", "-5.00%", "5.03%", "2.2", "outside"],
+        ["semi-axis b, mm", "0.3168", "0.32", "-1.00% *", "0.35%", "2.1", "pass"],
+        ["approach, um", "0.609", "0.87", "-30.00% *", "0.33%", "2.8", "shown"],
+    ):
+        assert row in rows
+
+
+@pytest.mark.xfail(reason="at 80 characters the table is one too wide: it ends in 'undecide'")
+def test_the_longest_verdict_is_not_cut_at_80_characters(printed: str) -> None:
+    row = ["stiffness, GN/m^1.5", "24.25", "25", "-3.00% *", "1.60%", "none", "undecided"]
+    assert row in rows_of(printed)
+
+
+def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
+    words = " ".join(printed.split())
+    for said in (
+        "60.8 GN/m^1.5 by Hertz",
+        "64 in a thick seat",
+        "39.52 with the sheet on its rim (-35%)",
+        "with Hertz's contacts 50 N mm",
+        "those of FE 48.5 N mm: -3.00% +- 1.37%",
+        "angle 0.3031 rad and 0.3019 rad",
+        "fail: tolerance 0.05, 43.2 s",
+    ):
+        assert said in words
+
+
+def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:
+    rows = {(row["pair"], row["quantity"]): row for row in told["verdicts"]}
+    assert len(rows) == len(told["verdicts"]) == 3 * 5
+    for pair, quantity, production, reference, discrepancy, uncertainty, exceeds, verdict in (
+        ("inner", "semi_axis_rolling", 0.1176e-3, 0.12e-3, -0.02, 0.025, False, "pass"),
+        ("inner", "semi_axis_transverse", 0.968e-3, 0.88e-3, 0.1, 0.023, True, "fail"),
+        ("outer", "stiffness", 22.8e9, 24e9, -0.05, 0.0503, False, "outside validity"),
+        ("pocket", "approach", 0.609e-6, 0.58e-6, 0.05, 0.0067, True, "undecided"),
+    ):
+        assert rows[pair, quantity] == {
+            "pair": pair,
+            "quantity": quantity,
+            "production": production,
+            "reference": reference,
+            "discrepancy": pytest.approx(discrepancy, rel=1e-12),  # round-off
+            "uncertainty": pytest.approx(uncertainty, rel=1e-12),
+            "exceeds_uncertainty": exceeds,
+            "verdict": verdict,
+        }
+
+
+def test_json_tells_each_contact_with_its_numbers(told: dict[str, Any]) -> None:
+    inner, outer, seat, sheet = told["contacts"]
+    assert inner["load"] == 371.5
+    assert inner["hertz"]["approach"] == 5.3295e-6
+    assert inner["fe"]["approach"] == 5.225e-6
+    assert inner["discrepancy"]["approach"] == pytest.approx(0.02, rel=1e-12)  # round-off
+    assert inner["uncertainty"]["approach"] == pytest.approx(0.014, rel=1e-12)
+    assert inner["convergence"]["approach"] == {
+        "values": [4.4e-6, 5.06e-6, 5.225e-6],
+        "order": 3.6,
+        "richardson": 5.5e-6,
+        "mesh": 0.011,
+        "domain": 0.003,
+    }
+    assert [contact["verdict"] for contact in (inner, outer, seat)] == ["fail", "outside validity", "undecided"]
+    assert (sheet["geometry"], sheet["cost"]["unknowns"]) == ("wall", 43000)
+
+
+def test_json_tells_the_change_of_torque(told: dict[str, Any]) -> None:
+    change = told["torque_change"]
+    assert change["contact_angle"] == {"hertz": [0.281, 0.3012, 0.3031], "corrected": [None, 0.2998, 0.3019]}
+    assert change["torque"] == {"hertz": [31e-3, 40e-3, 50e-3], "corrected": [None, 41e-3, 48.5e-3]}
+    assert change["change"]["total"] == [None, pytest.approx(0.025, rel=1e-12), pytest.approx(-0.03, rel=1e-12)]
+    assert (change["uncertainty"], change["verdict"]) == (0.0137, "undecided")
