@@ -47,6 +47,7 @@ def no_room_in_the_pocket(scene: Scene) -> Scene:
         (lambda scene: replace(scene, effects={"rolling": "on"}), "effects.rolling"),  # which the contacts do not see
         (no_room_in_the_pocket, "pocket_diameter"),  # the third contact, after two that can be solved
     ],
+    ids=["effect", "pocket"],
 )
 def test_what_cannot_be_had_is_refused_before_anything_is_solved(
     monkeypatch: pytest.MonkeyPatch, spoiled: Callable[[Scene], Scene], words: str
