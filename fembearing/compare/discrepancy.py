@@ -244,9 +244,9 @@ def _far_boundary(
     The outermost cells are taken off: what that changes, over the ratio of the two sizes less one, is what is left if
     it fades as one over the size.
     """
-    contact = mesh.contact
     if not mesh.pair.lower.far.size:
         return {part.name: 0.0 for part in fields(Quantities)}
+    contact = mesh.contact
     progress(0.95, f"{contact.pair}: far boundary")
     trimmed = solve_on_mesh(
         contact, recipe=recipe, level=mesh.level, semi_axes=semi_axes, trimmed=True, upper=mesh.upper

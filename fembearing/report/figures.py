@@ -16,8 +16,8 @@ MARKS = "os^D"
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 
 
-def convergence_figure(result: Validation) -> bytes:
-    """PNG. Each quantity's distance from its extrapolated value against the number of unknowns."""
+def convergence_figure(result: Validation) -> Figure:
+    """Each quantity's distance from its extrapolated value against the number of unknowns."""
     figure = Figure(figsize=(11, 6.4), layout="constrained")
     panels = figure.subplots(2, 3, sharex=True).ravel()
     for panel, (name, shown) in zip(panels, QUANTITIES.items(), strict=False):
@@ -31,7 +31,7 @@ def convergence_figure(result: Validation) -> bytes:
         panel.set_ylabel("distance from the limit, %")
     panels[-1].set_axis_off()
     panels[-1].legend(*panels[0].get_legend_handles_labels(), loc="center", frameon=False)
-    return _png(figure)
+    return figure
 
 
 def _convergence(panel: Axes, contact: ContactSolution, name: str, mark: str) -> None:
@@ -45,8 +45,8 @@ def _convergence(panel: Axes, contact: ContactSolution, name: str, mark: str) ->
     panel.plot(unknowns, distance, style + mark, label=place_of(contact), markersize=5)
 
 
-def cost_figure(ladders: list[Ladder], *, tolerance: float) -> bytes:
-    """PNG. Error of each rung against its median time."""
+def cost_figure(ladders: list[Ladder], *, tolerance: float) -> Figure:
+    """Error of each rung against its median time."""
     figure = Figure(figsize=(11, 4.2), layout="constrained")
     axes = figure.subplots()
     for mark, ladder in zip(MARKS, ladders, strict=False):
@@ -63,10 +63,11 @@ def cost_figure(ladders: list[Ladder], *, tolerance: float) -> bytes:
     axes.set(xscale="log", yscale="log", xlabel="time, s", ylabel="error, %")
     axes.grid(alpha=0.3, which="both")
     axes.legend(frameon=False)
-    return _png(figure)
+    return figure
 
 
-def _png(figure: Figure) -> bytes:
+def png(figure: Figure) -> bytes:
+    """The figure as a file."""
     content = BytesIO()
     figure.savefig(content, dpi=DOTS, format="png")
     return content.getvalue()

@@ -15,7 +15,7 @@ from fembearing.compare.cost import contact_ladder_of
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.provenance import provenance_of
 from fembearing.compare.validation import Validation
-from fembearing.report.figures import convergence_figure, cost_figure
+from fembearing.report.figures import convergence_figure, cost_figure, png
 from fembearing.report.pictures import Picture
 from fembearing.report.wording import AXES, QUANTITIES, place_of, title_of
 
@@ -45,11 +45,11 @@ def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str 
         pocket=_pocket(result),
         torque=_torque(result),
         meshes=[(place_of(found), _rows(_study, found)) for found in result.contacts],
-        convergence=embedded(convergence_figure(result)),
+        convergence=embedded(png(convergence_figure(result))),
         pictures=[(title_of(p.contact), p.caption, embedded(p.file.read_bytes())) for p in pictures],
         trouble=trouble,
         ladders=ladders,
-        cost=embedded(cost_figure(ladders, tolerance=result.tolerance)),
+        cost=embedded(png(cost_figure(ladders, tolerance=result.tolerance))),
         provenance=provenance_of(result.scene),
         **_scene(result.scene, result),
     )

@@ -18,11 +18,11 @@ from fembearing.report.wording import AXES, QUANTITIES, title_of
 PLAIN: dict[str, Any] = {
     "title_justify": "left",
     "box": SIMPLE_HEAD,
-    "padding": 0,
+    "padding": (0, 1, 0, 0),
     "pad_edge": False,
     "show_edge": False,
 }
-COLUMNS = {"quantity": 19, "Hertz": 10, "FE": 10, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
+COLUMNS = {"quantity": 19, "Hertz": 9, "FE": 9, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
 
 
 def print_validation(out: Console, result: Validation) -> None:

@@ -1,11 +1,15 @@
 """One contact both ways: what is reported against what was solved."""
 
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
+import numpy as np
 import pytest
 
 from analytic.scene import Contact, Material
-from fembearing.compare.discrepancy import compare_contact, estimates_of
+from fembearing.compare import discrepancy as module
+from fembearing.compare.discrepancy import compare_contact, estimates_of, hertz_quantities
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
 
@@ -53,3 +57,22 @@ def test_meshes_go_on_as_long_as_one_more_could_decide(contacts: dict[str, Conta
     assert abs(found.hertz.peak_pressure / pressure.value - 1) + pressure.mesh + domain > 0.05  # yet undecided
     assert len(found.meshes) == 4
     assert found.verdict == "pass"
+
+
+@pytest.mark.parametrize(("room", "valid"), [(1.04, False), (1.06, True)])  # semi-axes from the middle to the shoulder
+def test_an_ellipse_within_a_twentieth_of_its_shoulder_is_not_judged(
+    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, room: float, valid: bool
+) -> None:
+    contact = contacts["inner"]
+    solved = replace(hertz_quantities(contact), semi_axis_transverse=0.9e-3)
+
+    def canned(_: Contact, *, level: int, **__: Any) -> Any:
+        whole = SimpleNamespace(lower=SimpleNamespace(far=np.array([])))  # no far boundary to look into
+        return SimpleNamespace(level=level, quantities=solved, pair=whole)
+
+    monkeypatch.setattr(module, "fitted_semi_axes", lambda *_, **__: (0.1e-3, 0.9e-3))
+    monkeypatch.setattr(module, "solve_on_mesh", canned)
+    found = compare_contact(replace(contact, shoulder=room * 0.9e-3), recipe=load_recipe("race"), tolerance=0.4)
+    assert found.valid == valid
+    assert found.verdict == ("pass" if valid else "outside validity")
+    assert any("shoulder stands" in warning for warning in found.warnings) != valid

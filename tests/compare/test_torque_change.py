@@ -36,7 +36,10 @@ def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
     return SimpleNamespace(
         verdict="pass",
         discrepancy={name: 1 / ratios.get(name, 1.0) - 1 for name in NAMES},
-        estimates={name: Estimate(values=(1.0,), order=2.0, richardson=None, mesh=uncertainty) for name in NAMES},
+        estimates={
+            name: Estimate(values=(1.3,), order=2.0, richardson=None, mesh=0.7 * uncertainty, domain=0.3 * uncertainty)
+            for name in NAMES
+        },
     )
 
 
@@ -78,6 +81,28 @@ def test_uncertainty_adds_what_each_input_does_alone() -> None:
     both = change_of_torque(FIXED, inner=unsure, outer=unsure).uncertainty
     np.testing.assert_allclose(both, sum(alone), rtol=1e-9)  # round-off
     assert 0.01 < both < 0.05  # b counts twice, a once for its share, the approach not at a held angle
+
+
+def test_each_race_gets_the_factors_of_its_own_contact() -> None:
+    """At a held angle the balls' load stays, so that a contact changes by its factors and by nothing else."""
+    inner = solution(semi_axis_rolling=1.02, semi_axis_transverse=0.97, approach=0.95)
+    outer = solution(semi_axis_rolling=0.99, semi_axis_transverse=1.04, approach=1.06)
+    found = change_of_torque(FIXED, inner=inner, outer=outer)
+    for race, expected in (("inner", (1.02, 0.97, 0.95)), ("outer", (0.99, 1.04, 1.06))):
+        before, after = getattr(found.hertz, race), getattr(found.corrected, race)
+        for name, factor in zip(NAMES, expected, strict=True):
+            np.testing.assert_allclose(getattr(after, name) / getattr(before, name), factor, rtol=1e-9)  # round-off
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_an_uncertain_input_counts_as_much_as_that_change_of_it(race: str) -> None:
+    """One race uncertain by 1 % in all: as if its contact were 1 % larger, one input at a time."""
+    sure, other = solution(), "outer" if race == "inner" else "inner"
+    uncertainty = change_of_torque(SOLVED, **{race: solution(uncertainty=0.01), other: sure}).uncertainty
+    moved = [change_of_torque(SOLVED, **{race: solution(**{name: 1.01}), other: sure}) for name in NAMES]
+    np.testing.assert_allclose(
+        uncertainty, sum(abs(relative(each, "total")[-1]) for each in moved), rtol=1e-6
+    )  # the angle's root
 
 
 def test_the_numbers_are_plain_in_json() -> None:

@@ -1,11 +1,13 @@
 """The main job: which contacts a scene calls for, and which of them are judged."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from analytic.errors import InputError
+from analytic.scene import Scene
 from analytic.scenefile import builtin_scene, load_scene
 from fembearing.compare import validation as module
 from fembearing.compare.discrepancy import Progress
@@ -52,3 +54,39 @@ def test_an_effect_that_cannot_be_had_is_refused_without_friction_too(monkeypatc
     scene = replace(load_scene(builtin_scene("6205")), friction_coefficient=None, effects={"cage": "on"})
     with pytest.raises(InputError, match=r"friction\.coefficient is missing"):
         check_scene(scene)
+
+
+def no_room_in_the_pocket(scene: Scene) -> Scene:
+    assert scene.cage is not None
+    return replace(scene, cage=replace(scene.cage, pocket_diameter=scene.bearing.ball_diameter))
+
+
+@pytest.mark.parametrize(
+    ("spoiled", "words"),
+    [
+        (lambda scene: replace(scene, effects={"rolling": "on"}), "effects.rolling"),  # which the contacts do not see
+        (no_room_in_the_pocket, "pocket_diameter"),  # the third contact, after two that can be solved
+    ],
+    ids=["effect", "pocket"],
+)
+def test_what_cannot_be_had_is_refused_before_anything_is_solved(
+    monkeypatch: pytest.MonkeyPatch, spoiled: Callable[[Scene], Scene], words: str
+) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("solved what was to be refused")
+
+    monkeypatch.setattr(module, "solve_contact", never)
+    with pytest.raises(InputError, match=words):
+        check_scene(spoiled(load_scene(builtin_scene("6205"))))
+
+
+def test_each_race_takes_its_own_contact_to_the_torque(monkeypatch: pytest.MonkeyPatch) -> None:
+    taken: dict[str, str] = {}
+
+    def note(_: Scene, *, inner: str, outer: str) -> None:
+        taken.update(inner=inner, outer=outer)
+
+    monkeypatch.setattr(module, "solve_contact", lambda _, *, pair, geometry, **__: f"{pair} {geometry}")
+    monkeypatch.setattr(module, "change_of_torque", note)
+    check_scene(load_scene(builtin_scene("6205")))
+    assert taken == {"inner": "inner real", "outer": "outer real"}

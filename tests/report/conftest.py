@@ -1,9 +1,22 @@
-"""One check of the built-in scene for all tests of the report, on as few meshes as there may be."""
+"""One check of the built-in scene for all tests of the report, on as few meshes as there may be.
 
+And a result made by hand, whose every number is known and different from every other.
+"""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
 import pytest
 
+from analytic.scene import Operation
 from analytic.scenefile import builtin_scene, load_scene
+from analytic.torque import Effect, FrictionTorque, TorqueParts
+from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.torque_change import TorqueChange
+from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.validation import Validation, check_scene
+from fembearing.fem.measure import Quantities
 
 LOOSE = 0.9  # tolerance: no finer mesh is called for
 
@@ -11,3 +24,132 @@ LOOSE = 0.9  # tolerance: no finer mesh is called for
 @pytest.fixture(scope="session")
 def checked() -> Validation:
     return check_scene(load_scene(builtin_scene("6205")), tolerance=LOOSE)
+
+
+class Given(NamedTuple):
+    """One quantity of a contact; SI, uncertainties relative."""
+
+    hertz: float
+    values: tuple[float, float, float]  # coarse to fine
+    order: float | None
+    limit: float | None
+    mesh: float
+    domain: float
+
+
+# Without the domain's part another verdict, or another side of the uncertainty: a of the inner race, K of the outer.
+INNER = {
+    "semi_axis_rolling": Given(0.1176e-3, (0.126e-3, 0.1212e-3, 0.12e-3), 2.7, 0.1195e-3, 0.0195, 0.0055),
+    "semi_axis_transverse": Given(0.968e-3, (0.792e-3, 0.8624e-3, 0.88e-3), 1.4, 0.89e-3, 0.017, 0.006),
+    "peak_pressure": Given(1.785e9, (1.87e9, 1.734e9, 1.7e9), 4.2, 1.69e9, 0.012, 0.007),
+    "approach": Given(5.3295e-6, (4.4e-6, 5.06e-6, 5.225e-6), 3.6, 5.5e-6, 0.011, 0.003),
+    "stiffness": Given(24.25e9, (32.5e9, 27.5e9, 25e9), None, None, 0.014, 0.002),
+}
+OUTER = {
+    "semi_axis_rolling": Given(0.1414e-3, (0.15e-3, 0.143e-3, 0.14e-3), 2.9, 0.139e-3, 0.0123, 0.0044),
+    "semi_axis_transverse": Given(0.78e-3, (0.69e-3, 0.74e-3, 0.75e-3), 1.8, 0.755e-3, 0.0271, 0.0035),
+    "peak_pressure": Given(1.568e9, (1.75e9, 1.65e9, 1.6e9), 4.7, 1.58e9, 0.0011, 0.0022),
+    "approach": Given(6.08e-6, (7.1e-6, 6.5e-6, 6.4e-6), 3.3, 6.3e-6, 0.008, 0.001),
+    "stiffness": Given(22.8e9, (27.1e9, 25.3e9, 24e9), 2.2, 23.5e9, 0.0301, 0.0202),
+}
+SEAT = {
+    "semi_axis_rolling": Given(0.3131e-3, (0.33e-3, 0.32e-3, 0.31e-3), 1.9, 0.305e-3, 0.0013, 0.0017),
+    "semi_axis_transverse": Given(0.3168e-3, (0.35e-3, 0.34e-3, 0.32e-3), 2.1, 0.315e-3, 0.0016, 0.0019),
+    "peak_pressure": Given(0.1372e9, (0.16e9, 0.15e9, 0.14e9), 2.4, 0.135e9, 0.0024, 0.0021),
+    "approach": Given(0.609e-6, (0.55e-6, 0.57e-6, 0.58e-6), 3.1, 0.584e-6, 0.0029, 0.0038),
+    "stiffness": Given(60.8e9, (70e9, 66e9, 64e9), 3.4, 63e9, 0.0031, 0.0042),
+}
+SHEET = {
+    "semi_axis_rolling": Given(0.3131e-3, (0.324e-3, 0.322e-3, 0.321e-3), 2.3, 0.3205e-3, 0.0007, 0.0),
+    "semi_axis_transverse": Given(0.3168e-3, (0.326e-3, 0.325e-3, 0.323e-3), 2.5, 0.3225e-3, 0.0009, 0.0),
+    "peak_pressure": Given(0.1372e9, (0.134e9, 0.133e9, 0.131e9), 2.6, 0.13e9, 0.0026, 0.0),
+    "approach": Given(0.609e-6, (0.81e-6, 0.85e-6, 0.87e-6), 2.8, 0.88e-6, 0.0033, 0.0),
+    "stiffness": Given(60.8e9, (43e9, 41e9, 39.52e9), 3.2, 39e9, 0.0057, 0.0),
+}
+
+
+def contact_made(
+    found: ContactSolution,
+    given: dict[str, Given],
+    *,
+    load: float,
+    unknowns: tuple[int, int, int],
+    seconds: tuple[float, float, float],
+) -> ContactSolution:
+    """The numbers of a solution replaced, on meshes of the levels 2, 3 and 5."""
+    meshes = [
+        replace(
+            found.meshes[-1],
+            level=level,
+            unknowns=unknowns[number],
+            seconds=seconds[number],
+            quantities=Quantities(**{name: part.values[number] for name, part in given.items()}),
+        )
+        for number, level in enumerate((2, 3, 5))
+    ]
+    return replace(
+        found,
+        contact=replace(found.contact, load=load),
+        tolerance=0.05,
+        hertz=Quantities(**{name: part.hertz for name, part in given.items()}),
+        estimates={
+            name: Estimate(
+                values=part.values, order=part.order, richardson=part.limit, mesh=part.mesh, domain=part.domain
+            )
+            for name, part in given.items()
+        },
+        meshes=tuple(meshes),
+        warnings=(),
+    )
+
+
+def torque_made(found: FrictionTorque, *, angle: list[float], total: list[float]) -> FrictionTorque:
+    """Three operating points at 150, 300 and 600 rpm; the first has a ball load at which no contact was solved."""
+    return replace(
+        found,
+        inner_speed=np.pi * np.array([5.0, 10.0, 20.0]),
+        axial_load=np.array([700.0, 900.0, 910.0]),
+        contact_angle=np.array(angle),
+        ball_load=np.array([250.0, 371.0, 372.0]),
+        torque=TorqueParts(
+            total=np.array(total),
+            race=np.array(total),
+            spin=np.array([17.1e-3, 22.5e-3, 27e-3]),
+            conformity=np.array([11.4e-3, 14.3e-3, 19e-3]),
+            hysteresis=np.array([2.5e-3, 3.2e-3, 4e-3]),
+        ),
+        effects=(
+            Effect(name="spin", decision="on", share=0.562, reason="asked for"),
+            Effect(name="rolling", decision="off", share=None, reason="nobody knows it"),
+        ),
+    )
+
+
+@pytest.fixture(scope="session")
+def made(checked: Validation) -> Validation:
+    """Every verdict occurs; nothing in it is a result of the solver."""
+    inner, outer, seat, sheet = checked.contacts
+    change = checked.torque
+    assert change is not None
+    hertz = torque_made(change.hertz, angle=[0.281, 0.3012, 0.3031], total=[31e-3, 40e-3, 50e-3])
+    return replace(
+        checked,
+        scene=replace(checked.scene, operation=Operation(axial_load=hertz.axial_load, inner_speed=hertz.inner_speed)),
+        tolerance=0.05,
+        contacts=(
+            contact_made(inner, INNER, load=371.5, unknowns=(1200, 9500, 31000), seconds=(0.25, 1.5, 7.0)),
+            replace(
+                contact_made(outer, OUTER, load=368.5, unknowns=(1300, 8700, 29000), seconds=(0.32, 1.7, 6.0)),
+                valid=False,
+            ),
+            contact_made(seat, SEAT, load=28.5, unknowns=(1400, 9900, 41000), seconds=(0.43, 2.1, 8.0)),
+            contact_made(sheet, SHEET, load=28.5, unknowns=(1600, 9100, 43000), seconds=(0.51, 2.6, 9.0)),
+        ),
+        torque=TorqueChange(
+            hertz=hertz,
+            corrected=torque_made(change.corrected, angle=[0.279, 0.2998, 0.3019], total=[33e-3, 41e-3, 48.5e-3]),
+            uncertainty=0.0137,
+            verdict="undecided",
+        ),
+        seconds=43.21,
+    )

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib import colormaps
 from matplotlib.image import imread
 from numpy.typing import NDArray
 
@@ -17,6 +18,7 @@ from fembearing.report.pictures import Picture, draw_pictures
 
 Pixels = NDArray[np.float64]
 PAIRS = ("inner-real", "outer-real", "pocket-real", "pocket-wall")
+CORNER = 460  # pixels from the right: the colour bar's
 PEN = 3.0  # pixels: the width of the ellipse's line
 DIES = (sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGABRT)")  # as VTK without GL does
 
@@ -103,6 +105,63 @@ def check_pressure(picture: Picture) -> None:
     assert inside > 1.4 * edge  # viridis: yellow where pressure is high, violet where it is low
 
 
+def longest_run(marked: NDArray[np.bool_]) -> int:
+    """Of marked pixels beside each other in one row."""
+    steps = np.diff(np.pad(marked.astype(int), ((0, 0), (1, 1))), axis=1)
+    starts, ends = np.nonzero(steps == 1)[1], np.nonzero(steps == -1)[1]  # both in the order of the rows
+    return int((ends - starts).max(initial=0))
+
+
+def check_scale_bar(picture: Picture) -> None:
+    """As long as it says, measured by Hertz's ellipse, which is drawn to scale."""
+    frame, hertz = picture.frame, picture.contact.hertz
+    assert frame is not None
+    pixels = pixels_of(picture.file)
+    corner = pixels[-BAR // 2 :, : frame.width - CORNER]  # left of the colour bar
+    length = longest_run(corner.max(axis=-1) < 0.35)  # its ink
+    width, *_ = half_sizes(is_red(middle_of(frame, pixels)))
+    widest = hertz.semi_axis_rolling if frame.rolling_is_horizontal else hertz.semi_axis_transverse
+    # Round caps of a thick line reach out by its width, and the ellipse's line lies half outside.
+    np.testing.assert_allclose(length, frame.bar * width / widest, rtol=0.01, atol=2 * PEN)
+
+
+def check_colour_bar(corner: Pixels) -> None:
+    """One row through the bar holds viridis from end to end."""
+    vivid = np.ptp(corner, axis=-1) > 0.2
+    count = vivid.sum(axis=1)
+    assert count.max() > 300, "no colour bar"  # pixels
+    through = int(np.median(np.flatnonzero(count > 0.9 * count.max())))
+    columns = np.flatnonzero(vivid[through])
+    share = np.array([0.02, 0.25, 0.5, 0.75, 0.98])  # at the very ends the pixels are blurred
+    found = corner[through, np.round(columns[0] + share * np.ptp(columns)).astype(int)]
+    np.testing.assert_allclose(found, colormaps["viridis"](share)[:, :3], atol=0.06)  # a map has 60 steps of colour
+
+
+def share_of_lines(pixels: Pixels, where: NDArray[np.bool_], step: float) -> float:
+    """Of the pixels `where`: those darker by `step` than the pixels of the same surface on both sides of them."""
+    brightness, beside = pixels.mean(axis=-1), 3  # pixels: more than a line's half width
+    found = np.zeros_like(where)
+    for axis in (0, 1):
+        darkest = np.minimum(np.roll(brightness, beside, axis), np.roll(brightness, -beside, axis))
+        inside = np.roll(where, beside, axis) & np.roll(where, -beside, axis)
+        found |= inside & (brightness < darkest - step)
+    return float(found.sum() / where.sum())
+
+
+def lines_of_map(picture: Picture) -> list[float]:
+    """The share of mesh lines in each quarter of the picture, on the pressed surface and on the bare one around it."""
+    frame, hertz = picture.frame, picture.contact.hertz
+    assert frame is not None
+    pixels = middle_of(frame, pixels_of(picture.file))
+    down, right = np.indices(pixels.shape[:2])
+    right, down = right + 0.5 - frame.centre[0], down + 0.5 - pixels.shape[0] / 2
+    width, height = on_screen(frame, hertz.semi_axis_rolling, hertz.semi_axis_transverse)
+    reach = np.hypot(right / width, down / height)
+    surfaces = reach < 0.85, reach > 1.15  # between them run the ellipses
+    quarters = [(right * x > 0) & (down * y > 0) for x in (-1, 1) for y in (-1, 1)]
+    return [share_of_lines(pixels, surface & quarter, 0.01) for surface in surfaces for quarter in quarters]
+
+
 @pytest.mark.parametrize("pair", PAIRS)
 def test_vtk_draws_hertz_ellipse_to_scale(drawn: dict[str, Picture], pair: str) -> None:
     check_ellipse(drawn[f"{pair}-pressure"])
@@ -140,6 +199,44 @@ def test_a_section_shows_two_bodies_and_the_pressure_between(drawn: dict[str, Pi
     assert columns.max() - columns.min() > 0.25 * width  # half the close-up is the contact
     assert abs(columns.mean() / (width / 2) - 0.5) < 0.1  # in its middle
     assert rows.size > 1000
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("renderer", ["drawn", "mapped"])
+def test_both_bars_of_a_pressure_picture_are_right(request: pytest.FixtureRequest, renderer: str, pair: str) -> None:
+    pictures: dict[str, Picture] = request.getfixturevalue(renderer)
+    picture = pictures[f"{pair}-pressure"]
+    check_scale_bar(picture)
+    check_colour_bar(pixels_of(picture.file)[-BAR:, -CORNER:])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_section_has_a_colour_bar(drawn: dict[str, Picture], pair: str) -> None:
+    pixels = pixels_of(drawn[f"{pair}-section"].file)
+    height, width, _ = pixels.shape
+    check_colour_bar(pixels[int(0.9 * height) :, width // 2 :])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_pressure_picture_shows_the_mesh(drawn: dict[str, Picture], pair: str) -> None:
+    assert min(lines_of_map(drawn[f"{pair}-pressure"])) > 0.005  # found: 0.014 and more; without lines 0
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_map_has_no_mesh_that_could_be_taken_for_lines(mapped: dict[str, Picture], pair: str) -> None:
+    assert max(lines_of_map(mapped[f"{pair}-pressure"])) < 0.001
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_section_shows_the_cells_of_both_bodies(drawn: dict[str, Picture], pair: str) -> None:
+    pixels = pixels_of(drawn[f"{pair}-section"].file)
+    height, width, _ = pixels.shape
+    down, right = np.indices(pixels.shape[:2])
+    red, _, blue = np.moveaxis(pixels, -1, 0)
+    ball, lower, left = blue > red + 0.04, red > blue + 0.08, right < width // 2
+    free = (down > 0.05 * height) & (down < 0.85 * height)  # of title and colour bar
+    for body in (ball & left, lower & left, lower & ~left):
+        assert share_of_lines(pixels, body & free, 0.02) > 0.02  # found: 0.05 and more; without lines 0.003
 
 
 def test_the_reader_sees_an_ellipse_of_the_wrong_size(checked: Validation, tmp_path: Path) -> None:

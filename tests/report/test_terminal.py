@@ -1,7 +1,10 @@
-"""What a check prints: complete at 80 columns, and no silence where something is missing."""
+"""The tables of a terminal and the numbers in JSON, against a result made by hand: see `made` in conftest.py."""
 
-import io
+import json
+import re
 from dataclasses import replace
+from io import StringIO
+from typing import Any
 
 import pytest
 from rich.console import Console
@@ -12,32 +15,125 @@ from fembearing.report.terminal import print_validation
 NARROW = 80  # columns, of a pipe
 
 
-def printed(result: Validation) -> str:
-    target = io.StringIO()
-    print_validation(Console(file=target, width=NARROW), result)
-    return target.getvalue()
+def text_of(result: Validation) -> str:
+    out = StringIO()
+    print_validation(Console(file=out, width=NARROW), result)
+    return out.getvalue()
+
+
+@pytest.fixture(scope="module")
+def printed(made: Validation) -> str:
+    return text_of(made)
+
+
+@pytest.fixture(scope="module")
+def told(made: Validation) -> dict[str, Any]:
+    return json.loads(json.dumps(made.to_json(), allow_nan=False))
+
+
+def rows_of(printed: str) -> list[list[str]]:
+    return [re.split(r"\s{2,}", line.strip()) for line in printed.splitlines()]
+
+
+def test_each_row_of_the_terminal_shows_its_numbers(printed: str) -> None:
+    rows = rows_of(printed)
+    for row in (
+        ["approach, um", "5.3295", "5.225", "+2.00% *", "1.40%", "3.6", "pass"],
+        ["semi-axis a, mm", "0.1176", "0.12", "-2.00%", "2.50%", "2.7", "pass"],
+        ["semi-axis b, mm", "0.968", "0.88", "+10.00% *", "2.30%", "1.4", "fail"],
+        ["stiffness, GN/m^1.5", "22.8", "24", "-5.00%", "5.03%", "2.2", "outside"],
+        ["semi-axis b, mm", "0.3168", "0.32", "-1.00% *", "0.35%", "2.1", "pass"],
+        ["approach, um", "0.609", "0.87", "-30.00% *", "0.33%", "2.8", "shown"],
+    ):
+        assert row in rows
+
+
+def test_the_longest_verdict_is_not_cut_at_80_characters(printed: str) -> None:
+    row = ["stiffness, GN/m^1.5", "24.25", "25", "-3.00% *", "1.60%", "none", "undecided"]
+    assert row in rows_of(printed)
+
+
+def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
+    words = " ".join(printed.split())
+    for said in (
+        "60.8 GN/m^1.5 by Hertz",
+        "64 in a thick seat",
+        "39.52 with the sheet on its rim (-35%)",
+        "with Hertz's contacts 50 N mm",
+        "those of FE 48.5 N mm: -3.00% +- 1.37%",
+        "angle 0.3031 rad and 0.3019 rad",
+        "fail: tolerance 0.05, 43.2 s",
+    ):
+        assert said in words
+
+
+def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:
+    rows = {(row["pair"], row["quantity"]): row for row in told["verdicts"]}
+    assert len(rows) == len(told["verdicts"]) == 3 * 5
+    for pair, quantity, production, reference, discrepancy, uncertainty, exceeds, verdict in (
+        ("inner", "semi_axis_rolling", 0.1176e-3, 0.12e-3, -0.02, 0.025, False, "pass"),
+        ("inner", "semi_axis_transverse", 0.968e-3, 0.88e-3, 0.1, 0.023, True, "fail"),
+        ("outer", "stiffness", 22.8e9, 24e9, -0.05, 0.0503, False, "outside validity"),
+        ("pocket", "approach", 0.609e-6, 0.58e-6, 0.05, 0.0067, True, "undecided"),
+    ):
+        assert rows[pair, quantity] == {
+            "pair": pair,
+            "quantity": quantity,
+            "production": production,
+            "reference": reference,
+            "discrepancy": pytest.approx(discrepancy, rel=1e-12),  # round-off
+            "uncertainty": pytest.approx(uncertainty, rel=1e-12),
+            "exceeds_uncertainty": exceeds,
+            "verdict": verdict,
+        }
+
+
+def test_json_tells_each_contact_with_its_numbers(told: dict[str, Any]) -> None:
+    inner, outer, seat, sheet = told["contacts"]
+    assert inner["load"] == 371.5
+    assert inner["hertz"]["approach"] == 5.3295e-6
+    assert inner["fe"]["approach"] == 5.225e-6
+    assert inner["discrepancy"]["approach"] == pytest.approx(0.02, rel=1e-12)  # round-off
+    assert inner["uncertainty"]["approach"] == pytest.approx(0.014, rel=1e-12)
+    assert inner["convergence"]["approach"] == {
+        "values": [4.4e-6, 5.06e-6, 5.225e-6],
+        "order": 3.6,
+        "richardson": 5.5e-6,
+        "mesh": 0.011,
+        "domain": 0.003,
+    }
+    assert [contact["verdict"] for contact in (inner, outer, seat)] == ["fail", "outside validity", "undecided"]
+    assert (sheet["geometry"], sheet["cost"]["unknowns"]) == ("wall", 43000)
+
+
+def test_json_tells_the_change_of_torque(told: dict[str, Any]) -> None:
+    change = told["torque_change"]
+    assert change["contact_angle"] == {"hertz": [0.281, 0.3012, 0.3031], "corrected": [None, 0.2998, 0.3019]}
+    assert change["torque"] == {"hertz": [31e-3, 40e-3, 50e-3], "corrected": [None, 41e-3, 48.5e-3]}
+    assert change["change"]["total"] == [None, pytest.approx(0.025, rel=1e-12), pytest.approx(-0.03, rel=1e-12)]
+    assert (change["uncertainty"], change["verdict"]) == (0.0137, "undecided")
 
 
 def test_every_word_of_the_table_fits(checked: Validation) -> None:
     """The widest verdict beside the widest numbers."""
     inner = checked.contacts[0]
-    parts = {name: replace(part, mesh=12.3456, order=None) for name, part in inner.estimates.items()}
-    wide = replace(checked, contacts=(replace(inner, estimates=parts), *checked.contacts[1:]))
-    rows = [line for line in printed(wide).splitlines() if " none " in line][: len(parts)]  # the inner race comes first
+    parts = {name: replace(part, mesh=0.789, order=None) for name, part in inner.estimates.items()}
+    wide = replace(checked, contacts=(replace(inner, estimates=parts, tolerance=0.3), *checked.contacts[1:]))
+    rows = [line for line in text_of(wide).splitlines() if " none " in line][: len(parts)]  # the inner race comes first
     assert len(rows) == len(parts)
     assert all(row.rstrip().endswith("undecided") for row in rows)
-    assert max(map(len, printed(wide).splitlines())) <= NARROW
-    assert "\N{HORIZONTAL ELLIPSIS}" not in printed(wide)
+    assert max(map(len, text_of(wide).splitlines())) <= NARROW
+    assert "\N{HORIZONTAL ELLIPSIS}" not in text_of(wide)
 
 
 def test_a_scene_without_friction_is_told_that_there_is_no_torque(checked: Validation) -> None:
-    assert "no friction coefficient, so there is no torque" in printed(replace(checked, torque=None))
-    assert "Race torque" not in printed(replace(checked, torque=None))
-    assert "no friction coefficient" not in printed(checked)
+    assert "no friction coefficient, so there is no torque" in text_of(replace(checked, torque=None))
+    assert "Race torque" not in text_of(replace(checked, torque=None))
+    assert "no friction coefficient" not in text_of(checked)
 
 
 @pytest.mark.parametrize("verdict", ["pass", "outside validity"])
 def test_the_last_line_is_the_verdict(checked: Validation, verdict: str) -> None:
     inner = replace(checked.contacts[0], valid=verdict == "pass")
     result = replace(checked, contacts=(inner, *checked.contacts[1:]))
-    assert printed(result).splitlines()[-1].startswith(f"{verdict}: tolerance 0.9")
+    assert text_of(result).splitlines()[-1].startswith(f"{verdict}: tolerance 0.9")

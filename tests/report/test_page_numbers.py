@@ -1,0 +1,173 @@
+"""Each number of the page in its row and column, against a result made by hand: see `made` in conftest.py."""
+
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from fembearing.compare.validation import Validation
+from fembearing.report.page import write_page
+
+Row = tuple[str, ...]
+
+
+class Tables(HTMLParser):
+    """The rows of cells under each heading."""
+
+    def __init__(self, content: str) -> None:
+        super().__init__()
+        self.rows: dict[str, list[Row]] = {}
+        self.text = ""
+        self.heading = ""
+        self.cells: list[str] = []
+        self.style = ""  # class of the cell at hand
+        self.styled: set[tuple[str, str]] = set()  # class and text of each cell
+        self.place = ""  # the element that the text is in, if it is one of those read here
+        self.feed(content)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag in ("h2", "h3", "td", "th"):
+            self.place = tag
+        if tag in ("h2", "h3"):
+            self.heading = ""
+        elif tag == "tr":
+            self.cells = []
+        elif tag in ("td", "th"):
+            self.cells.append("")
+            self.style = dict(attrs).get("class") or ""
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag in ("td", "th"):
+            self.styled.add((self.style, self.cells[-1]))
+        if tag == self.place:
+            self.place = ""
+        elif tag == "tr":
+            self.rows.setdefault(self.heading, []).append(tuple(" ".join(cell.split()) for cell in self.cells))
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
+        if self.place in ("h2", "h3"):
+            self.heading += data
+        elif self.place:
+            self.cells[-1] += data
+
+    def blocks(self, heading: str) -> dict[str, list[Row]]:
+        """The rows below each row of a single cell."""
+        found: dict[str, list[Row]] = {}
+        for row in self.rows[heading]:
+            if len(row) == 1:
+                found[row[0]] = []
+            elif found:
+                found[next(reversed(found))].append(row)
+        return found
+
+
+@pytest.fixture(scope="module")
+def tables(made: Validation, tmp_path_factory: pytest.TempPathFactory) -> Tables:
+    file: Path = tmp_path_factory.mktemp("numbers") / "page.html"
+    write_page(made, pictures=[], trouble=None, file=file)
+    return Tables(file.read_text("utf-8"))
+
+
+def test_each_verdict_stands_with_its_numbers(tables: Tables) -> None:
+    """A star: the discrepancy exceeds the uncertainty of mesh and far boundary together."""
+    blocks = tables.blocks("Verdicts")
+    inner, outer, seat = blocks
+    assert inner.startswith("Ball on inner race")
+    assert inner.endswith("371.5 N")
+    assert outer.startswith("Ball on outer race")
+    assert outer.endswith("368.5 N")
+    assert seat == "Ball in cage pocket, thick seat: 28.5 N"
+    assert blocks[inner] == [
+        ("approach, um", "5.3295", "5.225", "+2.00% *", "1.40%", "pass"),
+        ("semi-axis a, mm", "0.1176", "0.12", "-2.00%", "2.50%", "pass"),
+        ("semi-axis b, mm", "0.968", "0.88", "+10.00% *", "2.30%", "fail"),
+        ("peak pressure, GPa", "1.785", "1.7", "+5.00% *", "1.90%", "undecided"),
+        ("stiffness, GN/m^1.5", "24.25", "25", "-3.00% *", "1.60%", "undecided"),  # its meshes show no order
+    ]
+    assert blocks[outer] == [
+        ("approach, um", "6.08", "6.4", "-5.00% *", "0.90%", "outside validity"),
+        ("semi-axis a, mm", "0.1414", "0.14", "+1.00%", "1.67%", "outside validity"),
+        ("semi-axis b, mm", "0.78", "0.75", "+4.00% *", "3.06%", "outside validity"),
+        ("peak pressure, GPa", "1.568", "1.6", "-2.00% *", "0.33%", "outside validity"),
+        ("stiffness, GN/m^1.5", "22.8", "24", "-5.00%", "5.03%", "outside validity"),
+    ]
+    assert blocks[seat] == [
+        ("approach, um", "0.609", "0.58", "+5.00% *", "0.67%", "undecided"),
+        ("semi-axis a, mm", "0.3131", "0.31", "+1.00% *", "0.30%", "pass"),
+        ("semi-axis b, mm", "0.3168", "0.32", "-1.00% *", "0.35%", "pass"),
+        ("peak pressure, GPa", "0.1372", "0.14", "-2.00% *", "0.45%", "pass"),
+        ("stiffness, GN/m^1.5", "60.8", "64", "-5.00% *", "0.73%", "undecided"),
+    ]
+
+
+def test_no_verdict_wears_the_colour_of_another(tables: Tables) -> None:
+    colours = {"pass": "pass", "fail": "fail", "undecided": "undecided", "outside validity": "outside"}
+    for verdict, colour in colours.items():
+        assert {style for style, text in tables.styled if text == verdict} == {colour}
+
+
+def test_the_pocket_is_set_against_hertz(tables: Tables) -> None:
+    (heading,) = (each for each in tables.rows if each.startswith("Cage pocket"))
+    assert [row[1:] for row in tables.rows[heading][1:]] == [
+        ("60.8", "", "+0.0%", "0.609"),
+        ("64", "0.73%", "+5.3%", "0.58"),  # 64/60.8; the other way round it would be -5.0 %
+        ("39.52", "0.57%", "-35.0%", "0.87"),
+    ]
+
+
+def test_the_torque_of_each_operating_point_stands_before_and_after(tables: Tables) -> None:
+    """load, speed; by Hertz angle, total, spin, conformity, hysteresis; by finite elements angle, total; change."""
+    assert tables.rows["What this does to the race torque"][2:] == [
+        ("700", "150", "0.2810", "31", "17.1", "11.4", "2.5", "-", "-", "-"),
+        ("900", "300", "0.3012", "40", "22.5", "14.3", "3.2", "0.2998", "41", "+2.50%"),
+        ("910", "600", "0.3031", "50", "27", "19", "4", "0.3019", "48.5", "-3.00%"),
+    ]
+    assert "1.37 %" in tables.text
+
+
+def test_the_scene_is_told_in_the_units_of_its_reader(tables: Tables) -> None:
+    rows = tables.rows["Scene and effects"]
+    for row in (
+        ("axial load", "700, 900, 910 N"),
+        ("inner speed", "150, 300, 600 rpm"),
+        ("spin", "on", "56.2 %", "asked for"),
+        ("rolling", "off", "not known", "nobody knows it"),
+    ):
+        assert row in rows
+
+
+def test_the_mesh_study_shows_what_each_mesh_gave(tables: Tables) -> None:
+    """quantity, values, order, extrapolated, uncertainty from the meshes, from the far boundary"""
+    inner, outer, seat, sheet = tables.blocks("Mesh convergence").values()
+    assert inner == [
+        ("approach, um", "4.4, 5.06, 5.225", "3.6", "5.5", "1.10%", "0.30%"),
+        ("semi-axis a, mm", "0.126, 0.1212, 0.12", "2.7", "0.1195", "1.95%", "0.55%"),
+        ("semi-axis b, mm", "0.792, 0.8624, 0.88", "1.4", "0.89", "1.70%", "0.60%"),
+        ("peak pressure, GPa", "1.87, 1.734, 1.7", "4.2", "1.69", "1.20%", "0.70%"),
+        ("stiffness, GN/m^1.5", "32.5, 27.5, 25", "none", "", "1.40%", "0.20%"),
+    ]
+    assert outer[0] == ("approach, um", "7.1, 6.5, 6.4", "3.3", "6.3", "0.80%", "0.10%")
+    assert seat[3] == ("peak pressure, GPa", "0.16, 0.15, 0.14", "2.4", "0.135", "0.24%", "0.21%")
+    assert sheet[4] == ("stiffness, GN/m^1.5", "43, 41, 39.52", "3.2", "39", "0.57%", "0.00%")
+
+
+def test_each_mesh_is_shown_with_its_error_and_its_price(tables: Tables) -> None:
+    """Errors: the worst quantity against the finest mesh."""
+    inner, outer, _ = tables.blocks("What accuracy costs").values()
+    assert inner[1:] == [
+        ("finite elements, level 2", "16 %", "0.25", "1200", ""),  # 4.4/5.225
+        ("finite elements, level 3", "3.2 %", "1.5", "9500", "enough for the tolerance"),  # 5.06/5.225
+        ("finite elements, level 5", "reference", "7", "31000", ""),
+    ]
+    assert [row[:4] for row in outer[1:]] == [
+        ("finite elements, level 2", "11 %", "0.32", "1300"),  # 7.1/6.4
+        ("finite elements, level 3", "3.1 %", "1.7", "8700"),  # 1.65/1.6
+        ("finite elements, level 5", "reference", "6", "29000"),
+    ]
+    assert "43.2 s" in tables.text
+
+
+def test_the_whole_is_as_bad_as_its_worst_quantity(made: Validation, tables: Tables) -> None:
+    assert made.verdict == "fail"
+    assert "Contacts against finite elements: fail at a tolerance of 5 %." in " ".join(tables.text.split())
