@@ -96,7 +96,7 @@ def test_each_verdict_stands_with_its_numbers(tables: Tables) -> None:
         ("approach, um", "0.609", "0.58", "+5.00% *", "0.67%", "undecided"),
         ("semi-axis a, mm", "0.3131", "0.31", "+1.00% *", "0.30%", "pass"),
         ("semi-axis b, mm", "0.3168", "0.32", "-1.00% *", "0.35%", "pass"),
-        ("peak pressure, GPa", "0.1372", "0.14", "-2.00% *", "0.45%", "pass"),
+        ("peak pressure, GPa", "0.1372", "0.14", "-2.00%", "3.08%", "undecided"),
         ("stiffness, GN/m^1.5", "60.8", "64", "-5.00% *", "0.73%", "undecided"),
     ]
 
@@ -148,7 +148,7 @@ def test_the_mesh_study_shows_what_each_mesh_gave(tables: Tables) -> None:
         ("stiffness, GN/m^1.5", "32.5, 27.5, 25", "none", "", "1.40%", "0.20%"),
     ]
     assert outer[0] == ("approach, um", "7.1, 6.5, 6.4", "3.3", "6.3", "0.80%", "0.10%")
-    assert seat[3] == ("peak pressure, GPa", "0.16, 0.15, 0.14", "2.4", "0.135", "0.24%", "0.21%")
+    assert seat[3] == ("peak pressure, GPa", "0.16, 0.15, 0.14", "2.4", "0.135", "2.87%", "0.21%")
     assert sheet[4] == ("stiffness, GN/m^1.5", "43, 41, 39.52", "3.2", "39", "0.57%", "0.00%")
 
 
