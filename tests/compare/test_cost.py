@@ -211,7 +211,7 @@ def test_a_scene_of_given_angle_has_no_ladder_for_it(
     for ladder in found.ladders:
         assert ladder.chosen is ladder.rungs[-1]  # no other rung is that near
     told = json.loads(json.dumps(found.to_json(), allow_nan=False))
-    assert {"ladders", "tolerance", "cost", "provenance"} == told.keys()
+    assert {"ladders", "tolerance", "cost", "warnings", "provenance"} == told.keys()
     assert {"quantity", "reference", "rungs"} == told["ladders"][1].keys()
     assert {"name", "error", "seconds", "memory", "chosen", "spread", "repeats", "failed", "unknowns"} == told[
         "ladders"
