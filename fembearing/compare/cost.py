@@ -28,7 +28,7 @@ from fembearing.compare.discrepancy import (
 )
 from fembearing.compare.provenance import peak_memory, provenance_of
 from fembearing.fem.measure import Quantities
-from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Recipe, load_recipe
 
 COMPARED = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")  # stiffness follows from the last
@@ -174,7 +174,7 @@ def contact_ladder(contact: Contact, *, recipe: Recipe, tolerance: float, progre
     """Hertz, then finite elements on every level of `recipe`, timed apart from the sizing of the mesh."""
     trials = [_hertz_trial(contact)]
     try:
-        semi_axes = fitted_semi_axes(contact, recipe=recipe)  # solves on the coarsest level: the warm-up of the others
+        semi_axes = fitted_solution(contact, recipe=recipe).pair.semi_axes  # also warms up
     except FembearingError as problem:
         trials += [Trial(name=_level_name(level), answer=None, failed=str(problem)) for level in recipe.levels]
         return ladder_of(_contact_quantity(contact), _mesh_reference([]), trials, tolerance=tolerance)

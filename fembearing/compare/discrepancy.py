@@ -18,7 +18,7 @@ from fembearing.compare.provenance import peak_memory
 from fembearing.compare.uncertainty import FORMAL_ORDER, Estimate, estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
-from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 
@@ -199,7 +199,8 @@ def compare_contact(
     start = time.perf_counter()
     work = np.cumsum([level**3 for level in recipe.levels[: FEWEST + 1]])
     progress(0.0, f"{contact.pair}: size of the contact")
-    semi_axes = fitted_semi_axes(contact, recipe=recipe)
+    second = fitted_solution(contact, recipe=recipe)
+    semi_axes = second.pair.semi_axes
     hertz = hertz_quantities(contact)
     thin = recipe.geometry == "wall"
     meshes: list[MeshSolution] = []
@@ -207,7 +208,8 @@ def compare_contact(
     domain: dict[str, float] = {}
     for number, level in enumerate(recipe.levels):
         progress(min(work[max(number - 1, 0)] / work[-1], 0.95), f"{contact.pair}: mesh {number + 1}")
-        meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes))
+        known = second if level == second.level else None
+        meshes.append(known or solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes))
         if len(meshes) < FEWEST:
             continue
         estimates = estimates_of(meshes)

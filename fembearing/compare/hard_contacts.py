@@ -19,7 +19,7 @@ from fembearing.compare.discrepancy import hertz_quantities
 from fembearing.compare.hard_case import HardCase
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities
-from fembearing.fem.solution import fitted_semi_axes, solve_on_mesh
+from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
 
 LARGE, SMALL, MODULUS = 310.0, 9.7, 1.13e11  # 1/m, 1/m, Pa: a steel ball on the inner race of a small bearing
@@ -87,7 +87,7 @@ def meshed(contact: Contact, *, recipe: str = "hertzian", level: int = LEVEL, sc
     if scale is not None:
         along, across = expected_semi_axes(contact)
         guess = scale * along, scale * across
-    semi_axes = fitted_semi_axes(contact, recipe=made, guess=guess)
+    semi_axes = fitted_solution(contact, recipe=made, guess=guess).pair.semi_axes
     return solve_on_mesh(contact, recipe=made, level=level, semi_axes=semi_axes).quantities
 
 

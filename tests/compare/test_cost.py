@@ -161,7 +161,7 @@ def test_a_ladder_of_meshes_is_that_of_the_solution_at_hand(
         contacts["inner"], recipe=coarse, tolerance=0.01, progress=lambda share, _: steps.append(share)
     )
     monkeypatch.setattr(cost, "solve_on_mesh", None)
-    monkeypatch.setattr(cost, "fitted_semi_axes", None)
+    monkeypatch.setattr(cost, "fitted_solution", None)
     taken = contact_ladder_of(solved)
     assert [rung.name for rung in taken.rungs] == [
         "Hertz",

@@ -67,10 +67,12 @@ def test_an_ellipse_within_a_twentieth_of_its_shoulder_is_not_judged(
     solved = replace(hertz_quantities(contact), semi_axis_transverse=0.9e-3)
 
     def canned(_: Contact, *, level: int, **__: Any) -> Any:
-        whole = SimpleNamespace(lower=SimpleNamespace(far=np.array([])))  # no far boundary to look into
+        whole = SimpleNamespace(
+            lower=SimpleNamespace(far=np.array([])), semi_axes=(0.1e-3, 0.9e-3)
+        )  # no far boundary to look into
         return SimpleNamespace(level=level, quantities=solved, pair=whole)
 
-    monkeypatch.setattr(module, "fitted_semi_axes", lambda *_, **__: (0.1e-3, 0.9e-3))
+    monkeypatch.setattr(module, "fitted_solution", lambda *_, **__: canned(contact, level=2))
     monkeypatch.setattr(module, "solve_on_mesh", canned)
     found = compare_contact(replace(contact, shoulder=room * 0.9e-3), recipe=load_recipe("race"), tolerance=0.4)
     assert found.valid == valid

@@ -69,7 +69,7 @@ contact = Contact(pair="inner", ball_radius=3.97e-3, groove_radius=4.13e-3, roll
                   contact_angle=0.18, load=620.0, ball_material=steel, race_material=steel)
 for name in ("race", "hertzian"):
     recipe = load_recipe(name)
-    semi_axes = solver.fitted_semi_axes(contact, recipe=recipe)
+    semi_axes = solver.fitted_solution(contact, recipe=recipe).pair.semi_axes
     found = solver.solve_on_mesh(contact, recipe=recipe, level=1, semi_axes=semi_axes)
     print(solver.expected_semi_axes(contact), semi_axes, astuple(found.quantities), found.force.tobytes().hex())
 try:

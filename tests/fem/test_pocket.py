@@ -11,7 +11,7 @@ from analytic.hertz import contact_modulus
 from analytic.scene import Bearing, Cage, Contact, Groove, Material
 from fembearing.compare.discrepancy import hertz_quantities
 from fembearing.fem.condensation import held_stiffness
-from fembearing.fem.solution import MeshSolution, fitted_semi_axes, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
@@ -37,7 +37,8 @@ def pocket(load: float = 28.0, **changed: object) -> Contact:
 
 def solve(contact: Contact, recipe: str, level: int = 2) -> MeshSolution:
     made = load_recipe(recipe)
-    return solve_on_mesh(contact, recipe=made, level=level, semi_axes=fitted_semi_axes(contact, recipe=made))
+    semi_axes = fitted_solution(contact, recipe=made).pair.semi_axes
+    return solve_on_mesh(contact, recipe=made, level=level, semi_axes=semi_axes)
 
 
 def test_a_pocket_is_a_sphere_around_a_smaller_one() -> None:
