@@ -54,6 +54,7 @@ class HeldBody:
     matrix: csr_matrix  # (n, n) N/m
     far_force: Array  # (n,) force on the free ones from the far field of a unit load
     free: NDArray[np.intp]  # (n,) degrees of freedom
+    held: Array  # (3, nodes) displacement that the far field of a unit load gives the held ones, m/N; 0 elsewhere
     nodes: int
 
     def forces(self, nodes: NDArray[np.intp], direction: Array) -> csr_matrix:
@@ -62,6 +63,13 @@ class HeldBody:
         rows = np.concatenate([nodes + axis * self.nodes for axis in range(3)])
         full = csr_matrix((direction.ravel(), (rows, np.tile(np.arange(count), 3))), shape=(3 * self.nodes, count))
         return full[self.free]
+
+    def displacement(self, push: Array, *, load: float) -> Array:
+        """Displacement (3, nodes), m, under the forces `push` (n,), N, and the far field of `load`, N."""
+        solve = _solution_by_superlu if PyPardisoSolver is None else _solution_by_pardiso
+        moved = load * self.held.ravel()
+        moved[self.free] = solve(self.matrix, push + load * self.far_force)
+        return moved.reshape(3, self.nodes)
 
 
 def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float, float]) -> HeldBody:
@@ -80,10 +88,12 @@ def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float
     displacement[2] *= side
     held, free = np.flatnonzero(is_held), np.flatnonzero(~is_held)
     rows = matrix[free]
+    displacement[~is_held] = 0.0
     return HeldBody(
         matrix=rows[:, free],
         far_force=-(rows[:, held] @ displacement.ravel()[held]),
         free=free,
+        held=displacement,
         nodes=count,
     )
 
@@ -102,7 +112,7 @@ def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple
     upper = triu(vstack([hstack([matrix, column]), hstack([csr_matrix((1, size)), corner])]), format="csr")
     upper.sort_indices()
     keep = np.append(touched, size)
-    solver = _pardiso()
+    solver = _pardiso(schur=True)
     solver.perm = np.zeros(size + 1, dtype=np.int32)
     solver.perm[keep] = 1
     solver.set_phase(12)
@@ -116,18 +126,33 @@ def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple
     return here.T @ moved[:, :-1], here.T @ moved[:, -1]
 
 
+def _solution_by_pardiso(matrix: csr_matrix, right: Array) -> Array:
+    """K^-1 right."""
+    upper = triu(matrix, format="csr")
+    upper.sort_indices()
+    solver = _pardiso(schur=False)
+    solution = solver.solve(upper, right)
+    solver.free_memory(everything=True)
+    return solution
+
+
 @cache
-def _pardiso() -> Any:
+def _pardiso(*, schur: bool) -> Any:
     """One solver for all bodies: looking for MKL's library takes pypardiso longer than a small factorisation."""
     assert PyPardisoSolver is not None  # the caller asked
     solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
-    for number, value in ((1, 1), (2, 2), (10, 8), (36, 1)):  # own settings, METIS, pivot 1e-8, Schur complement
+    for number, value in ((1, 1), (2, 2), (10, 8), (36, int(schur))):  # own settings, METIS, pivot 1e-8, complement
         solver.set_iparm(number, value)
     return solver
 
 
 def _by_superlu(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array]:
     """The same from one solution for each touching node."""
-    factor = splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    moved = factor.solve(np.column_stack([push.toarray(), far_force]))
+    moved = _solution_by_superlu(matrix, np.column_stack([push.toarray(), far_force]))
     return push.T @ moved[:, :-1], push.T @ moved[:, -1]
+
+
+def _solution_by_superlu(matrix: csr_matrix, right: Array) -> Array:
+    """K^-1 right."""
+    factor = splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+    return factor.solve(right)
