@@ -16,21 +16,15 @@ from analytic.errors import FembearingError, InputError, require_positive
 from analytic.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.hertz_fitted import hertz_contact_fitted
 from analytic.scene import Contact, Scene
-from fembearing.compare.discrepancy import (
-    FEWEST,
-    RECIPES,
-    ContactSolution,
-    Progress,
-    contact_of,
-    estimates_of,
-    hertz_quantities,
-    silent,
-)
+from fembearing.compare.discrepancy import RECIPES, ContactSolution, contact_of, hertz_quantities
+from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory, provenance_of
+from fembearing.compare.reference import estimates_of
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Recipe, load_recipe
 
+FEWEST = 3  # meshes that can be extrapolated
 COMPARED = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")  # stiffness follows from the last
 HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
 FORMULA_REPEATS, MESH_REPEATS = 15, 3  # the median of 15 leaves out what other programs do to a short timing
@@ -193,13 +187,14 @@ def contact_ladder(contact: Contact, *, recipe: Recipe, tolerance: float, progre
         seconds = tuple(mesh.seconds for mesh in solved)
         trials.append(_mesh_trial(solved[-1], seconds=seconds, memory=peak_memory()))
         del solved  # the next level should find its memory free
+    trials += _extrapolated(meshes, trials)
     return ladder_of(_contact_quantity(contact), _mesh_reference(meshes), trials, tolerance=tolerance)
 
 
 def contact_ladder_of(found: ContactSolution) -> Ladder:
     """The contact ladder of a solution at hand: Hertz timed in place, each mesh at the seconds it took, once."""
     meshes = [_mesh_trial(mesh, seconds=(mesh.seconds,)) for mesh in found.meshes]
-    trials = [_hertz_trial(found.contact), *meshes]
+    trials = [_hertz_trial(found.contact), *meshes, *_extrapolated(found.meshes, meshes)]
     reference = _mesh_reference(found.meshes)
     return ladder_of(_contact_quantity(found.contact), reference, trials, tolerance=found.tolerance)
 
@@ -281,12 +276,27 @@ def _mesh_reference(meshes: Sequence[MeshSolution]) -> str:
     """What the errors of a contact ladder are taken against, in words."""
     if not meshes:
         return "none: no mesh was solved"
-    words = f"finite elements, level {meshes[-1].level}; worst of semi-axes, peak pressure and approach"
+    words = "worst of semi-axes, peak pressure and approach"
     if len(meshes) < FEWEST:
-        return f"{words}; too few meshes to say how far off it is"
+        return f"finite elements, level {meshes[-1].level}; {words}; too few meshes to say how far off it is"
+    off = max(part.mesh for name, part in estimates_of(meshes).items() if name in COMPARED)
+    return f"all meshes, extrapolated; {words}; uncertain by {100 * off:.2g} %; seconds without sizing the mesh"
+
+
+def _extrapolated(meshes: Sequence[MeshSolution], trials: Sequence[Trial]) -> list[Trial]:
+    """What three meshes or more say together, at the price of all."""
+    if len(meshes) < FEWEST:
+        return []
     estimates = estimates_of(meshes)
-    off = max(estimates[name].mesh for name in COMPARED)
-    return f"{words}; its mesh leaves it uncertain by {100 * off:.2g} %; seconds without sizing the mesh"
+    return [
+        Trial(
+            name="finite elements, extrapolated",
+            answer=np.array([estimates[name].value for name in COMPARED]),
+            seconds=(sum(float(np.median(trial.seconds)) for trial in trials if trial.unknowns and trial.seconds),),
+            memory=peak_memory(),
+            may_refer=True,
+        )
+    ]
 
 
 def _compared(quantities: Quantities) -> np.ndarray:

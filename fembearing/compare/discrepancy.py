@@ -1,9 +1,9 @@
 """One contact both ways: Hertz's closed forms and finite elements on the meshed bodies."""
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,31 +14,20 @@ from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
+from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
-from fembearing.compare.uncertainty import FORMAL_ORDER, Estimate, estimate
+from fembearing.compare.reference import FORMAL_ORDERS, Estimates, solve_reference
+from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
-from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
+from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 
 RECIPES: dict[Geometry, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall"}
 POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
 EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
-ENOUGH = 0.2  # mesh uncertainty, as a share of the tolerance, at which no finer mesh is called for
-FEWEST = 3  # meshes
 SHOWN_OF_A_SHEET = ("approach", "stiffness")  # what its bending changes
-
-Progress = Callable[[float, str], None]
-
-
-def silent(_share: float, _step: str) -> None:
-    """Progress that nobody watches."""
-
-
-def part_of(progress: Progress, begin: float, end: float) -> Progress:
-    """Progress of a part of the work, which takes the whole from one share to another."""
-    return lambda share, step: progress(begin + share * (end - begin), step)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -60,7 +49,8 @@ class ContactSolution:
 
     @property
     def reference(self) -> Quantities:
-        return self.meshes[-1].quantities
+        """What all meshes say together."""
+        return Quantities(**{name: part.value for name, part in self.estimates.items()})
 
     @property
     def discrepancy(self) -> dict[str, float]:
@@ -70,7 +60,7 @@ class ContactSolution:
     @property
     def verdicts(self) -> dict[str, Verdict]:
         return {
-            name: _verdict(part, formula=getattr(self.hertz, name), tolerance=self.tolerance, valid=self.valid)
+            name: _verdict(part, getattr(self.hertz, name), tolerance=self.tolerance, valid=self.valid)
             for name, part in self.estimates.items()
         }
 
@@ -118,6 +108,7 @@ class ContactSolution:
                     "order": part.order,
                     "richardson": part.richardson,
                     "mesh": part.mesh,
+                    "beyond": part.beyond,
                     "domain": part.domain,
                 }
                 for name, part in self.estimates.items()
@@ -133,6 +124,7 @@ def solve_contact(
     pair: Pair,
     load: float | None = None,
     tolerance: float | None = None,
+    accuracy: float | None = None,
     geometry: Geometry = "real",
     progress: Progress = silent,
 ) -> ContactSolution:
@@ -140,6 +132,7 @@ def solve_contact(
 
     load : of the ball, N; unless given the scene's largest, in the pocket 28 N
     tolerance : relative, for the verdict; the scene's unless given
+    accuracy : asked of the finite elements, relative half-width of their 95 % interval; the tolerance unless given
     geometry : "real"; "hertzian" for the idealisation whose exact answer is Hertz; "wall", of a pocket alone, for
         the cage's sheet on its own support where "real" has a thick seat
     progress : called with the share done, 0 to 1, and a word on the step at hand
@@ -151,7 +144,7 @@ def solve_contact(
     recipe = load_recipe(RECIPES[geometry])
     asked = scene.tolerance if tolerance is None else tolerance
     with traced_to_load(scene, pair=pair, load=load):
-        found = compare_contact(contact, recipe=recipe, tolerance=asked, progress=progress)
+        found = compare_contact(contact, recipe=recipe, tolerance=asked, accuracy=accuracy, progress=progress)
     return replace(found, warnings=(*scene.warnings, *found.warnings))
 
 
@@ -189,107 +182,64 @@ def traced_to_load(scene: Scene, *, pair: Pair, load: float | None) -> Iterator[
 
 
 def compare_contact(
-    contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent
+    contact: Contact, *, recipe: Recipe, tolerance: float, accuracy: float | None = None, progress: Progress = silent
 ) -> ContactSolution:
-    """Solve `contact` on ever finer levels of `recipe`, three at least, until the tolerance asks for no more.
+    """Solve `contact` on three levels of `recipe` or more, until the accuracy is reached.
 
-    That is when the mesh uncertainty is a small share of it and no verdict is left that a finer mesh could decide.
-    A sheet has no verdict; its approach and stiffness settle it.
+    accuracy : asked of the finite elements, relative; the tolerance unless given
+    The first two levels predict which third one holds it; where that one does not, or leaves a verdict open that a
+    finer mesh could decide, finer ones follow. A sheet has no verdict; its approach and stiffness settle it.
     """
     start = time.perf_counter()
-    work = np.cumsum([level**3 for level in recipe.levels[: FEWEST + 1]])
-    progress(0.0, f"{contact.pair}: size of the contact")
-    second = fitted_solution(contact, recipe=recipe)
-    semi_axes = second.pair.semi_axes
+    asked = tolerance if accuracy is None else accuracy
     hertz = hertz_quantities(contact)
     thin = recipe.geometry == "wall"
-    meshes: list[MeshSolution] = []
-    estimates: dict[str, Estimate] = {}
-    domain: dict[str, float] = {}
-    for number, level in enumerate(recipe.levels):
-        progress(min(work[max(number - 1, 0)] / work[-1], 0.95), f"{contact.pair}: mesh {number + 1}")
-        known = second if level == second.level else None
-        meshes.append(known or solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes))
-        if len(meshes) < FEWEST:
-            continue
-        estimates = estimates_of(meshes)
-        watched = [estimates[name] for name in (SHOWN_OF_A_SHEET if thin else estimates)]
-        if max(part.mesh for part in watched) > ENOUGH * tolerance and level != recipe.levels[-1]:
-            continue
-        if not domain:
-            domain = _far_boundary(meshes[-2], recipe=recipe, semi_axes=semi_axes, progress=progress)
-        estimates = {name: replace(part, domain=domain[name]) for name, part in estimates.items()}
-        if thin or not any(
-            _is_open(part, formula=getattr(hertz, name), tolerance=tolerance) for name, part in estimates.items()
-        ):
-            break
+
+    def is_open(estimates: Estimates) -> bool:
+        return not thin and any(
+            _is_open(part, getattr(hertz, name), tolerance=tolerance) for name, part in estimates.items()
+        )
+
+    found = solve_reference(
+        contact,
+        recipe=recipe,
+        accuracy=asked,
+        watched=SHOWN_OF_A_SHEET if thin else tuple(FORMAL_ORDERS),
+        is_open=is_open,
+        progress=progress,
+    )
+    meshes, estimates = found.meshes, found.estimates
     overrun = EDGE_OF_GROOVE * meshes[-1].quantities.semi_axis_transverse > contact.shoulder
-    warnings = _warnings(contact, meshes[-1], estimates, overrun=overrun, thin=thin)
+    warnings = _warnings(contact, meshes[-1], estimates, accuracy=asked, overrun=overrun, thin=thin)
     return ContactSolution(
         contact=contact,
         geometry=recipe.geometry,
         tolerance=tolerance,
         hertz=hertz,
         estimates=estimates,
-        meshes=tuple(meshes),
+        meshes=meshes,
         seconds=time.perf_counter() - start,
         warnings=warnings,
         valid=not thin and not (overrun and recipe.geometry == "real"),
     )
 
 
-def _far_boundary(
-    mesh: MeshSolution, *, recipe: Recipe, semi_axes: tuple[float, float], progress: Progress
-) -> dict[str, float]:
-    """What the far boundary of a block still does to each quantity, relative; nothing for a body that has none.
-
-    The outermost cells are taken off: what that changes, over the ratio of the two sizes less one, is what is left if
-    it fades as one over the size.
-    """
-    if not mesh.pair.lower.far.size:
-        return {part.name: 0.0 for part in fields(Quantities)}
-    contact = mesh.contact
-    progress(0.95, f"{contact.pair}: far boundary")
-    trimmed = solve_on_mesh(
-        contact, recipe=recipe, level=mesh.level, semi_axes=semi_axes, trimmed=True, upper=mesh.upper
-    )
-    ratio = _depth(mesh) / _depth(trimmed)
-    return {
-        part.name: abs(getattr(mesh.quantities, part.name) / getattr(trimmed.quantities, part.name) - 1) / (ratio - 1)
-        for part in fields(Quantities)
-    }
-
-
-def _depth(mesh: MeshSolution) -> float:
-    """How far the race or lower half space reaches down, m."""
-    return -float(mesh.pair.lower.mesh.doflocs[2].min())
-
-
-def _is_open(part: Estimate, *, formula: float, tolerance: float) -> bool:
+def _is_open(part: Estimate, formula: float, *, tolerance: float) -> bool:
     """Whether a quantity is undecided and a finer mesh could decide it: the far boundary's share it would not lower."""
-    perfect = replace(part, mesh=0.0, values=part.values[-1:] * FEWEST, order=FORMAL_ORDER)
-    now, then = (_verdict(each, formula=formula, tolerance=tolerance, valid=True) for each in (part, perfect))
+    perfect = replace(part, mesh=0.0, settled=True)
+    now, then = (_verdict(each, formula, tolerance=tolerance, valid=True) for each in (part, perfect))
     return now == "undecided" != then
 
 
-def _verdict(part: Estimate, *, formula: float, tolerance: float, valid: bool) -> Verdict:
+def _verdict(part: Estimate, formula: float, *, tolerance: float, valid: bool) -> Verdict:
     return judge(
         discrepancy=formula / part.value - 1,
         uncertainty=part.total,
         tolerance=tolerance,
-        ordered=part.order is not None,
+        settled=part.settled,
         spread=part.spread,
         valid=valid,
     )
-
-
-def estimates_of(meshes: Sequence[MeshSolution]) -> dict[str, Estimate]:
-    """Each quantity on its finest mesh with its mesh uncertainty."""
-    sizes = [1 / mesh.level for mesh in meshes]
-    return {
-        part.name: estimate([getattr(mesh.quantities, part.name) for mesh in meshes], sizes)
-        for part in fields(Quantities)
-    }
 
 
 def hertz_quantities(contact: Contact) -> Quantities:
@@ -311,7 +261,7 @@ def hertz_quantities(contact: Contact) -> Quantities:
 
 
 def _warnings(
-    contact: Contact, finest: MeshSolution, estimates: dict[str, Estimate], *, overrun: bool, thin: bool
+    contact: Contact, finest: MeshSolution, estimates: Estimates, *, accuracy: float, overrun: bool, thin: bool
 ) -> tuple[str, ...]:
     found = []
     if thin and contact.wall is not None:
@@ -325,7 +275,14 @@ def _warnings(
             f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz, and the pressure at that edge may "
             "exceed the one at the centre; lower the load or the contact angle"
         )
-    unordered = [name for name, part in estimates.items() if part.order is None]
-    if unordered:
-        found.append(f"{contact.pair}: the meshes disagree without order in {', '.join(unordered)}")
+    missed = {name: part.total for name, part in estimates.items() if part.total > accuracy and not thin}
+    if missed:
+        worst_name = max(missed, key=lambda name: missed[name])
+        found.append(
+            f"{contact.pair}: an uncertainty of {accuracy:.2g} was asked for; that of {worst_name} is "
+            f"{missed[worst_name]:.2g} on level {finest.level}, {estimates[worst_name].domain:.2g} of it from the block"
+        )
+    unsettled = [name for name, part in estimates.items() if not part.settled]
+    if unsettled:
+        found.append(f"{contact.pair}: the meshes do not settle in {', '.join(unsettled)}")
     return tuple(found)

@@ -4,9 +4,9 @@ An expected number is exact, a limit, or 40-digit arithmetic on the inputs writt
 Where no number is right, a refusal that says so is: any other answer, a silent infinity included, is wrong.
 """
 
-from fembearing.compare.discrepancy import Progress, silent
 from fembearing.compare.hard_case import HardCase, HardOutcome, outcome_of
 from fembearing.compare.hard_contacts import CONTACT_CASES
+from fembearing.compare.progress import Progress, silent
 
 __all__ = ["HARD_CASES", "HardCase", "HardOutcome", "outcome_of", "run_hard_cases"]
 

@@ -10,8 +10,9 @@ import numpy as np
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
 from fembearing.compare.cost import contact_ladder_of
-from fembearing.compare.discrepancy import ContactSolution, Progress, contact_of, part_of, silent, solve_contact
+from fembearing.compare.discrepancy import ContactSolution, contact_of, solve_contact
 from fembearing.compare.hard_cases import HardOutcome, run_hard_cases
+from fembearing.compare.progress import Progress, part_of, silent
 from fembearing.compare.provenance import peak_memory, provenance_of
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
@@ -21,6 +22,7 @@ from fembearing.mesh.recipe import Geometry
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
 POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
 HARD_SECONDS = 11.0
+ENOUGH = 0.2  # uncertainty that is asked of a reference, as a share of the tolerance that it is to judge
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -104,7 +106,14 @@ def check_scene(
     contacts = []
     for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
         contacts.append(
-            solve_contact(scene, pair=pair, geometry=geometry, tolerance=asked, progress=part_of(progress, begin, end))
+            solve_contact(
+                scene,
+                pair=pair,
+                geometry=geometry,
+                tolerance=asked,
+                accuracy=ENOUGH * asked,
+                progress=part_of(progress, begin, end),
+            )
         )
     inner, outer = contacts[:2]
     return Validation(

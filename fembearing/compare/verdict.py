@@ -4,21 +4,21 @@ from collections.abc import Iterable
 from typing import Literal
 
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
-AGREE = 0.1  # meshes without order still agree when they differ by less than this share of the tolerance
+AGREE = 0.1  # meshes that do not settle still agree when they differ by less than this share of the tolerance
 
 
 def judge(
-    *, discrepancy: float, uncertainty: float, tolerance: float, ordered: bool, spread: float, valid: bool = True
+    *, discrepancy: float, uncertainty: float, tolerance: float, settled: bool, spread: float, valid: bool = True
 ) -> Verdict:
     """All arguments relative.
 
-    ordered : the meshes converge with an observed order
+    settled : the meshes close in on a value
     spread : largest difference between the meshes
     valid : the contact is one that the production formula is made for
     """
     if not valid:
         return "outside validity"
-    if not ordered and spread > AGREE * tolerance:
+    if not settled and spread > AGREE * tolerance:
         return "undecided"
     if abs(discrepancy) + uncertainty <= tolerance:
         return "pass"

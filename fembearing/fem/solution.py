@@ -19,8 +19,8 @@ from fembearing.mesh.recipe import Recipe
 Array = NDArray[np.float64]
 QUARTERS = 4  # a mesh is a quarter of the contact
 # How far off, in semi-axes, the mesh may be made on the first and the second level. The first shows a slender ellipse
-# up to a tenth too short; a mesh that is 2 % off changes no quantity by more than its own discretisation error.
-GOOD_GUESSES = (0.1, 0.02)
+# up to a tenth too short; a mesh that is 1 % off changes no quantity by more than its own discretisation error.
+GOOD_GUESSES = (0.1, 0.01)
 # A mesh far too large is touched by one node and shows no size, one far too small is touched all over and shows 1.6
 # times its own. Each try mends a factor of 4 or 1.6: these many, a guess 100 times too large or too small.
 SMALLEST_CHANGE = 0.25
@@ -55,17 +55,17 @@ def solve_on_mesh(
     recipe: Recipe,
     level: int,
     semi_axes: tuple[float, float],
-    trimmed: bool = False,
+    extended: bool = False,
     upper: CondensedBody | None = None,
 ) -> MeshSolution:
     """Solve a contact on one level of a recipe, the mesh made for an ellipse of `semi_axes` (m).
 
-    trimmed : leave off the outermost cells of a block, to see what its far boundary does
-    upper : the ball's condensation where it is known for this level and ellipse: trimming does not change a ball
+    extended : add cells all round a block, to see what its far boundary does
+    upper : the ball's condensation where it is known for this level and ellipse: no block changes it
     Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not settle.
     """
     start = time.perf_counter()
-    pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, trimmed=trimmed)
+    pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended)
     upper, lower = _condensed(contact, pair, upper)
     x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
     lever = -pair.normal[2]
@@ -110,25 +110,29 @@ def fitted_solution(contact: Contact, *, recipe: Recipe, guess: tuple[float, flo
     guess : to start from, m; its own unless given
     Raises ConvergenceError if the ellipse keeps running away from its mesh.
     """
-    semi_axes = expected_semi_axes(contact) if guess is None else guess
-    for level, good in zip(recipe.levels, GOOD_GUESSES, strict=False):
-        for _ in range(MOST_GUESSES):
-            found = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes)
-            changes = [max(new / old, SMALLEST_CHANGE) for new, old in zip(found.semi_axes, semi_axes, strict=True)]
-            misfit = max(abs(change - 1) for change in changes)
-            if misfit < good:
-                break
-            semi_axes = (semi_axes[0] * changes[0], semi_axes[1] * changes[1])
-        else:
-            raise ConvergenceError(
-                iterations=MOST_GUESSES,
-                residual=misfit,
-                tolerance=good,
-                unit="of a semi-axis",
-                problem="the size of the contact",
-                remedy="Lower the load, or check the groove radius and the materials.",
-            )
-    return found
+    coarse, fine = recipe.levels[:2]
+    start = expected_semi_axes(contact) if guess is None else guess
+    rough = _fitted(contact, recipe=recipe, level=coarse, start=start, good=GOOD_GUESSES[0])
+    return _fitted(contact, recipe=recipe, level=fine, start=rough.pair.semi_axes, good=GOOD_GUESSES[1])
+
+
+def _fitted(contact: Contact, *, recipe: Recipe, level: int, start: tuple[float, float], good: float) -> MeshSolution:
+    semi_axes, misfit = start, np.inf
+    for _ in range(MOST_GUESSES):
+        found = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes)
+        changes = [max(new / old, SMALLEST_CHANGE) for new, old in zip(found.semi_axes, semi_axes, strict=True)]
+        misfit = max(abs(change - 1) for change in changes)
+        if misfit < good:
+            return found
+        semi_axes = (semi_axes[0] * changes[0], semi_axes[1] * changes[1])
+    raise ConvergenceError(
+        iterations=MOST_GUESSES,
+        residual=misfit,
+        tolerance=good,
+        unit="of a semi-axis",
+        problem="the size of the contact",
+        remedy="Lower the load, or check the groove radius and the materials.",
+    )
 
 
 def _condensed(contact: Contact, pair: PairMesh, upper: CondensedBody | None) -> tuple[CondensedBody, CondensedBody]:

@@ -10,6 +10,8 @@ from skfem import MeshHex2
 from fembearing.mesh.patch import NODE, PatchMesh, depth_lines, far_square, outside_share
 from fembearing.mesh.recipe import Cells, Recipe
 
+FURTHER = 2.0  # times its reach: how far a block is extended to see what its far boundary does
+
 Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
 BodyName = Literal["ball", "race", "pocket wall", "half space"]
@@ -63,27 +65,44 @@ def cells_of(recipe: Recipe, level: int, *, growth: float) -> Cells:
 
 @dataclass(frozen=True, kw_only=True)
 class Block:
-    """The grid of a block: columns under the patch out to `reach` and down to it."""
+    """The grid of a block: columns under the patch out to `reach` and down to it, or on to `further`."""
 
     recipe: Recipe
     level: int
     semi_axes: tuple[float, float]
     reach: float
+    further: float | None = None
 
     @property
     def whole(self) -> Cells:
+        """Out to `reach`."""
         return cells_of(self.recipe, self.level, growth=self.reach / min(self.semi_axes))
 
-    def cells(self, trimmed: bool) -> Cells:
-        """All of them, or all but the outermost ring and layer."""
-        whole = self.whole
-        return replace(whole, outside=whole.outside - 1, depth=whole.depth - 1) if trimmed else whole
+    @property
+    def growth(self) -> float:
+        """From the margin's rim to `reach`."""
+        return self.reach / (self.recipe.patch.margin_size * min(self.semi_axes))
+
+    @property
+    def added(self) -> Array:
+        """Rings and layers from `reach` to `further`, in units of `reach`: each as much larger as the rings are."""
+        if self.further is None:
+            return np.array([])
+        ratio = self.further / self.reach
+        count = int(np.ceil(np.log(ratio) * self.whole.outside / np.log(self.growth)))
+        return ratio ** (np.arange(1, count + 1) / count)
+
+    @property
+    def cells(self) -> Cells:
+        return replace(
+            self.whole, outside=self.whole.outside + self.added.size, depth=self.whole.depth + self.added.size
+        )
 
     def plane(self, patch: PatchMesh, zone: Array) -> Array:
         """x, y of the columns, (2, columns), m; `zone` is where they start, those further out on its rim."""
-        growth = self.reach / (self.recipe.patch.margin_size * min(self.semi_axes))
-        share = outside_share(patch, rings=self.whole.outside, growth=growth)
-        return zone * (1 - share) + self.reach * far_square(patch.u, patch.v) * share
+        share = outside_share(patch, rings=self.whole.outside, growth=self.growth)
+        added = np.interp(patch.ring - self.whole.rings, np.arange(self.added.size + 1), [1.0, *self.added])
+        return zone * (1 - share) + self.reach * share * added * far_square(patch.u, patch.v)
 
     def stack(self, patch: PatchMesh, plane: Array, height: Array, *, side: Literal[1, -1]) -> Array:
         """Positions (3, nodes) of columns that run from their `height` towards the plane z = side * reach.
@@ -91,9 +110,10 @@ class Block:
         Layers of a body below are counted from the far boundary upwards, so that its cells stay right-handed.
         """
         lines = depth_lines(self.whole.depth, depth=self.recipe.depth, minor=min(self.semi_axes), extent=self.reach)
-        lines = lines[: 2 * patch.cells.depth + 1]
+        corners = np.append(lines[::2], self.reach * self.added)
+        lines = np.interp(np.arange(2 * corners.size - 1) / 2, np.arange(corners.size), corners)
         step = np.rint(2 * patch.layer).astype(int)
         share = lines[step if side > 0 else lines.size - 1 - step] / self.reach
         start = height[patch.column]
         x, y = plane[:, patch.column]
-        return np.array([x, y, start + (side * self.reach - start) * share])
+        return np.array([x, y, start * np.maximum(1 - share, 0) + side * self.reach * share])

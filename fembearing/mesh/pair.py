@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.mesh.ball import ball_octant
-from fembearing.mesh.bodies import Block, BodyMesh, body_mesh
+from fembearing.mesh.bodies import FURTHER, Block, BodyMesh, body_mesh
 from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.pocket import pocket_wall
 from fembearing.mesh.quality import mesh_quality
@@ -35,17 +35,17 @@ class PairMesh:
 
 
 def pair_mesh(
-    contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool = False
+    contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool = False
 ) -> PairMesh:
     """Mesh both bodies of a contact on one level of a recipe.
 
     semi_axes : expected semi-axes along rolling and transverse, m; they size the mesh
-    trimmed : leave off the outermost ring and layer of a block's cells; the others stay where they are, so that the
-        difference shows what the far boundary does and nothing else
+    extended : add rings and layers of cells to a block, which is then up to twice as large; the others stay where
+        they are, so that the difference shows what the far boundary does and little else
     Raises InputError if the bodies cannot be meshed at that size.
     """
     make = _half_spaces if recipe.geometry == "hertzian" else _ball_on_race
-    pair = make(contact, recipe, level, semi_axes, trimmed)
+    pair = make(contact, recipe, level, semi_axes, extended)
     for body in (pair.upper, pair.lower):
         quality = mesh_quality(body.mesh)
         if not quality.valid:
@@ -59,10 +59,12 @@ def pair_mesh(
 
 
 def _half_spaces(
-    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool
 ) -> PairMesh:
-    block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=recipe.domain.extent * max(semi_axes))
-    patch = patch_mesh(block.cells(trimmed))
+    reach = recipe.domain.extent * max(semi_axes)
+    further = FURTHER * reach if extended else None
+    block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach, further=further)
+    patch = patch_mesh(block.cells)
     x, y = plane = block.plane(patch, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
     flat = np.zeros_like(x)
     upper = body_mesh("half space", patch, block.stack(patch, plane, flat, side=1))
@@ -75,7 +77,7 @@ def _half_spaces(
 
 
 def _ball_on_race(
-    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool
 ) -> PairMesh:
     radius = contact.ball_radius
     widest = WIDEST_CONTACT * radius / recipe.patch.margin_size
@@ -92,5 +94,5 @@ def _ball_on_race(
     if recipe.geometry == "wall":
         lower = pocket_wall(contact, recipe, level, semi_axes)
     else:
-        lower = race_block(contact, recipe, level, semi_axes, trimmed)
+        lower = race_block(contact, recipe, level, semi_axes, extended)
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)

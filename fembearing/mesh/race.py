@@ -4,19 +4,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.scene import Contact
-from fembearing.mesh.bodies import Block, BodyMesh, body_mesh
+from fembearing.mesh.bodies import FURTHER, Block, BodyMesh, body_mesh
 from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
+LEAST_FURTHER = 1.5  # times its reach: the least by which a block that fills its ring can be extended
 WIDEST_BLOCK = 0.7  # of the rolling radius: further round, an inner ring's surface falls too steeply
 
 
-def race_block(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], trimmed: bool) -> BodyMesh:
+def race_block(
+    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool
+) -> BodyMesh:
     """A block of the ring under its groove; columns start where the ball's normals meet the race, the rim's too."""
-    reach = min(recipe.domain.extent * max(semi_axes), WIDEST_BLOCK * abs(contact.rolling_radius))
-    block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach)
-    patch = patch_mesh(block.cells(trimmed))
+    widest = WIDEST_BLOCK * abs(contact.rolling_radius)
+    reach = min(recipe.domain.extent * max(semi_axes), widest / LEAST_FURTHER)
+    further = min(FURTHER * reach, widest) if extended else None
+    block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach, further=further)
+    patch = patch_mesh(block.cells)
     zone = meeting_places(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
     plane = block.plane(patch, zone)
     return body_mesh("race", patch, block.stack(patch, plane, race_height(contact, *plane), side=-1))

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from fembearing.compare.discrepancy import Progress, part_of, silent
+from fembearing.compare.progress import Progress, part_of, silent
 from fembearing.compare.validation import Validation, check_scene
 
 CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written

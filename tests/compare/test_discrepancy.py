@@ -9,7 +9,8 @@ import pytest
 
 from analytic.scene import Contact, Material
 from fembearing.compare import discrepancy as module
-from fembearing.compare.discrepancy import compare_contact, estimates_of, hertz_quantities
+from fembearing.compare.discrepancy import compare_contact, hertz_quantities
+from fembearing.compare.reference import estimates_of
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
 

@@ -10,7 +10,7 @@ from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile import builtin_scene, load_scene
 from fembearing.compare import validation as module
-from fembearing.compare.discrepancy import Progress
+from fembearing.compare.progress import Progress
 from fembearing.compare.validation import check_scene
 
 

@@ -23,22 +23,22 @@ TOLERANCE = 0.031
 )
 def test_verdict_follows_the_interval(discrepancy: float, uncertainty: float, expected: Verdict) -> None:
     found = judge(
-        discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, ordered=True, spread=2 * uncertainty
+        discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, settled=True, spread=2 * uncertainty
     )
     assert found == expected
 
 
-def test_meshes_that_disagree_without_order_are_undecided() -> None:
-    assert judge(discrepancy=0.002, uncertainty=0.003, tolerance=TOLERANCE, ordered=False, spread=0.02) == "undecided"
+def test_meshes_that_do_not_settle_are_undecided() -> None:
+    assert judge(discrepancy=0.002, uncertainty=0.003, tolerance=TOLERANCE, settled=False, spread=0.02) == "undecided"
 
 
 def test_noise_far_below_the_tolerance_is_agreement() -> None:
-    assert judge(discrepancy=0.002, uncertainty=1e-4, tolerance=TOLERANCE, ordered=False, spread=1e-4) == "pass"
+    assert judge(discrepancy=0.002, uncertainty=1e-4, tolerance=TOLERANCE, settled=False, spread=1e-4) == "pass"
 
 
 def test_a_contact_that_hertz_is_not_made_for_never_passes() -> None:
     assert (
-        judge(discrepancy=0.0, uncertainty=0.0, tolerance=TOLERANCE, ordered=True, spread=0.0, valid=False)
+        judge(discrepancy=0.0, uncertainty=0.0, tolerance=TOLERANCE, settled=True, spread=0.0, valid=False)
         == "outside validity"
     )
 
@@ -46,7 +46,7 @@ def test_a_contact_that_hertz_is_not_made_for_never_passes() -> None:
 @given(st.floats(-0.2, 0.2), st.floats(0.0, 0.2))
 def test_a_pass_stays_a_pass_at_any_truth_inside_the_interval(discrepancy: float, uncertainty: float) -> None:
     found = judge(
-        discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, ordered=True, spread=uncertainty
+        discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, settled=True, spread=uncertainty
     )
     ends = [abs(discrepancy - uncertainty), abs(discrepancy + uncertainty)]
     if found == "pass":

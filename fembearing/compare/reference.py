@@ -1,0 +1,125 @@
+"""The finite-element reference of a contact: as many meshes as its accuracy asks for, and what they say together."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields, replace
+
+from analytic.scene import Contact
+from fembearing.compare.progress import Progress
+from fembearing.compare.uncertainty import FINEST, HALF, Estimate, estimate
+from fembearing.fem.measure import Quantities
+from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
+from fembearing.mesh.recipe import Recipe
+
+Estimates = dict[str, Estimate]
+
+# With which power of the cells a quantity's error falls: an approach is an energy and gains twice the order of
+# quadratic cells; semi-axes gain 3 on cells that follow the edge. Peak pressure has no steady one.
+FORMAL_ORDERS: dict[str, float | None] = {
+    "semi_axis_rolling": 3.0,
+    "semi_axis_transverse": 3.0,
+    "peak_pressure": None,
+    "approach": 4.0,
+    "stiffness": 4.0,
+}
+GUESSED_ORDER = 3.0  # of the peak pressure, to predict a level and nothing else
+# With which power of a block's size the effect of its far boundary fades on a race: seen on nested blocks of 1.4 to 8
+# major semi-axes. A pocket's seat is a cavity and no half space: its approach runs on with the logarithm of the size.
+FADING = 2.0
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Reference:
+    """Meshes from coarse to fine, and each quantity with its uncertainty."""
+
+    meshes: tuple[MeshSolution, ...]
+    estimates: Estimates
+
+
+def solve_reference(
+    contact: Contact,
+    *,
+    recipe: Recipe,
+    accuracy: float,
+    watched: Sequence[str] = tuple(FORMAL_ORDERS),
+    is_open: Callable[[Estimates], bool] = lambda _: False,
+    progress: Progress,
+) -> Reference:
+    """Solve `contact` on three levels of `recipe` or more.
+
+    accuracy : asked of the watched quantities, relative half-width
+    watched : names of quantities
+    is_open : whether what the meshes say is not yet enough, although the accuracy is reached
+    The first two levels predict which one holds the accuracy; where it does not, finer ones follow.
+    """
+    progress(0.0, f"{contact.pair}: size of the contact")
+    second = fitted_solution(contact, recipe=recipe)
+    progress(0.2, f"{contact.pair}: far boundary")
+    boundary = _far_boundary(second, recipe=recipe)
+    first = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
+    meshes, estimates = [first, second], {}
+    allowed = {name: max(accuracy - boundary[name].domain, boundary[name].domain / 2) for name in watched}
+    predicted = _predicted_level(meshes, recipe=recipe, allowed=allowed)
+    for level in (level for level in recipe.levels if level >= predicted):
+        progress(0.4, f"{contact.pair}: level {level}")
+        meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=second.pair.semi_axes))
+        estimates = {name: replace(part, **vars(boundary[name])) for name, part in estimates_of(meshes).items()}
+        holds = all(estimates[name].mesh <= limit for name, limit in allowed.items())
+        if holds and not is_open(estimates):
+            break
+    return Reference(meshes=tuple(meshes), estimates=estimates)
+
+
+def estimates_of(meshes: Sequence[MeshSolution]) -> Estimates:
+    """Each quantity from three meshes or more, without what the far boundary does."""
+    sizes = [1 / mesh.level for mesh in meshes]
+    return {
+        name: estimate([getattr(mesh.quantities, name) for mesh in meshes], sizes, formal_order=order)
+        for name, order in FORMAL_ORDERS.items()
+    }
+
+
+def _predicted_level(meshes: Sequence[MeshSolution], *, recipe: Recipe, allowed: dict[str, float]) -> int:
+    """The coarsest level from the third on whose mesh uncertainty should be no more than allowed; else the finest."""
+    coarse, fine = meshes
+    for level in recipe.levels[2:-1]:
+        for name, limit in allowed.items():
+            order = FORMAL_ORDERS[name] or GUESSED_ORDER
+            change = abs(getattr(coarse.quantities, name) / getattr(fine.quantities, name) - 1)
+            error = change / ((fine.level / coarse.level) ** order - 1) * (fine.level / level) ** order
+            if HALF * error + FINEST > limit:
+                break
+        else:
+            return level
+    return recipe.levels[-1]
+
+
+@dataclass(frozen=True, kw_only=True)
+class _Boundary:
+    """The fields of an `Estimate` that the size of the meshed region sets."""
+
+    beyond: float = 0.0
+    domain: float = 0.0
+
+
+def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, _Boundary]:
+    """What the far boundary of a block still does to each quantity; nothing for a body that has none.
+
+    A block with more cells all round shows a part of it. On a race the rest follows from the power with which it fades,
+    and half of the whole is left as uncertainty; in a seat all that fades no faster than its size is uncertain.
+    """
+    names = [part.name for part in fields(Quantities)]
+    if not mesh.pair.lower.far.size:
+        return dict.fromkeys(names, _Boundary())
+    larger = solve_on_mesh(
+        mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
+    )
+    size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
+    found = {}
+    for name in names:
+        change = getattr(larger.quantities, name) / getattr(mesh.quantities, name) - 1
+        if mesh.contact.pair == "pocket":
+            found[name] = _Boundary(domain=abs(change) / (1 - size / further))
+        else:
+            whole = change / (1 - (size / further) ** FADING)
+            found[name] = _Boundary(beyond=whole, domain=abs(whole) / 2)
+    return found
