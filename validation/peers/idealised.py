@@ -5,19 +5,23 @@ cent of the approach at thirty contact radii.
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+import numpy as np
+from numpy.typing import NDArray
+from skfem import Basis, ElementHex2
 
-    from analytic.scene import Contact
+from analytic.scene import Contact, Material
+from fembearing.fem.farfield import pressed_ellipse
+from fembearing.mesh.pair import pair_mesh
+from fembearing.mesh.recipe import load_recipe
+
+Array = NDArray[np.float64]
+Nodes = NDArray[np.intp]
 
 
-def idealised_contact(case: dict[str, Any]) -> "Contact":
+def idealised_contact(case: dict[str, Any]) -> Contact:
     """A case as a contact whose curvatures are the case's; curvature_x must not be below curvature_y."""
-    from analytic.scene import Contact, Material
-
     across = case["curvature_x"] - case["curvature_y"]  # 1/m, of the groove
     steel = Material(
         name="steel",
@@ -43,27 +47,32 @@ def idealised_contact(case: dict[str, Any]) -> "Contact":
 class Quarter:
     """Quarter of a half space z < 0 that fills x > 0, y > 0, in hexahedra of 20 nodes in Abaqus's order."""
 
-    position: "NDArray[np.float64]"  # (nodes, 3), m
-    cells: "NDArray[np.intp]"  # (cells, 20): corners, then middles of the edges
-    top: "NDArray[np.bool_]"  # (nodes,) on the surface z = 0
-    touching: "NDArray[np.bool_]"  # (nodes,) that may come into contact
-    far: "NDArray[np.bool_]"  # (nodes,) on the outer faces
-    displacement: "NDArray[np.float64]"  # (nodes, 3), m, of a half space under the case's load; meant on the outer faces
+    position: Array  # (nodes, 3), m
+    cells: Nodes  # (cells, 20): corners, then middles of the edges
+    top: NDArray[np.bool_]  # (nodes,) on the surface z = 0
+    touching: NDArray[np.bool_]  # (nodes,) that may come into contact
+    far: NDArray[np.bool_]  # (nodes,) on the outer faces
+    displacement: Array  # (nodes, 3), m, of a half space under the case's load; zero off the outer faces
+
+    def contact_faces(self) -> list[tuple[int, int, Nodes]]:
+        """Cell, face and its 8 nodes, corners first, of each face that may touch."""
+        return [
+            (cell, face, nodes[[*corners, *middles]])
+            for cell, nodes in enumerate(self.cells)
+            for face, (corners, middles) in enumerate(zip(FACES, MIDDLES, strict=True))
+            if np.all(self.top[nodes[[*corners]]]) and np.any(self.touching[nodes[[*corners]]])
+        ]
 
 
 CORNERS = ((0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0), (0, 0, 1), (0, 1, 1), (1, 1, 1), (1, 0, 1))  # right-handed here
 EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
 
+FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+MIDDLES = ((8, 9, 10, 11), (12, 13, 14, 15), (8, 17, 12, 16), (9, 18, 13, 17), (10, 19, 14, 18), (11, 16, 15, 19))
+
 
 def quarter(case: dict[str, Any], level: int) -> Quarter:
     """The lower half space of our mesh at a level of its recipe."""
-    import numpy as np
-    from skfem import Basis, ElementHex2
-
-    from fembearing.fem.farfield import pressed_ellipse
-    from fembearing.mesh.pair import pair_mesh
-    from fembearing.mesh.recipe import load_recipe
-
     contact, axes = idealised_contact(case), tuple(case["semi_axes"])
     body = pair_mesh(contact, recipe=load_recipe("hertzian"), level=level, semi_axes=axes).lower
     places = [tuple(place) for place in np.rint(2 * ElementHex2().doflocs).astype(int)]
@@ -74,8 +83,8 @@ def quarter(case: dict[str, Any], level: int) -> Quarter:
     x, y, z = body.mesh.doflocs[:, used]
     far = np.isin(used, body.far)
     moved = np.zeros((used.size, 3))
-    sideways_x, sideways_y, inwards = pressed_ellipse(x[far], y[far], -z[far], semi_axes=axes, material=contact.race_material)
-    moved[far] = case["load"] * np.column_stack([sideways_x, sideways_y, -inwards])
+    unit = pressed_ellipse(x[far], y[far], -z[far], semi_axes=axes, material=contact.race_material)
+    moved[far] = case["load"] * (unit * [[1], [1], [-1]]).T  # its third component points into the body
     return Quarter(
         position=np.column_stack([x, y, z]),
         cells=numbers.reshape(chosen.shape).T,

@@ -1,126 +1,127 @@
 """Peer: NGSolve, quadratic hexahedra pressed on a rigid paraboloid. Refinement: level of our mesh recipe.
 
 By symmetry each of two equal half spaces sees a rigid paraboloid of half the gap. The pressure is a penalty times the
-penetration; the active set is renewed at the quadrature points until it carries the load.
+penetration; the points that penetrate are renewed until they carry the load. Of NGSolve's direct solvers `sparsecholesky` was the
+fastest: UMFPACK took five times as long on 20 000 unknowns.
 """
 
 from typing import Any
 
-from idealised import quarter
-from peer import Solve, peak_pressure, semi_axis, serve
+from peer import Solve, peak_pressure, serve
 
-PENALTY = 1e5  # times E over the minor semi-axis: gives under the pressure by 1e-5 of the approach
+PENALTY = 1e5  # times E over the minor semi-axis: the paraboloid sinks in by 1e-5 of the approach
 MOST_ROUNDS = 40
 BALANCED = 1e-9  # of the load
-FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+NAMES = ("x", "y", "far", "contact", "free")  # of the outer faces
 
 
 def load() -> Solve:
-    import netgen.meshing as nm
+    import netgen.meshing as netgen
     import ngsolve as ng
     import numpy as np
-    from ngsolve import dx, x, y
+
+    from idealised import FACES, Quarter, quarter
 
     ng.ngsglobals.msg_level = 0
 
-    def solve(case, level):
-        import time
-        T0=time.perf_counter()
+    def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
         block = quarter(case, level)
-        mesh, = make_mesh(block),
+        mesh = meshed(block)
+        modulus, ratio = case["youngs_modulus"], case["poisson_ratio"]
+        lam, mu = modulus * ratio / ((1 + ratio) * (1 - 2 * ratio)), modulus / (2 * (1 + ratio))
         a, b = case["semi_axes"]
-        T1=time.perf_counter()
-        E, nu = case["youngs_modulus"], case["poisson_ratio"]
-        lam, mu = E*nu/((1+nu)*(1-2*nu)), E/2/(1+nu)
-        quarter_load = case["load"]/4
-        V = ng.VectorH1(mesh, order=2, dirichletx="x|far", dirichlety="y|far", dirichletz="far")
-        u, v = V.TnT()
-        gap = (case["curvature_x"]*x**2+case["curvature_y"]*y**2)/4
-        gamma = PENALTY*E/min(a, b)
+        space = ng.VectorH1(mesh, order=2, dirichletx="x|far", dirichlety="y|far", dirichletz="far")
+        u, v = space.TnT()
+        strain_u, strain_v = ng.Sym(ng.Grad(u)), ng.Sym(ng.Grad(v))
+        elastic = (2 * mu * ng.InnerProduct(strain_u, strain_v) + lam * ng.div(u) * ng.div(v)) * ng.dx
+        gap = (case["curvature_x"] * ng.x**2 + case["curvature_y"] * ng.y**2) / 4
+        penalty = PENALTY * modulus / min(a, b)
         surface = ng.ds("contact", bonus_intorder=2)
-        state = ng.GridFunction(V)
-        far(state, mesh, case)
-        bc = state.vec.CreateVector(); bc.data = state.vec
-        active = ng.IfPos(1-(x/a)**2-(y/b)**2, 1, 0)
-        eps = lambda w: ng.Sym(ng.Grad(w))
+        field = ng.GridFunction(space)
+        field.Set(far_field(case), definedon=mesh.Boundaries("far"))
+        held, load_on, closed, freed = (field.vec.CreateVector() for _ in range(4))
+        held.data = field.vec
+        touches = ng.IfPos(1 - (ng.x / a) ** 2 - (ng.y / b) ** 2, 1, 0)
         with ng.TaskManager():
-          for its in range(MOST_ROUNDS):
-            t0=time.perf_counter()
-            K = ng.BilinearForm(V, symmetric=True, condense=True)
-            K += (2*mu*ng.InnerProduct(eps(u), eps(v))+lam*ng.div(u)*ng.div(v))*dx
-            K += gamma*active*u[2]*v[2]*surface
-            K.Assemble()
-            f = ng.LinearForm(gamma*active*gap*v[2]*surface).Assemble()
-            c = ng.LinearForm(-gamma*active*v[2]*surface).Assemble()
-            c0 = ng.Integrate(gamma*active*surface, mesh); g0 = ng.Integrate(gamma*active*gap*surface, mesh)
-            t1=time.perf_counter()
-            inv = K.mat.Inverse(V.FreeDofs(True), inverse=INV)
-            t2=time.perf_counter()
-            r = f.vec.CreateVector(); w1=f.vec.CreateVector(); w2=f.vec.CreateVector()
-            r.data = f.vec - K.mat*bc
-            w1.data = bc + inv*r
-            w2.data = inv*c.vec
-            d = (quarter_load+g0+ng.InnerProduct(c.vec, w1))/(c0-ng.InnerProduct(c.vec, w2))
-            new = ng.GridFunction(V); new.vec.data = w1+d*w2
-            pen = d-gap+new[2]
-            p = ng.IfPos(pen, gamma*pen, 0)
-            F = ng.Integrate(p*surface, mesh)
-            import sys
-            print(its, d, F/quarter_load-1, 'asm',round(t1-t0,3),'inv',round(t2-t1,3), file=sys.stderr)
-            active = ng.IfPos(pen, 1, 0)
-            if abs(F/quarter_load-1) < BALANCED: break
-        T2=time.perf_counter()
-        I = lambda q: ng.Integrate(q*surface, mesh)
-        ax = (5*I(p*x**2)/F)**.5, (5*I(p*y**2)/F)**.5
-        ir = ng.IntegrationRule(ng.QUAD, 4)
-        pts = mesh.MapToAllElements(ir, mesh.Boundaries("contact"))
-        px, py, pp = (np.ravel(q(pts)) for q in (x, y, p))
-        w = np.tile([i.weight for i in ir], px.size//len(ir))
-        jac = np.ravel(ng.specialcf.JacobianMatrix(3,2)(pts)) if 0 else 1
-        pk = peak_pressure(px, py, pp, w*jac, semi_axes=ax)
-        print('mesh',T1-T0,'newton',T2-T1,'post',time.perf_counter()-T2, file=sys.stderr)
-        return {"semi_axis_x": ax[0], "semi_axis_y": ax[1], "peak_pressure": pk, "approach": 2*d, "unknowns": V.ndof}
+            for _ in range(MOST_ROUNDS):
+                spring = penalty * touches
+                matrix = ng.BilinearForm(space, symmetric=True, condense=True)
+                matrix += elastic + spring * u[2] * v[2] * surface
+                matrix.Assemble()
+                by_gap = ng.LinearForm(spring * gap * v[2] * surface).Assemble().vec
+                by_approach = ng.LinearForm(-spring * v[2] * surface).Assemble().vec
+                inverse = matrix.mat.Inverse(space.FreeDofs(True), inverse="sparsecholesky")
+                # The displacement is linear in the approach, which follows from the load.
+                load_on.data = by_gap - matrix.mat * held
+                closed.data = held + inverse * load_on
+                freed.data = inverse * by_approach
+                fixed = ng.Integrate(spring * gap * surface, mesh) + ng.InnerProduct(by_approach, closed)
+                stiffness = ng.Integrate(spring * surface, mesh) - ng.InnerProduct(by_approach, freed)
+                approach = (case["load"] / 4 + fixed) / stiffness
+                field = ng.GridFunction(space)  # a new one: the last points that touch are a function of it
+                field.vec.data = closed + approach * freed
+                penetration = approach - gap + field[2]
+                touches = ng.IfPos(penetration, 1, 0)
+                pressure = touches * penalty * penetration
+                if abs(ng.Integrate(pressure * surface, mesh) / (case["load"] / 4) - 1) < BALANCED:
+                    break
+            else:
+                raise RuntimeError(f"the contact did not settle in {MOST_ROUNDS} rounds")
+        axes = tuple(
+            float(5 * ng.Integrate(pressure * along**2 * surface, mesh) / (case["load"] / 4)) ** 0.5
+            for along in (ng.x, ng.y)
+        )
+        rule = ng.IntegrationRule(ng.ET.QUAD, 4)
+        points = mesh.MapToAllElements(rule, mesh.Boundaries("contact"))
+        x, y, found, size = (np.ravel(part(points)) for part in (ng.x, ng.y, pressure, ng.specialcf.mesh_size))
+        area = size**2 * np.tile([point.weight for point in rule], x.size // len(rule))
+        return {
+            "semi_axis_x": axes[0],
+            "semi_axis_y": axes[1],
+            "peak_pressure": peak_pressure(x, y, found, area, semi_axes=axes),
+            "approach": 2 * approach,
+            "unknowns": space.ndof,
+        }
 
-    def make_mesh(block):
-        m = nm.Mesh(dim=3)
-        corners = block.cells[:, :8]
-        used, cells = np.unique(corners, return_inverse=True); cells = cells.reshape(corners.shape)
-        pos = block.position[used]
-        ids = [m.Add(nm.MeshPoint(nm.Pnt(*p))) for p in pos.tolist()]
-        names = ["x", "y", "far", "contact", "free"]
-        for k, n in enumerate(names):
-            m.Add(nm.FaceDescriptor(surfnr=k+1, domin=1, bc=k+1)); m.SetBCName(k, n)
+    def meshed(block: Quarter) -> ng.Mesh:
+        """The block's cells with straight edges, their outer faces named."""
+        used, cells = np.unique(block.cells[:, :8], return_inverse=True)
+        cells = cells.reshape(-1, 8)
+        position = block.position[used]
+        made = netgen.Mesh(dim=3)
+        points = [made.Add(netgen.MeshPoint(netgen.Pnt(*place))) for place in position.tolist()]
+        for number, name in enumerate(NAMES):
+            made.Add(netgen.FaceDescriptor(surfnr=number + 1, domin=1, bc=number + 1))
+            made.SetBCName(number, name)
         faces = cells[:, FACES].reshape(-1, 4)
-        key = np.sort(faces, axis=1)
-        _, first, count = np.unique(key, axis=0, return_index=True, return_counts=True)
-        outer = faces[first[count == 1]]
-        size = pos.max()
-        flags = [pos[:, 0] < 1e-9*size, pos[:, 1] < 1e-9*size, block.far[used], None, None]
-        top = block.top[used]; t = block.touching[used]
-        for face in outer:
-            if top[face].all(): k = 3 if t[face].any() else 4
-            else: k = next(i for i in range(3) if flags[i][face].all())
-            m.Add(nm.Element2D(k+1, [ids[i] for i in face]))
-        for cell in cells: m.Add(nm.Element3D(1, [ids[i] for i in cell]))
-        return ng.Mesh(m)
+        _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+        planes = (position[:, 0] < 1e-9 * position.max(), position[:, 1] < 1e-9 * position.max(), block.far[used])
+        for face in faces[first[count == 1]]:
+            if block.top[used[face]].all():
+                name = "contact" if block.touching[used[face]].any() else "free"
+            else:
+                name = NAMES[next(number for number, plane in enumerate(planes) if plane[face].all())]
+            made.Add(netgen.Element2D(NAMES.index(name) + 1, [points[node] for node in face]))
+        for cell in cells:
+            made.Add(netgen.Element3D(1, [points[node] for node in cell]))
+        return ng.Mesh(made)
 
-    def far(state, mesh, case):
-        E, nu = case["youngs_modulus"], case["poisson_ratio"]
-        scale = (1+nu)/(2*np.pi*E)
-        parts = []
-        a, b = case["semi_axes"]
-        t = [0, 0, 0]
-        for sx in (-1, 1):
-          for sy in (-1, 1):
-            X, Y, Z = x-sx*a/5**.5, y-sy*b/5**.5, -ng.z
-            r = ng.sqrt(X**2+Y**2+Z**2)
-            s = scale*(Z/r**3-(1-2*nu)/(r*(r+Z)))*case["load"]/4
-            for i, q in enumerate((s*X, s*Y, -scale*(Z**2/r**3+2*(1-nu)/r)*case["load"]/4)): t[i] = t[i]+q
-        state.Set(ng.CF(tuple(t)), definedon=mesh.Boundaries("far"))
+    def far_field(case: dict[str, Any]) -> ng.CoefficientFunction:
+        """Boussinesq's displacement, m, of four point loads with the pressure's second moments."""
+        ratio = case["poisson_ratio"]
+        scale = case["load"] / 4 * (1 + ratio) / (2 * np.pi * case["youngs_modulus"])
+        shifts = [axis / 5**0.5 for axis in case["semi_axes"]]
+        total = ng.CF((0, 0, 0))
+        for x in (ng.x - shifts[0], ng.x + shifts[0]):
+            for y in (ng.y - shifts[1], ng.y + shifts[1]):
+                distance = ng.sqrt(x**2 + y**2 + ng.z**2)
+                sideways = -ng.z / distance**3 - (1 - 2 * ratio) / (distance * (distance - ng.z))
+                inwards = ng.z**2 / distance**3 + 2 * (1 - ratio) / distance
+                total = total + scale * ng.CF((sideways * x, sideways * y, -inwards))
+        return total
 
     return solve
 
-import os
-INV=os.environ.get("INV","sparsecholesky"); PENALTY=float(os.environ.get("PEN","1e5"))
+
 if __name__ == "__main__":
     serve(load)

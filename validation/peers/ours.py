@@ -2,11 +2,12 @@
 
 from typing import Any
 
-from idealised import idealised_contact
 from peer import Solve, serve
 
 
 def load() -> Solve:
+    from idealised import idealised_contact
+
     from fembearing.fem.solution import solve_on_mesh
     from fembearing.mesh.recipe import load_recipe
 
