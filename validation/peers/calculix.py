@@ -51,12 +51,11 @@ def load() -> Solve:
             lines = deck(case, block, supports=supports, faces=faces, paraboloid=np.column_stack([x, y, height]))
             job.with_suffix(".inp").write_text("\n".join(lines) + "\n", "ascii")
             threads = os.environ.get("OMP_NUM_THREADS", str(os.cpu_count()))
-            done = subprocess.run(
-                [PROGRAM, "job"], cwd=folder, env=os.environ | {"OMP_NUM_THREADS": threads}, capture_output=True, text=True
-            )
+            environment = os.environ | {"OMP_NUM_THREADS": threads}
+            done = subprocess.run([PROGRAM, "job"], cwd=folder, env=environment, capture_output=True, text=True)
             printed = job.with_suffix(".dat").read_text("ascii") if job.with_suffix(".dat").exists() else ""
         if done.returncode or "forces" not in printed:
-            raise RuntimeError(f"{PROGRAM} ended with status {done.returncode}: {done.stdout[-500:]}{done.stderr[-500:]}")
+            raise RuntimeError(f"{PROGRAM} ended with status {done.returncode}: {(done.stdout + done.stderr)[-500:]}")
         force = table(printed, "forces")[:, 3]  # N, on the paraboloid's nodes: the integrals of pressure times shape
         axes = semi_axis(x, force), semi_axis(y, force)
         points_x, points_y, area, pressure = at_gauss_points(x, y, faces, force)
@@ -80,7 +79,7 @@ def deck(
     faces: "NDArray[np.intp]",
     paraboloid: "NDArray[np.float64]",
 ) -> Iterator[str]:
-    """The input file. `supports` are cell and face of the block that may touch, `faces` the paraboloid's, 8 nodes each."""
+    """The input file. `supports`: cell and face of the block where it may touch; `faces`: 8 nodes of the paraboloid."""
     import numpy as np
 
     position, count = block.position, len(block.position)
@@ -88,7 +87,7 @@ def deck(
     modulus = case["youngs_modulus"] / 1e6 / FLATTENING
     lower = paraboloid * [MM, MM, MM * FLATTENING]
     rigid, corners = len(lower), np.unique(faces[:, :4])
-    upper, middle = lower + [0, 0, minor], lower[corners] + [0, 0, minor / 2]
+    upper, middle = lower + np.array([0, 0, minor]), lower[corners] + np.array([0, 0, minor / 2])
     yield "*NODE"
     for number, place in enumerate(np.vstack([position * MM, lower, upper, middle]), start=1):
         yield f"{number},{place[0]:.12g},{place[1]:.12g},{place[2]:.12g}"
@@ -190,7 +189,12 @@ def on_face(
     S, T = np.array([-1, 1, 1, -1]), np.array([-1, -1, 1, 1])
     along, across = 1 + s * S, 1 + t * T
     shape = [*(along * across * (s * S + t * T - 1) / 4)]
-    shape += [(1 - s * s) * (1 - t) / 2, (1 + s) * (1 - t * t) / 2, (1 - s * s) * (1 + t) / 2, (1 - s) * (1 - t * t) / 2]
+    shape += [
+        (1 - s * s) * (1 - t) / 2,
+        (1 + s) * (1 - t * t) / 2,
+        (1 - s * s) * (1 + t) / 2,
+        (1 - s) * (1 - t * t) / 2,
+    ]
     by_s = [*(S * across * (2 * s * S + t * T) / 4), -s * (1 - t), (1 - t * t) / 2, -s * (1 + t), (t * t - 1) / 2]
     by_t = [*(T * along * (s * S + 2 * t * T) / 4), (s * s - 1) / 2, -t * (1 + s), (1 - s * s) / 2, -t * (1 - s)]
     corner = x[faces] @ np.array(by_s), y[faces] @ np.array(by_t), x[faces] @ np.array(by_t), y[faces] @ np.array(by_s)

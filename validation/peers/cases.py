@@ -15,7 +15,7 @@ class Case:
     curvature_x: float  # 1/m, along rolling
     curvature_y: float  # 1/m, transverse
     load: float  # N
-    semi_axes: tuple[float, float]  # m, along x and y, to 1 %: every peer sizes its mesh by them, none answers with them
+    semi_axes: tuple[float, float]  # m, along x and y, to 1 %: every peer sizes its mesh by them
     youngs_modulus: float = STEEL[0]  # Pa
     poisson_ratio: float = STEEL[1]
 

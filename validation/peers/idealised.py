@@ -78,7 +78,9 @@ def quarter(case: dict[str, Any], level: int) -> Quarter:
     places = [tuple(place) for place in np.rint(2 * ElementHex2().doflocs).astype(int)]
     corners = [tuple(2 * part for part in corner) for corner in CORNERS]
     middles = [tuple((p + q) // 2 for p, q in zip(corners[i], corners[j], strict=True)) for i, j in EDGES]
-    chosen = Basis(body.mesh, ElementHex2(), intorder=1).element_dofs[[places.index(each) for each in corners + middles]]
+    chosen = Basis(body.mesh, ElementHex2(), intorder=1).element_dofs[
+        [places.index(each) for each in corners + middles]
+    ]
     used, numbers = np.unique(chosen, return_inverse=True)
     x, y, z = body.mesh.doflocs[:, used]
     far = np.isin(used, body.far)

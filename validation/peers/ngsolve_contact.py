@@ -1,8 +1,8 @@
 """Peer: NGSolve, quadratic hexahedra pressed on a rigid paraboloid. Refinement: level of our mesh recipe.
 
 By symmetry each of two equal half spaces sees a rigid paraboloid of half the gap. The pressure is a penalty times the
-penetration; the points that penetrate are renewed until they carry the load. Of NGSolve's direct solvers `sparsecholesky` was the
-fastest: UMFPACK took five times as long on 20 000 unknowns.
+penetration; the points that penetrate are renewed until they carry the load. Of NGSolve's direct solvers
+`sparsecholesky` was the fastest: UMFPACK took five times as long on 20 000 unknowns.
 """
 
 from typing import Any

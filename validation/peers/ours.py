@@ -6,10 +6,9 @@ from peer import Solve, serve
 
 
 def load() -> Solve:
-    from idealised import idealised_contact
-
     from fembearing.fem.solution import solve_on_mesh
     from fembearing.mesh.recipe import load_recipe
+    from idealised import idealised_contact
 
     def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
         found = solve_on_mesh(

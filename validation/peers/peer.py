@@ -1,7 +1,7 @@
 """What every peer's program does alike: a case comes as JSON on standard input, a result goes out as JSON.
 
-In: a case of `cases.py` and its refinement. Out: the four quantities in SI units, the unknowns, seconds of importing and
-of solving, and the largest resident memory; or why the peer was skipped.
+In: a case of `cases.py` and its refinement. Out: the four quantities in SI units, the unknowns, seconds of importing
+and of solving, and the largest resident memory; or why the peer was skipped.
 """
 
 import json
@@ -27,16 +27,20 @@ def serve(load: Callable[[], Solve]) -> None:
     try:
         solve = load()
     except ModuleNotFoundError as problem:
-        print(json.dumps({"skipped": f"{problem.name} is not installed"}))
+        _tell({"skipped": f"{problem.name} is not installed"})
         return
     except SkippedError as problem:
-        print(json.dumps({"skipped": str(problem)}))
+        _tell({"skipped": str(problem)})
         return
     imported = time.perf_counter()
     case = json.load(sys.stdin)
     found = solve(case, case["refinement"])
     seconds = {"import_seconds": imported - start, "solve_seconds": time.perf_counter() - imported}
-    print(json.dumps({**found, **seconds, "memory": _peak_memory()}))
+    _tell({**found, **seconds, "memory": _peak_memory()})
+
+
+def _tell(answer: dict[str, Any]) -> None:
+    sys.stdout.write(json.dumps(answer) + "\n")
 
 
 def _peak_memory() -> int:

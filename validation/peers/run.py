@@ -1,8 +1,8 @@
 """Our finite elements beside other solvers, on cases that Hertz answers exactly: python validation/peers/run.py
 
-Each solver computes each case ever finer, every time in a process of its own. Prints the errors against exact Hertz with
-seconds and memory, writes peers.json and peers.png. A solver that is not installed is skipped; one that fails is listed.
-The ordinary run takes some five minutes on two cores, --long adds the finest step of each solver.
+Each solver computes each case ever finer, every time in a process of its own. Prints the errors against exact Hertz
+with seconds and memory, writes peers.json and peers.png. A solver that is not installed is skipped; one that fails is
+listed, and the exit status is then 1. --long adds the finest refinement of each solver.
 """
 
 # Standard library only, until every peer has run: a child's record of its largest memory starts at that of its parent.
@@ -28,7 +28,7 @@ QUANTITIES = ("approach", "semi_axis_x", "semi_axis_y", "peak_pressure")
 PEERS: dict[str, tuple[str, str, tuple[int, ...], tuple[int, ...]]] = {
     "ours": ("ours.py", "fembearing, finite elements", (1, 2, 3, 4), (6,)),
     "tamaas": ("tamaas_bem.py", "Tamaas, boundary elements", (16, 32, 64, 128, 256), (512,)),
-    "ngsolve": ("ngsolve_contact.py", "NGSolve, finite elements", (1, 2, 3), (4,)),
+    "ngsolve": ("ngsolve_contact.py", "NGSolve, finite elements", (1, 2, 3, 4), (6,)),
     "calculix": ("calculix.py", "CalculiX, finite elements", (1, 2, 3), (4,)),
 }
 
@@ -38,17 +38,18 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--peers", nargs="+", choices=PEERS, default=list(PEERS), metavar="PEER", help=", ".join(PEERS))
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), metavar="CASE", help=", ".join(CASES))
     parser.add_argument("--out", type=Path, default=REPORTS, help="folder for peers.json and peers.png")
-    parser.add_argument("--repeats", type=int, default=1, help="processes for each row; the median of their seconds counts")
-    parser.add_argument("--coarsest", action="store_true", help="only the coarsest refinement of each solver")
+    parser.add_argument("--repeats", type=int, default=1, help="processes for each row, of which the median counts")
+    parser.add_argument("--steps", type=int, help="only so many refinements of each solver, the coarsest first")
     parser.add_argument("--long", action="store_true", help="add the finest refinement of each solver")
     asked = parser.parse_args(argv)
-    if asked.repeats < 1:
-        parser.error(f"--repeats must be at least 1, got {asked.repeats}")
+    for name in ("repeats", "steps"):
+        if getattr(asked, name) is not None and getattr(asked, name) < 1:
+            parser.error(f"--{name} must be at least 1, got {getattr(asked, name)}")
     start = time.perf_counter()
     rows, skipped = [], {}
     for peer in dict.fromkeys(asked.peers):
         _, _, ordinary, finest = PEERS[peer]
-        ladder = ordinary[:1] if asked.coarsest else ordinary + (finest if asked.long else ())
+        ladder = (ordinary + (finest if asked.long else ()))[: asked.steps]
         for case in map(CASES.__getitem__, dict.fromkeys(asked.cases)):
             for refinement in ladder:
                 if peer in skipped:
@@ -56,17 +57,18 @@ def main(argv: list[str] | None = None) -> int:
                 row = measured(peer, case, refinement, repeats=asked.repeats)
                 if "skipped" in row:
                     skipped[peer] = row["skipped"]
-                    print(f"{peer} skipped: {row['skipped']}", file=sys.stderr)
+                    sys.stderr.write(f"{peer} skipped: {row['skipped']}\n")
                     continue
                 rows.append({"peer": peer, "case": case.name, "refinement": refinement, **row})
                 word = row.get("failed") or f"{row['solve_seconds']:.2f} s"
-                print(f"{peer} {case.name} {refinement}: {word}", file=sys.stderr)
+                sys.stderr.write(f"{peer} {case.name} {refinement}: {word}\n")
     from table import exact_answers, print_table, with_errors
 
     exact = exact_answers([CASES[name] for name in asked.cases])
     result = {
         "command": sys.argv if argv is None else ["run.py", *argv],
-        "machine": f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}",
+        "machine": f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}, "
+        f"Python {platform.python_version()}",
         "seconds": time.perf_counter() - start,
         "cases": {name: asdict(CASES[name]) | {"exact": exact[name]} for name in asked.cases},
         "rows": with_errors(rows, exact),

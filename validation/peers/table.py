@@ -9,7 +9,7 @@ from rich.table import Table
 from analytic import hertz_contact
 from cases import Case
 
-COLUMNS = {"approach": "approach", "semi_axis_x": "a", "semi_axis_y": "b", "peak_pressure": "p0"}
+COLUMNS = {"approach": "delta", "semi_axis_x": "a", "semi_axis_y": "b", "peak_pressure": "p0"}
 
 
 def exact_answers(cases: Iterable[Case]) -> dict[str, dict[str, float]]:
@@ -42,8 +42,8 @@ def print_table(result: dict[str, Any]) -> None:
     out = Console(width=110)
     out.print(result["machine"])
     for name, case in result["cases"].items():
-        heads = [f"{word}, %" for word in COLUMNS.values()]
-        table = Table("peer", "refinement", "unknowns", *heads, "import, s", "solve, s", "memory, MiB", title=case["title"])
+        heads = [*(f"{word}, %" for word in COLUMNS.values()), "import, s", "solve, s", "MiB"]
+        table = Table("peer", "step", "unknowns", *heads, title=case["title"])
         for row in result["rows"]:
             if row["case"] != name:
                 continue
