@@ -22,9 +22,16 @@ def draw(result: dict[str, Any], path: Path, *, names: dict[str, str]) -> None:
         for panel, (cost, (label, unit)) in zip(row, COSTS.items(), strict=True):
             for peer, (mark, colour) in MARKS.items():
                 shown = [each for each in result["rows"] if each["peer"] == peer and each["case"] == name]
-                points = [(unit * each[cost], PER_CENT * each["worst"]) for each in shown if "worst" in each]
+                points = [
+                    (unit * each[cost], PER_CENT * each["worst"]) for each in shown if "worst" in each and each[cost]
+                ]
                 if points:
                     panel.loglog(*zip(*points, strict=True), marker=mark, color=colour, label=names[peer])
+            panel.xaxis.set_major_formatter("{x:g}")
+            panel.yaxis.set_major_formatter("{x:g}")
+            if cost == "memory":  # spans little more than one power of ten
+                panel.set_xscale("log", base=2)
+                panel.xaxis.set_major_formatter("{x:g}")
             panel.set_xlabel(label)
             panel.set_title(case["title"], fontsize="medium")
             panel.grid(which="major", alpha=0.4)

@@ -5,7 +5,6 @@ and of solving, and the largest resident memory; or why the peer was skipped.
 """
 
 import json
-import resource
 import sys
 import time
 from collections.abc import Callable
@@ -43,8 +42,12 @@ def _tell(answer: dict[str, Any]) -> None:
     sys.stdout.write(json.dumps(answer) + "\n")
 
 
-def _peak_memory() -> int:
-    """Bytes: the larger of this process and of a solver that it ran as a program of its own."""
+def _peak_memory() -> int | None:
+    """Bytes: the larger of this process and of a solver that it ran as a program of its own; None if not recorded."""
+    try:
+        import resource
+    except ModuleNotFoundError:  # Windows
+        return None
     unit = 1 if sys.platform == "darwin" else 1024  # ru_maxrss is in bytes there, in kilobytes elsewhere
     return unit * max(resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
 

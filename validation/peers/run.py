@@ -7,6 +7,7 @@ listed, and the exit status is then 1. --long adds the finest refinement of each
 
 # Standard library only, until every peer has run: a child's record of its largest memory starts at that of its parent.
 import argparse
+import contextlib
 import json
 import os
 import platform
@@ -15,6 +16,7 @@ import subprocess
 import sys
 import time
 from dataclasses import asdict
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +25,6 @@ from cases import CASES, Case
 HERE = Path(__file__).resolve().parent
 REPORTS = HERE.parent / "reports"
 LIMIT = 600.0  # s, for one process
-QUANTITIES = ("approach", "semi_axis_x", "semi_axis_y", "peak_pressure")
 # Program, what it is, its refinements, and those added by --long
 PEERS: dict[str, tuple[str, str, tuple[int, ...], tuple[int, ...]]] = {
     "ours": ("ours.py", "fembearing, finite elements", (1, 2, 3, 4), (6,)),
@@ -69,6 +70,7 @@ def main(argv: list[str] | None = None) -> int:
         "command": sys.argv if argv is None else ["run.py", *argv],
         "machine": f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}, "
         f"Python {platform.python_version()}",
+        "versions": versions(),
         "seconds": time.perf_counter() - start,
         "cases": {name: asdict(CASES[name]) | {"exact": exact[name]} for name in asked.cases},
         "rows": with_errors(rows, exact),
@@ -82,6 +84,17 @@ def main(argv: list[str] | None = None) -> int:
 
         draw(result, asked.out / "peers.png", names={peer: PEERS[peer][1] for peer in PEERS})
     return 1 if any("failed" in row for row in rows) else 0
+
+
+def versions() -> dict[str, str]:
+    """Of the peers that are here, by package or program."""
+    found = {}
+    for package in ("fembearing", "tamaas", "ngsolve"):
+        with contextlib.suppress(PackageNotFoundError):
+            found[package] = version(package)
+    with contextlib.suppress(OSError):
+        found["ccx"] = subprocess.run(["ccx", "-v"], capture_output=True, text=True).stdout.split()[-1]
+    return found
 
 
 def measured(peer: str, case: Case, refinement: int, *, repeats: int) -> dict[str, Any]:
@@ -98,7 +111,7 @@ def measured(peer: str, case: Case, refinement: int, *, repeats: int) -> dict[st
         **answers[-1],
         **seconds,
         "spread_seconds": max(solving) - min(solving),
-        "memory": max(answer["memory"] for answer in answers),
+        "memory": max((answer["memory"] for answer in answers if answer["memory"]), default=None),
         "repeats": repeats,
     }
 

@@ -52,7 +52,7 @@ def print_table(result: dict[str, Any]) -> None:
                 continue
             errors = [f"{100 * row['errors'][quantity]:+.4f}" for quantity in COLUMNS]
             seconds = [f"{row[clock]:.3g}" for clock in ("import_seconds", "solve_seconds")]
-            memory = f"{row['memory'] / 2**20:.0f}"
+            memory = f"{row['memory'] / 2**20:.0f}" if row["memory"] else "-"
             table.add_row(row["peer"], str(row["refinement"]), str(row["unknowns"]), *errors, *seconds, memory)
         out.print(table)
     for peer, reason in result["skipped"].items():
