@@ -14,6 +14,7 @@ from scipy.optimize import brentq
 # Chosen on 60 random contacts whose exact answer is Hertz (seeds 0 to 59 of validation/benchmarks/coverage.py), checked
 # on others: half the extrapolation's step covered the true error in 97 to 100 of 100.
 HALF = 0.5
+LAST = 2 / 3  # of the last change, for a quantity without a steady order
 FINEST = 1e-4  # relative: nothing closer is claimed; what all meshes share does not show in their difference
 CAUTIOUS = 3.0  # Roache's factor where no order can be relied on
 SETTLES = 0.5  # the last change, over the one before, from which meshes do not settle
@@ -53,8 +54,8 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float], *, formal_ord
 
     values : on meshes from coarse to fine, any unit
     cell_sizes : representative, falling, same length, any unit
-    formal_order : with which the error falls as soon as cells are small; None: not extrapolated, and the last change
-        is the uncertainty
+    formal_order : with which the error falls as soon as cells are small; None: not extrapolated, and two thirds of
+        the last change are the uncertainty
     Where the last change is not well below the one before, the spread of the three times 3 is the uncertainty.
     """
     coarse, middle, fine = values[-3:]
@@ -65,7 +66,7 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float], *, formal_ord
     if not settled:
         uncertainty = CAUTIOUS * (max(values[-3:]) - min(values[-3:]))
     elif formal_order is None:
-        uncertainty = abs(change)
+        uncertainty = LAST * abs(change)
     else:
         step = change / ((cell_sizes[-2] / cell_sizes[-1]) ** formal_order - 1)
         richardson = fine + step

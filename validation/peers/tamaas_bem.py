@@ -1,0 +1,47 @@
+"""Peer: Tamaas, boundary elements on half spaces by FFT. Shares nothing with ours, neither mesh nor method.
+
+Refinement: grid points along each side. The surface is one elastic half space of modulus E* against a rigid paraboloid.
+"""
+
+from typing import Any
+
+from peer import Solve, peak_pressure, semi_axis, serve
+
+REACH = 1.1  # half a side of the grid, in semi-axes: just holds the contact
+TOLERANCE = 1e-9  # of the conjugate gradients; at 1e-12 they stagnate
+
+
+def load() -> Solve:
+    import numpy as np
+    import tamaas as tm
+
+    tm.set_log_level(tm.LogLevel.error)
+
+    def solve(case: dict[str, Any], points: int) -> dict[str, Any]:
+        sides = [2 * REACH * axis for axis in case["semi_axes"]]
+        area = sides[0] * sides[1] / points**2  # m^2, of a grid cell
+        model = tm.ModelFactory.createModel(tm.model_type.basic_2d, sides, [points, points])
+        model.E, model.nu = case["youngs_modulus"] / (2 * (1 - case["poisson_ratio"] ** 2)), 0.0  # so that E is E*
+        tm.ModelFactory.registerNonPeriodic(model, "half space")
+        x, y = np.meshgrid(*(((np.arange(points) + 0.5) / points - 0.5) * side for side in sides), indexing="ij")
+        surface = -(case["curvature_x"] * x**2 + case["curvature_y"] * y**2) / 2
+        solver = tm.PolonskyKeerRey(model, surface, TOLERANCE)
+        solver.setIntegralOperator("half space")
+        solver.solve(case["load"] / (sides[0] * sides[1]))
+        # The displacement that the solver leaves behind is only known up to a constant.
+        model.operators["half space"](model.traction, model.displacement)
+        pressure = np.array(model.traction)
+        axes = semi_axis(x, pressure), semi_axis(y, pressure)
+        return {
+            "semi_axis_x": axes[0],
+            "semi_axis_y": axes[1],
+            "peak_pressure": peak_pressure(x, y, pressure, np.full_like(x, area), semi_axes=axes),
+            "approach": float(np.average(np.array(model.displacement) - surface, weights=pressure)),
+            "unknowns": points**2,
+        }
+
+    return solve
+
+
+if __name__ == "__main__":
+    serve(load)
