@@ -172,7 +172,7 @@ def contact(
     else:
         print_contact(out, result)
         _print_warnings(result.warnings)
-    raise typer.Exit(_status(result.verdict))
+    raise typer.Exit(_status(result.verdict) if result.judged else DONE)
 
 
 @app.command(epilog='Example: fembearing cost bearing.toml --tolerance "1 %"')

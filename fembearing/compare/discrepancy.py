@@ -14,6 +14,7 @@ from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
+from analytic.torque import STATIC_LIMIT
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
 from fembearing.compare.reference import FORMAL_ORDERS, Estimates, solve_reference
@@ -100,7 +101,7 @@ class ContactSolution:
             "uncertainty": {name: part.total for name, part in self.estimates.items()},
             "hertz": asdict(self.hertz),
             "discrepancy": self.discrepancy,
-            "verdict": self.verdict,
+            "verdict": self.verdict if self.judged else "shown",
             "rung": self.rung,
             "convergence": {
                 name: {
@@ -277,12 +278,18 @@ def _warnings(
         )
     missed = {name: part.total for name, part in estimates.items() if part.total > accuracy and not thin}
     if missed:
-        worst_name = max(missed, key=lambda name: missed[name])
+        name = max(missed, key=lambda name: missed[name])
         found.append(
-            f"{contact.pair}: an uncertainty of {accuracy:.2g} was asked for; that of {worst_name} is "
-            f"{missed[worst_name]:.2g} on level {finest.level}, {estimates[worst_name].domain:.2g} of it from the block"
+            f"{contact.pair}: an uncertainty of {accuracy:.2g} was asked for; that of {name.replace('_', ' ')} is "
+            f"{missed[name]:.2g} on level {finest.level}, {estimates[name].domain:.2g} of it from the block"
         )
-    unsettled = [name for name, part in estimates.items() if not part.settled]
+    unsettled = [name.replace("_", " ") for name, part in estimates.items() if not part.settled]
     if unsettled:
-        found.append(f"{contact.pair}: the meshes do not settle in {', '.join(unsettled)}")
+        place = f"{contact.pair}, sheet" if thin else contact.pair
+        found.append(f"{place}: the meshes do not settle in {', '.join(unsettled)}")
+    if finest.quantities.peak_pressure > STATIC_LIMIT:
+        found.append(
+            f"{contact.pair}: peak pressure {finest.quantities.peak_pressure:.3g} Pa is above the static limit "
+            f"{STATIC_LIMIT:.2g} Pa of bearing steel: both sides are elastic, the contact is not; lower the load"
+        )
     return tuple(found)

@@ -56,19 +56,22 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float], *, formal_ord
     cell_sizes : representative, falling, same length, any unit
     formal_order : with which the error falls as soon as cells are small; None: not extrapolated, and two thirds of
         the last change are the uncertainty
-    Where the last change is not well below the one before, the spread of the three times 3 is the uncertainty.
+    Where the last change is not well below the one before, the uncertainty is 3 times the spread of the three, or what
+    the observed order leaves where that is more.
     """
     coarse, middle, fine = values[-3:]
     change = fine - middle
     order = observed_order(values[-3:], cell_sizes[-3:])
     settled = abs(change) < SETTLES * abs(middle - coarse) or change == 0
+    ratio = cell_sizes[-2] / cell_sizes[-1]
     richardson = None
     if not settled:
-        uncertainty = CAUTIOUS * (max(values[-3:]) - min(values[-3:]))
+        left = 0.0 if order is None else abs(change) / (ratio**order - 1)
+        uncertainty = CAUTIOUS * max(left, max(values[-3:]) - min(values[-3:]))
     elif formal_order is None:
         uncertainty = LAST * abs(change)
     else:
-        step = change / ((cell_sizes[-2] / cell_sizes[-1]) ** formal_order - 1)
+        step = change / (ratio**formal_order - 1)
         richardson = fine + step
         uncertainty = HALF * abs(step)
     return Estimate(

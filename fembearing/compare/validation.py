@@ -46,9 +46,10 @@ class Validation:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Of the scene, of all contacts and of the report, each once."""
+        """Of the scene, of all contacts, of the torque and of the report, each once."""
         found = [warning for contact in self.contacts for warning in contact.warnings]
-        return tuple(dict.fromkeys([*found, *self.trouble]))
+        torque = () if self.torque is None else self.torque.hertz.warnings
+        return tuple(dict.fromkeys([*found, *torque, *self.trouble]))
 
     def to_json(self) -> dict[str, Any]:
         """The result as plain types, SI; discrepancies and uncertainties relative."""
