@@ -5,6 +5,7 @@ import json
 import subprocess
 import sys
 from dataclasses import replace
+from itertools import cycle
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -101,14 +102,14 @@ def test_the_true_groove_is_stiffer_than_hertz_says_and_the_inner_race_bears_mor
 
 
 def test_uncertainty_covers_a_finer_solution(command, validated: dict[str, Any]) -> None:
-    """The finer one is another run, to a tolerance that asks for one more mesh."""
-    result = command("contact", "--pair", "outer", "--tolerance", "0.3 %", "--json")
+    """The finer one is another run, to a tolerance that asks for a finer mesh."""
+    result = command("contact", "--pair", "outer", "--tolerance", "0.05 %", "--json")
     finer = json.loads(result.out)
     coarse = validated["contacts"][1]
     assert finer["cost"]["unknowns"] > 2 * coarse["cost"]["unknowns"]
     for name in QUANTITIES:
         assert abs(coarse["fe"][name] / finer["fe"][name] - 1) <= coarse["uncertainty"][name]
-    assert result.status == 1  # Hertz is 1.7 % off in approach: beyond 0.3 %, and said so
+    assert result.status == 1  # Hertz is 1.7 % off in approach: beyond 0.05 %, and said so
     assert finer["verdict"] == "fail"
 
 
@@ -135,29 +136,28 @@ def test_the_far_boundary_is_judged_apart(validated: dict[str, Any]) -> None:
             assert contact["uncertainty"][name] == pytest.approx(part["mesh"] + part["domain"], rel=1e-12)  # round-off
 
 
-def test_a_sheet_is_outside_what_hertz_is_made_for(command, tmp_path: Path) -> None:
+def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     """And the pocket of the printed table cannot be made: the warning goes with the answer."""
     scene = tmp_path / "printed.toml"
     scene.write_text(SCENE + '[cage]\nvariant = "as_printed"\n')
     result = command("contact", str(scene), "--pair", "pocket", "--geometry", "wall", "--tolerance", "90 %", "--json")
     found = json.loads(result.out)
-    assert (found["verdict"], result.status) == ("outside validity", 1)
+    assert (found["verdict"], result.status) == ("shown", 0)
     assert found["load"] == 28.0  # the largest ball-cage force that the paper reports
     warnings = " ".join(found["warnings"])
     assert "neighbouring pockets overlap" in warnings
     assert "bends on its rim" in warnings
 
 
-def test_meshes_that_disagree_without_order_are_undecided(command, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_meshes_that_do_not_settle_are_undecided(command, monkeypatch: pytest.MonkeyPatch) -> None:
     """Peak pressure is made to swing by 3 % from mesh to mesh, as it does for solvers that read it off one node."""
     true = solution.peak_pressure
-    swing = iter([0.0, 0.03, -0.03, 0.03, -0.03, 0.03, -0.03])
+    swing = cycle([0.03, -0.03])
     monkeypatch.setattr(solution, "peak_pressure", lambda *a, **k: true(*a, **k) * (1 + next(swing)))
     result = command("contact", "--geometry", "hertzian", "--load", "77 N", "--json")
     found = json.loads(result.out)
     assert found["verdict"] == "undecided"
-    assert found["convergence"]["peak_pressure"]["order"] is None
-    assert "without order in peak_pressure" in found["warnings"][0]
+    assert "do not settle in peak pressure" in " ".join(found["warnings"])
     assert result.status == 3
 
 

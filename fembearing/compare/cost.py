@@ -19,7 +19,7 @@ from analytic.scene import Contact, Scene
 from fembearing.compare.discrepancy import RECIPES, ContactSolution, contact_of, hertz_quantities
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory, provenance_of
-from fembearing.compare.reference import estimates_of
+from fembearing.compare.reference import Estimates, estimates_of
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Recipe, load_recipe
@@ -171,7 +171,7 @@ def contact_ladder(contact: Contact, *, recipe: Recipe, tolerance: float, progre
         semi_axes = fitted_solution(contact, recipe=recipe).pair.semi_axes  # also warms up
     except FembearingError as problem:
         trials += [Trial(name=_level_name(level), answer=None, failed=str(problem)) for level in recipe.levels]
-        return ladder_of(_contact_quantity(contact), _mesh_reference([]), trials, tolerance=tolerance)
+        return ladder_of(_contact_quantity(contact), _mesh_reference([], None), trials, tolerance=tolerance)
     work = np.cumsum([0, *(level**3 for level in recipe.levels)])
     meshes = []
     for number, level in enumerate(recipe.levels):
@@ -187,15 +187,16 @@ def contact_ladder(contact: Contact, *, recipe: Recipe, tolerance: float, progre
         seconds = tuple(mesh.seconds for mesh in solved)
         trials.append(_mesh_trial(solved[-1], seconds=seconds, memory=peak_memory()))
         del solved  # the next level should find its memory free
-    trials += _extrapolated(meshes, trials)
-    return ladder_of(_contact_quantity(contact), _mesh_reference(meshes), trials, tolerance=tolerance)
+    estimates = estimates_of(meshes) if len(meshes) >= FEWEST else None
+    trials += _extrapolated(estimates, trials)
+    return ladder_of(_contact_quantity(contact), _mesh_reference(meshes, estimates), trials, tolerance=tolerance)
 
 
 def contact_ladder_of(found: ContactSolution) -> Ladder:
     """The contact ladder of a solution at hand: Hertz timed in place, each mesh at the seconds it took, once."""
     meshes = [_mesh_trial(mesh, seconds=(mesh.seconds,)) for mesh in found.meshes]
-    trials = [_hertz_trial(found.contact), *meshes, *_extrapolated(found.meshes, meshes)]
-    reference = _mesh_reference(found.meshes)
+    trials = [_hertz_trial(found.contact), *meshes, *_extrapolated(found.estimates, meshes)]
+    reference = _mesh_reference(found.meshes, found.estimates)
     return ladder_of(_contact_quantity(found.contact), reference, trials, tolerance=found.tolerance)
 
 
@@ -272,26 +273,25 @@ def _contact_quantity(contact: Contact) -> str:
     return f"contact, {contact.pair}"
 
 
-def _mesh_reference(meshes: Sequence[MeshSolution]) -> str:
+def _mesh_reference(meshes: Sequence[MeshSolution], estimates: Estimates | None) -> str:
     """What the errors of a contact ladder are taken against, in words."""
     if not meshes:
         return "none: no mesh was solved"
     words = "worst of semi-axes, peak pressure and approach"
-    if len(meshes) < FEWEST:
+    if estimates is None:
         return f"finite elements, level {meshes[-1].level}; {words}; too few meshes to say how far off it is"
-    off = max(part.mesh for name, part in estimates_of(meshes).items() if name in COMPARED)
+    off = max(part.mesh for name, part in estimates.items() if name in COMPARED)
     return f"all meshes, extrapolated; {words}; uncertain by {100 * off:.2g} %; seconds without sizing the mesh"
 
 
-def _extrapolated(meshes: Sequence[MeshSolution], trials: Sequence[Trial]) -> list[Trial]:
+def _extrapolated(estimates: Estimates | None, trials: Sequence[Trial]) -> list[Trial]:
     """What three meshes or more say together, at the price of all."""
-    if len(meshes) < FEWEST:
+    if estimates is None:
         return []
-    estimates = estimates_of(meshes)
     return [
         Trial(
             name="finite elements, extrapolated",
-            answer=np.array([estimates[name].value for name in COMPARED]),
+            answer=np.array([estimates[name].limit for name in COMPARED]),
             seconds=(sum(float(np.median(trial.seconds)) for trial in trials if trial.unknowns and trial.seconds),),
             memory=peak_memory(),
             may_refer=True,

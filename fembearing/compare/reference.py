@@ -22,9 +22,10 @@ FORMAL_ORDERS: dict[str, float | None] = {
     "stiffness": 4.0,
 }
 GUESSED_ORDER = 3.0  # of the peak pressure, to predict a level and nothing else
-# With which power of a block's size the effect of its far boundary fades on a race: seen on nested blocks of 1.4 to 8
-# major semi-axes. A pocket's seat is a cavity and no half space: its approach runs on with the logarithm of the size.
+# With which power of a block's size the effect of its far boundary fades: seen on nested blocks of 1.4 to 8 major
+# semi-axes. A pocket's seat is a cavity and no half space: its approach runs on with the logarithm of the size.
 FADING = 2.0
+ENDLESS_IN_A_SEAT = ("approach", "stiffness")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -104,8 +105,9 @@ class _Boundary:
 def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, _Boundary]:
     """What the far boundary of a block still does to each quantity; nothing for a body that has none.
 
-    A block with more cells all round shows a part of it. On a race the rest follows from the power with which it fades,
-    and half of the whole is left as uncertainty; in a seat all that fades no faster than its size is uncertain.
+    A block with more cells all round shows a part of it. The rest follows from the power with which it fades, and half
+    of the whole is left as uncertainty; the approach into a seat is left as it is and uncertain as if it faded as one
+    over the size.
     """
     names = [part.name for part in fields(Quantities)]
     if not mesh.pair.lower.far.size:
@@ -117,7 +119,7 @@ def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, _Boundary]
     found = {}
     for name in names:
         change = getattr(larger.quantities, name) / getattr(mesh.quantities, name) - 1
-        if mesh.contact.pair == "pocket":
+        if mesh.contact.pair == "pocket" and name in ENDLESS_IN_A_SEAT:
             found[name] = _Boundary(domain=abs(change) / (1 - size / further))
         else:
             whole = change / (1 - (size / further) ** FADING)

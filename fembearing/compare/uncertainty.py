@@ -33,9 +33,14 @@ class Estimate:
     domain: float = 0.0  # from the size of the meshed region
 
     @property
+    def limit(self) -> float:
+        """For vanishing cells, as far as that can be had."""
+        return self.values[-1] if self.richardson is None else self.richardson
+
+    @property
     def value(self) -> float:
-        """Extrapolated to vanishing cells and an endless region, as far as either can be."""
-        return (self.values[-1] if self.richardson is None else self.richardson) * (1 + self.beyond)
+        """For vanishing cells and an endless region."""
+        return self.limit * (1 + self.beyond)
 
     @property
     def spread(self) -> float:

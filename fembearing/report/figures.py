@@ -36,8 +36,7 @@ def convergence_figure(result: Validation) -> Figure:
 
 def _convergence(panel: Axes, contact: ContactSolution, name: str, mark: str) -> None:
     part = contact.estimates[name]
-    limit = part.value if part.richardson is None else part.richardson
-    distance = 100 * np.maximum(np.abs(np.array(part.values) / limit - 1), SAME)
+    distance = 100 * np.maximum(np.abs(np.array(part.values) / part.limit - 1), SAME)
     unknowns = [mesh.unknowns for mesh in contact.meshes]
     if part.richardson is None:  # its own finest mesh is the limit
         unknowns, distance = unknowns[:-1], distance[:-1]

@@ -1,5 +1,7 @@
 """Extrapolation and its uncertainty on sequences whose exact value is known."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -89,6 +91,6 @@ def test_only_the_last_three_meshes_decide() -> None:
 
 def test_an_endless_region_moves_the_value_and_counts_apart() -> None:
     found = estimate(sequence(7.3, 0.4, 3.0), SIZES, formal_order=3.0)
-    moved = type(found)(**vars(found) | {"beyond": 0.02, "domain": 0.01})
+    moved = replace(found, beyond=0.02, domain=0.01)
     np.testing.assert_allclose(moved.value, 1.02 * 7.3, rtol=1e-12)  # round-off
     np.testing.assert_allclose(moved.total, found.mesh + 0.01, rtol=1e-12)

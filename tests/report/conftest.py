@@ -94,7 +94,12 @@ def contact_made(
         hertz=Quantities(**{name: part.hertz for name, part in given.items()}),
         estimates={
             name: Estimate(
-                values=part.values, order=part.order, richardson=part.limit, mesh=part.mesh, domain=part.domain
+                values=part.values,
+                order=part.order,
+                richardson=part.limit,
+                mesh=part.mesh,
+                domain=part.domain,
+                settled=part.order is not None,
             )
             for name, part in given.items()
         },

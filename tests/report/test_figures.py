@@ -27,10 +27,12 @@ def panels(made: Validation) -> dict[str, Axes]:
 
 def test_meshes_with_an_order_are_drawn_by_their_distance_from_the_limit(panels: dict[str, Axes]) -> None:
     inner = line_of(panels["approach"], "ball on inner race")
-    check_points(inner, [1200, 9500, 31000], [20, 8, 5])  # 4.4, 5.06 and 5.225 against 5.5, in per cent
+    check_points(
+        inner, [1200, 9500, 31000], [82.5 / 5.225, 16.5 / 5.225, 27.5 / 5.225]
+    )  # 4.4, 5.06 and 5.5 against 5.225, %
     assert inner.get_linestyle() == "-"
     outer = line_of(panels["peak pressure"], "ball on outer race")
-    check_points(outer, [1300, 8700, 29000], [17 / 1.58, 7 / 1.58, 2 / 1.58])
+    check_points(outer, [1300, 8700, 29000], [15 / 1.6, 5 / 1.6, 2 / 1.6])
 
 
 def test_meshes_without_an_order_are_drawn_by_their_distance_from_the_finest(panels: dict[str, Axes]) -> None:

@@ -141,29 +141,31 @@ def test_the_mesh_study_shows_what_each_mesh_gave(tables: Tables) -> None:
     """quantity, values, order, extrapolated, uncertainty from the meshes, from the far boundary"""
     inner, outer, seat, sheet = tables.blocks("Mesh convergence").values()
     assert inner == [
-        ("approach, um", "4.4, 5.06, 5.225", "3.6", "5.5", "1.10%", "0.30%"),
-        ("semi-axis a, mm", "0.126, 0.1212, 0.12", "2.7", "0.1195", "1.95%", "0.55%"),
-        ("semi-axis b, mm", "0.792, 0.8624, 0.88", "1.4", "0.89", "1.70%", "0.60%"),
-        ("peak pressure, GPa", "1.87, 1.734, 1.7", "4.2", "1.69", "1.20%", "0.70%"),
+        ("approach, um", "4.4, 5.06, 5.5", "3.6", "5.225", "1.10%", "0.30%"),
+        ("semi-axis a, mm", "0.126, 0.1212, 0.1195", "2.7", "0.12", "1.95%", "0.55%"),
+        ("semi-axis b, mm", "0.792, 0.8624, 0.89", "1.4", "0.88", "1.70%", "0.60%"),
+        ("peak pressure, GPa", "1.87, 1.734, 1.69", "4.2", "1.7", "1.20%", "0.70%"),
         ("stiffness, GN/m^1.5", "32.5, 27.5, 25", "none", "", "1.40%", "0.20%"),
     ]
-    assert outer[0] == ("approach, um", "7.1, 6.5, 6.4", "3.3", "6.3", "0.80%", "0.10%")
-    assert seat[3] == ("peak pressure, GPa", "0.16, 0.15, 0.14", "2.4", "0.135", "2.87%", "0.21%")
-    assert sheet[4] == ("stiffness, GN/m^1.5", "43, 41, 39.52", "3.2", "39", "0.57%", "0.00%")
+    assert outer[0] == ("approach, um", "7.1, 6.5, 6.3", "3.3", "6.4", "0.80%", "0.10%")
+    assert seat[3] == ("peak pressure, GPa", "0.16, 0.15, 0.135", "2.4", "0.14", "2.87%", "0.21%")
+    assert sheet[4] == ("stiffness, GN/m^1.5", "43, 41, 39", "3.2", "39.52", "0.57%", "0.00%")
 
 
 def test_each_mesh_is_shown_with_its_error_and_its_price(tables: Tables) -> None:
-    """Errors: the worst quantity against the finest mesh."""
+    """Errors: the worst quantity against its extrapolated value; which costs as much as all meshes."""
     inner, outer, _ = tables.blocks("What accuracy costs").values()
     assert inner[1:] == [
         ("finite elements, level 2", "16 %", "0.25", "1200", ""),  # 4.4/5.225
         ("finite elements, level 3", "3.2 %", "1.5", "9500", "enough for the tolerance"),  # 5.06/5.225
-        ("finite elements, level 5", "reference", "7", "31000", ""),
+        ("finite elements, level 5", "5.3 %", "7", "31000", ""),  # 5.5/5.225
+        ("finite elements, extrapolated", "reference", "8.8", "", ""),  # 0.25 + 1.5 + 7
     ]
     assert [row[:4] for row in outer[1:]] == [
         ("finite elements, level 2", "11 %", "0.32", "1300"),  # 7.1/6.4
         ("finite elements, level 3", "3.1 %", "1.7", "8700"),  # 1.65/1.6
-        ("finite elements, level 5", "reference", "6", "29000"),
+        ("finite elements, level 5", "1.6 %", "6", "29000"),  # 6.3/6.4
+        ("finite elements, extrapolated", "reference", "8", ""),
     ]
     assert "43.2 s" in tables.text
 

@@ -96,10 +96,11 @@ def test_json_tells_each_contact_with_its_numbers(told: dict[str, Any]) -> None:
     assert inner["discrepancy"]["approach"] == pytest.approx(0.02, rel=1e-12)  # round-off
     assert inner["uncertainty"]["approach"] == pytest.approx(0.014, rel=1e-12)
     assert inner["convergence"]["approach"] == {
-        "values": [4.4e-6, 5.06e-6, 5.225e-6],
+        "values": [4.4e-6, 5.06e-6, 5.5e-6],
         "order": 3.6,
-        "richardson": 5.5e-6,
+        "richardson": 5.225e-6,
         "mesh": 0.011,
+        "beyond": 0.0,
         "domain": 0.003,
     }
     assert [contact["verdict"] for contact in (inner, outer, seat)] == ["fail", "outside validity", "undecided"]
