@@ -105,12 +105,13 @@ class _Boundary:
 def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, _Boundary]:
     """What the far boundary of a block still does to each quantity; nothing for a body that has none.
 
+    Half spaces end in their own displacement, exact to the second moments of the pressure: nothing either.
     A block with more cells all round shows a part of it. The rest follows from the power with which it fades, and half
     of the whole is left as uncertainty; the approach into a seat is left as it is and uncertain as if it faded as one
     over the size.
     """
     names = [part.name for part in fields(Quantities)]
-    if not mesh.pair.lower.far.size:
+    if recipe.geometry == "hertzian" or not mesh.pair.lower.far.size:
         return dict.fromkeys(names, _Boundary())
     larger = solve_on_mesh(
         mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper

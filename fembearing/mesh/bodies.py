@@ -89,7 +89,8 @@ class Block:
         if self.further is None:
             return np.array([])
         ratio = self.further / self.reach
-        count = int(np.ceil(np.log(ratio) * self.whole.outside / np.log(self.growth)))
+        each = int(np.ceil(np.log(ratio) * self.whole.outside / self.level / np.log(self.growth)))
+        count = each * self.level
         return ratio ** (np.arange(1, count + 1) / count)
 
     @property
