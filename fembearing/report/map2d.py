@@ -18,10 +18,13 @@ LEVELS = 60
 LEAST_SHOWN = 0.005  # of the peak pressure: below, nothing is painted
 
 
-def draw_map(contact: ContactSolution, *, frame: Frame, unit: str, factor: float, peak: float, file: Path) -> None:
+def draw_map(
+    contact: ContactSolution, *, frame: Frame, unit: str, factor: float, peak: float, ticks: list[float], file: Path
+) -> None:
     """Draw the pressure on the finest mesh with Hertz's ellipse, whole or not at all.
 
-    unit, factor, peak : of the pressure as it is shown, what Pa are multiplied by, and the end of the colour scale
+    unit, factor : of the pressure as it is shown, and what Pa are multiplied by
+    peak, ticks : the end of the colour scale and its labels, in that unit
     """
     figure = Figure(figsize=(frame.width / DOTS, frame.height / DOTS), dpi=DOTS)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
@@ -49,7 +52,7 @@ def draw_map(contact: ContactSolution, *, frame: Frame, unit: str, factor: float
     figure.text(12 / frame.width, 1 - 52 / frame.height, "red: Hertz's ellipse", fontsize=10, color="red")
     figure.text(170 / frame.width, 1 - 52 / frame.height, "black: the computed one", fontsize=10)
     bar = figure.add_axes((1 - 440 / frame.width, 56 / frame.height, 420 / frame.width, 20 / frame.height))
-    colours = figure.colorbar(scale, cax=bar, orientation="horizontal", ticks=np.linspace(0, peak, 5), format="%.3g")
+    colours = figure.colorbar(scale, cax=bar, orientation="horizontal", ticks=ticks, format="%g")
     colours.set_label(f"contact pressure, {unit}")
     start = (30 - left) / frame.scale, (top - frame.height + 30) / frame.scale
     axes.plot([start[0], start[0] + frame.bar], [start[1], start[1]], color="black", linewidth=3)

@@ -12,6 +12,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+from matplotlib.ticker import MaxNLocator
+
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.report.framing import Frame, frame_of
 from fembearing.report.map2d import draw_map
@@ -107,9 +109,7 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
         "title": title_of(contact),
         "hertz": [contact.hertz.semi_axis_rolling, contact.hertz.semi_axis_transverse],
         "computed": [contact.reference.semi_axis_rolling, contact.reference.semi_axis_transverse],
-        "ball_radius": contact.contact.ball_radius,
     }
-    noun, thin = contact.contact, contact.geometry == "wall"
     near = "The pocket" if contact.contact.pair == "pocket" else "The race"
     return [
         {
@@ -123,10 +123,14 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
             "kind": "section",
             "file": str(_file(contact, "section", folder)),
             "near": f"{near} near the contact",
-            "lifted": LIFTED * noun.ball_radius,
-            "reach": noun.ball_radius if noun.wall is None or not thin else noun.groove_radius + noun.wall.thickness,
+            "lifted": _lifted(contact),
         },
     ]
+
+
+def _lifted(contact: ContactSolution) -> float:
+    """How far the ball is drawn off what it touches, m: no farther than half the width of that."""
+    return min(LIFTED * contact.contact.ball_radius, float(contact.meshes[-1].pair.lower.mesh.doflocs[1].max()))
 
 
 def _file(contact: ContactSolution, kind: Kind, folder: Path) -> Path:
@@ -143,10 +147,16 @@ def _frame(contact: ContactSolution) -> Frame:
 
 
 def _scale(contact: ContactSolution) -> dict[str, Any]:
-    """The unit of pressure, what Pa are multiplied by, and the end of the colour scale."""
+    """The unit of pressure, what Pa are multiplied by, the end of the colour scale and its round ticks."""
     peak = contact.reference.peak_pressure
     unit, factor = ("GPa", 1e-9) if peak >= GIGA_FROM else ("MPa", 1e-6)
-    return {"unit": unit, "factor": factor, "peak": peak * factor}
+    ticks = MaxNLocator(5).tick_values(0, peak * factor)
+    return {
+        "unit": unit,
+        "factor": factor,
+        "peak": peak * factor,
+        "ticks": [float(tick) for tick in ticks if tick <= peak * factor],
+    }
 
 
 def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
@@ -163,6 +173,6 @@ def _section_caption(contact: ContactSolution) -> str:
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
         f"The meshed bodies cut along the plane x = 0, {place_of(contact)}. Left: the ball is drawn "
-        f"{LIFTED * contact.contact.ball_radius * 1e3:.2g} mm off its {body}. Right: the {body} alone where it is "
+        f"{_lifted(contact) * 1e3:.2g} mm off its {body}. Right: the {body} alone where it is "
         "loaded; cells follow the contact's ellipse and shrink towards its edge."
     )

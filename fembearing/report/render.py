@@ -21,6 +21,20 @@ LEAST_SHOWN = 0.005  # of the peak pressure: below, a surface is bare
 ROUND = 3  # subdivisions that draw a quadratic cell's face as the curve it is
 FAR = 100.0  # mm, to the eye: no matter in a parallel projection, as long as all lies in front of it
 VIEW = np.array([-0.74, 0.38, 0.55])  # towards the eye, over the cut plane x = 0
+STEEP = np.array([-0.40, 0.10, 0.91])  # the same for an ellipse that would be a sliver from there
+SLENDER = 3.0  # ratio of semi-axes
+AROUND = 4.0  # half widths of the lower body around the contact: what lies farther off need not be in sight
+# Of VTK's triquadratic hexahedron: the ends of each edge with its middle, and the edges around each face.
+EDGES = np.array(
+    [
+        *((0, 1, 8), (1, 2, 9), (2, 3, 10), (3, 0, 11)),
+        *((4, 5, 12), (5, 6, 13), (6, 7, 14), (7, 4, 15)),
+        *((0, 4, 16), (1, 5, 17), (2, 6, 18), (3, 7, 19)),
+    ]
+)
+FACES = np.array([(8, 7, 11, 3), (9, 5, 10, 1), (8, 4, 9, 0), (10, 2, 11, 6), (0, 1, 2, 3), (4, 5, 6, 7)])
+CENTRES = slice(20, 26)  # its nodes in the middle of each face
+NODES = 27
 
 
 def main() -> None:
@@ -43,8 +57,8 @@ def pressure_map(job: dict[str, Any]) -> pv.Plotter:
     middle = (frame["centre"][1] - height / 2) / scale * up
     plotter = pv.Plotter(window_size=[width, height])
     body = scaled(job["lower"], job)
-    surface = mirrored(loaded_face(body, ROUND), (0, 1))
-    edges = mirrored(loaded_face(body, 0).extract_all_edges(), (0, 1))
+    surface = mirrored(loaded_face(body), (0, 1))
+    edges = cell_edges(mirrored(body, (0, 1)), loaded=True)
     above = np.ptp(surface.points[:, 2]) * eye  # the projection is parallel: height does not show
     plotter.add_mesh(surface, color=BARE, lighting=False)
     bar = colour_bar(job, width=420 / width, left=1 - 440 / width, height=80 / height)
@@ -68,19 +82,32 @@ def section(job: dict[str, Any]) -> pv.Plotter:
     """Left both bodies cut along the plane x = 0, the ball lifted off; right the lower one alone, near the contact."""
     plotter = pv.Plotter(shape=(1, 2), window_size=[1500, 800], border=False)
     bodies = {side: scaled(job[side], job) for side in BODIES}
-    radius, longer, wide = MM * job["ball_radius"], MM * max(job["hertz"]), 1.3 * MM * job["reach"]
-    lifted = np.array([0.0, 0.0, MM * job["lifted"]])
+    bodies["upper"] = bodies["upper"].translate([0.0, 0.0, MM * job["lifted"]])
+    middle, half_height = fitted(bodies)
     plotter.subplot(0, 0)
-    draw(plotter, bodies["lower"], "lower", job, half_height=wide)
-    draw(plotter, bodies["upper"].translate(lifted), "upper", job, half_height=wide)
-    look(plotter, at=[0, 0, 0.75 * radius], eye=VIEW, up=[0, 0, 1], half_height=wide)
+    for side, body in bodies.items():
+        draw(plotter, body, side, job, eye=VIEW, half_height=half_height)
+    look(plotter, at=middle, eye=VIEW, up=[0, 0, 1], half_height=half_height)
     plotter.add_text(job["title"], position=(12, 766), font_size=12, color=INK)
     plotter.subplot(0, 1)
     bar = colour_bar(job, width=0.6, left=0.3, height=0.1)
-    draw(plotter, bodies["lower"], "lower", job, half_height=1.25 * longer, bar=bar)
-    look(plotter, at=[0, 0, 0], eye=VIEW, up=[0, 0, 1], half_height=1.25 * longer)
+    longer, shorter = MM * max(job["computed"]), MM * min(job["computed"])
+    eye, half_height = (STEEP, 1.15 * longer) if longer > SLENDER * shorter else (VIEW, 1.25 * longer)
+    draw(plotter, bodies["lower"], "lower", job, eye=eye, half_height=half_height, bar=bar)
+    look(plotter, at=[0, 0, 0], eye=eye, up=[0, 0, 1], half_height=half_height)
     plotter.add_text(job["near"], position=(12, 766), font_size=12, color=INK)
     return plotter
+
+
+def fitted(bodies: dict[str, pv.UnstructuredGrid]) -> tuple[np.ndarray, float]:
+    """Middle and half height of a square picture from VIEW that holds the lower body and what is around it."""
+    around = AROUND * np.ptp(bodies["lower"].points[:, 1])  # a quarter is half as wide as the whole
+    points = np.vstack([mirrored(body, (1,)).points for body in bodies.values()]).clip(-around, around)
+    right = np.cross([0, 0, 1], VIEW) / np.linalg.norm(VIEW[:2])
+    up = np.cross(VIEW, right)
+    seen = points @ np.column_stack([right, up])
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    return (low + high) / 2 @ np.array([right, up]), 1.2 * float(np.max(high - low)) / 2
 
 
 def scaled(path: str, job: dict[str, Any]) -> pv.UnstructuredGrid:
@@ -88,6 +115,7 @@ def scaled(path: str, job: dict[str, Any]) -> pv.UnstructuredGrid:
     body = pv.read(path)
     body.points *= MM
     body.point_data["pressure"] *= job["factor"]
+    body.point_data["surface"] = body.point_data["surface"].astype(float)  # VTK rounds what it interpolates in integers
     return body
 
 
@@ -97,11 +125,24 @@ def mirrored(mesh: pv.DataSet, axes: tuple[int, ...]) -> pv.DataSet:
     return mesh
 
 
-def loaded_face(body: pv.DataSet, subdivision: int) -> pv.PolyData:
+def loaded_face(body: pv.DataSet) -> pv.PolyData:
     """The faces whose nodes all lie on the loaded surface."""
-    face = body.extract_surface(nonlinear_subdivision=subdivision, algorithm="dataset_surface")
+    face = body.extract_surface(nonlinear_subdivision=ROUND, algorithm="dataset_surface")
     loaded = face.threshold(0.999, scalars="surface", all_scalars=True)
     return loaded.extract_surface(algorithm="dataset_surface")
+
+
+def cell_edges(body: pv.DataSet, *, loaded: bool = False) -> pv.PolyData:
+    """The edges of the outer faces as the curves they are, as finely divided as the faces; only those loaded."""
+    cells = pv.UnstructuredGrid(body).cell_connectivity.reshape(-1, NODES)
+    centres, count = np.unique(cells[:, CENTRES], return_counts=True)
+    outer = np.isin(cells[:, CENTRES], centres[count == 1])
+    edges = cells[:, EDGES[FACES]][outer].reshape(-1, 3)
+    edges = edges[np.unique(edges[:, 2], return_index=True)[1]]
+    if loaded:
+        edges = edges[(body.point_data["surface"][edges] == 1).all(axis=1)]
+    curves = pv.UnstructuredGrid({pv.CellType.QUADRATIC_EDGE: edges}, body.points)
+    return curves.extract_surface(nonlinear_subdivision=ROUND, algorithm="dataset_surface")
 
 
 def draw(
@@ -110,18 +151,18 @@ def draw(
     side: str,
     job: dict[str, Any],
     *,
+    eye: np.ndarray,
     half_height: float,
     bar: Any = None,
 ) -> None:
     """Half of a body, cut along x = 0, with its cells and the pressure on it."""
     half = mirrored(body, (1,))
     solid = half.extract_surface(nonlinear_subdivision=ROUND, algorithm="dataset_surface")
-    cells = half.extract_surface(nonlinear_subdivision=0, algorithm="dataset_surface").extract_all_edges()
-    surface = mirrored(loaded_face(body, ROUND), (1,))
-    nearer = half_height * VIEW  # what lies on a face is moved towards the eye, to be drawn on top of it
-    plotter.add_mesh(solid, color=BODIES[side], ambient=0.35, diffuse=0.7)
-    show_pressure(plotter, surface.translate(0.002 * nearer), job, bar=bar)
-    plotter.add_mesh(cells.translate(0.01 * nearer), color=LINES, line_width=1)
+    surface = mirrored(loaded_face(body), (1,))
+    nearer = 0.002 * half_height * eye  # what lies on a face is moved towards the eye, to be drawn on top of it
+    plotter.add_mesh(solid, color=BODIES[side], ambient=0.45, diffuse=0.6)
+    show_pressure(plotter, surface.translate(nearer), job, bar=bar)
+    plotter.add_mesh(cell_edges(half).translate(2 * nearer), color=LINES, line_width=1)
 
 
 def show_pressure(plotter: pv.Plotter, surface: pv.DataSet, job: dict[str, Any], *, bar: Any = None) -> None:
@@ -136,6 +177,10 @@ def show_pressure(plotter: pv.Plotter, surface: pv.DataSet, job: dict[str, Any],
         show_scalar_bar=bar is not None,
         scalar_bar_args=bar,
     )
+    if bar is not None:
+        labels = plotter.scalar_bars[bar["title"]]
+        labels.SetCustomLabels(pv.convert_array(np.array(job["ticks"])))
+        labels.UseCustomLabelsOn()
 
 
 def ellipse(semi_axes: tuple[float, float]) -> pv.PolyData:
@@ -165,8 +210,7 @@ def colour_bar(job: dict[str, Any], *, width: float, left: float, height: float)
         "position_x": left,
         "position_y": 0.03,
         "color": INK,
-        "n_labels": 5,
-        "fmt": "%.3g",
+        "fmt": "%g",
         "title_font_size": 18,
         "label_font_size": 16,
     }
