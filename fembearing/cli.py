@@ -161,16 +161,20 @@ def contact(
     asked = _tolerance(tolerance, given)
     force = _load(load)
     from fembearing.compare.discrepancy import solve_contact
-    from fembearing.report.terminal import print_contact
+    from fembearing.compare.subsurface import compare_subsurface
+    from fembearing.report.terminal import print_contact, print_subsurface
 
     with _progress() as report:
         result = solve_contact(
             given, pair=pair.value, load=force, tolerance=asked, geometry=geometry.value, progress=report
         )
+        report(0.8, f"{pair.value}: stress under the contact")
+        below = compare_subsurface(result)
     if as_json:
-        _print_json(result.to_json())
+        _print_json(result.to_json() | {"subsurface": below.to_json()})
     else:
         print_contact(out, result)
+        print_subsurface(out, below)
         _print_warnings(result.warnings)
     raise typer.Exit(_status(result.verdict) if result.judged else DONE)
 

@@ -19,13 +19,12 @@ from analytic.scene import Contact, Scene
 from fembearing.compare.discrepancy import RECIPES, ContactSolution, contact_of, hertz_quantities
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory, provenance_of
-from fembearing.compare.reference import Estimates, estimates_of
+from fembearing.compare.reference import COMPARED, Estimates, estimates_of
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Recipe, load_recipe
 
 FEWEST = 3  # meshes that can be extrapolated
-COMPARED = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")  # stiffness follows from the last
 HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
 FORMULA_REPEATS, MESH_REPEATS = 15, 3  # the median of 15 leaves out what other programs do to a short timing
 SAMPLE = 5e-3  # s that one timing of a formula lasts at least: 1000 times what the clock and the loop take

@@ -17,7 +17,7 @@ from analytic.scene import Contact, Pair, Scene
 from analytic.torque import STATIC_LIMIT
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
-from fembearing.compare.reference import FORMAL_ORDERS, Estimates, solve_reference
+from fembearing.compare.reference import COMPARED, Estimates, solve_reference
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
@@ -28,7 +28,7 @@ from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 RECIPES: dict[Geometry, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall"}
 POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
 EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
-SHOWN_OF_A_SHEET = ("approach", "stiffness")  # what its bending changes
+SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes, and stiffness follows from it
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -133,7 +133,8 @@ def solve_contact(
 
     load : of the ball, N; unless given the scene's largest, in the pocket 28 N
     tolerance : relative, for the verdict; the scene's unless given
-    accuracy : asked of the finite elements, relative half-width of their 95 % interval; the tolerance unless given
+    accuracy : asked of the finite elements, relative half-width of their 95 % intervals of semi-axes, peak pressure and
+        approach; the tolerance unless given
     geometry : "real"; "hertzian" for the idealisation whose exact answer is Hertz; "wall", of a pocket alone, for
         the cage's sheet on its own support where "real" has a thick seat
     progress : called with the share done, 0 to 1, and a word on the step at hand
@@ -205,7 +206,7 @@ def compare_contact(
         contact,
         recipe=recipe,
         accuracy=asked,
-        watched=SHOWN_OF_A_SHEET if thin else tuple(FORMAL_ORDERS),
+        watched=SHOWN_OF_A_SHEET if thin else COMPARED,
         is_open=is_open,
         progress=progress,
     )
@@ -276,7 +277,7 @@ def _warnings(
             f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz, and the pressure at that edge may "
             "exceed the one at the centre; lower the load or the contact angle"
         )
-    missed = {name: part.total for name, part in estimates.items() if part.total > accuracy and not thin}
+    missed = {name: estimates[name].total for name in COMPARED if estimates[name].total > accuracy and not thin}
     if missed:
         name = max(missed, key=lambda name: missed[name])
         found.append(

@@ -11,9 +11,10 @@ from rich.table import Table
 from fembearing.compare.cost import Cost
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.hard_case import HardOutcome
+from fembearing.compare.subsurface import SubsurfaceComparison
 from fembearing.compare.torque_change import TorqueChange
 from fembearing.compare.validation import Validation
-from fembearing.report.wording import AXES, QUANTITIES, title_of
+from fembearing.report.wording import AXES, QUANTITIES, STRESSES, title_of
 
 PLAIN: dict[str, Any] = {
     "title_justify": "left",
@@ -63,6 +64,24 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
         style="dim",
         highlight=False,
     )
+
+
+def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
+    """Where fatigue begins, in the body under the ball."""
+    table = Table(title="Greatest stress under the centre, in the lower body", **PLAIN)
+    for head in ("quantity", "Hertz", "FE", "Hertz/FE-1", "+-"):
+        table.add_column(head, justify="left" if head == "quantity" else "right", no_wrap=True, min_width=10)
+    for name, shown in STRESSES.items():
+        discrepancy, uncertain = below.discrepancy(name), below.uncertainty[name]
+        table.add_row(
+            shown.heading(),
+            f"{below.hertz[name] * shown.factor:.4g}",
+            f"{below.fe[name] * shown.factor:.4g}",
+            f"{discrepancy:+.2%} {'*' if abs(discrepancy) > uncertain else ' '}",
+            f"{uncertain:.2%}",
+        )
+    out.print(table)
+    out.print()
 
 
 def _print_pocket(out: Console, seat: ContactSolution, sheet: ContactSolution) -> None:

@@ -23,6 +23,12 @@ QUANTITIES = {
     "peak_pressure": Shown("peak pressure", "GPa", 1e-9),
     "stiffness": Shown("stiffness", "GN/m^1.5", 1e-9),
 }
+STRESSES = {
+    "max_shear": Shown("shear", "GPa", 1e-9),
+    "max_shear_depth": Shown("its depth", "um", 1e6),
+    "max_von_mises": Shown("von Mises", "GPa", 1e-9),
+    "max_von_mises_depth": Shown("its depth", "um", 1e6),
+}
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 
