@@ -118,6 +118,9 @@ def test_json_is_alone_on_standard_output(command) -> None:
     found = json.loads(result.out)
     assert found["load"] == 51.0
     assert set(found["fe"]) == set(found["hertz"]) == set(found["uncertainty"]) == QUANTITIES
+    assert (
+        0.3 < found["subsurface"]["fe"]["max_shear"] / found["fe"]["peak_pressure"] < 0.33
+    )  # 0.300 line, 0.310 circle
     assert result.status == 0
     assert result.err == ""  # no progress where nobody watches
 
@@ -163,7 +166,7 @@ def test_meshes_that_do_not_settle_are_undecided(command, monkeypatch: pytest.Mo
 
 def test_table_names_axes_and_units(command) -> None:
     result = command("contact", "--geometry", "hertzian", "--load", "51 N")
-    for words in ("Hertz", "FE", "GPa", "a along rolling", "b transverse", "um", "order"):
+    for words in ("Hertz", "FE", "GPa", "a along rolling", "b transverse", "um", "order", "shear", "von Mises"):
         assert words in result.out
 
 
