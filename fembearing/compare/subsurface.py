@@ -5,7 +5,7 @@ from typing import Any
 
 from analytic.subsurface import subsurface_maximum
 from fembearing.compare.discrepancy import ContactSolution
-from fembearing.compare.uncertainty import FINEST, LAST
+from fembearing.compare.uncertainty import FINEST
 from fembearing.fem.subsurface import Side, subsurface_stress
 
 NAMES = ("max_shear", "max_shear_depth", "max_von_mises", "max_von_mises_depth")
@@ -37,7 +37,7 @@ class SubsurfaceComparison:
 def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> SubsurfaceComparison:
     """Both sides of the greatest shear and von Mises stress; solves one body of the last two meshes once more.
 
-    The uncertainty is two thirds of the last change, as for every quantity without a steady order.
+    The uncertainty is the last change, as for every quantity without a steady order.
     """
     noun, hertz = solution.contact, solution.hertz
     material = noun.race_material if side == "lower" else noun.ball_material
@@ -52,7 +52,7 @@ def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> Su
         side=side,
         hertz={name: float(getattr(closed, name)) for name in NAMES},
         fe=fine,
-        uncertainty={name: LAST * abs(coarse[name] / fine[name] - 1) + FINEST for name in NAMES},
+        uncertainty={name: abs(coarse[name] / fine[name] - 1) + FINEST for name in NAMES},
     )
 
 
