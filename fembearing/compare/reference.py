@@ -104,15 +104,25 @@ class _Boundary:
 def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, _Boundary]:
     """What the far boundary of a block still does to each quantity; nothing for a body that has none.
 
+    A block with more cells all round shows it.
+    """
+    if not mesh.pair.lower.far.size:
+        return boundary_effect(mesh, mesh)
+    larger = solve_on_mesh(
+        mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
+    )
+    return boundary_effect(mesh, larger)
+
+
+def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, _Boundary]:
+    """What the far boundary does to each quantity, from a block that is `larger`; nothing where there is no boundary.
+
     A block with more cells all round shows a part of it. On a race the rest follows from the power with which it fades,
     and half of the whole is left as uncertainty; in a seat all that fades no faster than its size is uncertain.
     """
     names = [part.name for part in fields(Quantities)]
     if not mesh.pair.lower.far.size:
         return dict.fromkeys(names, _Boundary())
-    larger = solve_on_mesh(
-        mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
-    )
     size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
     found = {}
     for name in names:
