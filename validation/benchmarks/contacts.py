@@ -1,7 +1,8 @@
 """Accuracy and price of the contacts: python validation/benchmarks/contacts.py
 
 Prints the wall time and memory of `fembearing validate --out`, what forty loads take beyond one, the errors of the
-finite elements against exact Hertz on the Hertzian idealisation, and those of the Hertz formulas against 50 digits. Times are the machine's.
+finite elements against exact Hertz on the Hertzian idealisation, and those of the Hertz formulas against 50 digits.
+Times are the machine's.
 """
 
 import os
@@ -72,7 +73,8 @@ def time_load_series() -> None:
         out.print(
             f"{pair}: one load {seconds['1']:.2f} s; 40 from 100 to 600 N {seconds['40'] - seconds['1']:.2f} s more on "
             f"{meshes['40']} mesh, 40 from 10 to 1000 N {seconds['40 wide'] - seconds['1']:.2f} s more on "
-            f"{meshes['40 wide']} (medians of {REPEATS}); there n = {law.exponent:.4f} +- {law.exponent_uncertainty:.4f}"
+            f"{meshes['40 wide']} (medians of {REPEATS}); "
+            f"there n = {law.exponent:.4f} +- {law.exponent_uncertainty:.4f}"
         )
 
 
