@@ -3,6 +3,7 @@
     import analytic, fembearing
     scene = analytic.load_scene("bearing.toml")
     contact = fembearing.solve_contact(scene, pair="inner")
+    series = fembearing.solve_load_series(scene, pair="inner", loads=[10.0, 100.0, 1000.0])
     result = fembearing.validate(scene, out="report-folder")
 
 Names are imported on first use, so that a program pays only for what it calls.
@@ -14,17 +15,28 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from fembearing.compare.discrepancy import ContactSolution, solve_contact
+    from fembearing.compare.stiffness_law import LoadSeries, solve_load_series
     from fembearing.compare.validation import Validation
     from fembearing.report.folder import validate
 
     __version__: str
 
-__all__ = ["ContactSolution", "Validation", "__version__", "solve_contact", "validate"]
+__all__ = [
+    "ContactSolution",
+    "LoadSeries",
+    "Validation",
+    "__version__",
+    "solve_contact",
+    "solve_load_series",
+    "validate",
+]
 
 _HOME = {
     "ContactSolution": "fembearing.compare.discrepancy",
+    "LoadSeries": "fembearing.compare.stiffness_law",
     "Validation": "fembearing.compare.validation",
     "solve_contact": "fembearing.compare.discrepancy",
+    "solve_load_series": "fembearing.compare.stiffness_law",
     "validate": "fembearing.report.folder",
 }
 

@@ -68,6 +68,12 @@ ScenePath = Annotated[
 Tolerance = Annotated[str | None, typer.Option(help='Asked accuracy, for example "1 %"; the scene\'s without it.')]
 AsJson = Annotated[bool, typer.Option("--json", help="Machine-readable result on standard output, nothing else there.")]
 Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N"; from the scene without it.')]
+Loads = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--load", help='Load of the ball, for example "620 N"; from the scene without it. Several: the stiffness law.'
+    ),
+]
 Geometry = Annotated[
     GeometryName,
     typer.Option(
@@ -151,30 +157,50 @@ def validate(
 def contact(
     scene: ScenePath = None,
     pair: Annotated[PairName, typer.Option(help="Which contact.")] = PairName.inner,
-    load: Load = None,
+    load: Loads = None,
     geometry: Geometry = GeometryName.real,
     tolerance: Tolerance = None,
     as_json: AsJson = False,
 ) -> None:
-    """Solve one contact and set Hertz beside it."""
+    """Solve one contact and set Hertz beside it; give --load again and again for a series with its stiffness law."""
     given = _scene(scene)
     asked = _tolerance(tolerance, given)
-    force = _load(load)
+    forces = [_read("--load", LOAD, text) for text in load or ()]
+    which: dict[str, Any] = {"pair": pair.value, "tolerance": asked, "geometry": geometry.value}
+    if len(forces) > 1:
+        _load_series(given, forces, as_json=as_json, **which)
+    else:
+        _one_contact(given, forces[0] if forces else None, as_json=as_json, **which)
+
+
+def _one_contact(given: Scene, load: float | None, *, as_json: bool, **which: Any) -> None:
     from fembearing.compare.discrepancy import solve_contact
     from fembearing.compare.subsurface import compare_subsurface
     from fembearing.report.terminal import print_contact, print_subsurface
 
     with _progress() as report:
-        result = solve_contact(
-            given, pair=pair.value, load=force, tolerance=asked, geometry=geometry.value, progress=report
-        )
-        report(0.8, f"{pair.value}: stress under the contact")
+        result = solve_contact(given, load=load, progress=report, **which)
+        report(0.8, f"{result.contact.pair}: stress under the contact")
         below = compare_subsurface(result)
     if as_json:
         _print_json(result.to_json() | {"subsurface": below.to_json()})
     else:
         print_contact(out, result)
         print_subsurface(out, below)
+        _print_warnings(result.warnings)
+    raise typer.Exit(_status(result.verdict) if result.judged else DONE)
+
+
+def _load_series(given: Scene, loads: list[float], *, as_json: bool, **which: Any) -> None:
+    from fembearing.compare.stiffness_law import solve_load_series
+    from fembearing.report.terminal import print_series
+
+    with _progress() as report:
+        result = solve_load_series(given, loads=loads, progress=report, **which)
+    if as_json:
+        _print_json(result.to_json())
+    else:
+        print_series(out, result)
         _print_warnings(result.warnings)
     raise typer.Exit(_status(result.verdict) if result.judged else DONE)
 

@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -173,6 +174,21 @@ def test_table_names_axes_and_units(command) -> None:
         assert words in result.out
 
 
+def test_several_loads_make_a_series_with_its_law(command) -> None:
+    """No wider than a pipe, in the order given, and the same numbers as JSON."""
+    arguments = [part for load in ("310 N", "1e-6 N", "120 N") for part in ("--load", load)]
+    table = command("contact", "--geometry", "hertzian", *arguments)
+    told = command("contact", "--geometry", "hertzian", *arguments, "--json")
+    found = json.loads(told.out)
+    assert table.status == told.status == 0
+    assert [part["load"] for part in found["loads"]] == [310.0, 1e-6, 120.0]
+    rows = [line.split()[0] for line in table.out.splitlines() if re.match(r" *[0-9]\S* +[0-9]", line)]
+    assert rows[:3] == ["310", "1e-06", "120"]
+    assert f"n {found['law']['exponent']:.4f} +- {found['law']['exponent_uncertainty']:.4f}" in table.out
+    assert max(map(len, table.out.splitlines())) <= 80
+    assert "\N{HORIZONTAL ELLIPSIS}" not in table.out
+
+
 SCENE = """
 name = "mine"
 tolerance = "4 %"
@@ -195,6 +211,8 @@ coefficient = 0.1
         (["contact", "--load", "620"], ["--load", "620", "N"]),
         (["contact", "--load", "nan N"], ["--load", "nan N"]),
         (["contact", "--load", "3 mm"], ["--load", "3 mm", "N"]),
+        (["contact", "--load", "3 N", "--load", "-5 N"], ["--load", "-5 N"]),
+        (["contact", "--load", "3 N", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),
         (["contact", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),  # plastic long before: no mesh
         (["validate", "heavy.toml"], ["operation.axial_load = 700000 N", "shoulder"]),
         (["validate", "wide.toml"], ["operation.axial_load = 90000 N", "too wide"]),

@@ -106,19 +106,31 @@ class _Boundary:
 
 
 def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, _Boundary]:
-    """What the far boundary of a block still does to each quantity; nothing for a body that has none.
+    """What the far boundary of a block still does to each quantity.
 
-    Half spaces end in their own displacement, exact to the second moments of the pressure: nothing either.
-    A block with more cells all round shows a part of it. The rest follows from the power with which it fades, and half
-    of the whole is left as uncertainty; the approach into a seat is left as it is and uncertain as if it faded as one
-    over the size.
+    Half spaces end in their own displacement, exact to the second moments of the pressure; a sheet has no such
+    boundary: nothing.
     """
-    names = [part.name for part in fields(Quantities)]
-    if recipe.geometry == "hertzian" or not mesh.pair.lower.far.size:
-        return dict.fromkeys(names, _Boundary())
+    if not has_boundary(mesh, recipe=recipe):
+        return {part.name: _Boundary() for part in fields(Quantities)}
     larger = solve_on_mesh(
         mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
     )
+    return boundary_effect(mesh, larger)
+
+
+def has_boundary(mesh: MeshSolution, *, recipe: Recipe) -> bool:
+    """Whether the lower body ends in a displacement that it has only about."""
+    return recipe.geometry != "hertzian" and mesh.pair.lower.far.size > 0
+
+
+def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, _Boundary]:
+    """What the far boundary does to each quantity, from a block with more cells all round.
+
+    That shows a part of it. The rest follows from the power with which it fades, and half of the whole is left as
+    uncertainty; the approach into a seat is left as it is and uncertain as if it faded as one over the size.
+    """
+    names = [part.name for part in fields(Quantities)]
     size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
     found = {}
     for name in names:

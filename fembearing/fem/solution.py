@@ -1,10 +1,11 @@
 """One contact solved on one mesh."""
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_matrix
 
 from analytic.errors import ConvergenceError
 from analytic.scene import Contact
@@ -28,6 +29,18 @@ MOST_GUESSES = 12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class CondensedPair:
+    """Two bodies on one mesh, reduced to the nodes that may touch: to be pressed under any load that suits the mesh."""
+
+    contact: Contact
+    level: int
+    pair: PairMesh
+    upper: CondensedBody
+    lower: CondensedBody
+    mass: csr_matrix  # (m, m) m^2, of the upper body's surface over the nodes that may touch
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class MeshSolution:
     """A contact on one mesh. Node arrays run over the nodes that may touch, of a quarter."""
 
@@ -42,7 +55,11 @@ class MeshSolution:
     unknowns: int
     rounds: int  # of the active set
     seconds: float  # that meshing and solving took
-    upper: CondensedBody
+    bodies: CondensedPair
+
+    @property
+    def upper(self) -> CondensedBody:
+        return self.bodies.upper
 
     @property
     def semi_axes(self) -> tuple[float, float]:
@@ -65,8 +82,39 @@ def solve_on_mesh(
     Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not settle.
     """
     start = time.perf_counter()
+    bodies = condensed_pair(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended, upper=upper)
+    found = pressed(bodies, load=contact.load, expected=semi_axes)
+    return replace(found, seconds=time.perf_counter() - start)
+
+
+def condensed_pair(
+    contact: Contact,
+    *,
+    recipe: Recipe,
+    level: int,
+    semi_axes: tuple[float, float],
+    extended: bool = False,
+    upper: CondensedBody | None = None,
+) -> CondensedPair:
+    """Mesh both bodies of a contact and condense them; arguments as those of `solve_on_mesh`.
+
+    Nothing in it depends on the load but `semi_axes`. Raises InputError if the mesh cannot be made.
+    """
     pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended)
     upper, lower = _condensed(contact, pair, upper)
+    mass = surface_mass(pair.upper.mesh, pair.upper.touching)
+    return CondensedPair(contact=contact, level=level, pair=pair, upper=upper, lower=lower, mass=mass)
+
+
+def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]) -> MeshSolution:
+    """Press two condensed bodies together; its `seconds` are those of pressing alone.
+
+    load : of the whole contact, N
+    expected : semi-axes, m, to start from; any end in the same answer
+    Raises ConvergenceError if the contact does not settle.
+    """
+    start = time.perf_counter()
+    pair, upper, lower = bodies.pair, bodies.upper, bodies.lower
     x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
     lever = -pair.normal[2]
     force, approach, rounds = press(
@@ -74,23 +122,22 @@ def solve_on_mesh(
         drift=QUARTERS * (upper.drift + lower.drift),
         gap=pair.gap,
         lever=lever,
-        load=contact.load / QUARTERS,
-        start=(x / semi_axes[0]) ** 2 + (y / semi_axes[1]) ** 2 < 1,
+        load=load / QUARTERS,
+        start=(x / expected[0]) ** 2 + (y / expected[1]) ** 2 < 1,
     )
     along_load = force * lever
     measured = semi_axis(x, along_load), semi_axis(y, along_load)
-    mass = surface_mass(pair.upper.mesh, pair.upper.touching)
-    pressure = nodal_pressure(force, mass)
+    pressure = nodal_pressure(force, bodies.mass)
     quantities = Quantities(
         semi_axis_rolling=measured[0],
         semi_axis_transverse=measured[1],
-        peak_pressure=peak_pressure(x, y, pressure, np.asarray(mass.sum(axis=1)).ravel(), semi_axes=measured),
+        peak_pressure=peak_pressure(x, y, pressure, np.asarray(bodies.mass.sum(axis=1)).ravel(), semi_axes=measured),
         approach=approach,
-        stiffness=contact.load / approach**1.5,
+        stiffness=load / approach**1.5,
     )
     return MeshSolution(
-        contact=contact,
-        level=level,
+        contact=replace(bodies.contact, load=load),
+        level=bodies.level,
         pair=pair,
         quantities=quantities,
         x=x,
@@ -100,7 +147,7 @@ def solve_on_mesh(
         unknowns=upper.unknowns + lower.unknowns,
         rounds=rounds,
         seconds=time.perf_counter() - start,
-        upper=upper,
+        bodies=bodies,
     )
 
 
@@ -112,11 +159,19 @@ def fitted_solution(contact: Contact, *, recipe: Recipe, guess: tuple[float, flo
     """
     coarse, fine = recipe.levels[:2]
     start = expected_semi_axes(contact) if guess is None else guess
-    rough = _fitted(contact, recipe=recipe, level=coarse, start=start, good=GOOD_GUESSES[0])
-    return _fitted(contact, recipe=recipe, level=fine, start=rough.pair.semi_axes, good=GOOD_GUESSES[1])
+    rough = fitted_on_level(contact, recipe=recipe, level=coarse, start=start, good=GOOD_GUESSES[0])
+    return fitted_on_level(contact, recipe=recipe, level=fine, start=rough.pair.semi_axes, good=GOOD_GUESSES[1])
 
 
-def _fitted(contact: Contact, *, recipe: Recipe, level: int, start: tuple[float, float], good: float) -> MeshSolution:
+def fitted_on_level(
+    contact: Contact, *, recipe: Recipe, level: int, start: tuple[float, float], good: float
+) -> MeshSolution:
+    """A contact on one level, whose mesh is made for the ellipse that it finds there.
+
+    start : semi-axes of the first mesh, m
+    good : by how much of a semi-axis the ellipse may miss its mesh
+    Raises ConvergenceError if the ellipse keeps running away from its mesh.
+    """
     semi_axes, misfit = start, np.inf
     for _ in range(MOST_GUESSES):
         found = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes)

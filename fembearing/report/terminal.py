@@ -11,6 +11,7 @@ from rich.table import Table
 from fembearing.compare.cost import Cost
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.hard_case import HardOutcome
+from fembearing.compare.stiffness_law import LoadSeries
 from fembearing.compare.subsurface import SubsurfaceComparison
 from fembearing.compare.torque_change import TorqueChange
 from fembearing.compare.validation import Validation
@@ -82,6 +83,41 @@ def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
         )
     out.print(table)
     out.print()
+
+
+def print_series(out: Console, series: LoadSeries) -> None:
+    """Each load with approach and tangent stiffness, and the law through all of them."""
+    table = Table(title=title_of(series), **PLAIN)
+    for head in ("load, N", "Hertz, um", "FE, um", "Hertz/FE-1", "+-", "tangent FE, N/um", "+-", "Hertz"):
+        table.add_column(head, justify="right")
+    for point in series.points:
+        table.add_row(
+            f"{point.load:.4g}",
+            f"{point.hertz_approach * 1e6:.5g}",
+            f"{point.approach.value * 1e6:.5g}",
+            f"{point.discrepancy:+.2%} {'*' if abs(point.discrepancy) > point.approach.total else ' '}",
+            f"{point.approach.total:.2%}",
+            "-" if point.tangent is None else f"{point.tangent * 1e-6:.4g}",
+            "-" if point.tangent_uncertainty is None else f"{point.tangent_uncertainty:.2%}",
+            f"{point.hertz_tangent * 1e-6:.4g}",
+        )
+    out.print(table)
+    if series.law is not None:
+        law = series.law
+        out.print(
+            f"F = K delta^n: K {law.stiffness * 1e-9:.5g} GN/m^{law.exponent:.4f}, "
+            f"n {law.exponent:.4f} +- {law.exponent_uncertainty:.4f} by finite elements; "
+            f"{series.hertz_stiffness * 1e-9:.5g} GN/m^1.5 and 1.5 by Hertz.",
+            highlight=False,
+        )
+    out.print(
+        "F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads; +-: numerical uncertainty, 95 %; *: "
+        f"the difference exceeds it.\nfinite elements, {series.geometry}, {series.meshes} "
+        f"{'mesh' if series.meshes == 1 else 'meshes'} for all loads, {series.seconds:.1f} s\n",
+        style="dim",
+        highlight=False,
+    )
+    out.print(f"{series.verdict}: tolerance {series.tolerance:g}", highlight=False)
 
 
 def _print_pocket(out: Console, seat: ContactSolution, sheet: ContactSolution) -> None:

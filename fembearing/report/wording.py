@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.stiffness_law import LoadSeries
 
 
 class Shown(NamedTuple):
@@ -32,7 +33,7 @@ STRESSES = {
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 
-def place_of(contact: ContactSolution) -> str:
+def place_of(contact: ContactSolution | LoadSeries) -> str:
     """Where the ball sits, for example "ball on inner race"."""
     if contact.contact.pair == "pocket":
         return "ball in cage pocket, " + ("sheet on its rim" if contact.geometry == "wall" else "thick seat")
@@ -40,9 +41,10 @@ def place_of(contact: ContactSolution) -> str:
     return f"ball on {contact.contact.pair} race{ideal}"
 
 
-def title_of(contact: ContactSolution) -> str:
-    """Place and load, for the head of a table or a picture."""
+def title_of(contact: ContactSolution | LoadSeries) -> str:
+    """Place and load, or the number of loads, for the head of a table or a picture."""
     noun = contact.contact
     angle = "" if noun.pair == "pocket" else f" at {noun.contact_angle:.4f} rad"
     place = place_of(contact)
-    return f"{place[0].upper()}{place[1:]}{angle}: {noun.load:.4g} N"
+    load = f"{len(contact.points)} loads" if isinstance(contact, LoadSeries) else f"{noun.load:.4g} N"
+    return f"{place[0].upper()}{place[1:]}{angle}: {load}"

@@ -1,7 +1,8 @@
 """Accuracy and price of the contacts: python validation/benchmarks/contacts.py
 
-Prints the wall time and memory of `fembearing validate --out`, the errors of the finite elements against exact
-Hertz on the Hertzian idealisation, and those of the Hertz formulas against 50 digits. Times are the machine's.
+Prints the wall time and memory of `fembearing validate --out`, what forty loads take beyond one, the errors of the
+finite elements against exact Hertz on the Hertzian idealisation, and those of the Hertz formulas against 50 digits.
+Times are the machine's.
 """
 
 import os
@@ -20,7 +21,7 @@ from rich.table import Table
 
 from analytic import hertz_contact, load_scene
 from analytic.scenefile import builtin_scene
-from fembearing import solve_contact
+from fembearing import solve_contact, solve_load_series
 
 LOADS = (50.0, 200.0, 620.0, 2000.0)  # N
 RATIOS = (1.0, 1.0 + 1e-12, 1.37, 9.4, 310.0, 2.3e4, 1e6)
@@ -33,6 +34,7 @@ def main() -> None:
         f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}"
     )
     time_validate()
+    time_load_series()
     errors_of_idealisation()
     errors_of_hertz()
 
@@ -54,6 +56,26 @@ def time_validate() -> None:
         f"fembearing validate --out: {statistics.median(seconds):.1f} s (median of {REPEATS}, {spread}), "
         f"{memory:.2f} GiB"
     )
+
+
+def time_load_series() -> None:
+    """Forty loads within a factor of six beside one in their middle, warm; then a factor of a hundred."""
+    scene = load_scene(builtin_scene("6205"))
+    series = {"1": [245.0], "40": np.geomspace(100, 600, 40), "40 wide": np.geomspace(10, 1000, 40)}
+    for pair in ("inner", "outer"):
+        solve_load_series(scene, pair=pair, loads=series["1"])
+        seconds, meshes, law = {}, {}, None
+        for name, loads in series.items():
+            found = [solve_load_series(scene, pair=pair, loads=loads) for _ in range(REPEATS)]
+            seconds[name] = statistics.median(part.seconds for part in found)
+            meshes[name], law = found[0].meshes, found[0].law
+        assert law is not None
+        out.print(
+            f"{pair}: one load {seconds['1']:.2f} s; 40 from 100 to 600 N {seconds['40'] - seconds['1']:.2f} s more on "
+            f"{meshes['40']} mesh, 40 from 10 to 1000 N {seconds['40 wide'] - seconds['1']:.2f} s more on "
+            f"{meshes['40 wide']} (medians of {REPEATS}); "
+            f"there n = {law.exponent:.4f} +- {law.exponent_uncertainty:.4f}"
+        )
 
 
 def errors_of_idealisation() -> None:
