@@ -5,6 +5,7 @@ from io import BytesIO
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from fembearing.compare.cost import Ladder
 from fembearing.compare.discrepancy import ContactSolution
@@ -25,6 +26,7 @@ def convergence_figure(result: Validation) -> Figure:
             _convergence(panel, contact, name, mark)
         panel.set(title=shown.name, xscale="log", yscale="log")
         panel.grid(alpha=0.3, which="both")
+        panel.xaxis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
     panels[3].set_xlabel("unknowns")
     panels[4].set_xlabel("unknowns")
     for panel in (panels[0], panels[3]):

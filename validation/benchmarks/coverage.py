@@ -50,6 +50,8 @@ def main(
     seed: Annotated[int, typer.Option(help="First seed.")] = 1000,
 ) -> None:
     for count, name in ((ideal, "hertzian"), (real, "race")):
+        if count == 0:
+            continue
         recipe = load_recipe(name)
         trials: dict[str, list[Trial]] = {quantity: [] for quantity in FORMAL_ORDERS}
         seconds = []
