@@ -15,6 +15,7 @@ from scipy.optimize import brentq
 # 1000 to 1099 half the extrapolation's step covered the true error of every quantity that has one.
 HALF = 0.5
 FINEST = 1e-4  # relative: nothing closer is claimed; what all meshes share does not show in their difference
+LEAST = 3e-4  # relative: of a quantity without order, whose last change may be small by chance
 CAUTIOUS = 3.0  # Roache's factor where no order can be relied on
 SETTLES = 0.5  # the last change, over the one before, from which meshes do not settle
 
@@ -59,7 +60,7 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float], *, formal_ord
     values : on meshes from coarse to fine, any unit
     cell_sizes : representative, falling, same length, any unit
     formal_order : with which the error falls as soon as cells are small; None: not extrapolated, and the last change
-        is the uncertainty
+        is the uncertainty, or 0.03 % where that is more
     Where the last change is not well below the one before, the uncertainty is 3 times the spread of the three, or what
     the observed order leaves where that is more.
     """
@@ -73,7 +74,7 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float], *, formal_ord
         left = 0.0 if order is None else abs(change) / (ratio**order - 1)
         uncertainty = CAUTIOUS * max(left, max(values[-3:]) - min(values[-3:]))
     elif formal_order is None:
-        uncertainty = abs(change)
+        uncertainty = max(abs(change), LEAST * abs(fine))
     else:
         step = change / (ratio**formal_order - 1)
         richardson = fine + step

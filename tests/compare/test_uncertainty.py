@@ -56,6 +56,11 @@ def test_a_quantity_without_formal_order_is_its_finest_value() -> None:
     assert found.mesh * found.value > abs(found.value - 7.3)
 
 
+def test_a_last_change_that_is_small_by_chance_is_not_trusted() -> None:
+    found = estimate((7.1, 7.3001, 7.3), SIZES, formal_order=None)
+    np.testing.assert_allclose(found.mesh, 3e-4 + NOTHING_CLOSER, rtol=1e-12)  # round-off
+
+
 @pytest.mark.parametrize(
     "values",
     [(1.3, 1.1, 1.2), (1.1, 1.3, 1.2), (1.3, 1.3, 1.3), (1.0, 1.1, 1.4)],
