@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-# Chosen on 60 random contacts whose exact answer is Hertz, seeds 0 to 59 of validation/benchmarks/coverage.py. On seeds
-# 1000 to 1099 half the extrapolation's step covered the true error of every quantity that has one.
+# Chosen on random contacts whose exact answer is Hertz, seeds 0 to 59 and 1000 to 1099 of
+# validation/benchmarks/coverage.py, which tries them on others.
 HALF = 0.5
 FINEST = 1e-4  # relative: nothing closer is claimed; what all meshes share does not show in their difference
 LEAST = 3e-4  # relative: of a quantity without order, whose last change may be small by chance
