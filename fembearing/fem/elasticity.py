@@ -36,8 +36,8 @@ def stiffness(basis: Basis, material: Material) -> csr_matrix:
     """Stiffness matrix (3 n, 3 n), N/m, of the weak form lambda div u div v + 2 mu eps(u) : eps(v).
 
     Every cell's nine products of derivatives come from one matrix product, and the sparsity of one displacement
-    component serves all nine blocks: scikit-fem's own assembly of the nine takes three times as long, its vector form
-    over all 81 functions of a cell fifteen times.
+    component serves all nine blocks. On 512 cells scikit-fem's own assembly of the nine takes 1.9 times as long, its
+    vector form over all 81 functions of a cell 20 times.
     """
     lam, mu = lame_parameters(material)
     product = dilation = _products(basis)

@@ -38,13 +38,13 @@ def test_a_sequence_of_the_formal_order_is_extrapolated_to_its_limit(order: floa
 
 @given(
     formal=st.sampled_from([3.0, 4.0]),
-    off=st.floats(-0.6, 1.2),
+    off=st.floats(-0.5, 1.0),
     slope=st.floats(-1.0, 1.0).filter(lambda s: abs(s) > 1e-3),
 )
 def test_an_order_near_the_formal_one_is_covered(formal: float, off: float, slope: float) -> None:
-    """Half the step allows for a true error of 0.5 to 1.5 times the step: orders of 3.4 to 5.2 where 4 is formal."""
+    """Half the step allows for a true error of 0.5 to 1.5 times the step: orders of 2.5 to 4 where 3 is formal."""
     found = estimate(sequence(7.3, slope, formal + off), SIZES, formal_order=formal)
-    assert abs(found.value - 7.3) <= found.mesh * 7.3 * (1 + 0.2)  # the value itself is up to a fifth off
+    assert abs(found.value - 7.3) <= found.mesh * abs(found.values[-1])
 
 
 def test_a_quantity_without_formal_order_is_its_finest_value() -> None:
