@@ -4,23 +4,28 @@ With unit normal forces f on the touching nodes and the far-field displacement t
 load Q, the touching nodes move by compliance @ f + drift * Q along the direction of their force.
 """
 
+import os
+import sys
 from dataclasses import dataclass
-from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import cho_factor, cho_solve
-from scipy.sparse import csr_matrix, hstack, triu, vstack
+from scipy.sparse import csr_matrix, diags_array, hstack, triu, vstack
 from scipy.sparse.linalg import splu
 
 try:
     from pypardiso import PyPardisoSolver
 except ImportError:  # other processors than x86-64 have no MKL
     PyPardisoSolver = None
+else:
+    # Where MKL's own packages put it; elsewhere pypardiso searches all of the environment, which takes half a second.
+    for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
+        os.environ.setdefault("PYPARDISO_MKL_RT", str(library))
 
 from analytic.scene import Material
-from fembearing.fem.elasticity import scalar_basis, stiffness
+from fembearing.fem.elasticity import stiffness
 from fembearing.fem.farfield import pressed_ellipse
 from fembearing.mesh.bodies import BodyMesh
 
@@ -74,7 +79,7 @@ class HeldBody:
 
 def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float, float]) -> HeldBody:
     """Assemble a body and hold its planes of symmetry and its far boundary."""
-    matrix = stiffness(scalar_basis(body.mesh), material)
+    matrix = stiffness(body.mesh, material)
     count = body.mesh.doflocs.shape[1]
     displacement = np.zeros((3, count))
     is_held = np.zeros((3, count), dtype=bool)
@@ -101,29 +106,24 @@ def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float
 def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array]:
     """push.T K^-1 push and push.T K^-1 far_force from one factorisation.
 
-    PARDISO eliminates all but the degrees of freedom that `push` acts on and one more, which stands
-    for the amplitude of the far field, and returns the dense stiffness that is left.
+    PARDISO eliminates all degrees of freedom of [K B; B.T 0] but those that stand for the columns of B, the pushes and
+    the far field: what is left of them is -B.T K^-1 B.
     """
-    size = matrix.shape[0]
-    touched = np.flatnonzero(np.diff(push.indptr))
-    scale = matrix.diagonal().max() / np.abs(far_force).max() if far_force.any() else 1.0  # one size with the matrix
-    column = csr_matrix(far_force[:, None] * -scale)
-    corner = csr_matrix([[matrix.diagonal().max()]])  # it only has to be there: it is never eliminated
-    upper = triu(vstack([hstack([matrix, column]), hstack([csr_matrix((1, size)), corner])]), format="csr")
+    size, columns = matrix.shape[0], push.shape[1] + 1
+    stiffest = matrix.diagonal().max()
+    scale = stiffest / np.append(np.ones(columns - 1), np.abs(far_force).max() or 1.0)  # one size with the matrix
+    border = hstack([push, csr_matrix(far_force[:, None])]) @ diags_array(scale)
+    corner = csr_matrix((np.zeros(columns), (np.arange(columns),) * 2), shape=(columns, columns))  # stored, though zero
+    upper = triu(vstack([hstack([matrix, border]), hstack([csr_matrix((columns, size)), corner])]), format="csr")
     upper.sort_indices()
-    keep = np.append(touched, size)
     solver = _pardiso(schur=True)
-    solver.perm = np.zeros(size + 1, dtype=np.int32)
-    solver.perm[keep] = 1
+    solver.perm = np.repeat(np.array([0, 1], dtype=np.int32), [size, columns])
     solver.set_phase(12)
     # pypardiso has no public call that hands out a Schur complement: its own `factorize` gives PARDISO a vector
-    dense = solver._call_pardiso(upper, np.zeros(max(size + 1, keep.size**2)))[: keep.size**2]
+    left = solver._call_pardiso(upper, np.zeros(max(size + columns, columns**2)))[: columns**2]
     solver.free_memory(everything=True)
-    left = dense.reshape(keep.size, keep.size)
-    factor = cho_factor(left[:-1, :-1])
-    here = push[touched].toarray()
-    moved = cho_solve(factor, np.column_stack([here, left[:-1, -1] / -scale]))
-    return here.T @ moved[:, :-1], here.T @ moved[:, -1]
+    moved = -left.reshape(columns, columns) / np.outer(scale, scale)
+    return moved[:-1, :-1], moved[:-1, -1]
 
 
 def _solution_by_pardiso(matrix: csr_matrix, right: Array) -> Array:
@@ -136,9 +136,7 @@ def _solution_by_pardiso(matrix: csr_matrix, right: Array) -> Array:
     return solution
 
 
-@cache
 def _pardiso(*, schur: bool) -> Any:
-    """One solver for all bodies: looking for MKL's library takes pypardiso longer than a small factorisation."""
     assert PyPardisoSolver is not None  # the caller asked
     solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
     for number, value in ((1, 1), (2, 2), (10, 8), (36, int(schur))):  # own settings, METIS, pivot 1e-8, complement

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.sparse import bmat, csr_matrix
 from skfem import Basis, ElementHex2, MeshHex2
 from skfem.quadrature import get_quadrature
-from skfem.refdom import RefQuad
+from skfem.refdom import RefHex, RefQuad
 
 from analytic.scene import Material
 
@@ -27,24 +27,18 @@ def lame_parameters(material: Material) -> tuple[float, float]:
     return modulus * ratio / ((1 + ratio) * (1 - 2 * ratio)), modulus / (2 * (1 + ratio))
 
 
-def scalar_basis(mesh: MeshHex2) -> Basis:
-    """Quadratic shape functions of one displacement component; its numbering is that of the mesh's nodes."""
-    return Basis(mesh, ElementHex2(), intorder=QUADRATURE)
-
-
-def stiffness(basis: Basis, material: Material) -> csr_matrix:
+def stiffness(mesh: MeshHex2, material: Material) -> csr_matrix:
     """Stiffness matrix (3 n, 3 n), N/m, of the weak form lambda div u div v + 2 mu eps(u) : eps(v).
 
     Every cell's nine products of derivatives come from one matrix product, and the sparsity of one displacement
-    component serves all nine blocks. On 512 cells scikit-fem's own assembly of the nine takes 1.9 times as long, its
-    vector form over all 81 functions of a cell 20 times.
+    component serves all nine blocks. A `Basis` would invert the map of every cell once for each of its 27 functions.
     """
     lam, mu = lame_parameters(material)
-    product = dilation = _products(basis)
+    product = dilation = _products(mesh, QUADRATURE)
     if material.poisson_ratio > NEARLY_INCOMPRESSIBLE:
-        dilation = _products(Basis(basis.mesh, ElementHex2(), intorder=REDUCED))
+        dilation = _products(mesh, REDUCED)
     laplace = np.trace(product, axis1=1, axis2=2)
-    sum_up = _summation(basis)
+    sum_up = _summation(mesh.dofs.element_dofs.T, mesh.doflocs.shape[1])
     blocks = [
         [sum_up(lam * dilation[:, i, j] + mu * product[:, j, i] + (mu * laplace if i == j else 0.0)) for j in range(3)]
         for i in range(3)
@@ -52,25 +46,29 @@ def stiffness(basis: Basis, material: Material) -> csr_matrix:
     return csr_matrix(bmat(blocks, format="csr"))
 
 
-def _products(basis: Basis) -> Array:
+def _products(mesh: MeshHex2, degree: int) -> Array:
     """The integrals of d_i v d_j u over each cell, (cells, 3, 3, 27, 27), m; v runs along the last axis but one."""
-    gradient = np.array([shape[0].grad for shape in basis.basis])  # (27, 3, cells, points)
-    functions, axes, cells, points = gradient.shape
-    rows = gradient.transpose(2, 1, 0, 3).reshape(cells, axes * functions, points)
-    product = (rows * basis.dx[:, None]) @ rows.transpose(0, 2, 1)
+    points, weights = get_quadrature(RefHex, degree)
+    mapping, element = mesh.mapping(), mesh.elem()
+    functions = mesh.dofs.element_dofs.shape[0]
+    local = np.array([element.lbasis(points, number)[1] for number in range(functions)])  # (27, 3, points)
+    gradient = np.einsum("fip,ijcp->cjfp", local, mapping.invDF(points), optimize=True)
+    cells, axes, *_ = gradient.shape
+    rows = gradient.reshape(cells, axes * functions, -1)
+    volume = np.abs(mapping.detDF(points)) * weights  # (cells, points), m^3
+    product = (rows * volume[:, None]) @ rows.transpose(0, 2, 1)
     return product.reshape(cells, axes, functions, axes, functions).transpose(0, 1, 3, 2, 4)
 
 
-def _summation(basis: Basis) -> Callable[[Array], csr_matrix]:
-    """What adds up the cells' matrices (cells, 27, 27) into one over the nodes (n, n)."""
-    nodes = basis.element_dofs.T
+def _summation(nodes: NDArray[np.intp], count: int) -> Callable[[Array], csr_matrix]:
+    """What adds up the cells' matrices (cells, f, f) into one over `count` nodes; `nodes` (cells, f) are the cells'."""
     rows, columns = np.broadcast_arrays(nodes[:, :, None], nodes[:, None, :])
-    entries, place = np.unique(rows.ravel().astype(np.int64) * basis.N + columns.ravel(), return_inverse=True)
-    start = np.searchsorted(entries, np.arange(basis.N + 1, dtype=np.int64) * basis.N)
+    entries, place = np.unique(rows.ravel().astype(np.int64) * count + columns.ravel(), return_inverse=True)
+    start = np.searchsorted(entries, np.arange(count + 1, dtype=np.int64) * count)
 
     def sum_up(parts: Array) -> csr_matrix:
         total = np.bincount(place, weights=parts.ravel(), minlength=entries.size)
-        return csr_matrix((total, entries % basis.N, start), shape=(basis.N, basis.N))
+        return csr_matrix((total, entries % count, start), shape=(count, count))
 
     return sum_up
 
@@ -93,5 +91,5 @@ def surface_mass(mesh: MeshHex2, nodes: NDArray[np.intp]) -> csr_matrix:
     along, other = np.delete(basis.mapping.DF(points, tind=cells), across, axis=1).swapaxes(0, 1)
     area = np.linalg.norm(np.cross(along, other, axis=0), axis=0) * weights  # (cells, points), m^2
     shape = np.array([np.broadcast_to(np.asarray(each[0]), area.shape) for each in basis.basis])  # (27, cells, points)
-    mass = _summation(basis)(np.einsum("icp,jcp,cp->cij", shape, shape, area, optimize=True))
+    mass = _summation(basis.element_dofs.T, basis.N)(np.einsum("icp,jcp,cp->cij", shape, shape, area, optimize=True))
     return csr_matrix(mass[nodes][:, nodes])
