@@ -5,7 +5,7 @@ from dataclasses import dataclass, fields, replace
 
 from analytic.scene import Contact
 from fembearing.compare.progress import Progress
-from fembearing.compare.uncertainty import FINEST, HALF, Estimate, estimate
+from fembearing.compare.uncertainty import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Recipe
@@ -22,7 +22,6 @@ FORMAL_ORDERS: dict[str, float | None] = {
     "stiffness": 4.0,
 }
 COMPARED = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")  # stiffness follows from the last
-GUESSED_ORDER = 3.0  # of the peak pressure, to predict a level and nothing else
 # With which power of a block's size the effect of its far boundary fades: tests/compare/test_discrepancy.py foretells a
 # block 2.5 times as large from one 1.5 times as large. A pocket's seat is a cavity and no half space: its approach runs
 # on with the logarithm of the size.
@@ -87,10 +86,11 @@ def _predicted_level(meshes: Sequence[MeshSolution], *, recipe: Recipe, allowed:
     coarse, fine = meshes
     for level in recipe.levels[2:-1]:
         for name, limit in allowed.items():
-            order = FORMAL_ORDERS[name] or GUESSED_ORDER
+            formal = FORMAL_ORDERS[name]
+            order = formal or UNSTEADY
             change = abs(getattr(coarse.quantities, name) / getattr(fine.quantities, name) - 1)
             error = change / ((fine.level / coarse.level) ** order - 1) * (fine.level / level) ** order
-            if HALF * error + FINEST > limit:
+            if (HALF * error if formal else error + LEAST) + FINEST > limit:
                 break
         else:
             return level
