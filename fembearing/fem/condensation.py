@@ -15,19 +15,18 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix, diags_array, hstack, triu, vstack
 from scipy.sparse.linalg import splu
 
-try:
-    from pypardiso import PyPardisoSolver
-except ImportError:  # other processors than x86-64 have no MKL
-    PyPardisoSolver = None
-else:
-    # Where MKL's own packages put it; elsewhere pypardiso searches all of the environment, which takes half a second.
-    for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
-        os.environ.setdefault("PYPARDISO_MKL_RT", str(library))
-
 from analytic.scene import Material
 from fembearing.fem.elasticity import stiffness
 from fembearing.fem.farfield import pressed_ellipse
 from fembearing.mesh.bodies import BodyMesh
+
+# Where MKL's own packages put it: pypardiso, told nothing, searches all of the environment for half a second.
+for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
+    os.environ.setdefault("PYPARDISO_MKL_RT", str(library))
+try:
+    from pypardiso import PyPardisoSolver
+except ImportError:  # other processors than x86-64 have no MKL
+    PyPardisoSolver = None
 
 Array = NDArray[np.float64]
 
