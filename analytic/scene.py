@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["balanced", "inner_control", "outer_control"]
+Traction = Literal["eyring_sinh", "eyring_constant"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +28,7 @@ class Material:
     poisson_ratio: float  # nu
     density: float  # kg/m^3
     source: str  # where the numbers come from
+    hardness: float | None = None  # H, of indentation, Pa; None: not known
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,6 +97,55 @@ class ContactAngle:
     free: float | None = None  # rad
 
 
+@dataclass(frozen=True, kw_only=True)
+class Lubricant:
+    """The oil that flows into the contacts."""
+
+    viscosity: float  # eta_0, at the reference temperature and ambient pressure, Pa s
+    pressure_viscosity: float  # alpha_p = d ln(eta)/dp there, 1/Pa
+    viscosity_temperature: float  # beta = -d ln(eta)/dT there, 1/K
+    reference_temperature: float  # K
+    temperature: float  # of the oil at the inlet of a contact, K
+    thermal_conductivity: float  # k_f, W/(m K)
+    density: float  # kg/m^3
+    eyring_stress: float  # tau_E, Pa
+    limiting_shear: float  # zeta: the largest shear stress over the pressure
+    traction: Traction
+
+
+@dataclass(frozen=True, kw_only=True)
+class Autocorrelation:
+    """How the heights of a random surface at a distance r depend on each other: rho(r), 1 at 0."""
+
+    kind: Literal["gaussian", "exponential"]  # exp(-(r/length)^2), exp(-r/length)
+    length: float  # where rho is 1/e, m
+    spacing: float  # of the points at which the surface is known, m
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeightMapFile:
+    """A measured surface."""
+
+    path: str  # .npy or .csv, heights in m
+    spacing: float  # of neighbouring points, the same both ways, m
+
+
+@dataclass(frozen=True, kw_only=True)
+class Surface:
+    """Ball and races as they are finished: random heights declared, or a height map of a race.
+
+    Exactly one of `height_map` and the pair `rms_roughness`, `autocorrelation` is given. The ball's heights follow the
+    same statistics; `ball_rms_roughness` scales them.
+    """
+
+    rms_roughness: float | None = None  # Sq, of each surface, m
+    autocorrelation: Autocorrelation | None = None
+    height_map: HeightMapFile | None = None
+    ball_rms_roughness: float | None = None  # Sq of the ball where it differs, m
+    hardness: float | None = None  # H, Pa; None: that of the softer material
+    boundary_friction: float = 0.12  # mu_b, where asperities touch
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Operation:
     """The operating points of a series; every array has the same shape (n,)."""
@@ -113,6 +164,8 @@ class Scene:
     contact_angle: ContactAngle
     operation: Operation
     cage: Cage | None = None  # None: no cage term and no pocket contact
+    lubricant: Lubricant | None = None  # None: not known
+    surface: Surface | None = None  # None: not known
     friction_coefficient: float | None = None  # mu at every race contact, until a model gives it
     hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: not known
     spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races

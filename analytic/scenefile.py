@@ -20,12 +20,36 @@ from pydantic.fields import FieldInfo
 from analytic import catalog, fit
 from analytic.errors import InputError
 from analytic.quantity import Dimension
-from analytic.scene import Array, Bearing, Cage, ContactAngle, Groove, Material, Operation, Scene
-from analytic.tables import CageTable, FrictionTable, GrooveTable, MaterialTable, OperationTable, SceneTable, Table
+from analytic.scene import (
+    Array,
+    Autocorrelation,
+    Bearing,
+    Cage,
+    ContactAngle,
+    Groove,
+    HeightMapFile,
+    Lubricant,
+    Material,
+    Operation,
+    Scene,
+    Surface,
+)
+from analytic.tables import (
+    CageTable,
+    FrictionTable,
+    GrooveTable,
+    LubricantTable,
+    MaterialTable,
+    OperationTable,
+    SceneTable,
+    SurfaceTable,
+    Table,
+)
 
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts; the TOML parser's memory grows with the square of their number.
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
+HEIGHT_MAPS = (".npy", ".csv")
 AS_PRINTED = "as_printed"  # the variant of a cage that may have overlapping pockets: it is the paper's, and warns
 MOST_FAULTS = 5  # shown at once; the rest are counted
 
@@ -52,7 +76,7 @@ def load_scene(path: str | os.PathLike[str]) -> Scene:
         raise InputError(f"{origin}: byte {problem.start} is not UTF-8; save the scene file as UTF-8 text") from problem
     except ValueError as problem:  # a path with a null character; InputError is one too
         raise problem if isinstance(problem, InputError) else InputError(f"{origin}: not a path") from problem
-    return parse_scene(text, origin=origin)
+    return parse_scene(text, origin=origin, folder=Path(path).parent)
 
 
 def builtin_scene(name: str) -> Path:
@@ -65,8 +89,11 @@ def builtin_scene(name: str) -> Path:
     return catalog.path("scenes", name)
 
 
-def parse_scene(text: str, *, origin: str) -> Scene:
-    """The scene that TOML text describes; origin names it in messages. Raises InputError as load_scene does."""
+def parse_scene(text: str, *, origin: str, folder: Path = Path()) -> Scene:
+    """The scene that TOML text describes; origin names it in messages, files it names are sought from folder.
+
+    Raises InputError as load_scene does.
+    """
     long_key = LONG_KEY.search(text)
     if long_key:
         raise InputError(f"{origin}: {_shown(long_key[0])} has too many parts; keys of a scene have at most four")
@@ -88,7 +115,7 @@ def parse_scene(text: str, *, origin: str) -> Scene:
         else:
             faults = list(_conflicts(document, table))
             if not faults:
-                scene, misfits = _scene(table)
+                scene, misfits = _scene(table, folder)
                 faults = [_complaint(document, key, problem) for key, problem in misfits]
                 if not faults:
                     return scene
@@ -152,11 +179,19 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         yield f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"
+    surface = table.surface
+    if surface is not None:
+        if (surface.rms_roughness is None) == (surface.height_map is None):
+            yield "surface needs exactly one of rms_roughness and height_map"
+        elif (surface.rms_roughness is None) != (surface.autocorrelation is None):
+            yield "surface.autocorrelation goes with rms_roughness, and with it alone: a height map has its own"
+        if surface.height_map is not None and Path(surface.height_map.path).suffix.lower() not in HEIGHT_MAPS:
+            yield _complaint(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
     if cage is None and table.effects.cage == "on":
         yield _complaint(document, "effects.cage", "needs a table [cage]; give one, or leave the effect out")
 
 
-def _scene(table: SceneTable) -> tuple[Scene, list[tuple[str, str]]]:
+def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]]]:
     """The nouns, and what does not fit together in them."""
     given = table.bearing
     bearing = Bearing(
@@ -178,6 +213,9 @@ def _scene(table: SceneTable) -> tuple[Scene, list[tuple[str, str]]]:
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
             printed = table.cage.variant == AS_PRINTED
             misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=printed)
+    surface = None if table.surface is None else _surface(table.surface, folder)
+    if surface is not None and surface.height_map is not None and not os.path.isfile(surface.height_map.path):
+        misfits.append(("surface.height_map.path", "is not a file; give its path from the scene file's folder"))
     scene = Scene(
         name=table.name,
         tolerance=table.tolerance,
@@ -185,6 +223,8 @@ def _scene(table: SceneTable) -> tuple[Scene, list[tuple[str, str]]]:
         contact_angle=angle,
         operation=_operation(table.operation),
         cage=cage,
+        lubricant=None if table.lubricant is None else _lubricant(table.lubricant),
+        surface=surface,
         **({} if table.friction is None else _friction(table.friction)),
         effects=MappingProxyType(table.effects.model_dump()),
         warnings=tuple(fit.doubts(bearing, cage)),
@@ -204,6 +244,20 @@ def _cage(given: CageTable, bearing: Bearing) -> Cage:
         wall_thickness=given.wall_thickness,
         mass=given.mass,
         material=_material(given.material),
+    )
+
+
+def _lubricant(given: LubricantTable) -> Lubricant:
+    temperature = given.reference_temperature if given.temperature is None else given.temperature
+    return Lubricant(**given.model_dump(exclude={"temperature"}), temperature=temperature)
+
+
+def _surface(given: SurfaceTable, folder: Path) -> Surface:
+    correlation, found = given.autocorrelation, given.height_map
+    return Surface(
+        **given.model_dump(exclude={"autocorrelation", "height_map"}),
+        autocorrelation=None if correlation is None else Autocorrelation(**correlation.model_dump()),
+        height_map=None if found is None else HeightMapFile(path=str(folder / found.path), spacing=found.spacing),
     )
 
 

@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from analytic import catalog
 from analytic.quantity import Dimension
-from analytic.scene import SpinRule
+from analytic.scene import SpinRule, Traction
 
 
 def _text(given: object) -> str:
@@ -47,6 +47,10 @@ Mass = Annotated[float, Dimension(unit="kg", low=1e-12, high=1e4, example='"2.04
 Angle = Annotated[float, Dimension(unit="rad", low=0, high=1.5, example='"0.18 rad"')]
 Force = Annotated[float, Dimension(unit="N", low=1e-15, high=1e12, example='"1000 N"')]
 Speed = Annotated[float, Dimension(unit="rad/s", low=-1e6, high=1e6, example='"300 rpm"')]
+Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1 um"')]
+Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
+Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
+Temperature = Annotated[float, Dimension(unit="K", low=200, high=600, example='"40 degC"')]
 Decision = Literal["auto", "on", "off"]
 
 
@@ -60,6 +64,7 @@ class MaterialTable(Table):
     poisson_ratio: Annotated[float, Dimension(unit="", low=0, high=0.49999, example="0.3")]
     density: Annotated[float, Dimension(unit="kg/m^3", low=1, high=3e4, example='"7850 kg/m^3"')]
     source: Text = "the scene file"
+    hardness: Pressure | None = None  # of indentation; where it is not given, [surface] hardness has to be
 
 
 MaterialEntry = Annotated[
@@ -110,6 +115,44 @@ class OperationTable(Table):
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
 
 
+class LubricantTable(Table):
+    viscosity: Annotated[float, Dimension(unit="Pa*s", low=1e-4, high=1e4, example='"0.06 Pa s"')]
+    pressure_viscosity: Annotated[float, Dimension(unit="1/Pa", low=0, high=1e-7, example='"2e-8 1/Pa"')]
+    eyring_stress: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e9, example='"5 MPa"')]
+    traction: Traction = "eyring_sinh"
+    # Of pressure: lubricants have 0.05 to 0.08 (no source seen).
+    limiting_shear: Annotated[float, Dimension(unit="", low=0, high=1, example="0.065")] = 0.065
+    reference_temperature: Temperature = 313.15  # of the viscosities above: 40 degC, where oils are graded
+    temperature: Temperature | None = None  # of the oil at the inlet; the reference where it is not given
+    # The next three are typical of mineral oils near 40 degC (no source seen).
+    viscosity_temperature: Annotated[float, Dimension(unit="1/K", low=0, high=0.2, example='"0.045 1/K"')] = 0.045
+    thermal_conductivity: Annotated[float, Dimension(unit="W/m/K", low=1e-3, high=100, example='"0.14 W/m/K"')] = 0.14
+    density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] = 870.0
+
+
+class AutocorrelationTable(Table):
+    kind: Literal["gaussian", "exponential"] = Field(description='give "gaussian" or "exponential"')
+    length: Spacing
+    spacing: Spacing
+
+
+class HeightMapTable(Table):
+    path: Text = Field(description="give the path of a .npy or .csv file of heights in m, from the scene file's folder")
+    spacing: Spacing
+
+
+class SurfaceTable(Table):
+    rms_roughness: Roughness | None = None  # of each of the two surfaces
+    ball_rms_roughness: Roughness | None = None  # of the ball where it differs
+    autocorrelation: AutocorrelationTable | None = Field(
+        default=None, description='give { kind = "gaussian", length = "60 um", spacing = "2 um" }'
+    )
+    height_map: HeightMapTable | None = Field(default=None, description='give { path = "race.npy", spacing = "2 um" }')
+    hardness: Pressure | None = None  # of the softer of ball and race where it is not given
+    # Steel on steel under mineral oil has 0.1 to 0.15 (no source seen).
+    boundary_friction: Annotated[float, Dimension(unit="", low=0, high=5, example="0.12")] = 0.12
+
+
 class FrictionTable(Table):
     coefficient: Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
@@ -130,5 +173,11 @@ class SceneTable(Table):
     bearing: BearingTable = Field(description='give a table [bearing] with catalog = "6205" or every dimension')
     operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")
     cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
+    lubricant: LubricantTable | None = Field(
+        default=None, description="give a table [lubricant] with viscosity, pressure_viscosity and eyring_stress"
+    )
+    surface: SurfaceTable | None = Field(
+        default=None, description="give a table [surface] with rms_roughness and autocorrelation, or with height_map"
+    )
     friction: FrictionTable | None = Field(default=None, description="give a table [friction] with coefficient")
     effects: EffectsTable = Field(default=EffectsTable(), description='give a table [effects] of "auto", "on", "off"')

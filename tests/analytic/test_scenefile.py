@@ -155,6 +155,48 @@ def test_a_moulded_cage_is_a_variant_that_keeps_the_pocket() -> None:
     assert "overlap" in refusal(PLAIN + '[cage]\nvariant = "peek"\npocket_diameter = "13.9 mm"')
 
 
+def test_no_lubricant_and_no_surface_is_none() -> None:
+    assert scene(PLAIN).lubricant is None
+    assert scene(PLAIN).surface is None
+
+
+def test_a_lubricant_is_read() -> None:
+    oil = scene(OIL).lubricant
+    assert oil is not None
+    assert (oil.viscosity, oil.pressure_viscosity, oil.eyring_stress, oil.traction) == (0.06, 2e-8, 5e6, "eyring_sinh")
+    assert oil.temperature == oil.reference_temperature == 313.15  # 40 degC, where nothing else is said
+    warm = scene(OIL + 'reference_temperature = "40.5 degC"\nviscosity_temperature = "0.03 1/K"').lubricant
+    assert warm is not None
+    assert (warm.temperature, warm.reference_temperature, warm.viscosity_temperature) == (313.65, 313.65, 0.03)
+    hot = scene(OIL + 'temperature = "80 degC"\nthermal_conductivity = "0.13 W/m/K"\ndensity = "0.85 g/cm^3"').lubricant
+    assert hot is not None
+    assert (hot.temperature, hot.reference_temperature, hot.thermal_conductivity) == (353.15, 313.15, 0.13)
+    assert hot.density == 850.0
+
+
+def test_a_surface_is_read(tmp_path: Path) -> None:
+    declared = scene(ROUGH + 'ball_rms_roughness = "20 nm"\nhardness = "6.9 GPa"\nboundary_friction = 0.11').surface
+    assert declared is not None
+    assert declared.autocorrelation is not None
+    assert (declared.rms_roughness, declared.ball_rms_roughness) == (1e-7, 2e-8)
+    assert (declared.hardness, declared.boundary_friction, declared.height_map) == (6.9e9, 0.11, None)
+    assert (declared.autocorrelation.kind, declared.autocorrelation.length) == ("gaussian", 6e-5)
+    assert declared.autocorrelation.spacing == 2e-6
+    (tmp_path / "race.CSV").write_text("0, 1")
+    (tmp_path / "case.toml").write_text(PLAIN + '[surface]\nheight_map = { path = "race.CSV", spacing = "0.7 um" }')
+    measured = load_scene(tmp_path / "case.toml").surface  # sought beside the scene file, wherever one works
+    assert measured is not None
+    assert measured.height_map is not None
+    assert (measured.height_map.path, measured.height_map.spacing) == (str(tmp_path / "race.CSV"), 7e-7)
+    assert measured.rms_roughness is None
+
+
+def test_hardness_is_known_of_steel_alone() -> None:
+    assert scene(PLAIN).bearing.ball_material.hardness == 7.8e9
+    own = scene(changed("poisson_ratio = 0.27", 'poisson_ratio = 0.27, hardness = "15 GPa"', INLINE)).bearing
+    assert (own.ball_material.hardness, own.outer.material.hardness) == (15e9, None)
+
+
 def test_a_ball_of_the_wrong_mass_is_doubted() -> None:
     (warning,) = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.5 mm"')).warnings
     assert "2.04 g" in warning
@@ -167,6 +209,25 @@ def test_an_elastic_preload_fits() -> None:
 
 
 BEARING = 'catalog = "6205"'
+OIL = (
+    PLAIN
+    + """\
+[lubricant]
+viscosity = "60 mPa s"
+pressure_viscosity = "2e-8 1/Pa"
+eyring_stress = "5 MPa"
+traction = "eyring_sinh"
+"""
+)
+ROUGH = (
+    PLAIN
+    + """\
+[surface]
+rms_roughness = "0.1 um"
+autocorrelation = { kind = "gaussian", length = "60 um", spacing = "2 um" }
+"""
+)
+MAP = '{ path = "a.npy", spacing = "1 um" }'
 CAGE = PLAIN + "[cage]\n"
 MISTAKES = [  # text, and what the one line must name: key, value, what would be accepted
     (changed('"700 N"', "700"), ("operation.axial_load = 700", "no unit", '"1000 N"')),
@@ -194,7 +255,29 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
     (changed('name = "a series"', 'name = "two\\nlines"'), ("name = 'two\\nlines'", "printable")),
     (changed('name = "a series"', 'name = "a"\n"odd\\nkey" = 5'), ("'odd\\nkey' = 5", "unknown key")),
     (changed("tolerance", "tolerence"), ("tolerance is missing", "tolerence = '2 %'", "did you mean tolerance?")),
-    (PLAIN + '[lubricant]\nviscosity = "0.06 Pa s"', ("lubricant", "unknown key", "known: name")),
+    (PLAIN + '[weather]\nviscosity = "0.06 Pa s"', ("weather", "unknown key", "known: name")),
+    (OIL.replace('"2e-8 1/Pa"', "2e-8"), ("lubricant.pressure_viscosity = 2e-08", "no unit", '"2e-8 1/Pa"')),
+    (OIL.replace('"2e-8 1/Pa"', '"2e-8 Pa"'), ("lubricant.pressure_viscosity = '2e-8 Pa'", "in a unit like 1/Pa")),
+    (OIL.replace('"60 mPa s"', '"68 mm^2/s"'), ("lubricant.viscosity = '68 mm^2/s'", "Pa*s", '"0.06 Pa s"')),
+    (OIL.replace("eyring_sinh", "newtonian"), ("lubricant.traction = 'newtonian'", "eyring_sinh", "eyring_constant")),
+    (OIL + 'temperature = "-80 degC"', ("lubricant.temperature = '-80 degC'", "200 to 600 K", '"40 degC"')),
+    (OIL + "limiting_shear = 1.2", ("lubricant.limiting_shear = 1.2", "0 to 1")),
+    (PLAIN + '[lubricant]\nviscosity = "0.06 Pa s"', ("lubricant.pressure_viscosity is missing", "eyring_stress")),
+    ("lubricant = 7\n" + PLAIN, ("lubricant = 7", "not a table", "eyring_stress")),
+    (PLAIN + "[surface]", ("surface", "exactly one of rms_roughness and height_map")),
+    ("surface = 7\n" + PLAIN, ("surface = 7", "not a table", "rms_roughness")),
+    (ROUGH.replace('"0.1 um"', '"-0.1 um"'), ("surface.rms_roughness = '-0.1 um'", "out of range", '"0.1 um"')),
+    (ROUGH.replace('"gaussian"', '"fractal"'), ("surface.autocorrelation.kind = 'fractal'", "'exponential'")),
+    (ROUGH.replace('"60 um"', "60"), ("surface.autocorrelation.length = 60", "no unit", '"2 um"')),
+    (ROUGH.replace(', spacing = "2 um"', ""), ("surface.autocorrelation.spacing is missing", '"2 um"')),
+    (ROUGH + 'hardness = "780 HV"', ("surface.hardness = '780 HV'", '"7.8 GPa"')),
+    (ROUGH + "boundary_friction = -0.1", ("surface.boundary_friction = -0.1", "0 to 5")),
+    (ROUGH.partition("autocorrelation")[0], ("surface.autocorrelation goes with rms_roughness",)),
+    (ROUGH + f"height_map = {MAP}", ("surface", "exactly one of")),
+    (PLAIN + f"[surface]\nheight_map = {MAP}", ("surface.height_map.path = 'a.npy'", "not a file")),
+    (PLAIN + f"[surface]\nheight_map = {MAP}".replace("npy", "pkl"), ("path = 'a.pkl'", ".npy, .csv")),
+    (PLAIN + '[surface]\nheight_map = { path = "a.npy" }', ("surface.height_map.spacing is missing", '"2 um"')),
+    (PLAIN + '[surface]\nheight_map = "a.npy"', ("surface.height_map = 'a.npy'", "not a table", "path =")),
     (PLAIN + '[effects]\nspin = "yes"', ("effects.spin = 'yes'", "'auto', 'on' or 'off'")),
     (PLAIN + '[effects]\nfilm = "on"', ("effects.film = 'on'", "unknown key", "hysteresis")),
     (PLAIN + '[effects]\ncage = "on"', ("effects.cage = 'on'", "[cage]")),
