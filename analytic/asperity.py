@@ -112,12 +112,13 @@ def separation_at(*, pressure: ArrayLike, summits: Summits, modulus: ArrayLike, 
     require_non_negative(pressure=pressure)
     _, yielding, scale, reference = _arguments(pressure, summits, modulus, hardness)
     rough = scale > 0
-    target = np.divide(np.broadcast_to(pressure, scale.shape), scale * reference, out=np.ones_like(scale), where=rough)
-    sought = rough & (target > 0)
+    carried = np.broadcast_to(np.asarray(pressure, dtype=np.float64), scale.shape)
+    target = np.divide(carried, scale * reference, out=np.zeros_like(scale), where=rough)
+    sought = target > 0
     t = np.zeros_like(scale)
     t[sought] = _solved(np.log(target[sought]), yielding[sought])
     height = np.asarray(summits.mean_height) + np.asarray(summits.height_deviation) * t
-    return np.where(rough, np.where(target > 0, height, np.inf), np.where(target > 0, 0.0, np.inf))
+    return np.where(sought, height, np.where(rough | (carried == 0), np.inf, 0.0))
 
 
 def softer_hardness(surface: Surface, first: Material, second: Material) -> float:

@@ -67,8 +67,7 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
         ) from problem
     except InputError as problem:
         raise InputError(f"{origin}: {problem}") from problem
-    # What NumPy raises for a damaged header depends on where the damage is.
-    except (ValueError, TypeError, OverflowError, EOFError, SyntaxError, MemoryError) as problem:
+    except Exception as problem:  # what NumPy raises for a damaged header depends on where the damage is
         reason = " ".join(str(problem).split())[:120]
         raise InputError(f"{origin}: not a matrix of numbers: {reason}; save heights in m as .npy or .csv") from problem
     if not np.isfinite(heights).all():
@@ -162,7 +161,10 @@ def _correlation_length(given: HeightMap) -> float:
 
 
 def _counted_summits(given: HeightMap) -> Summits:
-    """Points above their eight neighbours, with the mean of their curvatures along x and y; without the rim."""
+    """Points above their eight neighbours, with the mean of their curvatures along x and y; without the rim.
+
+    Of equal neighbours none counts: heights rounded coarsely have too few summits.
+    """
     z, d = given.heights, given.spacing
     ring = np.ones((3, 3), dtype=bool)
     ring[1, 1] = False
