@@ -136,6 +136,7 @@ def test_heights_are_gaussian_and_the_seed_decides(smooth_maps: list[np.ndarray]
     skewness = [float(np.mean(z**3)) / SQ**3 for z in smooth_maps]
     assert abs(np.mean(skewness)) < SIGMAS * np.std(skewness) / np.sqrt(len(skewness))
     np.testing.assert_array_equal(made(SMOOTH, 7), smooth_maps[7])
+    assert max(abs(z.mean()) for z in smooth_maps) < 1e-12 * SQ  # counted from the surface's own mean
     assert np.abs(np.mean(smooth_maps[3] * smooth_maps[4])) < 0.2 * SQ**2
     flat = generated_surface(rms_roughness=0.0, autocorrelation=SMOOTH, points=POINTS, seed=5)
     assert not flat.heights.any()
