@@ -16,7 +16,7 @@ ROUNDS = 400  # two to eight are usual; 48 the most that 25 nodes took whose com
 PATIENCE = 3  # rounds that may pass without fewer nodes in the wrong before nodes change sides one at a time
 ROUND_OFF = 1e-12  # of an overlap, and of the share of a node's compliance that no other node explains
 NOT_POSITIVE = (
-    "Gaps or compliances are not finite, or the compliance is not positive definite: check that each body is held, both "
+    "Gaps or compliances are not finite, or the compliance is not positive definite: check that each body is held, "
     "moduli and Poisson ratios, and that no two nodes of the mesh coincide."
 )
 UNSETTLED = "Change the load or the size of the mesh by a per cent, or take another level of the recipe."
@@ -49,7 +49,7 @@ def press(
         index = np.flatnonzero(active)
         system = np.zeros((index.size + 1, index.size + 1))
         system[:-1, :-1] = compliance[np.ix_(index, index)]
-        if not _is_positive_definite(system[:-1, :-1]):
+        if not is_positive_definite(system[:-1, :-1]):
             raise _stopped(rounds, missing, active, remedy=NOT_POSITIVE)
         system[:-1, -1] = -lever[index]
         system[-1, :-1] = lever[index]
@@ -77,7 +77,7 @@ def press(
     raise _stopped(ROUNDS, missing, active, remedy=UNSETTLED)
 
 
-def _is_positive_definite(matrix: Array) -> bool:
+def is_positive_definite(matrix: Array) -> bool:
     """Beyond round-off; `matrix` is symmetric and finite."""
     try:
         factor = cholesky(matrix, lower=True, check_finite=False)
