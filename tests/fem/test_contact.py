@@ -11,7 +11,7 @@ from scipy.optimize import minimize, nnls
 
 from analytic.errors import ConvergenceError
 from fembearing.fem import contact
-from fembearing.fem.contact import press
+from fembearing.fem.contact import is_positive_definite, press
 
 Array = NDArray[np.float64]
 
@@ -263,3 +263,41 @@ def test_a_gap_that_is_no_number_is_refused_in_words(name: str) -> None:
     case[name][3] = np.nan
     with pytest.raises(ConvergenceError):
         pressed(case, 1.7, np.ones(6, bool))
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_nodes_that_just_touch_do_not_change_sides_for_ever(seed: int) -> None:
+    """All gaps shut and half of the forces 0: which of those nodes touch is up to round-off, the answer is not."""
+    random, nodes = np.random.default_rng(seed), 14
+    root = random.normal(size=(nodes, nodes + 3))
+    compliance, lever = root @ root.T, random.uniform(0.7, 0.99, nodes)
+    expected = np.where(np.arange(nodes) % 2, random.uniform(0.3, 1.7, nodes), 0.0)
+    gap = 37.0 * lever - compliance @ expected
+    for start in (np.ones(nodes, bool), np.zeros(nodes, bool)):
+        force, approach, _ = press(
+            compliance=compliance, drift=0 * gap, gap=gap, lever=lever, load=float(expected @ lever), start=start
+        )
+        np.testing.assert_allclose(force, expected, atol=1e-9)  # round-off times a condition of 1e3
+        np.testing.assert_allclose(approach, 37.0, rtol=1e-9)
+
+
+def test_what_is_missing_is_the_force_that_would_part_what_overlaps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One node carries 2.3 N and sinks in by 2 * 2.3; its neighbour, pushed down by 0.5 * 2.3, overlaps by the rest."""
+    monkeypatch.setattr(contact, "ROUNDS", 1)
+    with pytest.raises(ConvergenceError) as stop:
+        press(
+            compliance=np.array([[2.0, 0.5], [0.5, 1.6]]),
+            drift=np.zeros(2),
+            gap=np.array([0.0, 0.1]),
+            lever=np.ones(2),
+            load=2.3,
+            start=np.array([True, False]),
+        )
+    np.testing.assert_allclose(stop.value.residual, (2.0 * 2.3 - 0.5 * 2.3 - 0.1) / 1.6, rtol=1e-12)  # round-off
+
+
+@pytest.mark.parametrize(("share", "holds"), [(1e-9, True), (1e-14, False)])
+def test_two_nodes_may_move_almost_as_one(share: float, holds: bool) -> None:
+    """The second keeps 2 * share of its compliance to itself, the first all."""
+    alike = 1 - share
+    assert is_positive_definite(np.array([[1.0, alike], [alike, 1.0]])) == holds
