@@ -32,6 +32,14 @@ class ConvergenceError(FembearingError):
         )
 
 
+class SingularError(ConvergenceError):
+    """Equations that no solver could solve: there is no first iteration to tell of."""
+
+    def __init__(self, *, problem: str, remedy: str) -> None:
+        self.iterations, self.residual, self.tolerance = 0, np.inf, 0.0
+        FembearingError.__init__(self, f"{problem}. {remedy}")
+
+
 def require_finite(**values: ArrayLike) -> None:
     """Raise InputError unless every element is a finite number, of any sign."""
     for name, value in values.items():

@@ -199,7 +199,7 @@ def compare_contact(
 
     def is_open(estimates: Estimates) -> bool:
         return not thin and any(
-            _is_open(part, getattr(hertz, name), tolerance=tolerance) for name, part in estimates.items()
+            could_be_decided(part, getattr(hertz, name), tolerance=tolerance) for name, part in estimates.items()
         )
 
     found = solve_reference(
@@ -226,7 +226,7 @@ def compare_contact(
     )
 
 
-def _is_open(part: Estimate, formula: float, *, tolerance: float) -> bool:
+def could_be_decided(part: Estimate, formula: float, *, tolerance: float) -> bool:
     """Whether a quantity is undecided and a finer mesh could decide it: the far boundary's share it would not lower."""
     perfect = replace(part, mesh=0.0, settled=True)
     now, then = (_verdict(each, formula, tolerance=tolerance, valid=True) for each in (part, perfect))
@@ -262,15 +262,21 @@ def hertz_quantities(contact: Contact) -> Quantities:
     )
 
 
+def sheet_warning(contact: Contact) -> str:
+    """Why a sheet is shown and not judged."""
+    assert contact.wall is not None  # or it would not have been meshed
+    return (
+        f"{contact.pair}: the sheet of {contact.wall.thickness * 1e3:.3g} mm bends on its rim, which Hertz's half "
+        "space does not know: compare with the stiffness, do not judge by it"
+    )
+
+
 def _warnings(
     contact: Contact, finest: MeshSolution, estimates: Estimates, *, accuracy: float, overrun: bool, thin: bool
 ) -> tuple[str, ...]:
     found = []
-    if thin and contact.wall is not None:
-        found.append(
-            f"{contact.pair}: the sheet of {contact.wall.thickness * 1e3:.3g} mm bends on its rim, which Hertz's half "
-            "space does not know: compare with the stiffness, do not judge by it"
-        )
+    if thin:
+        found.append(sheet_warning(contact))
     if overrun:
         found.append(
             f"{contact.pair}: the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across, the "

@@ -2,7 +2,8 @@
 
 F: load, N; delta: approach, m. Each approach is extrapolated from the second and third level of a recipe with order 4,
 and past the far boundary as that of a single contact; half of the extrapolation's step is its uncertainty. Loads share
-meshes, and one whose ellipse is not that of its mesh is less certain: see `OFF_MESH`.
+meshes, and one whose ellipse is not that of its mesh is less certain: see `OFF_MESH`. One whose approach is then less
+certain than the tolerance asks for is solved once more as a contact of its own.
 """
 
 import time
@@ -16,10 +17,18 @@ from scipy.stats import t as student
 
 from analytic.errors import InputError
 from analytic.scene import Contact, Pair, Scene
-from fembearing.compare.discrepancy import EDGE_OF_GROOVE, RECIPES, contact_of, hertz_quantities, traced_to_load
-from fembearing.compare.progress import Progress, silent
+from fembearing.compare.discrepancy import (
+    EDGE_OF_GROOVE,
+    RECIPES,
+    contact_of,
+    could_be_decided,
+    hertz_quantities,
+    sheet_warning,
+    traced_to_load,
+)
+from fembearing.compare.progress import Progress, part_of, silent
 from fembearing.compare.provenance import peak_memory
-from fembearing.compare.reference import FORMAL_ORDERS, boundary_effect, has_boundary
+from fembearing.compare.reference import FORMAL_ORDERS, boundary_effect, has_boundary, solve_reference
 from fembearing.compare.uncertainty import FINEST, HALF, Estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
@@ -34,6 +43,7 @@ OFF_MESH = 3e-3
 ALIKE = 0.3  # in ln F, a tenth of a semi-axis: of loads further apart, these errors have nothing in common
 OFF_FROM = 0.1  # an ellipse so far from its mesh's, in semi-axes, is off in full; in proportion below
 CONFIDENCE = 0.95
+Solved = tuple[MeshSolution, Estimate, float]  # on the finest mesh, its approach, and its share that is off the mesh
 ENOUGH = 5  # distinct loads, for the tangents to bend away from a power law
 
 
@@ -64,6 +74,7 @@ class StiffnessLaw:
 
     stiffness: float  # K, N/m^n: extrapolated to 1 m, to be used with n alone
     exponent: float  # n
+    stiffness_uncertainty: float  # of K, relative half-width, 95 %: large, as it is far from any load
     misfit: float | None  # what n owes to loads that are no power law; None where two loads fit it always
     propagated: float  # what it owes to uncertain approaches
 
@@ -136,7 +147,7 @@ class LoadSeries:
             ],
             "law": law,
             "hertz_law": {"stiffness": self.hertz_stiffness, "exponent": 1.5},
-            "verdict": self.verdict,
+            "verdict": self.verdict if self.judged else "shown",
             "cost": {"seconds": self.seconds, "meshes": self.meshes, "peak_memory": peak_memory()},
             "warnings": list(self.warnings),
         }
@@ -176,7 +187,10 @@ def solve_load_series(
 def compare_series(
     contact: Contact, *, recipe: Recipe, loads: ArrayLike, tolerance: float, progress: Progress = silent
 ) -> LoadSeries:
-    """Solve `contact` under each of `loads`, (n,) N, on the second and third level of `recipe`."""
+    """Solve `contact` under each of `loads`, (n,) N, on the second and third level of `recipe`.
+
+    tolerance : relative; loads whose approach it leaves too uncertain or undecided are solved again, each on its own
+    """
     start = time.perf_counter()
     given = checked_loads(loads)
     middle, fine = recipe.levels[1:3]
@@ -187,8 +201,13 @@ def compare_series(
     larger = on_level(second, recipe=recipe, level=middle, extended=True) if bounded else (None,) * given.size
     progress(0.5, f"{contact.pair}: level {fine}")
     third = on_level(second, recipe=recipe, level=fine)
-    approaches = tuple(_approach(*parts) for parts in zip(second, third, larger, strict=True))
-    data = LawData.of(given, approaches, [off_mesh_uncertainty(part) for part in third])
+    solved = {
+        parts[1].contact.load: (parts[1], _approach(*parts), off_mesh_uncertainty(parts[1]))
+        for parts in zip(second, third, larger, strict=True)
+    }
+    solved |= _refined(solved, recipe=recipe, tolerance=tolerance, progress=part_of(progress, 0.6, 1.0))
+    third, approaches, crossing = zip(*(solved[load] for load in given.tolist()), strict=True)
+    data = LawData.of(given, approaches, crossing)
     law = fit_law(data)
     tangents = [(None, None)] * given.size if law is None else _tangents(data, given, approaches)
     thin = recipe.geometry == "wall"
@@ -222,8 +241,40 @@ def compare_series(
         hertz_stiffness=hertz_quantities(third[0].contact).stiffness,
         solutions=third,
         seconds=time.perf_counter() - start,
-        warnings=_warnings(contact, points, over if recipe.geometry == "real" else over & False, tolerance=tolerance),
+        warnings=(
+            *((sheet_warning(contact),) if thin else ()),
+            *_warnings(contact, points, over if recipe.geometry == "real" else over & False, tolerance=tolerance),
+        ),
     )
+
+
+def _refined(
+    solved: dict[float, Solved], *, recipe: Recipe, tolerance: float, progress: Progress
+) -> dict[float, Solved]:
+    """The loads that have to be solved on meshes of their own: their approach is too uncertain, or its verdict open."""
+
+    def is_open(part: Estimate, contact: Contact) -> bool:
+        formula = hertz_quantities(contact).approach
+        return recipe.geometry != "wall" and could_be_decided(part, formula, tolerance=tolerance)
+
+    found = {}
+    for number, (load, (solution, part, _)) in enumerate(solved.items()):
+        contact = solution.contact
+        if part.mesh <= max(tolerance - part.domain, part.domain / 2) and not is_open(part, contact):
+            continue
+        try:
+            single = solve_reference(
+                contact,
+                recipe=recipe,
+                accuracy=tolerance,
+                watched=("approach",),
+                is_open=lambda estimates, contact=contact: is_open(estimates["approach"], contact),
+                progress=part_of(progress, number / len(solved), (number + 1) / len(solved)),
+            )
+        except InputError:  # an ellipse too wide for a mesh of its own: what it has on its neighbour's stays
+            continue
+        found[load] = single.meshes[-1], single.estimates["approach"], 0.0
+    return found
 
 
 def off_mesh_uncertainty(solution: MeshSolution) -> float:
@@ -274,9 +325,12 @@ def fit_law(data: LawData) -> StiffnessLaw | None:
     basis = np.column_stack([np.ones(data.load.size), np.log(data.load)])
     (intercept, slope), scatter, propagated = _fitted(data, basis, of=np.array([[0.0, 1.0]]))
     exponent = 1 / slope
+    logarithm = -intercept * exponent  # of K
+    _, *parts = _fitted(data, basis, of=np.array([[-exponent, -logarithm * exponent]]))  # its derivatives
     return StiffnessLaw(
-        stiffness=float(np.exp(-intercept * exponent)),
+        stiffness=float(np.exp(logarithm)),
         exponent=float(exponent),
+        stiffness_uncertainty=float(sum(part[0] for part in parts)),
         misfit=None if data.load.size == 2 else float(exponent**2 * scatter[0]),
         propagated=float(exponent**2 * propagated[0]),
     )

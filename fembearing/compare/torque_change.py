@@ -22,8 +22,15 @@ class TorqueChange:
 
     hertz: FrictionTorque
     corrected: FrictionTorque
-    uncertainty: float  # of the relative change of the total, from the contacts' numerical uncertainties
+    # From the contacts' numerical uncertainties: of each part's relative change, and of the corrected contact angle,
+    # relative; parts that were left out have none.
+    uncertainties: dict[str, float]
     verdict: Verdict  # the worst of both contacts: beyond "pass" the change stands on contacts that did not pass
+
+    @property
+    def uncertainty(self) -> float:
+        """Of the relative change of the total."""
+        return self.uncertainties["total"]
 
     @property
     def is_solved(self) -> np.ndarray:
@@ -58,6 +65,7 @@ class TorqueChange:
                 part: None if change is None else _known(change, self.is_solved) for part, change in changes.items()
             },
             "uncertainty": self.uncertainty,
+            "uncertainties": self.uncertainties,
             "verdict": self.verdict,
         }
 
@@ -70,19 +78,29 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     """
     hertz, corrected = friction_torque(scene), _corrected(scene, factors(inner), factors(outer))
     solved = int(np.argmax(hertz.ball_load))
-    spread = 0.0  # one input moved at a time, by its whole uncertainty; added, since nothing says they are independent
-    for name in FACTORS:
+    expected = _outcome(corrected, solved)
+    spread = dict.fromkeys(expected, 0.0)
+    for name in FACTORS:  # one input at a time, moved by its whole uncertainty; added: they may hang together
         for moved in (
             _corrected(scene, factors(inner, up=name), factors(outer)),
             _corrected(scene, factors(inner), factors(outer, up=name)),
         ):
-            spread += float(abs(moved.torque.total[solved] / corrected.torque.total[solved] - 1))
+            for part, value in _outcome(moved, solved).items():
+                if value != expected[part]:  # a part that is 0 either way is sure
+                    spread[part] += abs(value / expected[part] - 1)
     return TorqueChange(
         hertz=hertz,
         corrected=corrected,
-        uncertainty=spread,
+        uncertainties=spread,
         verdict=worst((inner.verdict, outer.verdict)),
     )
+
+
+def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:
+    """What depends on the contacts, at one operating point: N m, and the angle in rad."""
+    parts = {name: getattr(found.torque, name) for name in PARTS}
+    known = {name: float(part[point]) for name, part in parts.items() if part is not None}
+    return known | {"contact_angle": float(found.contact_angle[point])}
 
 
 def _known(values: np.ndarray, is_known: np.ndarray) -> list[float | None]:

@@ -6,16 +6,21 @@ load Q, the touching nodes move by compliance @ f + drift * Q along the directio
 
 import os
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import LinAlgError
 from scipy.sparse import csr_matrix, diags_array, hstack, triu, vstack
 from scipy.sparse.linalg import splu
 
+from analytic.errors import SingularError
 from analytic.scene import Material
+from fembearing.fem.contact import is_positive_definite
 from fembearing.fem.elasticity import stiffness
 from fembearing.fem.farfield import pressed_ellipse
 from fembearing.mesh.bodies import BodyMesh
@@ -25,10 +30,13 @@ for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
     os.environ.setdefault("PYPARDISO_MKL_RT", str(library))
 try:
     from pypardiso import PyPardisoSolver
+    from pypardiso.pardiso_wrapper import PyPardisoError
 except ImportError:  # other processors than x86-64 have no MKL
-    PyPardisoSolver = None
+    PyPardisoSolver, PyPardisoError = None, LinAlgError
 
 Array = NDArray[np.float64]
+UNBALANCED = 1e-8  # relative: round-off leaves less than 1e-12
+OUT_OF_MEMORY = (-2, -8, -9)  # of PARDISO's status codes: too little memory, too many entries to count, disk full
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -43,18 +51,24 @@ def condense(body: BodyMesh, *, material: Material, force: Array, semi_axes: tup
 
     force : (3, m) unit vectors along which the contact pushes this body
     semi_axes : of the pressure whose far field holds the body, m
+    Raises SingularError for a body that is not held, or whose equations are not those of an elastic one.
     """
     system = held_stiffness(body, material=material, semi_axes=semi_axes)
     push = system.forces(body.touching, force)
     solve = _by_superlu if PyPardisoSolver is None else _by_pardiso
-    compliance, drift = solve(system.matrix, push, system.far_force)
-    return CondensedBody(compliance=(compliance + compliance.T) / 2, drift=drift, unknowns=system.free.size)
+    with system.solving():
+        compliance, drift = solve(system.matrix, push, system.far_force)
+        compliance = (compliance + compliance.T) / 2
+        if not (np.isfinite(compliance).all() and is_positive_definite(compliance)):
+            raise LinAlgError("touching nodes yield without resistance")
+    return CondensedBody(compliance=compliance, drift=drift, unknowns=system.free.size)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class HeldBody:
     """The equations of one body after its held degrees of freedom are taken out."""
 
+    name: str  # of the body
     matrix: csr_matrix  # (n, n) N/m
     far_force: Array  # (n,) force on the free ones from the far field of a unit load
     free: NDArray[np.intp]  # (n,) degrees of freedom
@@ -69,11 +83,38 @@ class HeldBody:
         return full[self.free]
 
     def displacement(self, push: Array, *, load: float) -> Array:
-        """Displacement (3, nodes), m, under the forces `push` (n,), N, and the far field of `load`, N."""
+        """Displacement (3, nodes), m, under the forces `push` (n,), N, and the far field of `load`, N.
+
+        Raises SingularError where no displacement balances the forces.
+        """
         solve = _solution_by_superlu if PyPardisoSolver is None else _solution_by_pardiso
         moved = load * self.held.ravel()
-        moved[self.free] = solve(self.matrix, push + load * self.far_force)
+        right = push + load * self.far_force
+        with self.solving():
+            found = solve(self.matrix, right)
+            left = np.linalg.norm(self.matrix @ found - right)
+            if not left <= UNBALANCED * np.linalg.norm(right):
+                raise LinAlgError(f"forces of {left:.1e} N stay without balance")
+        moved[self.free] = found
         return moved.reshape(3, self.nodes)
+
+    @contextmanager
+    def solving(self) -> Iterator[None]:
+        """Around a call of either solver: its own complaint becomes a SingularError that names the body."""
+        equations = f"{self.name}: its {self.free.size} equations"
+        try:
+            diagonal = self.matrix.diagonal()
+            if not (np.isfinite(self.matrix.data).all() and (diagonal > 0).all()):  # an empty row would crash PARDISO
+                raise LinAlgError("a stiffness that is not finite and positive")
+            yield
+        except (LinAlgError, RuntimeError, PyPardisoError, MemoryError) as problem:
+            if isinstance(problem, MemoryError) or getattr(problem, "value", 0) in OUT_OF_MEMORY:
+                remedy = "Ask for a larger tolerance, which takes a coarser mesh."
+                raise SingularError(problem=f"{equations} do not fit into memory", remedy=remedy) from problem
+            raise SingularError(
+                problem=f"{equations} have no single answer: {str(problem).rstrip('.')}",
+                remedy="Check that it is held, its modulus, Poisson ratio (below 0.5) and mesh.",
+            ) from problem
 
 
 def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float, float]) -> HeldBody:
@@ -94,6 +135,7 @@ def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float
     rows = matrix[free]
     displacement[~is_held] = 0.0
     return HeldBody(
+        name=body.name,
         matrix=rows[:, free],
         far_force=-(rows[:, held] @ displacement.ravel()[held]),
         free=free,
@@ -118,9 +160,11 @@ def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple
     solver = _pardiso(schur=True)
     solver.perm = np.repeat(np.array([0, 1], dtype=np.int32), [size, columns])
     solver.set_phase(12)
-    # pypardiso has no public call that hands out a Schur complement: its own `factorize` gives PARDISO a vector
-    left = solver._call_pardiso(upper, np.zeros(max(size + columns, columns**2)))[: columns**2]
-    solver.free_memory(everything=True)
+    try:
+        # pypardiso has no public call that hands out a Schur complement: its own `factorize` gives PARDISO a vector
+        left = solver._call_pardiso(upper, np.zeros(max(size + columns, columns**2)))[: columns**2]
+    finally:
+        solver.free_memory(everything=True)
     moved = -left.reshape(columns, columns) / np.outer(scale, scale)
     return moved[:-1, :-1], moved[:-1, -1]
 
@@ -130,9 +174,10 @@ def _solution_by_pardiso(matrix: csr_matrix, right: Array) -> Array:
     upper = triu(matrix, format="csr")
     upper.sort_indices()
     solver = _pardiso(schur=False)
-    solution = solver.solve(upper, right)
-    solver.free_memory(everything=True)
-    return solution
+    try:
+        return solver.solve(upper, right)
+    finally:
+        solver.free_memory(everything=True)
 
 
 def _pardiso(*, schur: bool) -> Any:

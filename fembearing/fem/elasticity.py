@@ -9,7 +9,8 @@ from skfem import Basis, ElementHex2, MeshHex2
 from skfem.quadrature import get_quadrature
 from skfem.refdom import RefHex, RefQuad
 
-from analytic.scene import Material
+from analytic.errors import InputError, require_positive
+from analytic.scene import Contact, Material
 
 Array = NDArray[np.float64]
 
@@ -19,6 +20,18 @@ QUADRATURE = 5  # degree: 3 points each way integrate a quadratic cell's product
 NEARLY_INCOMPRESSIBLE = 0.45
 REDUCED = 3  # degree: 2 points each way
 CORNERS = 4  # of a facet
+
+
+def require_elastic(contact: Contact) -> None:
+    """Raise InputError unless both bodies of a contact are stable elastic ones and something presses them together."""
+    require_positive(load=contact.load, ball_radius=contact.ball_radius, groove_radius=contact.groove_radius)
+    for material in (contact.ball_material, contact.race_material):
+        require_positive(youngs_modulus=material.youngs_modulus)
+        if not -1 < material.poisson_ratio < 0.5:
+            raise InputError(
+                f"{material.name}: poisson_ratio must lie above -1 and below 0.5, got {material.poisson_ratio:g}; "
+                "0.4999 stands for an incompressible body"
+            )
 
 
 def lame_parameters(material: Material) -> tuple[float, float]:

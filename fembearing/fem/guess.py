@@ -3,6 +3,7 @@
 import numpy as np
 
 from analytic.scene import Contact, Material
+from fembearing.fem.elasticity import require_elastic
 
 
 def plane_strain_modulus(material: Material) -> float:
@@ -13,8 +14,10 @@ def plane_strain_modulus(material: Material) -> float:
 def expected_semi_axes(contact: Contact) -> tuple[float, float]:
     """Semi-axes along rolling and transverse, m, within a few per cent of Hertz's.
 
+    Raises InputError for a load, shape or material that no contact has.
     Source: the fits of Brewe and Hamrock (1977) as printed in many text books; the paper itself not seen.
     """
+    require_elastic(contact)
     curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius
     curvature_y = 1 / contact.ball_radius - 1 / contact.groove_radius
     ratio = max(curvature_x / curvature_y, curvature_y / curvature_x)

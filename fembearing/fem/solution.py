@@ -11,7 +11,7 @@ from analytic.errors import ConvergenceError
 from analytic.scene import Contact
 from fembearing.fem.condensation import CondensedBody, condense
 from fembearing.fem.contact import press
-from fembearing.fem.elasticity import surface_mass
+from fembearing.fem.elasticity import require_elastic, surface_mass
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities, nodal_pressure, peak_pressure, semi_axis
 from fembearing.mesh.pair import PairMesh, pair_mesh
@@ -98,8 +98,10 @@ def condensed_pair(
 ) -> CondensedPair:
     """Mesh both bodies of a contact and condense them; arguments as those of `solve_on_mesh`.
 
-    Nothing in it depends on the load but `semi_axes`. Raises InputError if the mesh cannot be made.
+    Nothing in it depends on the load but `semi_axes`. Raises InputError if the mesh cannot be made, SingularError if
+    the equations of a body have no single answer.
     """
+    require_elastic(contact)
     pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended)
     upper, lower = _condensed(contact, pair, upper)
     mass = surface_mass(pair.upper.mesh, pair.upper.touching)

@@ -105,7 +105,7 @@ def print_series(out: Console, series: LoadSeries) -> None:
     if series.law is not None:
         law = series.law
         out.print(
-            f"F = K delta^n: K {law.stiffness * 1e-9:.5g} GN/m^{law.exponent:.4f}, "
+            f"F = K delta^n: K {law.stiffness * 1e-9:.5g} GN/m^{law.exponent:.4f} +- {law.stiffness_uncertainty:.2%}, "
             f"n {law.exponent:.4f} +- {law.exponent_uncertainty:.4f} by finite elements; "
             f"{series.hertz_stiffness * 1e-9:.5g} GN/m^1.5 and 1.5 by Hertz.",
             highlight=False,
@@ -117,7 +117,8 @@ def print_series(out: Console, series: LoadSeries) -> None:
         style="dim",
         highlight=False,
     )
-    out.print(f"{series.verdict}: tolerance {series.tolerance:g}", highlight=False)
+    verdict = series.verdict if series.judged else "shown, not judged"
+    out.print(f"{verdict}: tolerance {series.tolerance:g}", highlight=False)
 
 
 def _print_pocket(out: Console, seat: ContactSolution, sheet: ContactSolution) -> None:

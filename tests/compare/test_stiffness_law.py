@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from analytic.errors import InputError
 from analytic.scene import Contact
 from analytic.scenefile import builtin_scene, load_scene
-from fembearing.compare.discrepancy import hertz_quantities
+from fembearing.compare.discrepancy import hertz_quantities, solve_contact
 from fembearing.compare.progress import silent
 from fembearing.compare.reference import solve_reference
 from fembearing.compare.stiffness_law import LawData, LoadSeries, compare_series, fit_law, solve_load_series
-from fembearing.mesh.recipe import load_recipe
+from fembearing.mesh.recipe import Geometry, load_recipe
 
 LOADS = np.geomspace(11.0, 980.0, 13)  # a factor of 89: three meshes
 
@@ -44,6 +44,7 @@ def test_a_power_law_is_found_again(exponent: float, stiffness: float, count: in
     np.testing.assert_allclose(law.exponent, exponent, rtol=1e-12)  # round-off
     np.testing.assert_allclose(law.stiffness, stiffness, rtol=1e-9)  # round-off, far from the loads
     assert law.exponent_uncertainty < 1e-9
+    assert law.stiffness_uncertainty < 1e-8
 
 
 @given(seed=st.integers(0, 2**32 - 1), range_of_loads=st.floats(3.0, 1e6))
@@ -56,6 +57,7 @@ def test_no_common_error_moves_the_exponent_further_than_propagated(seed: int, r
         assert law is not None
         # 1 %: propagation is linear, an error of 0.2 % is not quite
         assert abs(law.exponent - 1.5) <= 1.01 * law.propagated
+        assert abs(np.log(law.stiffness / 2.5e10)) <= 1.01 * law.stiffness_uncertainty
 
 
 def test_errors_off_the_mesh_average_out_only_between_loads_apart() -> None:
@@ -136,7 +138,61 @@ def test_json_holds_plain_numbers(ideal: LoadSeries) -> None:
     assert told["loads"][3]["tangent"]["hertz"] == ideal.points[3].hertz_tangent
     assert ideal.law is not None
     assert told["law"]["exponent"] == ideal.law.exponent
+    assert told["law"]["stiffness_uncertainty"] == ideal.law.stiffness_uncertainty
     assert told["hertz_law"] == {"stiffness": ideal.hertz_stiffness, "exponent": 1.5}
+
+
+@pytest.mark.parametrize("slope", [0.61, 2 / 3])
+def test_a_stiffness_is_as_uncertain_as_its_extrapolation_to_one_metre(slope: float) -> None:
+    """An error that tilts the line of two loads: ln K moves by the whole way from there to 1 m."""
+    load = np.array([20.0, 500.0])
+    approach = 3e-7 * load**slope
+    law = fit_law(data(load, approach, common=1e-4))
+    assert law is not None
+    moved = [fit_law(data(load, approach * (1 + 1e-4 * np.array(signs)))) for signs in ((1, -1), (-1, 1), (1, 1))]
+    shifts = [abs(np.log(other.stiffness / law.stiffness)) for other in moved if other is not None]
+    np.testing.assert_allclose(law.stiffness_uncertainty, max(shifts), rtol=3e-3)  # first order in 1e-4
+
+
+def test_a_series_is_refined_until_it_is_as_sure_as_was_asked(contacts: dict[str, Contact]) -> None:
+    """Off their meshes approaches are 0.3 % uncertain; each on its own comes below a tenth of that."""
+    recipe, loads = load_recipe("hertzian"), [650.0, 140.0, 650.0]
+    rough = compare_series(contacts["inner"], recipe=recipe, loads=loads, tolerance=0.05)
+    fine = compare_series(contacts["inner"], recipe=recipe, loads=loads, tolerance=0.001)
+    assert [point.load for point in fine.points] == loads
+    assert max(point.approach.total for point in rough.points) > 0.001
+    for point, before in zip(fine.points, rough.points, strict=True):
+        assert abs(point.discrepancy) < point.approach.total < 0.001
+        assert abs(point.approach.value / before.approach.value - 1) < point.approach.total + before.approach.total
+    assert fine.law is not None
+    assert rough.law is not None
+    assert abs(fine.law.exponent - 1.5) < fine.law.exponent_uncertainty < rough.law.exponent_uncertainty
+    assert fine.verdict == "pass"
+    assert not fine.warnings
+
+
+@pytest.mark.parametrize("geometry", ["real", "wall"])
+def test_a_pocket_has_a_series_too(geometry: Geometry) -> None:
+    """Beside single solves: the seat stiffens as its contact widens, the sheet bends on its rim whatever the load."""
+    scene = load_scene(builtin_scene("6205"))
+    loads = [5.0, 28.0] if geometry == "wall" else [5.0, 60.0]
+    found = solve_load_series(scene, pair="pocket", loads=loads, geometry=geometry)
+    for point in found.points:
+        single = solve_contact(scene, pair="pocket", load=point.load, geometry=geometry, accuracy=0.02)
+        alone = single.estimates["approach"]
+        assert abs(point.approach.value / alone.value - 1) < point.approach.total + alone.total < 0.02
+        assert point.hertz_approach == single.hertz.approach
+    assert found.law is not None
+    assert found.judged == (geometry == "real")
+    told = found.to_json()
+    if geometry == "wall":
+        # Springs in a row, delta = (F/K)^(2/3) + c F: an exponent between 1.5 and 1.
+        assert 1 + found.law.exponent_uncertainty < found.law.exponent < 1.5 - found.law.exponent_uncertainty
+        assert told["verdict"] == "shown"
+        assert "the sheet of 0.9 mm bends" in " ".join(found.warnings)
+    else:
+        assert 1.5 < found.law.exponent < 1.5 + 2 * found.law.exponent_uncertainty
+        assert told["verdict"] == "pass"
 
 
 def test_one_load_has_no_law_and_repeated_ones_do_not_sharpen_it(contacts: dict[str, Contact]) -> None:

@@ -105,6 +105,24 @@ def test_an_uncertain_input_counts_as_much_as_that_change_of_it(race: str) -> No
     )  # the angle's root
 
 
+def test_each_part_and_the_angle_are_as_uncertain_as_their_own_change() -> None:
+    unsure = solution(uncertainty=0.01)
+    held = change_of_torque(FIXED, inner=unsure, outer=unsure).uncertainties
+    assert held.keys() == {"total", "race", "conformity", "hysteresis", "contact_angle"}  # spin is off
+    # At a held angle hysteresis goes with the minor axis of each race and conformity with the square of the major one:
+    # the shares of both races add up to one.
+    np.testing.assert_allclose(held["hysteresis"], 0.01, rtol=1e-9)  # round-off
+    np.testing.assert_allclose(held["conformity"], 1.01**2 - 1, rtol=1e-9)
+    assert held["contact_angle"] == 0.0
+    free = change_of_torque(SOLVED, inner=unsure, outer=unsure).uncertainties
+    moved = [
+        change_of_torque(SOLVED, inner=inner, outer=outer).corrected.contact_angle[-1]
+        for inner, outer in ((solution(approach=1.01), solution()), (solution(), solution(approach=1.01)))
+    ]
+    angle = change_of_torque(SOLVED, inner=solution(), outer=solution()).corrected.contact_angle[-1]
+    np.testing.assert_allclose(free["contact_angle"], sum(abs(each / angle - 1) for each in moved), rtol=1e-6)
+
+
 def test_the_numbers_are_plain_in_json() -> None:
     found = change_of_torque(FIXED, inner=solution(approach=0.97), outer=solution()).to_json()
     assert found["change"]["spin"] is None

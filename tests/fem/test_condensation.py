@@ -1,13 +1,17 @@
 """A body reduced to its contact nodes against the whole body solved, and one solver against the other."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.sparse import csr_matrix
 from scipy.sparse.linalg import spsolve
 
-from analytic.scene import Contact
+from analytic.errors import ConvergenceError, SingularError
+from analytic.scene import Contact, Material
 from fembearing.fem import condensation
-from fembearing.fem.condensation import condense, held_stiffness
+from fembearing.fem.condensation import HeldBody, condense, held_stiffness
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import load_recipe
@@ -115,3 +119,88 @@ def test_two_half_spaces_are_mirror_images(
     )
     np.testing.assert_allclose(upper.compliance, lower.compliance, atol=1e-9 * upper.compliance.max())  # as above
     np.testing.assert_allclose(upper.drift, lower.drift, rtol=1e-9)
+
+
+NOTHING = np.array([], dtype=np.intp)
+STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
+
+
+@BOTH
+@pytest.mark.parametrize(
+    ("fault", "words"),
+    [
+        ("no far boundary", "have no single answer"),
+        ("nothing held", "have no single answer"),
+        ("modulus", "not finite and positive"),
+        ("Poisson ratio", "not finite and positive"),
+    ],
+)
+def test_a_body_without_one_answer_is_named(
+    contacts: dict[str, Contact],
+    pairs: dict[str, PairMesh],
+    fault: str,
+    words: str,
+    solver: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    if solver == "scipy":
+        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
+    body, force = pushed(pairs["hertzian"], "lower")
+    material = contacts["inner"].race_material
+    if fault == "no far boundary":  # free to sink
+        body = replace(body, far=NOTHING)
+    elif fault == "nothing held":
+        body = replace(body, far=NOTHING, planes=(NOTHING, NOTHING, NOTHING))
+    elif fault == "modulus":
+        material = replace(material, youngs_modulus=np.nan)
+    else:
+        material = replace(material, poisson_ratio=0.6)
+    with pytest.raises(
+        ConvergenceError, match=rf"half space: its \d+ equations .*{words}.*Check that it is held"
+    ) as stop:
+        condense(body, material=material, force=force, semi_axes=SEMI_AXES)
+    assert "\n" not in str(stop.value)
+    # and the solver is as good as before
+    condense(pushed(pairs["hertzian"], "lower")[0], material=STEEL, force=force, semi_axes=SEMI_AXES)
+
+
+def springs(matrix: list[list[float]]) -> HeldBody:
+    """Three degrees of freedom of a body called "ball"."""
+    return HeldBody(
+        name="ball", matrix=csr_matrix(matrix), far_force=np.zeros(3), free=np.arange(3), held=np.zeros((3, 1)), nodes=1
+    )
+
+
+@BOTH
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        [[2.0, -2.0, 0.0], [-2.0, 2.0, 0.0], [0.0, 0.0, 3.0]],  # a spring between two points that nothing holds
+        [[2.0, 0.5, 0.0], [0.5, 3.0, 0.0], [0.0, 0.0, 0.0]],  # a point without a spring
+        [[2.0, 0.5, 0.0], [0.5, -3.0, 0.0], [0.0, 0.0, 1.5]],
+        [[2.0, 0.5, 0.0], [0.5, np.inf, 0.0], [0.0, 0.0, 1.5]],
+    ],
+)
+def test_loose_springs_are_refused_in_words(
+    matrix: list[list[float]], solver: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if solver == "scipy":
+        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
+    with pytest.raises(SingularError, match=r"ball: its 3 equations have no single answer: .* Check that it is held"):
+        springs(matrix).displacement(np.array([0.3, 0.7, 1.1]), load=0.0)
+
+
+@BOTH
+def test_a_body_beyond_the_memory_is_told_what_to_do(solver: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    if solver == "scipy":
+        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
+    short = MemoryError() if condensation.PyPardisoSolver is None else condensation.PyPardisoError(-2)
+
+    def without_memory(*_: object) -> None:
+        raise short
+
+    for name in ("_solution_by_superlu", "_solution_by_pardiso"):
+        monkeypatch.setattr(condensation, name, without_memory)
+    body = springs([[2.0, 0.5, 0.0], [0.5, 3.0, 0.0], [0.0, 0.0, 1.5]])
+    with pytest.raises(SingularError, match=r"ball: its 3 equations do not fit into memory\. Ask for"):
+        body.displacement(np.array([0.3, 0.7, 1.1]), load=0.0)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.errors import InputError
 from analytic.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Material
 from fembearing.fem.contact import press
@@ -198,3 +199,28 @@ def test_physics_does_not_depend_on_the_units() -> None:
     np.testing.assert_allclose(theirs.approach, ours.approach * metre, rtol=1e-7)  # round-off of the factorisation
     np.testing.assert_allclose(theirs.peak_pressure, ours.peak_pressure * newton / metre**2, rtol=1e-7)
     np.testing.assert_allclose(theirs.semi_axis_transverse, ours.semi_axis_transverse * metre, rtol=1e-7)
+
+
+@pytest.mark.parametrize("side", ["ball_material", "race_material"])
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"poisson_ratio": 0.5}, "steel: poisson_ratio must lie above -1 and below 0.5, got 0.5"),
+        ({"poisson_ratio": -1.0}, "got -1"),
+        ({"poisson_ratio": float("nan")}, "got nan"),
+        ({"youngs_modulus": -2.1e11}, "youngs_modulus must be positive"),
+        ({"youngs_modulus": float("inf")}, "youngs_modulus must be positive and finite, got inf"),
+    ],
+)
+def test_a_material_that_is_none_is_refused(side: str, changed: dict[str, float], words: str) -> None:
+    bad = replace(INNER, **{side: replace(STEEL, **changed)})
+    with pytest.raises(InputError, match=words):
+        fitted_solution(bad, recipe=load_recipe("hertzian"))
+    with pytest.raises(InputError, match=words):
+        solve_on_mesh(bad, recipe=load_recipe("hertzian"), level=1, semi_axes=(0.1e-3, 1e-3))
+
+
+@pytest.mark.parametrize(("name", "value"), [("load", 0.0), ("ball_radius", -3e-3), ("groove_radius", float("nan"))])
+def test_a_contact_that_is_none_is_refused(name: str, value: float) -> None:
+    with pytest.raises(InputError, match=f"{name} must be positive"):
+        fitted_solution(replace(INNER, **{name: value}), recipe=load_recipe("hertzian"))

@@ -153,7 +153,7 @@ def made(checked: Validation) -> Validation:
         torque=TorqueChange(
             hertz=hertz,
             corrected=torque_made(change.corrected, angle=[0.279, 0.2998, 0.3019], total=[33e-3, 41e-3, 48.5e-3]),
-            uncertainty=0.0137,
+            uncertainties={"total": 0.0137, "spin": 0.021, "contact_angle": 0.0019},
             verdict="undecided",
         ),
         seconds=43.21,

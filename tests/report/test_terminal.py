@@ -113,6 +113,7 @@ def test_json_tells_the_change_of_torque(told: dict[str, Any]) -> None:
     assert change["torque"] == {"hertz": [31e-3, 40e-3, 50e-3], "corrected": [None, 41e-3, 48.5e-3]}
     assert change["change"]["total"] == [None, pytest.approx(0.025, rel=1e-12), pytest.approx(-0.03, rel=1e-12)]
     assert (change["uncertainty"], change["verdict"]) == (0.0137, "undecided")
+    assert change["uncertainties"] == {"total": 0.0137, "spin": 0.021, "contact_angle": 0.0019}
 
 
 def test_every_word_of_the_table_fits(checked: Validation) -> None:
