@@ -117,11 +117,11 @@ def check_scene(
                 progress=part_of(progress, begin, end),
             )
         )
-    contacts[:2] = inner, outer = (_ring_beside(contact) for contact in contacts[:2])
+    inner, outer = (_ring_beside(contact) for contact in contacts[:2])
     return Validation(
         scene=scene,
         tolerance=asked,
-        contacts=tuple(contacts),
+        contacts=(inner, outer, *contacts[2:]),
         torque=change_of_torque(scene, inner=inner, outer=outer) if has_friction else None,
         hard=run_hard_cases(progress=part_of(progress, shares[-1], 1.0)) if hard else (),
         seconds=time.perf_counter() - start,

@@ -33,6 +33,7 @@ def test_no_cage_means_no_pocket_solve(monkeypatch: pytest.MonkeyPatch, has_cage
         raise AskedError
 
     monkeypatch.setattr(module, "solve_contact", note)
+    monkeypatch.setattr(module, "with_ring", lambda found: found)
     monkeypatch.setattr(module, "change_of_torque", stop)
     scene = load_scene(builtin_scene("6205"))
     with pytest.raises(AskedError):
