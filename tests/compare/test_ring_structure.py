@@ -36,7 +36,7 @@ def test_the_endless_half_space_takes_the_place_of_the_block(monkeypatch: pytest
     rings = {("free", 1): 1.7e-6, ("held", 1): 1.69e-6, ("free", 2): 1.75e-6}
     blocks = {1: 1.92e-6, 2: 2e-6}
 
-    def ring(mesh: Any, *, recipe: object, end: str = "free") -> float:
+    def ring(mesh: Any, *, end: str = "free", **_: object) -> float:
         return rings[end, mesh.level]
 
     monkeypatch.setattr(module, "ring_compression", ring)
