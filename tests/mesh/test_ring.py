@@ -53,6 +53,7 @@ def test_nodes_lie_on_seat_groove_and_lands(contact: Contact) -> None:
     ring, body = ring_of(contact), ring_piece(contact, RACE, 2, AXES).body
     place = body.mesh.doflocs
     np.testing.assert_allclose(radii(contact, place[:, body.clamped]), ring.seat_radius, rtol=1e-12)  # round-off
+    assert body.clamped.size == body.surface.size  # every column reaches the seat
     surface = place[:, body.surface]
     radius, side = radii(contact, surface), np.sign(contact.rolling_radius)
     in_groove = np.abs(surface[1]) < ring.shoulder_half_width
