@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative
-from analytic.scene import Array, Bearing, Cage, Contact, Groove, Wall
+from analytic.scene import Array, Bearing, Cage, Contact, Groove, Ring, Wall
 
 Race = Literal["inner", "outer"]
 
@@ -72,6 +72,7 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
         load=float(ball_load),
         ball_material=bearing.ball_material,
         race_material=groove.material,
+        ring=_ring(bearing, race, groove),
     )
 
 
@@ -106,6 +107,19 @@ def _rolling_curvature(bearing: Bearing, race: Race, angle: Array) -> Array:
     """Curvature of the race along rolling at the contact's centre, 1/m; positive on the inner race."""
     cosine, sign = np.cos(angle), 1 if race == "inner" else -1
     return sign * cosine / (bearing.pitch_diameter / 2 - sign * bearing.ball_radius * cosine)
+
+
+def _ring(bearing: Bearing, race: Race, groove: Groove) -> Ring | None:
+    """What lies behind the groove; None where seat or width are not known."""
+    seat = bearing.bore_diameter if race == "inner" else bearing.outside_diameter
+    if seat is None or bearing.width is None:
+        return None
+    return Ring(
+        bottom_radius=groove.bottom_radius,
+        seat_radius=seat / 2,
+        width=bearing.width,
+        shoulder_half_width=groove.shoulder_half_width,
+    )
 
 
 def _angle(contact_angle: ArrayLike) -> Array:

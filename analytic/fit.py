@@ -35,6 +35,7 @@ def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
     if not bearing.outer.groove_radius < bearing.outer.bottom_radius:
         yield "bearing.outer.groove_radius", f"must be below bottom_radius {_mm(bearing.outer.bottom_radius)}"
     yield from _ring_misfits(bearing)
+    yield from _boundary_misfits(bearing)
     if bearing.ball_count > 1 and pitch_chord(bearing) < ball:
         half_angle = np.arcsin(min(1.0, ball / bearing.pitch_diameter))
         yield (
@@ -118,6 +119,20 @@ def _ring_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
             f"and that of the outer ring raise the shoulders to radii {_mm(inner_land)} and {_mm(outer_land)}: "
             "the rings touch",
         )
+
+
+def _boundary_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
+    """What is wrong with the seats and the width, where they are given."""
+    bore, outside, width = bearing.bore_diameter, bearing.outside_diameter, bearing.width
+    if bore is not None and not bore < 2 * bearing.inner.bottom_radius:
+        limit = _mm(2 * bearing.inner.bottom_radius)
+        yield "bearing.bore_diameter", f"must be below the inner groove's bottom, {limit} in diameter"
+    if outside is not None and not outside > 2 * bearing.outer.bottom_radius:
+        limit = _mm(2 * bearing.outer.bottom_radius)
+        yield "bearing.outside_diameter", f"must exceed the outer groove's bottom, {limit} in diameter"
+    widest = 2 * max(bearing.inner.shoulder_half_width, bearing.outer.shoulder_half_width)
+    if width is not None and not width > widest:
+        yield "bearing.width", f"must exceed the wider groove, {_mm(widest)} from shoulder to shoulder"
 
 
 def _mm(length: float) -> str:

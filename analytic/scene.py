@@ -63,6 +63,9 @@ class Bearing:
     ball_material: Material
     inner: Groove
     outer: Groove
+    bore_diameter: float | None = None  # m: where the inner ring sits on its shaft
+    outside_diameter: float | None = None  # m: where the outer ring sits in its housing
+    width: float | None = None  # m, of both rings; None of the three: not known, and no ring's structure
 
     @property
     def ball_radius(self) -> float:
@@ -182,6 +185,16 @@ class Wall:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Ring:
+    """The ring behind a groove; its section is symmetric about the middle of the groove."""
+
+    bottom_radius: float  # bearing axis to the bottom of the groove, m
+    seat_radius: float  # bearing axis to the seat on the shaft or in the housing, m
+    width: float  # m
+    shoulder_half_width: float  # middle of the groove to each shoulder, along the axis, m
+
+
+@dataclass(frozen=True, kw_only=True)
 class Contact:
     """A ball pressed into a groove: all that an elastic solution needs to know.
 
@@ -201,3 +214,4 @@ class Contact:
     ball_material: Material
     race_material: Material
     wall: Wall | None = None  # of a pocket
+    ring: Ring | None = None  # of a race, where its seat and width are known

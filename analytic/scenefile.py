@@ -202,6 +202,9 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         ball_material=_material(given.ball_material),
         inner=_groove(given.inner),
         outer=_groove(given.outer),
+        bore_diameter=given.bore_diameter,
+        outside_diameter=given.outside_diameter,
+        width=given.width,
     )
     angle = ContactAngle(**given.contact_angle.model_dump())
     misfits = list(fit.bearing_misfits(bearing))

@@ -94,6 +94,9 @@ class BearingTable(Table):
     ball_material: MaterialEntry
     inner: GrooveTable = Field(description="give a table [bearing.inner] with bottom_radius and so on")
     outer: GrooveTable = Field(description="give a table [bearing.outer] with bottom_radius and so on")
+    bore_diameter: Length | None = None
+    outside_diameter: Length | None = None
+    width: Length | None = None
     contact_angle: ContactAngleTable = Field(
         description='give { rule = "solved" }, { rule = "solved", free = "0.18 rad" } '
         'or { rule = "given", value = "0.18 rad" }'

@@ -60,6 +60,7 @@ class GeometryName(StrEnum):
     real = "real"
     hertzian = "hertzian"
     wall = "wall"
+    ring = "ring"
 
 
 ScenePath = Annotated[
@@ -77,7 +78,8 @@ Loads = Annotated[
 Geometry = Annotated[
     GeometryName,
     typer.Option(
-        help="True shapes; the idealisation whose exact answer is Hertz; or the sheet of a pocket on its support."
+        help="True shapes; the idealisation whose exact answer is Hertz; the sheet of a pocket on its support; or true "
+        "shapes and, apart from the contact, the ring on a rigid seat."
     ),
 ]
 
@@ -245,6 +247,7 @@ def mesh(
     from fembearing.mesh.pair import pair_mesh
     from fembearing.mesh.quality import mesh_quality
     from fembearing.mesh.recipe import load_recipe
+    from fembearing.mesh.ring import ring_piece
 
     recipe = load_recipe(RECIPES[geometry.value])
     chosen = recipe.levels[-1] if level is None else level
@@ -252,12 +255,15 @@ def mesh(
         raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
     found = contact_of(given, pair=pair.value, load=force)
     with traced_to_load(given, pair=pair.value, load=force):
-        bodies = pair_mesh(found, recipe=recipe, level=chosen, semi_axes=expected_semi_axes(found))
+        expected = expected_semi_axes(found)
+        bodies = pair_mesh(found, recipe=recipe, level=chosen, semi_axes=expected)
+        is_ring = geometry is GeometryName.ring
+        lower = ring_piece(found, recipe, chosen, expected).body if is_ring else bodies.lower
     written = {}
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with TemporaryDirectory(dir=folder, prefix=".") as apart:  # both files or none
-            for side, body in (("upper", bodies.upper), ("lower", bodies.lower)):
+            for side, body in (("upper", bodies.upper), ("lower", lower)):
                 name = f"{pair}-{geometry}-{side}.vtu"
                 write_body(Path(apart) / name, body)
                 written[str(folder / name)] = asdict(mesh_quality(body.mesh)) | {"body": body.name}

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -18,14 +18,17 @@ from analytic.torque import STATIC_LIMIT
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
 from fembearing.compare.reference import COMPARED, Estimates, solve_reference
+from fembearing.compare.ring_structure import RingStructure, ring_structure
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
+from fembearing.mesh.ring import known_ring
 
-RECIPES: dict[Geometry, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall"}
+Shape = Geometry | Literal["ring"]  # "ring": the contact as it is really, and apart from it what the ring adds
+RECIPES: dict[Shape, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall", "ring": "race"}
 POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
 EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
 SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes, and stiffness follows from it
@@ -39,7 +42,7 @@ class ContactSolution:
     """
 
     contact: Contact
-    geometry: Geometry
+    geometry: Shape
     tolerance: float
     hertz: Quantities
     estimates: dict[str, Estimate]
@@ -47,6 +50,7 @@ class ContactSolution:
     seconds: float
     warnings: tuple[str, ...]
     valid: bool
+    ring: RingStructure | None = None  # apart from the contact: in no quantity, not judged; None where not computed
 
     @property
     def reference(self) -> Quantities:
@@ -103,6 +107,7 @@ class ContactSolution:
             "discrepancy": self.discrepancy,
             "verdict": self.verdict if self.judged else "shown",
             "rung": self.rung,
+            "ring": None if self.ring is None else self.ring.to_json(),
             "convergence": {
                 name: {
                     "values": list(part.values),
@@ -126,7 +131,7 @@ def solve_contact(
     load: float | None = None,
     tolerance: float | None = None,
     accuracy: float | None = None,
-    geometry: Geometry = "real",
+    geometry: Shape = "real",
     progress: Progress = silent,
 ) -> ContactSolution:
     """Solve one contact of a scene by finite elements and set Hertz beside it.
@@ -136,18 +141,30 @@ def solve_contact(
     accuracy : asked of the finite elements, relative half-width of their 95 % intervals of semi-axes, peak pressure and
         approach; the tolerance unless given
     geometry : "real"; "hertzian" for the idealisation whose exact answer is Hertz; "wall", of a pocket alone, for
-        the cage's sheet on its own support where "real" has a thick seat
+        the cage's sheet on its own support where "real" has a thick seat; "ring", of a race alone, for "real" and
+        apart from it what the ring on a rigid seat adds to the approach
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a contact that cannot be meshed, ConvergenceError for one that does not settle.
     """
     contact = contact_of(scene, pair=pair, load=load)
     if geometry == "wall" and pair != "pocket":
         raise InputError(f"geometry 'wall' is that of a pocket; the {pair} race has 'real' and 'hertzian'")
+    if geometry == "ring":
+        known_ring(contact)
     recipe = load_recipe(RECIPES[geometry])
     asked = scene.tolerance if tolerance is None else tolerance
     with traced_to_load(scene, pair=pair, load=load):
         found = compare_contact(contact, recipe=recipe, tolerance=asked, accuracy=accuracy, progress=progress)
+        if geometry == "ring":
+            progress(1.0, f"{pair}: ring")
+            found = replace(with_ring(found), geometry=geometry)
     return replace(found, warnings=(*scene.warnings, *found.warnings))
+
+
+def with_ring(found: ContactSolution) -> ContactSolution:
+    """A solved race contact with what its ring adds. Raises InputError if the ring is not known or cannot be meshed."""
+    recipe = load_recipe(RECIPES["ring"])
+    return replace(found, ring=ring_structure(found.meshes, found.estimates["approach"], recipe=recipe))
 
 
 def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contact:

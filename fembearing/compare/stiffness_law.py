@@ -20,6 +20,7 @@ from analytic.scene import Contact, Pair, Scene
 from fembearing.compare.discrepancy import (
     EDGE_OF_GROOVE,
     RECIPES,
+    Shape,
     contact_of,
     could_be_decided,
     hertz_quantities,
@@ -159,19 +160,21 @@ def solve_load_series(
     pair: Pair,
     loads: ArrayLike,
     tolerance: float | None = None,
-    geometry: Geometry = "real",
+    geometry: Shape = "real",
     progress: Progress = silent,
 ) -> LoadSeries:
     """Solve one contact of a scene under each of `loads` and set Hertz beside it.
 
     loads : (n,) of the ball, N, in any order; the contact angle stays that of the scene's largest load
     tolerance : relative, for the verdict; the scene's unless given
-    geometry : as of `solve_contact`
+    geometry : as of `solve_contact`, but for "ring"
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for loads that are none or not positive or a contact that cannot be meshed, ConvergenceError for
     one that does not settle.
     """
     given = checked_loads(loads)
+    if geometry == "ring":
+        raise InputError("geometry 'ring' is that of one load, not of a series: give one --load")
     if geometry == "wall" and pair != "pocket":
         raise InputError(f"geometry 'wall' is that of a pocket; the {pair} race has 'real' and 'hertzian'")
     largest = float(given.max())

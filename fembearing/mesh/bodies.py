@@ -14,7 +14,7 @@ FURTHER = 2.0  # times its reach: how far a block is extended to see what its fa
 
 Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
-BodyName = Literal["ball", "race", "pocket wall", "half space"]
+BodyName = Literal["ball", "race", "pocket wall", "half space", "ring"]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -65,6 +65,13 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
         style="dim",
         highlight=False,
     )
+    if contact.ring is not None:
+        ring = contact.ring
+        out.print(
+            f"Ring on a rigid seat: approach {ring.approach * 1e6:+.3f} um ({ring.share:+.1%} of the contact's), "
+            f"+- {ring.uncertainty * 1e6:.3f} um: structure, not contact.\n",
+            highlight=False,
+        )
 
 
 def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:

@@ -1,12 +1,14 @@
 """The geometry of ball on race against the rings' surfaces themselves."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from analytic.contact import Race, race_contact, race_curvatures
 from analytic.errors import InputError
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
-from analytic.scene import Bearing
+from analytic.scene import Bearing, Ring
 
 RACES: list[Race] = ["inner", "outer"]
 ANGLE, LOAD = 0.31, 372.0  # rad, N
@@ -95,3 +97,12 @@ def test_a_contact_off_the_groove_is_refused(
     with pytest.raises(InputError) as refusal:
         race_contact(bearing_6205, race, contact_angle=angle, ball_load=load)
     assert all(word in str(refusal.value) for word in words), refusal.value
+
+
+def test_the_ring_behind_a_groove_is_known_with_its_seat_and_width(bearing_6205) -> None:
+    sized = replace(bearing_6205, bore_diameter=25e-3, outside_diameter=52e-3, width=15e-3)
+    inner, outer = (race_contact(sized, race, contact_angle=0.2, ball_load=55.0).ring for race in ("inner", "outer"))
+    assert inner == Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_width=3.1e-3)
+    assert outer == Ring(bottom_radius=23.48e-3, seat_radius=26e-3, width=15e-3, shoulder_half_width=3.1e-3)
+    for lacking in (replace(sized, bore_diameter=None), replace(sized, width=None)):
+        assert race_contact(lacking, "inner", contact_angle=0.2, ball_load=55.0).ring is None

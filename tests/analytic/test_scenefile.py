@@ -80,6 +80,8 @@ def test_the_builtin_scene_is_table_1_of_the_paper(bearing_6205) -> None:
             assert getattr(getattr(found.bearing, ring), name) == getattr(getattr(table, ring), name), (ring, name)
     np.testing.assert_allclose(found.bearing.pitch_diameter, 39.01e-3, rtol=1e-12)  # round-off
     np.testing.assert_allclose(found.bearing.diametral_clearance, 0.020e-3, rtol=1e-9)  # round-off of a difference
+    # Boundary dimensions of a 6205 as every maker lists them.
+    assert (found.bearing.bore_diameter, found.bearing.outside_diameter, found.bearing.width) == (25e-3, 52e-3, 15e-3)
     assert (found.tolerance, found.friction_coefficient) == (0.05, 0.1)
     assert (found.contact_angle.rule, found.contact_angle.free) == ("solved", 0.18)
     np.testing.assert_allclose(found.operation.axial_load, [1000.0] * 5)
@@ -118,6 +120,13 @@ def test_a_catalog_entry_is_overridden_key_by_key() -> None:
         changed('catalog = "6205"', 'catalog = "6205"\ninner.groove_radius = "4.2 mm"\nball_count = 8')
     ).bearing
     assert (found.inner.groove_radius, found.inner.bottom_radius, found.ball_count) == (4.2e-3, 15.53e-3, 8)
+
+
+def test_seats_and_width_may_be_left_out() -> None:
+    found = scene(INLINE).bearing
+    assert (found.bore_diameter, found.outside_diameter, found.width) == (None, None, None)
+    wide = scene(changed('name = "hybrid"', 'name = "hybrid"\nwidth = "0.9 cm"', INLINE)).bearing
+    assert (wide.bore_diameter, wide.width) == (None, 9e-3)
 
 
 def test_no_cage_table_is_no_cage() -> None:
@@ -327,6 +336,16 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
         changed(BEARING, BEARING + '\ninner.shoulder_half_width = "4.129 mm"\nouter.shoulder_half_width = "4.2 mm"'),
         ("bearing.inner.shoulder_half_width = '4.129 mm'", "19.5691 mm", "19.56 mm", "the rings touch"),
     ),
+    (
+        changed(BEARING, BEARING + '\nbore_diameter = "31.06 mm"'),
+        ("bearing.bore_diameter = '31.06 mm'", "below", "31.06 mm"),
+    ),
+    (
+        changed(BEARING, BEARING + '\noutside_diameter = "46.9 mm"'),
+        ("bearing.outside_diameter = '46.9 mm'", "exceed", "46.96 mm"),
+    ),
+    (changed(BEARING, BEARING + '\nwidth = "6.1 mm"'), ("bearing.width = '6.1 mm'", "exceed", "6.2 mm")),
+    (changed(BEARING, BEARING + "\nwidth = 15"), ("bearing.width = 15", "no unit")),
     (changed('{ rule = "solved" }', '"solved"'), ("bearing.contact_angle = 'solved'", "not a table", "rule")),
     (changed('"solved"', '"sloved"'), ("bearing.contact_angle.rule = 'sloved'", "'solved' or 'given'")),
     (changed('"solved"', '"given"'), ("bearing.contact_angle.value", '"0.18 rad"')),

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from rich.console import Console
 
+from fembearing.compare.ring_structure import RingStructure
 from fembearing.compare.validation import Validation
 from fembearing.report.terminal import print_validation
 
@@ -65,6 +66,18 @@ def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
         "fail: tolerance 0.05, 43.2 s",
     ):
         assert said in words
+
+
+def test_the_ring_is_told_apart_from_the_contact(made: Validation) -> None:
+    ring = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9)
+    inner, outer, *pocket = made.contacts
+    result = replace(made, contacts=(replace(inner, ring=ring), replace(outer, ring=None), *pocket))
+    words = " ".join(text_of(result).split())
+    said = "Ring on a rigid seat: approach -0.212 um (-4.1% of the contact's), +- 0.008 um: structure, not contact."
+    assert words.count(said) == words.count("Ring on a rigid seat") == 1
+    told = [contact["ring"] for contact in result.to_json()["contacts"]]
+    share = {"approach": -0.2125e-6, "share": -0.0407, "uncertainty": pytest.approx(7.8e-9, rel=1e-12)}  # round-off
+    assert told == [share, None, None, None]
 
 
 def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:

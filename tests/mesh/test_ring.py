@@ -1,0 +1,117 @@
+"""The ring's mesh: on the seat, the groove, the sides; its contact nodes where the race has them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from skfem import Basis, ElementHex2
+
+from analytic.errors import InputError
+from analytic.scene import Contact, Material, Ring
+from fembearing.mesh.quality import mesh_quality
+from fembearing.mesh.race import race_block
+from fembearing.mesh.recipe import load_recipe
+from fembearing.mesh.ring import into_ring, ring_piece
+
+STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
+INNER = Contact(
+    pair="inner",
+    ball_radius=3.97e-3,
+    groove_radius=4.13e-3,
+    rolling_radius=15.53e-3 / np.cos(0.3) + 4.13e-3 * (1 / np.cos(0.3) - 1),
+    shoulder=2.14e-3,
+    contact_angle=0.3,
+    load=372.0,
+    ball_material=STEEL,
+    race_material=STEEL,
+    ring=Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_width=3.1e-3),
+)
+OUTER = replace(
+    INNER,
+    pair="outer",
+    groove_radius=4.21e-3,
+    rolling_radius=-23.48e-3 / np.cos(0.3) + 4.21e-3 * (1 / np.cos(0.3) - 1),
+    ring=Ring(bottom_radius=23.48e-3, seat_radius=26e-3, width=15e-3, shoulder_half_width=3.1e-3),
+)
+AXES = (0.103e-3, 0.93e-3)
+RACE = load_recipe("race")
+BOTH = pytest.mark.parametrize("contact", [INNER, OUTER], ids=["inner", "outer"])
+
+
+def ring_of(contact: Contact) -> Ring:
+    assert contact.ring is not None
+    return contact.ring
+
+
+def radii(contact: Contact, place: np.ndarray) -> np.ndarray:
+    """Distance from the bearing's axis, m."""
+    return np.hypot(place[0], ring_of(contact).bottom_radius + np.sign(contact.rolling_radius) * place[2])
+
+
+@BOTH
+def test_nodes_lie_on_seat_groove_and_lands(contact: Contact) -> None:
+    ring, body = ring_of(contact), ring_piece(contact, RACE, 2, AXES).body
+    place = body.mesh.doflocs
+    np.testing.assert_allclose(radii(contact, place[:, body.clamped]), ring.seat_radius, rtol=1e-12)  # round-off
+    assert body.clamped.size == body.surface.size  # every column reaches the seat
+    surface = place[:, body.surface]
+    radius, side = radii(contact, surface), np.sign(contact.rolling_radius)
+    in_groove = np.abs(surface[1]) < ring.shoulder_half_width
+    centre = ring.bottom_radius + side * contact.groove_radius
+    profile = np.hypot(radius - centre, surface[1])[in_groove]
+    np.testing.assert_allclose(profile, contact.groove_radius, rtol=1e-12)
+    assert np.ptp(radius[~in_groove]) < 1e-12  # m: the lands are cylinders
+    np.testing.assert_allclose([place[1].min(), place[1].max()], [-ring.width / 2, ring.width / 2], rtol=1e-12)
+    assert mesh_quality(body.mesh).valid
+
+
+@BOTH
+def test_its_volume_is_that_of_the_turned_section(contact: Contact) -> None:
+    ring, piece = ring_of(contact), ring_piece(contact, RACE, 3, AXES)
+    basis = Basis(piece.body.mesh, ElementHex2(), intorder=5)
+    end = piece.body.mesh.doflocs[:, piece.end]
+    angle = np.arctan2(end[0], ring.bottom_radius + np.sign(contact.rolling_radius) * end[2])
+    assert np.ptp(angle) < 1e-9  # rad: the cut lies on a plane through the axis
+    y = np.linspace(-ring.width / 2, ring.width / 2, 20001)
+    across = np.minimum(np.abs(y), ring.shoulder_half_width)
+    rise = contact.groove_radius - np.sqrt(contact.groove_radius**2 - across**2)
+    radius = ring.bottom_radius + np.sign(contact.rolling_radius) * rise
+    section = np.trapezoid(np.abs(radius**2 - ring.seat_radius**2) / 2, y)
+    # 0.3 %: the shoulders' kinks run through cells, whose sides are curves of second degree.
+    np.testing.assert_allclose(basis.dx.sum(), section * angle.mean(), rtol=3e-3)
+
+
+@BOTH
+def test_touching_nodes_are_the_races_and_their_images(contact: Contact) -> None:
+    body = ring_piece(contact, RACE, 2, AXES).body
+    race = race_block(contact, RACE, 2, AXES, False)
+    tilt, radius = contact.contact_angle, contact.groove_radius
+    centre = np.array([[0.0], [radius * np.sin(tilt)], [radius * (1 - np.cos(tilt))]])
+    as_they_are = race.mesh.doflocs[:, race.touching]
+    places = np.hstack([as_they_are, as_they_are * np.array([[1.0], [-1.0], [1.0]])])
+    # The race's groove is symmetric about the contact, the ring's is not: they part as x^2 y, by 1e-3 of an axis.
+    found = body.mesh.doflocs[:, body.touching]
+    np.testing.assert_allclose(found, centre + into_ring(contact, places), rtol=0, atol=1e-3 * AXES[0])
+    assert np.unique(body.touching).size == 2 * race.touching.size - np.sum(np.abs(as_they_are[1]) < 1e-12)
+
+
+def test_the_frames_differ_by_a_rotation() -> None:
+    turned = into_ring(INNER, np.eye(3))
+    np.testing.assert_allclose(turned @ turned.T, np.eye(3), atol=1e-15)
+    # The load's direction at contact angle 0.3, on the side where y > 0: into the ring and away from its middle.
+    np.testing.assert_allclose(into_ring(INNER, np.array([0.0, 0.0, -1.0])), [0, np.sin(0.3), -np.cos(0.3)], rtol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("contact", "words"),
+    [
+        (replace(INNER, ring=None), ("bore_diameter", "width")),
+        (replace(OUTER, ring=None), ("outside_diameter", "width")),
+        (replace(INNER, ring=replace(ring_of(INNER), width=4.4e-3)), ("372 N", "lower the load", "bearing.width")),
+        (replace(INNER, pair="pocket"), ("pocket", "'wall'")),
+    ],
+)
+def test_what_cannot_be_meshed_is_refused(contact: Contact, words: tuple[str, ...]) -> None:
+    with pytest.raises(InputError) as problem:
+        ring_piece(contact, RACE, 1, AXES)
+    assert all(word in str(problem.value) for word in words), problem.value
