@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact import Race, race_curvatures
+from analytic.contact import race_curvatures
 from analytic.correction import ContactCorrection, corrected_contact
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
 from analytic.hertz import HertzContact, contact_modulus, hertz_contact
@@ -72,13 +72,12 @@ def thrust_equilibrium(
     free = _asked_free_angle(bearing, contact_angle)
     play = bearing.diametral_clearance / 2 if free is None else _play(bearing, free)
 
-    def settled(softness: Array) -> Array:
-        return _loaded_tangent(bearing, load, play=play, softness=softness)
-
-    tangent = settled(_softness(bearing, np.full_like(load, np.tan(free or 0.0)), factors))
+    softness = _softness(bearing, np.asarray(np.tan(free or 0.0)), factors)
+    tangent = _loaded_tangent(bearing, load, play=play, softness=softness)
     before = 0.0  # no rate yet
     for _ in range(MOST_ROUNDS):
-        last, tangent = tangent, settled(_softness(bearing, tangent, factors))
+        softness, last = _softness(bearing, tangent, factors), tangent
+        tangent = _loaded_tangent(bearing, load, play=play, softness=softness, start=last)
         change = float(np.max(np.abs(np.log(tangent / last)), initial=0.0))
         if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:  # the changes fall at least as a geometric series
             return _equilibrium(bearing, load, tangent, factors, free_angle=free)
@@ -145,16 +144,37 @@ def free_angle(bearing: Bearing) -> float | None:
     return float(2 * np.arcsin(np.sqrt(clearance / (4 * distance))))
 
 
-def race_hertz_contact(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> HertzContact:
-    """Ball on race by Hertz; both arguments broadcast.
+def ball_contacts(
+    bearing: Bearing,
+    *,
+    inner_angle: ArrayLike,
+    outer_angle: ArrayLike,
+    inner_load: ArrayLike,
+    outer_load: ArrayLike,
+    correction: ContactCorrection,
+) -> tuple[HertzContact, HertzContact]:
+    """A ball on its inner and on its outer race by Hertz, corrected; all arguments broadcast.
 
-    contact_angle : al, rad, in [0, pi/2];  ball_load : Q, N, >= 0
+    inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2];  inner_load, outer_load : Q_i, Q_o, N, >= 0
     Raises InputError as race_curvatures and hertz_contact do.
     """
-    along, across = race_curvatures(bearing, race, contact_angle=contact_angle)
-    groove = bearing.inner if race == "inner" else bearing.outer
-    modulus = contact_modulus(bearing.ball_material, groove.material)
-    return hertz_contact(curvature_x=along, curvature_y=across, load=ball_load, modulus=modulus)
+    curvatures = (
+        *race_curvatures(bearing, "inner", contact_angle=inner_angle),
+        *race_curvatures(bearing, "outer", contact_angle=outer_angle),
+    )
+    # One call for both races: most callers have few balls, and pay by the call.
+    along_inner, across_inner, along_outer, across_outer, *loads = np.broadcast_arrays(
+        *curvatures, inner_load, outer_load
+    )
+    moduli = [contact_modulus(bearing.ball_material, ring.material) for ring in (bearing.inner, bearing.outer)]
+    both = hertz_contact(
+        curvature_x=np.stack([along_inner, along_outer]),
+        curvature_y=np.stack([across_inner, across_outer]),
+        load=np.stack(loads),
+        modulus=np.reshape(moduli, (2,) + (1,) * along_inner.ndim),
+    )
+    inner, outer = (HertzContact(**{name: field[race] for name, field in vars(both).items()}) for race in (0, 1))
+    return corrected_contact(inner, correction.inner), corrected_contact(outer, correction.outer)
 
 
 def _asked_free_angle(bearing: Bearing, contact_angle: ContactAngle) -> float | None:
@@ -187,12 +207,16 @@ def _equilibrium(
 def _contacts(
     bearing: Bearing, ball_load: Array, tangent: Array, factors: ContactCorrection
 ) -> tuple[HertzContact, HertzContact]:
-    """Both contacts of a ball at a loaded angle; the tangent keeps angles near 0 and pi/2 exact."""
+    """Both contacts of a ball at one loaded angle."""
     angle = np.arctan(tangent)
-    inner, outer = (
-        race_hertz_contact(bearing, race, contact_angle=angle, ball_load=ball_load) for race in ("inner", "outer")
+    return ball_contacts(
+        bearing,
+        inner_angle=angle,
+        outer_angle=angle,
+        inner_load=ball_load,
+        outer_load=ball_load,
+        correction=factors,
     )
-    return corrected_contact(inner, factors.inner), corrected_contact(outer, factors.outer)
 
 
 def _softness(bearing: Bearing, tangent: Array, factors: ContactCorrection) -> Array:
@@ -206,21 +230,24 @@ def _ball_load(bearing: Bearing, load: Array, tangent: Array) -> Array:
     return load * np.hypot(1, tangent) / (bearing.ball_count * tangent)
 
 
-def _loaded_tangent(bearing: Bearing, load: Array, *, play: float, softness: Array) -> Array:
+def _loaded_tangent(
+    bearing: Bearing, load: Array, *, play: float, softness: Array, start: Array | None = None
+) -> Array:
     """tan al of the equilibrium, of the load's shape, by Newton in ln(tan al) kept in a bracket.
 
     play : A0 (1 - cos al0), negative under preload, m
     softness : (delta_i + delta_o)/Q^(2/3), m/N^(2/3)
     Written delta cos al + play = A0 (1 - cos al), with a preload on the other side: ln of the left falls, ln of the
-    right rises with ln(tan al), both nearly straight for loads from nothing to far above A0. The start adds up what
-    opens the angle: the play, the load on a bearing without play (or against its preload), a load that dwarfs A0.
+    right rises with ln(tan al), both nearly straight for loads from nothing to far above A0. Without a start what opens the
+    angle is added up: the play, the load on a bearing without play (or against its preload), a load that dwarfs A0.
     """
     distance, play, preload = bearing.groove_centre_distance, max(play, 0.0), max(-play, 0.0)
     alone = softness * np.cbrt(load / bearing.ball_count) ** 2  # delta of Q = Fa/Z, m
-    flat = (2 * alone / distance) ** (3 / 8)
-    if preload:
-        flat = np.minimum(flat, (alone / preload) ** 1.5)
-    logarithm = np.log(np.sqrt(2 * play / distance) + flat + alone / distance)
+    if start is None:
+        flat = (2 * alone / distance) ** (3 / 8)
+        flat = np.minimum(flat, (alone / preload) ** 1.5) if preload else flat
+        start = np.sqrt(2 * play / distance) + flat + alone / distance
+    logarithm = np.log(start)
     low, high = np.full_like(logarithm, LEAST), np.full_like(logarithm, MOST)
     for _ in range(MOST_STEPS):
         tangent = np.exp(logarithm)

@@ -8,6 +8,7 @@ B. C. Carlson, Numerical Algorithms 10 (1995) 13-26, and NIST DLMF sections 19.2
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -136,6 +137,7 @@ def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:
     )
 
 
+@lru_cache(maxsize=64)  # every step of an equilibrium asks for it
 def contact_modulus(first: Material, second: Material) -> float:
     """E* of two bodies in contact, Pa: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Johnson 1985, eq. 3.15b).
 
