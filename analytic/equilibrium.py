@@ -69,9 +69,7 @@ def thrust_equilibrium(
         if contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
             raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
         return _equilibrium(bearing, load, np.full_like(load, np.tan(contact_angle.value)), factors, free_angle=None)
-    free = _asked_free_angle(bearing, contact_angle)
-    play = bearing.diametral_clearance / 2 if free is None else _play(bearing, free)
-
+    play, free = play_and_free_angle(bearing, contact_angle)
     softness = _softness(bearing, np.asarray(np.tan(free or 0.0)), factors)
     tangent = _loaded_tangent(bearing, load, play=play, softness=softness)
     before = 0.0  # no rate yet
@@ -104,7 +102,7 @@ def thrust_equilibrium_frozen(
             "the frozen stiffness solves for the loaded contact angle, which the rule 'given' gives: "
             "use thrust_equilibrium, or the rule 'solved'"
         )
-    free = _asked_free_angle(bearing, contact_angle)
+    play, free = play_and_free_angle(bearing, contact_angle)
     if free is None:
         raise InputError(
             "the frozen stiffness is that of the free contact angle, which a preload of "
@@ -113,7 +111,7 @@ def thrust_equilibrium_frozen(
         )
     frozen = np.asarray(np.tan(free))
     softness = _softness(bearing, frozen, ContactCorrection())
-    tangent = _loaded_tangent(bearing, load, play=_play(bearing, free), softness=softness)
+    tangent = _loaded_tangent(bearing, load, play=play, softness=softness)
     ball_load = _ball_load(bearing, load, tangent)
     inner, outer = _contacts(bearing, ball_load, frozen, ContactCorrection())
     return ThrustEquilibrium(
@@ -142,6 +140,20 @@ def free_angle(bearing: Bearing) -> float | None:
             "check bottom_radius of both rings and ball_diameter"
         )
     return float(2 * np.arcsin(np.sqrt(clearance / (4 * distance))))
+
+
+def play_and_free_angle(bearing: Bearing, contact_angle: ContactAngle) -> tuple[float, float | None]:
+    """(A0 (1 - cos al0), al0) in m and rad: from contact_angle.free, or else from the clearance.
+
+    A preload has no al0 and a play of P_d/2 < 0. Raises InputError as free_angle does, and for an angle out of range.
+    """
+    free = contact_angle.free
+    if free is None:
+        return bearing.diametral_clearance / 2, free_angle(bearing)
+    require_non_negative(free=free)
+    if not free < np.pi / 2:
+        raise InputError(f"the free contact angle must be below pi/2 rad, got {free!r}; is it in degrees?")
+    return float(2 * bearing.groove_centre_distance * np.sin(free / 2) ** 2), free
 
 
 def ball_contacts(
@@ -175,23 +187,6 @@ def ball_contacts(
     )
     inner, outer = (HertzContact(**{name: field[race] for name, field in vars(both).items()}) for race in (0, 1))
     return corrected_contact(inner, correction.inner), corrected_contact(outer, correction.outer)
-
-
-def _asked_free_angle(bearing: Bearing, contact_angle: ContactAngle) -> float | None:
-    """al0, rad: the one given, or else what the clearance leaves; None for a preload."""
-    if contact_angle.free is None:
-        return free_angle(bearing)
-    require_non_negative(free=contact_angle.free)
-    if not contact_angle.free < np.pi / 2:
-        raise InputError(
-            f"the free contact angle must be below pi/2 rad, got {contact_angle.free!r}; is it in degrees?"
-        )
-    return contact_angle.free
-
-
-def _play(bearing: Bearing, free: float) -> float:
-    """A0 (1 - cos al0), m."""
-    return float(2 * bearing.groove_centre_distance * np.sin(free / 2) ** 2)
 
 
 def _equilibrium(
@@ -238,16 +233,18 @@ def _loaded_tangent(
     play : A0 (1 - cos al0), negative under preload, m
     softness : (delta_i + delta_o)/Q^(2/3), m/N^(2/3)
     Written delta cos al + play = A0 (1 - cos al), with a preload on the other side: ln of the left falls, ln of the
-    right rises with ln(tan al), both nearly straight for loads from nothing to far above A0. Without a start what opens the
-    angle is added up: the play, the load on a bearing without play (or against its preload), a load that dwarfs A0.
+    right rises with ln(tan al), both nearly straight for loads from nothing to far above A0. Without a start what opens
+    the angle is added up: the play, the load on a bearing without play (or against its preload), a load that dwarfs A0.
     """
     distance, play, preload = bearing.groove_centre_distance, max(play, 0.0), max(-play, 0.0)
     alone = softness * np.cbrt(load / bearing.ball_count) ** 2  # delta of Q = Fa/Z, m
     if start is None:
         flat = (2 * alone / distance) ** (3 / 8)
         flat = np.minimum(flat, (alone / preload) ** 1.5) if preload else flat
-        start = np.sqrt(2 * play / distance) + flat + alone / distance
-    logarithm = np.log(start)
+        logarithm = np.log(np.sqrt(2 * play / distance) + flat + alone / distance)
+    else:
+        logarithm = np.log(start)
+    largest = np.inf
     low, high = np.full_like(logarithm, LEAST), np.full_like(logarithm, MOST)
     for _ in range(MOST_STEPS):
         tangent = np.exp(logarithm)

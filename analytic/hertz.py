@@ -21,7 +21,7 @@ from analytic.scene import Array, Contact, Material
 LAST_STEP = 1e-7
 # The start is 1.7 from the root at a ratio of 1e6, 4.8 at 1e12: four or five steps reach round-off, the rest is margin.
 MOST_STEPS = 20
-# (K - E)/m loses digits to a difference as m goes to 0: below this m Carlson's form, ten times as dear, takes its place.
+# (K - E)/m loses digits to a difference as m goes to 0: Carlson's form, ten times as dear, stands in below this m.
 NEARLY_ROUND = 0.5
 NEAR_CIRCLE = 1e-4  # -ln s below which the slope of Newton's function is that of the circle to 1e-8
 
