@@ -128,7 +128,7 @@ def ring_equilibrium(
     worst = np.max(np.where(balls.inner_load > 0, np.abs(balls.inner_angle), 0.0), initial=0.0)
     if worst > np.pi / 2:
         raise InputError(
-            f"the load drives a ball {worst:.3f} rad round its groove, past pi/2: no contact bears it, lower the load"
+            f"the load drives a ball {worst:.3f} rad out of its groove, past pi/2: no contact bears it, lower the load"
         )
     inner, outer = ball_contacts(
         bearing,
@@ -288,9 +288,11 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
             inner_share=np.divide(balls.inner_load, both, out=np.zeros_like(both), where=both > 0),
         )
         again, more = _settled(ring, ring.at(found.place[active], held))
+        # A ball that floats, or is wedged, follows its forces without the ring's notice.
+        change = np.abs(held.ball_force - found.held.ball_force[active]).max(axis=(-2, -1))
         found = _merged(found, active, again)
         steps[active] += more
-        active = active[more > 0]
+        active = active[(more > 0) | (change > again.tolerance)]
         if not len(active):
             return found, steps
     raise _not_settled(found)
@@ -312,7 +314,7 @@ def _start(ring: _Ring, load: Array, held: _Held) -> Array:
 def _settled(ring: _Ring, state: _State) -> tuple[_State, Array]:
     """Newton's method on the convex energy of what is held, and its steps; one that lowers too little is halved."""
     steps = np.zeros(len(state.place), dtype=int)
-    farthest = ring.bearing.groove_centre_distance
+    distance = ring.bearing.groove_centre_distance
     for _ in range(MOST_STEPS):
         open_ = np.flatnonzero(state.residual > state.tolerance)
         if not len(open_):
@@ -320,11 +322,12 @@ def _settled(ring: _Ring, state: _State) -> tuple[_State, Array]:
         now = _part(state, open_)
         # A freedom that nothing holds is left where it is; where nothing touches at all the load leads on.
         trace = np.trace(now.tangent, axis1=-2, axis2=-1)
-        least = LEAST_TANGENT * trace + LEAST_TANGENT * now.residual / farthest
+        least = LEAST_TANGENT * trace + LEAST_TANGENT * now.residual / distance
         step = -np.linalg.solve(now.tangent + least[:, None, None] * np.eye(5), now.gradient[..., None])[..., 0]
-        step *= np.minimum(1.0, farthest / np.maximum(np.max(np.abs(step), axis=-1), farthest))[:, None]
+        longest = np.maximum(distance, np.max(np.abs(now.place), axis=-1))
+        step *= np.minimum(1.0, longest / np.maximum(np.max(np.abs(step), axis=-1), longest))[:, None]
         slope = np.sum(now.gradient * step, axis=-1)
-        rounding = ENERGY_ROUND_OFF * farthest * np.sum(now.balls.outer_load, axis=-1)
+        rounding = ENERGY_ROUND_OFF * distance * np.sum(now.balls.outer_load, axis=-1)
         share = np.ones(len(step))
         while True:
             trial = ring.at(now.place + share[:, None] * step, now.held)
