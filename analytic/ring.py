@@ -257,8 +257,9 @@ class _Ring:
         tangent = rows.T @ (balls.tangent @ self.travel).reshape(len(place), -1, 5)
         forces = np.max(np.abs(held.ring_force), axis=-1) + np.max(balls.outer_load, axis=-1)
         pushed = np.any(held.ball_force, axis=(-2, -1)) * self.bearing.groove_centre_distance
-        rounding = PLACE_ROUND_OFF * np.max(np.abs(place), axis=-1) + BALL_ROUND_OFF * pushed
-        rounding = rounding * np.trace(tangent, axis1=-2, axis2=-1)
+        contacts = 1.5 * np.sum(np.cbrt(held.inner_stiffness**2 * balls.inner_load), axis=-1)  # dQ/d delta, N/m
+        rounding = PLACE_ROUND_OFF * np.max(np.abs(place), axis=-1) * np.trace(tangent, axis1=-2, axis2=-1)
+        rounding = rounding + BALL_ROUND_OFF * pushed * contacts
         return _State(
             place=place,
             held=held,

@@ -14,7 +14,7 @@ from analytic.correction import ContactCorrection, ContactFactors
 from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
 from analytic.kinematics import ball_kinematics
-from analytic.ring_equilibrium import RingEquilibrium, ring_equilibrium
+from analytic.ring import RingEquilibrium, ring_equilibrium
 from analytic.scene import Bearing, ContactAngle, Groove, Material
 
 SOLVED = ContactAngle(rule="solved")
