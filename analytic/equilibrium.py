@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from analytic.contact import race_curvatures
 from analytic.correction import ContactCorrection, corrected_contact
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
-from analytic.hertz import HertzContact, contact_modulus, hertz_contact
+from analytic.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact
 from analytic.scene import Array, Bearing, ContactAngle
 
 # ln(tan al) of every angle that a double can tell from 0 or from pi/2.
@@ -68,17 +68,19 @@ def thrust_equilibrium(
     if contact_angle.rule == "given":
         if contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
             raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
-        return _equilibrium(bearing, load, np.full_like(load, np.tan(contact_angle.value)), factors, free_angle=None)
+        tangent = np.full_like(load, np.tan(contact_angle.value))
+        return _equilibrium(bearing, load, tangent, _units(bearing, tangent, factors), free_angle=None)
     play, free = play_and_free_angle(bearing, contact_angle)
-    softness = _softness(bearing, np.asarray(np.tan(free or 0.0)), factors)
-    tangent = _loaded_tangent(bearing, load, play=play, softness=softness)
+    units = _units(bearing, np.asarray(np.tan(free or 0.0)), factors)
+    tangent = _loaded_tangent(bearing, load, play=play, units=units)
     before = 0.0  # no rate yet
     for _ in range(MOST_ROUNDS):
-        softness, last = _softness(bearing, tangent, factors), tangent
-        tangent = _loaded_tangent(bearing, load, play=play, softness=softness, start=last)
+        units, last = _units(bearing, tangent, factors), tangent
+        tangent = _loaded_tangent(bearing, load, play=play, units=units, start=last)
         change = float(np.max(np.abs(np.log(tangent / last)), initial=0.0))
-        if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:  # the changes fall at least as a geometric series
-            return _equilibrium(bearing, load, tangent, factors, free_angle=free)
+        # The changes fall at least as a geometric series: the next would be below round-off, that of the contacts too.
+        if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:
+            return _equilibrium(bearing, load, tangent, units, free_angle=free)
         before = change
     raise _not_settled(MOST_ROUNDS, before)
 
@@ -109,18 +111,9 @@ def thrust_equilibrium_frozen(
             f"{-bearing.diametral_clearance:.6g} m on the diameter does not leave: use thrust_equilibrium, "
             "or give contact_angle.free"
         )
-    frozen = np.asarray(np.tan(free))
-    softness = _softness(bearing, frozen, ContactCorrection())
-    tangent = _loaded_tangent(bearing, load, play=play, softness=softness)
-    ball_load = _ball_load(bearing, load, tangent)
-    inner, outer = _contacts(bearing, ball_load, frozen, ContactCorrection())
-    return ThrustEquilibrium(
-        free_angle=free,
-        contact_angle=np.arctan(tangent),
-        ball_load=ball_load,
-        inner=inner,
-        outer=outer,
-    )
+    units = _units(bearing, np.asarray(np.tan(free)), ContactCorrection())
+    tangent = _loaded_tangent(bearing, load, play=play, units=units)
+    return _equilibrium(bearing, load, tangent, units, free_angle=free)
 
 
 def free_angle(bearing: Bearing) -> float | None:
@@ -156,68 +149,41 @@ def play_and_free_angle(bearing: Bearing, contact_angle: ContactAngle) -> tuple[
     return float(2 * bearing.groove_centre_distance * np.sin(free / 2) ** 2), free
 
 
-def ball_contacts(
-    bearing: Bearing,
-    *,
-    inner_angle: ArrayLike,
-    outer_angle: ArrayLike,
-    inner_load: ArrayLike,
-    outer_load: ArrayLike,
-    correction: ContactCorrection,
+def unit_contacts(
+    bearing: Bearing, *, inner_angle: ArrayLike, outer_angle: ArrayLike, correction: ContactCorrection
 ) -> tuple[HertzContact, HertzContact]:
-    """A ball on its inner and on its outer race by Hertz, corrected; all arguments broadcast.
+    """A ball on its inner and on its outer race under 1 N by Hertz, corrected; of the angles' shape, which is one.
 
-    inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2];  inner_load, outer_load : Q_i, Q_o, N, >= 0
-    Raises InputError as race_curvatures and hertz_contact do.
+    inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2]
+    analytic.hertz.loaded_contact makes of them contacts under load. Raises InputError as race_curvatures does.
     """
-    curvatures = (
-        *race_curvatures(bearing, "inner", contact_angle=inner_angle),
-        *race_curvatures(bearing, "outer", contact_angle=outer_angle),
+    pairs = (
+        race_curvatures(bearing, "inner", contact_angle=inner_angle),
+        race_curvatures(bearing, "outer", contact_angle=outer_angle),
     )
-    # One call for both races: most callers have few balls, and pay by the call.
-    along_inner, across_inner, along_outer, across_outer, *loads = np.broadcast_arrays(
-        *curvatures, inner_load, outer_load
-    )
+    along, across = (np.array(curvatures) for curvatures in zip(*pairs, strict=True))
     moduli = [contact_modulus(bearing.ball_material, ring.material) for ring in (bearing.inner, bearing.outer)]
+    # One call for both races: most callers have few balls, and pay by the call.
     both = hertz_contact(
-        curvature_x=np.stack([along_inner, along_outer]),
-        curvature_y=np.stack([across_inner, across_outer]),
-        load=np.stack(loads),
-        modulus=np.reshape(moduli, (2,) + (1,) * along_inner.ndim),
+        curvature_x=along, curvature_y=across, load=1.0, modulus=np.reshape(moduli, (2,) + (1,) * (along.ndim - 1))
     )
     inner, outer = (HertzContact(**{name: field[race] for name, field in vars(both).items()}) for race in (0, 1))
     return corrected_contact(inner, correction.inner), corrected_contact(outer, correction.outer)
 
 
 def _equilibrium(
-    bearing: Bearing, load: Array, tangent: Array, factors: ContactCorrection, *, free_angle: float | None
+    bearing: Bearing, load: Array, tangent: Array, units: tuple[HertzContact, HertzContact], *, free_angle: float | None
 ) -> ThrustEquilibrium:
     ball_load = _ball_load(bearing, load, tangent)
-    inner, outer = _contacts(bearing, ball_load, tangent, factors)
+    inner, outer = (loaded_contact(unit, load=ball_load) for unit in units)
     return ThrustEquilibrium(
         free_angle=free_angle, contact_angle=np.arctan(tangent), ball_load=ball_load, inner=inner, outer=outer
     )
 
 
-def _contacts(
-    bearing: Bearing, ball_load: Array, tangent: Array, factors: ContactCorrection
-) -> tuple[HertzContact, HertzContact]:
-    """Both contacts of a ball at one loaded angle."""
+def _units(bearing: Bearing, tangent: Array, factors: ContactCorrection) -> tuple[HertzContact, HertzContact]:
     angle = np.arctan(tangent)
-    return ball_contacts(
-        bearing,
-        inner_angle=angle,
-        outer_angle=angle,
-        inner_load=ball_load,
-        outer_load=ball_load,
-        correction=factors,
-    )
-
-
-def _softness(bearing: Bearing, tangent: Array, factors: ContactCorrection) -> Array:
-    """(delta_i + delta_o)/Q^(2/3), m/N^(2/3), which depends on the contact angle alone."""
-    inner, outer = _contacts(bearing, np.asarray(1.0), tangent, factors)  # 1 N
-    return inner.approach + outer.approach
+    return unit_contacts(bearing, inner_angle=angle, outer_angle=angle, correction=factors)
 
 
 def _ball_load(bearing: Bearing, load: Array, tangent: Array) -> Array:
@@ -226,18 +192,23 @@ def _ball_load(bearing: Bearing, load: Array, tangent: Array) -> Array:
 
 
 def _loaded_tangent(
-    bearing: Bearing, load: Array, *, play: float, softness: Array, start: Array | None = None
+    bearing: Bearing,
+    load: Array,
+    *,
+    play: float,
+    units: tuple[HertzContact, HertzContact],
+    start: Array | None = None,
 ) -> Array:
     """tan al of the equilibrium, of the load's shape, by Newton in ln(tan al) kept in a bracket.
 
     play : A0 (1 - cos al0), negative under preload, m
-    softness : (delta_i + delta_o)/Q^(2/3), m/N^(2/3)
+    units : both contacts under 1 N, held: delta_i + delta_o = Q^(2/3) of theirs
     Written delta cos al + play = A0 (1 - cos al), with a preload on the other side: ln of the left falls, ln of the
     right rises with ln(tan al), both nearly straight for loads from nothing to far above A0. Without a start what opens
     the angle is added up: the play, the load on a bearing without play (or against its preload), a load that dwarfs A0.
     """
     distance, play, preload = bearing.groove_centre_distance, max(play, 0.0), max(-play, 0.0)
-    alone = softness * np.cbrt(load / bearing.ball_count) ** 2  # delta of Q = Fa/Z, m
+    alone = (units[0].approach + units[1].approach) * np.cbrt(load / bearing.ball_count) ** 2  # delta of Q = Fa/Z, m
     if start is None:
         flat = (2 * alone / distance) ** (3 / 8)
         flat = np.minimum(flat, (alone / preload) ** 1.5) if preload else flat

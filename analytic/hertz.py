@@ -77,6 +77,24 @@ def hertz_contact(
     )
 
 
+def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
+    """The contact that is known under 1 N, under another load; load broadcasts with its fields.
+
+    load : Q, N, >= 0
+    Sizes and pressure go with Q^(1/3), the approach with Q^(2/3): an ellipse keeps its shape.
+    Raises InputError if a load is negative or not finite.
+    """
+    require_non_negative(load=load)
+    root = np.cbrt(np.asarray(load, dtype=np.float64))
+    return HertzContact(
+        semi_axis_x=unit.semi_axis_x * root,
+        semi_axis_y=unit.semi_axis_y * root,
+        peak_pressure=unit.peak_pressure * root,
+        approach=unit.approach * root**2,
+        stiffness=unit.stiffness * np.ones_like(root),
+    )
+
+
 def contact_arguments(
     *, curvature_x: ArrayLike, curvature_y: ArrayLike, load: ArrayLike, modulus: ArrayLike
 ) -> tuple[Array, Array, Array, Array]:

@@ -21,9 +21,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from analytic.ball_balance import BallBalance, settled_ball
 from analytic.correction import ContactCorrection
-from analytic.equilibrium import ball_contacts, play_and_free_angle
+from analytic.equilibrium import play_and_free_angle, unit_contacts
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
-from analytic.hertz import HertzContact
+from analytic.hertz import HertzContact, loaded_contact
 from analytic.scene import Array, Bearing, ContactAngle
 
 # Of the load and the largest ball load: Newton's quadratic steps reach it at once, and rounding is a thousandth of it.
@@ -130,13 +130,9 @@ def ring_equilibrium(
         raise InputError(
             f"the load drives a ball {worst:.3f} rad out of its groove, past pi/2: no contact bears it, lower the load"
         )
-    inner, outer = ball_contacts(
-        bearing,
-        inner_angle=_in_groove(balls.inner_angle),
-        outer_angle=_in_groove(balls.outer_angle),
-        inner_load=balls.inner_load,
-        outer_load=balls.outer_load,
-        correction=ring.correction,
+    inner, outer = (
+        loaded_contact(contact, load=load)
+        for contact, load in ((held.inner, balls.inner_load), (held.outer, balls.outer_load))
     )
     unit = np.array([1.0, 1.0, 1.0, ring.arm, ring.arm])
     each, whole = (*shape, bearing.ball_count), (*shape, 5)
@@ -162,10 +158,10 @@ def ring_equilibrium(
 class _Held:
     """What one round of Newton's method holds, for n points and Z balls."""
 
-    inner_stiffness: Array  # (n, Z) N/m^1.5
-    outer_stiffness: Array  # (n, Z)
-    ball_force: Array  # (n, Z, 2) on the ball, N
     ring_force: Array  # (n, 5) load and friction of the balls, N (moments over R)
+    inner: HertzContact  # (n, Z) under 1 N
+    outer: HertzContact
+    ball_force: Array  # (n, Z, 2) on the ball, N
     centrifugal_force: Array  # (n, Z) N
     gyroscopic_moment: Array  # (n, Z) N m
 
@@ -206,14 +202,22 @@ class _Ring:
         inner_share : Q_i/(Q_i + Q_o)
         """
         bearing = self.bearing
-        contacts = ball_contacts(
+        inner, outer = unit_contacts(
             bearing,
             inner_angle=_in_groove(inner_angle),
             outer_angle=_in_groove(outer_angle),
-            inner_load=1.0,
-            outer_load=1.0,
             correction=self.correction,
         )
+        if not speed.any():
+            still = np.zeros_like(inner_angle)
+            return _Held(
+                inner=inner,
+                outer=outer,
+                ball_force=np.zeros((*still.shape, 2)),
+                ring_force=load,
+                centrifugal_force=still,
+                gyroscopic_moment=still,
+            )
         inner_radius = bearing.pitch_diameter / 2 - bearing.ball_radius * np.cos(inner_angle)
         outer_radius = bearing.pitch_diameter / 2 + bearing.ball_radius * np.cos(outer_angle)
         cage = speed[:, None] * inner_radius / (inner_radius + outer_radius)
@@ -225,8 +229,8 @@ class _Ring:
         at_inner = friction[0][..., None] * np.stack([-np.sin(inner_angle), np.cos(inner_angle)], axis=-1)
         at_outer = friction[1][..., None] * np.stack([np.sin(outer_angle), -np.cos(outer_angle)], axis=-1)
         return _Held(
-            inner_stiffness=contacts[0].stiffness,
-            outer_stiffness=contacts[1].stiffness,
+            inner=inner,
+            outer=outer,
             ball_force=np.stack([centrifugal, np.zeros_like(centrifugal)], axis=-1) + at_inner + at_outer,
             ring_force=load - self.resultant(at_inner),
             centrifugal_force=centrifugal,
@@ -248,8 +252,8 @@ class _Ring:
             play=self.play,
             radial=place @ self.radial,
             axial=place @ self.axial,
-            inner_stiffness=held.inner_stiffness,
-            outer_stiffness=held.outer_stiffness,
+            inner_stiffness=held.inner.stiffness,
+            outer_stiffness=held.outer.stiffness,
             ball_force=held.ball_force,
         )
         rows = self.travel.reshape(-1, 5)
@@ -257,9 +261,10 @@ class _Ring:
         tangent = rows.T @ (balls.tangent @ self.travel).reshape(len(place), -1, 5)
         forces = np.max(np.abs(held.ring_force), axis=-1) + np.max(balls.outer_load, axis=-1)
         pushed = np.any(held.ball_force, axis=(-2, -1)) * self.bearing.groove_centre_distance
-        contacts = 1.5 * np.sum(np.cbrt(held.inner_stiffness**2 * balls.inner_load), axis=-1)  # dQ/d delta, N/m
         rounding = PLACE_ROUND_OFF * np.max(np.abs(place), axis=-1) * np.trace(tangent, axis1=-2, axis2=-1)
-        rounding = rounding + BALL_ROUND_OFF * pushed * contacts
+        if pushed.any():
+            contacts = 1.5 * np.sum(np.cbrt(held.inner.stiffness**2 * balls.inner_load), axis=-1)  # dQ/d delta, N/m
+            rounding = rounding + BALL_ROUND_OFF * pushed * contacts
         return _State(
             place=place,
             held=held,
@@ -303,7 +308,7 @@ def _start(ring: _Ring, load: Array, held: _Held) -> Array:
     """A place where balls touch: what each part of the load would reach if one ball took it, the largest in full."""
     bearing, play = ring.bearing, ring.play
     parts = np.stack([np.abs(load[:, 0]), np.hypot(load[:, 1], load[:, 2]), np.hypot(load[:, 3], load[:, 4])])
-    softness = held.inner_stiffness[:, 0] ** (-2 / 3) + held.outer_stiffness[:, 0] ** (-2 / 3)
+    softness = held.inner.approach[:, 0] + held.outer.approach[:, 0]
     approach = softness * np.cbrt(parts) ** 2
     distance, share = bearing.groove_centre_distance, parts / np.maximum(np.max(parts, axis=0), 1e-300)
     along = np.sqrt(np.maximum((approach + play) * (2 * distance + approach - play), 0.0))

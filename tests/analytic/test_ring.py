@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import hypothesis.strategies as st
 import mpmath
@@ -19,7 +20,13 @@ from analytic.scene import Bearing, ContactAngle, Groove, Material
 
 SOLVED = ContactAngle(rule="solved")
 PUBLISHED = Path(__file__).parents[2] / "validation" / "published"
-MIXED = {"axial_load": 310.0, "radial_load_x": 540.0, "radial_load_y": -170.0, "moment_x": 0.7, "moment_y": -1.9}
+MIXED: dict[str, Any] = {
+    "axial_load": 310.0,
+    "radial_load_x": 540.0,
+    "radial_load_y": -170.0,
+    "moment_x": 0.7,
+    "moment_y": -1.9,
+}
 steel = Material(name="steel", youngs_modulus=210e9, poisson_ratio=0.3, density=7850.0, source="test")
 
 
@@ -90,7 +97,8 @@ def contacts(found: RingEquilibrium) -> tuple:
 @pytest.mark.parametrize("clearance", [31e-6, 2e-9, 0.0, -14e-6])
 def test_pure_thrust_is_the_closed_form(bearing_6205: Bearing, clearance: float) -> None:
     bearing, loads = with_clearance(bearing_6205, clearance), 10.0 ** np.arange(-3, 9, 2)
-    ring, thrust = (solve(bearing, SOLVED, axial_load=loads) for solve in (ring_equilibrium, thrust_equilibrium))
+    ring = ring_equilibrium(bearing, SOLVED, axial_load=loads)
+    thrust = thrust_equilibrium(bearing, SOLVED, axial_load=loads)
     everywhere = np.ones(bearing.ball_count)
     for race in ("inner", "outer"):
         tight = 1e-10  # TOLERANCE over the share of the load that a ball's force has along the axis
@@ -109,10 +117,8 @@ def test_a_free_angle_replaces_the_clearance_and_corrections_reach_the_contacts(
     factors = ContactFactors(approach=0.93, semi_axis_rolling=1.04, semi_axis_transverse=0.98)
     correction = ContactCorrection(inner=factors)
     given_angle = ContactAngle(rule="solved", free=0.18)
-    ring, thrust = (
-        solve(bearing_6205, given_angle, axial_load=700.0, correction=correction)
-        for solve in (ring_equilibrium, thrust_equilibrium)
-    )
+    ring = ring_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
+    thrust = thrust_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
     np.testing.assert_allclose(ring.inner_load, np.full(9, thrust.ball_load), rtol=1e-10)  # TOLERANCE
     np.testing.assert_allclose(ring.inner.semi_axis_x, np.full(9, thrust.inner.semi_axis_x), rtol=1e-10)
 
@@ -184,7 +190,8 @@ def test_any_load_is_carried(
     bearing = with_clearance(bearing_6205, clearance, ball_count=ball_count)
     arm = reference_arm(bearing)
     load = np.array(signs) * 10.0 ** np.array(log_loads) * [1, 1, 1, arm, arm]
-    found = ring_equilibrium(bearing, SOLVED, **dict(zip(MIXED, load, strict=True)))
+    given_loads: dict[str, Any] = dict(zip(MIXED, load, strict=True))
+    found = ring_equilibrium(bearing, SOLVED, **given_loads)
     balance = force_and_moment(bearing, found.inner_angle, found.inner_load) / [1, 1, 1, arm, arm]
     asked = load / [1, 1, 1, arm, arm]
     scale = np.abs(asked).max() + found.inner_load.max()

@@ -1,14 +1,15 @@
 """Accuracy and price of the load equilibria: python validation/benchmarks/equilibrium.py
 
 Prints the processor time of a thrust point, of a long series and of ring equilibria, how far the ring's pure thrust is
-from the closed form, and two cross-checks with numbers of others in validation/published: a program's ring displacements
-and a maker's axial rigidity of a preloaded pair. Times are the machine's, of one thread.
+from the closed form, and two cross-checks with numbers of others in validation/published: a program's ring
+displacements and a maker's axial rigidity of a preloaded pair. Times are the machine's, of one thread.
 """
 
 import os
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -51,8 +52,8 @@ def times() -> None:
     bearing, rule = scene.bearing, scene.contact_angle
     random = np.random.default_rng(5)
     many = random.uniform(20, 2000, 100_000)
-    load = {"axial_load": many[:10_000], "radial_load_x": random.uniform(0, 1000, 10_000)}
-    single = {"axial_load": 300.0, "radial_load_x": 500.0}
+    load: dict[str, Any] = {"axial_load": many[:10_000], "radial_load_x": random.uniform(0, 1000, 10_000)}
+    single: dict[str, Any] = {"axial_load": 300.0, "radial_load_x": 500.0}
     curvatures = np.geomspace(37.0, 3.7e7, 10**6)
     calls = {
         "one million Hertz contacts, s": (
