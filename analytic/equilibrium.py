@@ -5,25 +5,26 @@ Angles are measured from the radial plane; the axial load presses the inner ring
 Source: T. A. Harris and M. N. Kotzalas, Essential Concepts of Bearing Technology, 5th ed. (2007), section 7.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize.elementwise import bracket_root, find_root
 
-from analytic.contact import Race, race_curvatures
+from analytic.contact import race_curvatures
 from analytic.correction import ContactCorrection, corrected_contact
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
-from analytic.hertz import HertzContact, contact_modulus, hertz_contact
+from analytic.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact
 from analytic.scene import Array, Bearing, ContactAngle
 
-# Of ln(tan al): four round-offs of a double, so that the angle is right to about 1e-15 relative.
-ROOT_TOLERANCE = 4 * np.finfo(np.float64).eps
 # ln(tan al) of every angle that a double can tell from 0 or from pi/2.
 LEAST, MOST = -740.0, 700.0
-# Bisection alone narrows that range to the tolerance in 61 steps; bracketing and mixed steps take no more than 200.
+# Newton's error in ln(tan al) is of the order of its last step's square: below this step it is round-off.
+LAST_STEP = 1e-8
+# Newton takes 4 to 8 steps; halving that range down to the last step takes 37, and mixed steps no more than the sum.
 MOST_STEPS = 200
+# A curvature that follows the angle changes the next angle by less than 1e-3 of the change before; 3 or 4 rounds.
+MOST_ROUNDS = 50
+ROUND_OFF = 4 * np.finfo(np.float64).eps
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,16 +68,21 @@ def thrust_equilibrium(
     if contact_angle.rule == "given":
         if contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
             raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
-        return _equilibrium(bearing, load, np.full_like(load, np.tan(contact_angle.value)), factors, free_angle=None)
-    free = _asked_free_angle(bearing, contact_angle)
-    play = bearing.diametral_clearance / 2 if free is None else _play(bearing, free)
-
-    def approach(load: Array, tangent: Array) -> Array:
-        _, inner, outer = _contacts(bearing, load, tangent, factors)
-        return inner.approach + outer.approach
-
-    tangent = _loaded_tangent(load, play=play, distance=bearing.groove_centre_distance, approach=approach)
-    return _equilibrium(bearing, load, tangent, factors, free_angle=free)
+        tangent = np.full_like(load, np.tan(contact_angle.value))
+        return _equilibrium(bearing, load, tangent, _units(bearing, tangent, factors), free_angle=None)
+    play, free = play_and_free_angle(bearing, contact_angle)
+    units = _units(bearing, np.asarray(np.tan(free or 0.0)), factors)
+    tangent = _loaded_tangent(bearing, load, play=play, units=units)
+    before = 0.0  # no rate yet
+    for _ in range(MOST_ROUNDS):
+        units, last = _units(bearing, tangent, factors), tangent
+        tangent = _loaded_tangent(bearing, load, play=play, units=units, start=last)
+        change = float(np.max(np.abs(np.log(tangent / last)), initial=0.0))
+        # The changes fall at least as a geometric series: the next would be below round-off, that of the contacts too.
+        if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:
+            return _equilibrium(bearing, load, tangent, units, free_angle=free)
+        before = change
+    raise _not_settled(MOST_ROUNDS, before)
 
 
 def thrust_equilibrium_frozen(
@@ -98,30 +104,16 @@ def thrust_equilibrium_frozen(
             "the frozen stiffness solves for the loaded contact angle, which the rule 'given' gives: "
             "use thrust_equilibrium, or the rule 'solved'"
         )
-    free = _asked_free_angle(bearing, contact_angle)
+    play, free = play_and_free_angle(bearing, contact_angle)
     if free is None:
         raise InputError(
             "the frozen stiffness is that of the free contact angle, which a preload of "
             f"{-bearing.diametral_clearance:.6g} m on the diameter does not leave: use thrust_equilibrium, "
             "or give contact_angle.free"
         )
-    frozen = np.tan(free)
-    unit = np.asarray(1.0)  # N
-    softness = sum(_contact(bearing, race, unit, frozen).stiffness ** (-2 / 3) for race in ("inner", "outer"))
-
-    def approach(load: Array, tangent: Array) -> Array:
-        return softness * _ball_load(bearing, load, tangent) ** (2 / 3)
-
-    distance = bearing.groove_centre_distance
-    tangent = _loaded_tangent(load, play=_play(bearing, free), distance=distance, approach=approach)
-    ball_load = _ball_load(bearing, load, tangent)
-    return ThrustEquilibrium(
-        free_angle=free,
-        contact_angle=np.arctan(tangent),
-        ball_load=ball_load,
-        inner=_contact(bearing, "inner", ball_load, frozen),
-        outer=_contact(bearing, "outer", ball_load, frozen),
-    )
+    units = _units(bearing, np.asarray(np.tan(free)), ContactCorrection())
+    tangent = _loaded_tangent(bearing, load, play=play, units=units)
+    return _equilibrium(bearing, load, tangent, units, free_angle=free)
 
 
 def free_angle(bearing: Bearing) -> float | None:
@@ -143,39 +135,55 @@ def free_angle(bearing: Bearing) -> float | None:
     return float(2 * np.arcsin(np.sqrt(clearance / (4 * distance))))
 
 
-def _asked_free_angle(bearing: Bearing, contact_angle: ContactAngle) -> float | None:
-    """al0, rad: the one given, or else what the clearance leaves; None for a preload."""
-    if contact_angle.free is None:
-        return free_angle(bearing)
-    require_non_negative(free=contact_angle.free)
-    if not contact_angle.free < np.pi / 2:
-        raise InputError(
-            f"the free contact angle must be below pi/2 rad, got {contact_angle.free!r}; is it in degrees?"
-        )
-    return contact_angle.free
+def play_and_free_angle(bearing: Bearing, contact_angle: ContactAngle) -> tuple[float, float | None]:
+    """(A0 (1 - cos al0), al0) in m and rad: from contact_angle.free, or else from the clearance.
+
+    A preload has no al0 and a play of P_d/2 < 0. Raises InputError as free_angle does, and for an angle out of range.
+    """
+    free = contact_angle.free
+    if free is None:
+        return bearing.diametral_clearance / 2, free_angle(bearing)
+    require_non_negative(free=free)
+    if not free < np.pi / 2:
+        raise InputError(f"the free contact angle must be below pi/2 rad, got {free!r}; is it in degrees?")
+    return float(2 * bearing.groove_centre_distance * np.sin(free / 2) ** 2), free
 
 
-def _play(bearing: Bearing, free: float) -> float:
-    """A0 (1 - cos al0), m."""
-    return float(2 * bearing.groove_centre_distance * np.sin(free / 2) ** 2)
+def unit_contacts(
+    bearing: Bearing, *, inner_angle: ArrayLike, outer_angle: ArrayLike, correction: ContactCorrection
+) -> tuple[HertzContact, HertzContact]:
+    """A ball on its inner and on its outer race under 1 N by Hertz, corrected; of the angles' shape, which is one.
+
+    inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2]
+    analytic.hertz.loaded_contact makes of them contacts under load. Raises InputError as race_curvatures does.
+    """
+    pairs = (
+        race_curvatures(bearing, "inner", contact_angle=inner_angle),
+        race_curvatures(bearing, "outer", contact_angle=outer_angle),
+    )
+    along, across = (np.array(curvatures) for curvatures in zip(*pairs, strict=True))
+    moduli = [contact_modulus(bearing.ball_material, ring.material) for ring in (bearing.inner, bearing.outer)]
+    # One call for both races: most callers have few balls, and pay by the call.
+    both = hertz_contact(
+        curvature_x=along, curvature_y=across, load=1.0, modulus=np.reshape(moduli, (2,) + (1,) * (along.ndim - 1))
+    )
+    inner, outer = (HertzContact(**{name: field[race] for name, field in vars(both).items()}) for race in (0, 1))
+    return corrected_contact(inner, correction.inner), corrected_contact(outer, correction.outer)
 
 
 def _equilibrium(
-    bearing: Bearing, load: Array, tangent: Array, factors: ContactCorrection, *, free_angle: float | None
+    bearing: Bearing, load: Array, tangent: Array, units: tuple[HertzContact, HertzContact], *, free_angle: float | None
 ) -> ThrustEquilibrium:
-    ball_load, inner, outer = _contacts(bearing, load, tangent, factors)
+    ball_load = _ball_load(bearing, load, tangent)
+    inner, outer = (loaded_contact(unit, load=ball_load) for unit in units)
     return ThrustEquilibrium(
         free_angle=free_angle, contact_angle=np.arctan(tangent), ball_load=ball_load, inner=inner, outer=outer
     )
 
 
-def _contacts(
-    bearing: Bearing, load: Array, tangent: Array, factors: ContactCorrection
-) -> tuple[Array, HertzContact, HertzContact]:
-    """Ball load and both contacts at a loaded angle; the tangent keeps angles near 0 and pi/2 exact."""
-    ball_load = _ball_load(bearing, load, tangent)
-    inner, outer = _contact(bearing, "inner", ball_load, tangent), _contact(bearing, "outer", ball_load, tangent)
-    return ball_load, corrected_contact(inner, factors.inner), corrected_contact(outer, factors.outer)
+def _units(bearing: Bearing, tangent: Array, factors: ContactCorrection) -> tuple[HertzContact, HertzContact]:
+    angle = np.arctan(tangent)
+    return unit_contacts(bearing, inner_angle=angle, outer_angle=angle, correction=factors)
 
 
 def _ball_load(bearing: Bearing, load: Array, tangent: Array) -> Array:
@@ -183,43 +191,57 @@ def _ball_load(bearing: Bearing, load: Array, tangent: Array) -> Array:
     return load * np.hypot(1, tangent) / (bearing.ball_count * tangent)
 
 
-def _contact(bearing: Bearing, race: Race, ball_load: Array, tangent: Array) -> HertzContact:
-    along, across = race_curvatures(bearing, race, contact_angle=np.arctan(tangent))
-    groove = bearing.inner if race == "inner" else bearing.outer
-    modulus = contact_modulus(bearing.ball_material, groove.material)
-    return hertz_contact(curvature_x=along, curvature_y=across, load=ball_load, modulus=modulus)
-
-
-def _loaded_tangent(load: Array, *, play: float, distance: float, approach: Callable[[Array, Array], Array]) -> Array:
-    """tan al of the equilibrium.
+def _loaded_tangent(
+    bearing: Bearing,
+    load: Array,
+    *,
+    play: float,
+    units: tuple[HertzContact, HertzContact],
+    start: Array | None = None,
+) -> Array:
+    """tan al of the equilibrium, of the load's shape, by Newton in ln(tan al) kept in a bracket.
 
     play : A0 (1 - cos al0), negative under preload, m
-    distance : A0, m
-    approach : delta_i + delta_o, m, of the axial load, N, and tan al
+    units : both contacts under 1 N, held: delta_i + delta_o = Q^(2/3) of theirs
+    Written delta cos al + play = A0 (1 - cos al), with a preload on the other side: ln of the left falls, ln of the
+    right rises with ln(tan al), both nearly straight for loads from nothing to far above A0. Without a start what opens
+    the angle is added up: the play, the load on a bearing without play (or against its preload), a load that dwarfs A0.
     """
+    distance, play, preload = bearing.groove_centre_distance, max(play, 0.0), max(-play, 0.0)
+    alone = (units[0].approach + units[1].approach) * np.cbrt(load / bearing.ball_count) ** 2  # delta of Q = Fa/Z, m
+    if start is None:
+        flat = (2 * alone / distance) ** (3 / 8)
+        flat = np.minimum(flat, (alone / preload) ** 1.5) if preload else flat
+        logarithm = np.log(np.sqrt(2 * play / distance) + flat + alone / distance)
+    else:
+        logarithm = np.log(start)
+    largest = np.inf
+    low, high = np.full_like(logarithm, LEAST), np.full_like(logarithm, MOST)
+    for _ in range(MOST_STEPS):
+        tangent = np.exp(logarithm)
+        secant = np.hypot(1, tangent)
+        cosine, sine = 1 / secant, tangent / secant
+        closing = alone * np.cbrt(sine) ** -2 * cosine  # delta cos al
+        opening = distance * sine**2 / (1 + cosine)  # A0 (1 - cos al), without the difference of two large numbers
+        left, right = closing + play, opening + preload
+        slope = closing * (2 / 3 * cosine**2 + sine**2) / left + distance * sine**2 * cosine / right
+        step = np.log(left / right) / slope
+        low, high = np.where(step > 0, logarithm, low), np.where(step < 0, logarithm, high)
+        newton = (logarithm + step >= low) & (logarithm + step <= high)
+        step = np.where(newton, step, (low + high) / 2 - logarithm)
+        logarithm = logarithm + step
+        largest = float(np.max(np.abs(step), initial=0.0))
+        if largest <= LAST_STEP:
+            return np.exp(logarithm)
+    raise _not_settled(MOST_STEPS, largest)
 
-    def excess(log_tangent: Array, load: Array) -> Array:
-        """(A0 + delta) cos al - A0 cos al0, m, without the difference of two large numbers."""
-        tangent = np.exp(log_tangent)
-        cosine = 1 / np.hypot(1, tangent)
-        return approach(load, tangent) * cosine + play - distance * (tangent * cosine) ** 2 / (1 + cosine)
 
-    low, high = np.full_like(load, -2.0), np.full_like(load, -1.0)  # bearings have angles of 0.13 to 0.35 rad
-    bracket = bracket_root(excess, low, high, args=(load,), xmin=LEAST, xmax=MOST)
-    root = find_root(
-        excess,
-        bracket.bracket,
-        args=(load,),
-        tolerances={"xrtol": ROOT_TOLERANCE, "xatol": ROOT_TOLERANCE},
-        maxiter=MOST_STEPS,
+def _not_settled(iterations: int, residual: float) -> ConvergenceError:
+    return ConvergenceError(
+        iterations=iterations,
+        residual=residual,
+        tolerance=LAST_STEP,
+        unit="of ln(tan al)",
+        problem="the loaded contact angle",
+        remedy="Check the axial load, the clearance and the materials for a slipped unit.",
     )
-    if not (np.all(bracket.success) and np.all(root.success)):
-        raise ConvergenceError(
-            iterations=int(np.max(root.nit)),
-            residual=float(np.max(np.abs(root.f_x))),
-            tolerance=float(ROOT_TOLERANCE),
-            unit="m",
-            problem="the loaded contact angle",
-            remedy="Check the axial load, the clearance and the materials for a slipped unit.",
-        )
-    return np.exp(root.x)

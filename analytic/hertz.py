@@ -8,10 +8,11 @@ B. C. Carlson, Numerical Algorithms 10 (1995) 13-26, and NIST DLMF sections 19.2
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import ellipkm1, elliprd
+from scipy.special import ellipe, ellipkm1, elliprd
 
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
 from analytic.scene import Array, Contact, Material
@@ -20,6 +21,9 @@ from analytic.scene import Array, Contact, Material
 LAST_STEP = 1e-7
 # The start is 1.7 from the root at a ratio of 1e6, 4.8 at 1e12: four or five steps reach round-off, the rest is margin.
 MOST_STEPS = 20
+# (K - E)/m loses digits to a difference as m goes to 0: Carlson's form, ten times as dear, stands in below this m.
+NEARLY_ROUND = 0.5
+NEAR_CIRCLE = 1e-4  # -ln s below which the slope of Newton's function is that of the circle to 1e-8
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -56,8 +60,7 @@ def hertz_contact(
         np.asarray(curvature_x) / np.asarray(curvature_y)
     )  # before broadcasting: solved once per geometry
     squared_ratio = _squared_axis_ratio(np.abs(log_ratio))
-    integral_k = ellipkm1(squared_ratio)
-    integral_d = elliprd(0.0, squared_ratio, 1.0) / 3
+    integral_k, integral_d = _integrals(squared_ratio)
 
     # Sizes at unit load, then powers of the load: finite stiffness and no 0/0 at zero load.
     root = np.cbrt(force)
@@ -71,6 +74,24 @@ def hertz_contact(
         peak_pressure=root * 3 / (2 * np.pi * major * minor),
         approach=root**2 * approach,
         stiffness=approach**-1.5,
+    )
+
+
+def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
+    """The contact that is known under 1 N, under another load; load broadcasts with its fields.
+
+    load : Q, N, >= 0
+    Sizes and pressure go with Q^(1/3), the approach with Q^(2/3): an ellipse keeps its shape.
+    Raises InputError if a load is negative or not finite.
+    """
+    require_non_negative(load=load)
+    root = np.cbrt(np.asarray(load, dtype=np.float64))
+    return HertzContact(
+        semi_axis_x=unit.semi_axis_x * root,
+        semi_axis_y=unit.semi_axis_y * root,
+        peak_pressure=unit.peak_pressure * root,
+        approach=unit.approach * root**2,
+        stiffness=unit.stiffness * np.ones_like(root),
     )
 
 
@@ -91,6 +112,19 @@ def contact_arguments(
     return along, across, force, stiff
 
 
+def _integrals(squared_ratio: Array) -> tuple[Array, Array]:
+    """(K, D) at m = 1 - squared_ratio, to a few roundings from the circle to the line."""
+    parameter = 1 - squared_ratio
+    integral_k = ellipkm1(squared_ratio)
+    nearly_round = parameter < NEARLY_ROUND
+    if not np.any(nearly_round):
+        return integral_k, (integral_k - ellipe(parameter)) / parameter
+    difference = np.asarray(integral_k - ellipe(parameter))
+    integral_d = np.divide(difference, parameter, out=difference, where=~nearly_round)
+    integral_d[nearly_round] = elliprd(0.0, np.asarray(squared_ratio)[nearly_round], 1.0) / 3
+    return integral_k, integral_d
+
+
 def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:
     """s = (minor/major)^2 for ln(larger/smaller curvature) >= 0, by Newton in t = -ln s.
 
@@ -98,21 +132,22 @@ def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:
     the root lies between 1 and 4/3 of it, and Newton kept in that bracket cannot fail.
     The start s = ratio^(-4/pi) is Hamrock and Brewe's fit, J. Lubr. Tech. 105 (1983) 171.
     """
-    t, largest = 4 / np.pi * log_curvature_ratio, np.inf
+    t, least, most, largest = 4 / np.pi * log_curvature_ratio, log_curvature_ratio, 4 / 3 * log_curvature_ratio, np.inf
     for _ in range(MOST_STEPS):
         s = np.exp(-t)
-        integral_d = elliprd(0.0, s, 1.0) / 3
-        ratio = (ellipkm1(s) - integral_d) / (s * integral_d)
-        with np.errstate(divide="ignore", invalid="ignore"):  # 0/0 at the circle, where the slope is 3/4 to within t^2
-            slope = np.where(t < 1e-4, 0.75, 1.5 + (ratio - 1) / (2 * np.expm1(-t)) * (1 / ratio + s))
+        integral_k, integral_d = _integrals(s)
+        ratio = (integral_k - integral_d) / (s * integral_d)
+        # 0/0 at the circle, where the slope is 3/4 to within t^2
+        bend = 2 * np.expm1(-np.maximum(t, NEAR_CIRCLE))
+        slope = np.where(t < NEAR_CIRCLE, 0.75, 1.5 + (ratio - 1) / bend * (1 / ratio + s))
         step = (log_curvature_ratio - np.log(ratio)) / slope
-        t = np.clip(t + step, log_curvature_ratio, 4 / 3 * log_curvature_ratio)
-        largest = float(np.max(np.abs(step), initial=0.0))
+        t = np.minimum(np.maximum(t + step, least), most)
+        largest = np.max(np.abs(step), initial=0.0)
         if largest < LAST_STEP:
             return np.exp(-t)
     raise ConvergenceError(
         iterations=MOST_STEPS,
-        residual=largest,
+        residual=float(largest),
         tolerance=LAST_STEP,
         unit="of ln(a/b)^2",
         problem="the ellipse",
@@ -120,6 +155,7 @@ def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:
     )
 
 
+@lru_cache(maxsize=64)  # every step of an equilibrium asks for it
 def contact_modulus(first: Material, second: Material) -> float:
     """E* of two bodies in contact, Pa: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Johnson 1985, eq. 3.15b).
 

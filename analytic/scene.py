@@ -155,6 +155,8 @@ class Operation:
 
     axial_load: Array  # N
     inner_speed: Array  # rad/s, the outer ring stands still
+    radial_load: Array | float = 0.0  # N, along x, which points at the first ball
+    moment: Array | float = 0.0  # N m, about y: it tilts the inner ring's x-side against the axial load
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -8,6 +8,7 @@ import re
 import reprlib
 import tomllib
 from collections.abc import Iterator
+from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
@@ -173,6 +174,9 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         yield _complaint(
             document, "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
         )
+    if table.bearing.diametral_clearance is not None and angle.free is not None:
+        problem = "and contact_angle.free both say how far the rings are apart; leave one of them out"
+        yield _complaint(document, "bearing.diametral_clearance", problem)
     lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list)}
     if len(set(lengths.values())) > 1:
         counts = " and ".join(f"operation.{key} has {count}" for key, count in lengths.items())
@@ -194,14 +198,19 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
 def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]]]:
     """The nouns, and what does not fit together in them."""
     given = table.bearing
+    inner, outer = _groove(given.inner), _groove(given.outer)
+    if given.diametral_clearance is not None:
+        opening = given.ball_diameter + given.diametral_clearance / 2 - (outer.bottom_radius - inner.bottom_radius)
+        inner = replace(inner, bottom_radius=inner.bottom_radius - opening / 2)
+        outer = replace(outer, bottom_radius=outer.bottom_radius + opening / 2)
     bearing = Bearing(
         name=given.name,
         ball_count=given.ball_count,
         ball_diameter=given.ball_diameter,
         ball_mass=given.ball_mass,
         ball_material=_material(given.ball_material),
-        inner=_groove(given.inner),
-        outer=_groove(given.outer),
+        inner=inner,
+        outer=outer,
         bore_diameter=given.bore_diameter,
         outside_diameter=given.outside_diameter,
         width=given.width,
@@ -230,7 +239,7 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         surface=surface,
         **({} if table.friction is None else _friction(table.friction)),
         effects=MappingProxyType(table.effects.model_dump()),
-        warnings=tuple(fit.doubts(bearing, cage)),
+        warnings=(*fit.doubts(bearing, cage), *_left_out(table.operation)),
     )
     return scene, misfits
 
@@ -273,8 +282,16 @@ def _friction(given: FrictionTable) -> dict[str, Any]:
 
 
 def _operation(given: OperationTable) -> Operation:
-    loads, speeds = np.broadcast_arrays(np.array(given.axial_load), np.array(given.inner_speed))
-    return Operation(axial_load=_frozen(loads), inner_speed=_frozen(speeds))
+    series = given.model_dump()
+    values = np.broadcast_arrays(*(np.array(value) for value in series.values()))
+    return Operation(**{key: _frozen(value) for key, value in zip(series, values, strict=True)})
+
+
+def _left_out(given: OperationTable) -> Iterator[str]:
+    """Warnings: loads that the friction torque does not know yet."""
+    for key in ("radial_load", "moment"):
+        if any(getattr(given, key)):
+            yield f"operation.{key} is known to analytic.ring alone: angle, contacts and torque are those of thrust"
 
 
 def _frozen(values: Array) -> Array:

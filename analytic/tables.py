@@ -46,6 +46,9 @@ Gap = Annotated[float, Dimension(unit="m", low=1e-9, high=10, example='"0.2 mm"'
 Mass = Annotated[float, Dimension(unit="kg", low=1e-12, high=1e4, example='"2.04 g"')]
 Angle = Annotated[float, Dimension(unit="rad", low=0, high=1.5, example='"0.18 rad"')]
 Force = Annotated[float, Dimension(unit="N", low=1e-15, high=1e12, example='"1000 N"')]
+Side = Annotated[float, Dimension(unit="N", low=-1e12, high=1e12, example='"500 N"')]
+Moment = Annotated[float, Dimension(unit="N m", low=-1e12, high=1e12, example='"2 N m"')]
+Clearance = Annotated[float, Dimension(unit="m", low=-1, high=1, example='"10 um"')]
 Speed = Annotated[float, Dimension(unit="rad/s", low=-1e6, high=1e6, example='"300 rpm"')]
 Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1 um"')]
 Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
@@ -97,6 +100,7 @@ class BearingTable(Table):
     bore_diameter: Length | None = None
     outside_diameter: Length | None = None
     width: Length | None = None
+    diametral_clearance: Clearance | None = None  # set by both bottom radii, with their mean kept; negative is preload
     contact_angle: ContactAngleTable = Field(
         description='give { rule = "solved" }, { rule = "solved", free = "0.18 rad" } '
         'or { rule = "given", value = "0.18 rad" }'
@@ -116,6 +120,8 @@ class CageTable(Table):
 class OperationTable(Table):
     axial_load: Annotated[list[Force], BeforeValidator(_series)] = Field(description='give for example "1000 N"')
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
+    radial_load: Annotated[list[Side], BeforeValidator(_series)] = [0.0]
+    moment: Annotated[list[Moment], BeforeValidator(_series)] = [0.0]
 
 
 class LubricantTable(Table):

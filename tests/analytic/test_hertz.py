@@ -10,7 +10,7 @@ from hypothesis import given
 from scipy.integrate import quad
 
 from analytic.errors import InputError
-from analytic.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
+from analytic.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact, relative_curvatures
 from analytic.scene import Contact, Material
 
 FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach", "stiffness")
@@ -179,6 +179,15 @@ def test_zero_load_is_no_contact_of_finite_stiffness() -> None:
     found = contact(load=0.0)
     assert [float(getattr(found, field)) for field in FIELDS[:4]] == [0, 0, 0, 0]
     np.testing.assert_allclose(found.stiffness, contact().stiffness, rtol=ROUND_OFF)
+
+
+def test_a_contact_under_one_newton_gives_that_under_any_load() -> None:
+    loads = np.array([0.0, 3.7e-5, LOAD])
+    scaled, direct = loaded_contact(contact(load=1.0), load=loads), contact(load=loads)  # pyright: ignore[reportArgumentType]
+    for field in FIELDS:
+        np.testing.assert_allclose(getattr(scaled, field), getattr(direct, field), rtol=ROUND_OFF, err_msg=field)
+    with pytest.raises(InputError, match="load must be at least 0"):
+        loaded_contact(contact(), load=-2.0)
 
 
 def test_arguments_broadcast() -> None:

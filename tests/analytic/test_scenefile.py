@@ -129,6 +129,24 @@ def test_seats_and_width_may_be_left_out() -> None:
     assert (wide.bore_diameter, wide.width) == (None, 9e-3)
 
 
+def test_radial_load_and_moment_of_a_ring() -> None:
+    found = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
+    np.testing.assert_array_equal(found.operation.radial_load, [-400.0, 0.0])
+    np.testing.assert_allclose(found.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
+    assert ["radial_load" in warning for warning in found.warnings] == [True, False]
+    assert "moment" in found.warnings[1]
+    np.testing.assert_array_equal(scene(PLAIN).operation.radial_load, [0.0, 0.0])
+
+
+@pytest.mark.parametrize("clearance", [13e-6, -7e-6])
+def test_a_clearance_moves_both_rings(bearing_6205, clearance: float) -> None:
+    key = f'catalog = "6205"\ndiametral_clearance = "{clearance * 1e6} um"'
+    found = scene(changed('catalog = "6205"', key)).bearing
+    np.testing.assert_allclose(found.diametral_clearance, clearance, rtol=1e-9)  # a difference of radii of 20 mm
+    np.testing.assert_allclose(found.pitch_diameter, bearing_6205.pitch_diameter, rtol=1e-15)  # one rounding
+    assert found.inner.bottom_radius != bearing_6205.inner.bottom_radius
+
+
 def test_no_cage_table_is_no_cage() -> None:
     assert scene(PLAIN).cage is None
     wide = scene(PLAIN + '[cage]\npocket_clearance = "0.3 mm"').cage
@@ -251,6 +269,12 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
     (changed('"700 N"', '"2**1000000 N"'), ("operation.axial_load", '"1000 N"')),
     (changed('"700 N"', '"7 N^9999999"'), ("operation.axial_load", '"1000 N"')),
     (changed('"700 N"', '"7 __import__"'), ("operation.axial_load", '"1000 N"')),
+    (changed('"700 N"', '"700 N"\nmoment = "3 N"'), ("operation.moment = '3 N'", "unit like N m")),
+    (changed('"700 N"', '"700 N"\nradial_load = []'), ("operation.radial_load = []", "empty")),
+    (
+        changed('"solved" }', '"solved", free = "0.1 rad" }\ndiametral_clearance = "5 um"'),
+        ("bearing.diametral_clearance = '5 um'", "contact_angle.free", "leave one of them out"),
+    ),
     (changed('"700 N"', "[]"), ("operation.axial_load = []", "empty")),
     (changed('"700 N"', "true"), ("operation.axial_load = True", '"1000 N"')),
     (changed('"700 N"', '["5 N", "6 N", 7]'), ("operation.axial_load[2] = 7", "no unit")),

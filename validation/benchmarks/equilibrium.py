@@ -1,0 +1,155 @@
+"""Accuracy and price of the load equilibria: python validation/benchmarks/equilibrium.py
+
+Prints the processor time of a thrust point, of a long series and of ring equilibria, how far the ring's pure thrust is
+from the closed form, and two cross-checks with numbers of others in validation/published: a program's ring
+displacements and a maker's axial rigidity of a preloaded pair. Times are the machine's, of one thread.
+"""
+
+import os
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from analytic import hertz_contact, load_scene, ring_equilibrium, thrust_equilibrium
+from analytic.scene import Bearing, ContactAngle, Groove, Material
+from analytic.scenefile import builtin_scene
+
+PUBLISHED = Path(__file__).parents[1] / "published"
+SOLVED = ContactAngle(rule="solved")
+GROOVES = (0.515, 0.52, 0.525)  # over the ball diameter: the maker does not say
+steel = Material(name="steel", youngs_modulus=210e9, poisson_ratio=0.3, density=7850.0, source="usual values")
+out = Console(width=110)
+
+
+def main() -> None:
+    times()
+    thrust_limit()
+    displacements()
+    rigidity()
+
+
+def seconds(call: Callable[[], object], *, repeats: int) -> float:
+    """Least processor time of a warm call."""
+    call()
+    spent = []
+    for _ in range(repeats):
+        start = time.process_time()
+        call()
+        spent.append(time.process_time() - start)
+    return min(spent)
+
+
+def times() -> None:
+    scene = load_scene(builtin_scene("6205"))
+    bearing, rule = scene.bearing, scene.contact_angle
+    random = np.random.default_rng(5)
+    many = random.uniform(20, 2000, 100_000)
+    load: dict[str, Any] = {"axial_load": many[:10_000], "radial_load_x": random.uniform(0, 1000, 10_000)}
+    single: dict[str, Any] = {"axial_load": 300.0, "radial_load_x": 500.0}
+    curvatures = np.geomspace(37.0, 3.7e7, 10**6)
+    calls = {
+        "one million Hertz contacts, s": (
+            lambda: hertz_contact(curvature_x=curvatures, curvature_y=37.0, load=620.0, modulus=1.13e11),
+            3,
+            1.0,
+        ),
+        "one thrust point, ms": (lambda: thrust_equilibrium(bearing, rule, axial_load=1000.0), 200, 1e3),
+        "100 000 thrust points, s": (lambda: thrust_equilibrium(bearing, rule, axial_load=many), 3, 1.0),
+        "one ring point, 9 balls at rest, ms": (lambda: ring_equilibrium(bearing, rule, **single), 100, 1e3),
+        "the same at 500 rad/s, ms": (lambda: ring_equilibrium(bearing, rule, **single, inner_speed=500.0), 50, 1e3),
+        "10 000 ring points at rest, s": (lambda: ring_equilibrium(bearing, rule, **load), 2, 1.0),
+        "10 000 ring points at 500 rad/s, s": (
+            lambda: ring_equilibrium(bearing, rule, **load, inner_speed=500.0),
+            1,
+            1.0,
+        ),
+    }
+    table = Table("processor time", "least of a few")
+    for name, (call, repeats, unit) in calls.items():
+        table.add_row(name, f"{seconds(call, repeats=repeats) * unit:.3g}")
+    out.print(table)
+
+
+def thrust_limit() -> None:
+    scene = load_scene(builtin_scene("6205"))
+    loads = np.geomspace(1e-3, 1e5, 33)
+    ring = ring_equilibrium(scene.bearing, scene.contact_angle, axial_load=loads)
+    thrust = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=loads)
+    worst = np.abs(ring.inner_load / thrust.ball_load[:, None] - 1).max()
+    out.print(f"pure thrust, 1 mN to 100 kN: ball loads of the ring within {worst:.1e} of the closed form")
+
+
+def displacements() -> None:
+    rows = np.genfromtxt(PUBLISHED / "masta_ring_displacement.csv", delimiter=",", names=True, skip_header=4)
+    table = Table("clearance, um", "radial, N", "axial, N", "moment, N mm", "radial, um", "axial, um", "tilt, mrad")
+    for row in rows:
+        pitch = 43.5e-3
+        bearing = made(ball=11.5e-3, pitch=pitch, count=7, grooves=(0.52, 0.53), clearance=row["clearance_mm"] * 1e-3)
+        # There the tilt acts, and the moment is taken, at half the pitch; here at the circle of groove centres.
+        arms = (bearing.inner.bottom_radius + bearing.inner.groove_radius) / (pitch / 2)
+        axial, x, y, tilt_x, tilt_y = ring_equilibrium(
+            bearing,
+            SOLVED,
+            axial_load=row["axial_N"],
+            radial_load_x=row["radial_N"],
+            moment_x=row["moment_N_mm"] * 1e-3 * arms,
+        ).displacement
+        ours = (np.hypot(x, y) * 1e6, axial * 1e6, np.hypot(tilt_x, tilt_y) * 1e3 * arms)
+        theirs = (row["radial_um"], row["axial_um"], row["tilt_mrad"])
+        pairs = ["" if np.isnan(b) else f"{a:.4f} ({b:.4f})" for a, b in zip(ours, theirs, strict=True)]
+        table.add_row(
+            f"{row['clearance_mm'] * 1e3:g}", *(f"{row[k]:g}" for k in ("radial_N", "axial_N", "moment_N_mm")), *pairs
+        )
+    out.print("Ring displacement, and in brackets that of MASTA as noted by others (cross-check):", table)
+
+
+def rigidity() -> None:
+    rows = np.genfromtxt(PUBLISHED / "gmn_axial_rigidity.csv", delimiter=",", names=True, skip_header=2)
+    table = Table("preload, N", "maker", *(f"groove radius {groove:g} D" for groove in GROOVES))
+    found = [axial_rigidity_of_pair(groove, rows["preload_N"]) for groove in GROOVES]
+    for index, row in enumerate(rows):
+        maker = f"{row['axial_rigidity_of_pair_N_per_um']:g}"
+        table.add_row(f"{row['preload_N']:g}", maker, *(f"{values[index] / 1e6:.1f}" for values in found))
+    out.print("Axial rigidity of a preloaded pair GMN S 6205 C TA, N/um (cross-check: groove radii unknown):", table)
+
+
+def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
+    """N/m of two equal bearings set against each other by a rigid preload: twice the tangent of one."""
+    ball = 7.938e-3
+    clearance = 2 * (2 * groove - 1) * ball * (1 - np.cos(np.radians(15)))
+    bearing = made(ball=ball, pitch=38.5e-3, count=13, grooves=(groove, groove), clearance=clearance)
+    return 2 * ring_equilibrium(bearing, SOLVED, axial_load=preload).stiffness[:, 0, 0]
+
+
+def made(*, ball: float, pitch: float, count: int, grooves: tuple[float, float], clearance: float) -> Bearing:
+    """A steel bearing from its ball and pitch diameter and the groove radii over the ball's diameter."""
+    inner, outer = (
+        Groove(
+            bottom_radius=pitch / 2 + side * (ball / 2 + clearance / 4),
+            groove_radius=groove * ball,
+            shoulder_half_width=0.4 * ball,
+            material=steel,
+        )
+        for side, groove in zip((-1, 1), grooves, strict=True)
+    )
+    return Bearing(
+        name="made",
+        ball_count=count,
+        ball_diameter=ball,
+        ball_mass=steel.density * np.pi / 6 * ball**3,
+        ball_material=steel,
+        inner=inner,
+        outer=outer,
+    )
+
+
+if __name__ == "__main__":
+    main()
