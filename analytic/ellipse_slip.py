@@ -28,7 +28,7 @@ Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; a
 # Net force left over, of all the friction there is: round-off of the sum of a thousand nodes.
 BALANCED = 1e-14
 NARROWEST = 4 * np.finfo(np.float64).eps  # bracket of c, of the largest speed
-MOST_STEPS = 100  # each at least halves the bracket; 5 to 8 are usual
+MOST_STEPS = 100  # each at least halves the bracket; 3 to 9 are usual
 NODES = 16  # along each side of a panel: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
 
 
@@ -57,7 +57,7 @@ def slip_over_ellipse(
 
     traction : (pressure, speed) -> stress, Pa, >= 0, each of shape (*points, nodes): pressure >= 0 in Pa, speed |v| in
         m/s. Coulomb friction is `lambda pressure, speed: 0.08 * pressure`. It must not fall where the speed grows, or
-        more than one c may leave no force
+        more than one c may leave no force; a law with a kink, such as a cap, needs more nodes
     peak_pressure : p0, Pa, >= 0;  semi_axis_rolling, semi_axis_transverse : a, b, m, > 0;  deformed_radius : R, m, > 0
     rolling_rate : w_roll, rad/s, >= 0;  spin_rate : w_s, rad/s, any sign. If traction does not ask for the speed,
         both may be per unit ring speed; creep speed and slip power are then, too

@@ -1,5 +1,7 @@
 """Slip over the whole contact: tractions with an exact answer, limits of Coulomb friction, a brute sum, power."""
 
+from typing import Any
+
 import hypothesis.strategies as st
 import numpy as np
 import pytest
@@ -21,15 +23,16 @@ def coulomb(pressure: np.ndarray, speed: np.ndarray) -> np.ndarray:  # noqa: ARG
     return MU * pressure
 
 
-def contact(k: float) -> dict[str, float]:
+def contact(k: float, **changed: Any) -> dict[str, Any]:
     """Of the ellipticity b/a, under the load Q."""
-    return {
+    usual = {
         "peak_pressure": 3 * Q / (2 * np.pi * B**2 / k),
         "semi_axis_rolling": B / k,
         "semi_axis_transverse": B,
         "deformed_radius": R,
         "rolling_rate": ROLL,
     }
+    return usual | changed
 
 
 def spin_of(eps: float) -> float:
@@ -117,7 +120,7 @@ def test_a_constant_stress_in_full_spin() -> None:
     found = slip_over_ellipse(
         traction=lambda pressure, speed: np.full(np.broadcast(pressure, speed).shape, 5e6),
         spin_rate=23.0,
-        **(contact(1.0) | {"rolling_rate": 0.0}),
+        **contact(1.0, rolling_rate=0.0),
     )
     np.testing.assert_allclose(found.spin_moment, 2 / 3 * np.pi * 5e6 * B**3, rtol=1e-6)
     np.testing.assert_allclose(found.creep_speed, 0, atol=1e-12)
@@ -147,7 +150,7 @@ def test_the_moments_are_the_slopes_of_the_power(slip, eps: float) -> None:
     step = 1e-4
 
     def power(spin: float, roll: float) -> float:
-        values = contact(3.0) | {"rolling_rate": roll}
+        values = contact(3.0, rolling_rate=roll)
         return float(slip(traction=coulomb, spin_rate=spin, nodes=32, **values).slip_power)
 
     spin = spin_of(eps)
@@ -179,9 +182,9 @@ def test_the_spin_moment_is_odd_and_the_rolling_moment_even() -> None:
 
 def test_a_contact_that_neither_rolls_nor_spins_rests() -> None:
     for slip in ALL:
-        found = slip(traction=coulomb, spin_rate=0.0, **(contact(3.0) | {"rolling_rate": 0.0}))
+        found = slip(traction=coulomb, spin_rate=0.0, **contact(3.0, rolling_rate=0.0))
         assert [float(value) for value in vars(found).values()] == [0.0] * 4
-        unloaded = slip(traction=coulomb, spin_rate=2.0, **(contact(3.0) | {"peak_pressure": 0.0}))
+        unloaded = slip(traction=coulomb, spin_rate=2.0, **contact(3.0, peak_pressure=0.0))
         assert unloaded.spin_moment == unloaded.rolling_moment == unloaded.slip_power == 0
 
 
@@ -191,14 +194,14 @@ def test_points_broadcast_and_the_traction_may_have_numbers_of_its_own() -> None
     table = slip_over_ellipse(
         traction=lambda pressure, speed: mu[:, None] * pressure,  # noqa: ARG005
         spin_rate=spin,
-        **(contact(3.0) | {"rolling_rate": np.array([ROLL, 1.1 * ROLL])}),
+        **contact(3.0, rolling_rate=np.array([ROLL, 1.1 * ROLL])),
     )
     assert table.spin_moment.shape == table.creep_speed.shape == (3, 2)
     for i, j in np.ndindex(3, 2):
         alone = slip_over_ellipse(
             traction=lambda pressure, speed, j=j: mu[j] * pressure,  # noqa: ARG005
             spin_rate=spin[i, 0],
-            **(contact(3.0) | {"rolling_rate": ROLL * (1.0, 1.1)[j]}),
+            **contact(3.0, rolling_rate=ROLL * (1.0, 1.1)[j]),
         )
         for name, values in vars(table).items():
             # c is found to 1e-14 of force; some points go on while others wait
@@ -219,7 +222,20 @@ def test_points_broadcast_and_the_traction_may_have_numbers_of_its_own() -> None
 def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:
     for slip in ALL:
         with pytest.raises(InputError, match=message):
-            slip(traction=coulomb, **(contact(3.0) | {"spin_rate": 2.0} | changed))
+            slip(traction=coulomb, **contact(3.0, **({"spin_rate": 2.0} | changed)))
+
+
+def test_the_forceless_creep_takes_few_steps() -> None:
+    """Two sums a step; halving the bracket alone would take a hundred."""
+    for slip in ALL:
+        calls = []
+
+        def counted(pressure: np.ndarray, speed: np.ndarray, calls: list[int] = calls) -> np.ndarray:
+            calls.append(pressure.size)
+            return sinh_law(pressure, speed)
+
+        slip(traction=counted, spin_rate=np.array([spin_of(eps) for eps in (0.0, *SPINS)]), **contact(3.0))
+        assert len(calls) <= 2 + 2 * 10 + 1  # both ends, ten steps, the result
 
 
 def test_a_traction_that_is_no_number_is_not_settled() -> None:
