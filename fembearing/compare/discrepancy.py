@@ -18,7 +18,7 @@ from analytic.torque import STATIC_LIMIT
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
 from fembearing.compare.reference import COMPARED, Estimates, solve_reference
-from fembearing.compare.ring_structure import RingStructure, ring_structure
+from fembearing.compare.ring import RingStructure, ring_structure
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities

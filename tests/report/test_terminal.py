@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from rich.console import Console
 
-from fembearing.compare.ring_structure import RingStructure
+from fembearing.compare.ring import RingStructure
 from fembearing.compare.validation import Validation
 from fembearing.report.terminal import print_validation
 

@@ -7,9 +7,9 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile import builtin_scene, load_scene, parse_scene
-from fembearing.compare import ring_structure as module
+from fembearing.compare import ring as module
 from fembearing.compare.discrepancy import solve_contact
-from fembearing.compare.ring_structure import ring_structure
+from fembearing.compare.ring import ring_structure
 from fembearing.compare.uncertainty import Estimate
 from fembearing.mesh.recipe import load_recipe
 
