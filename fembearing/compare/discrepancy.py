@@ -18,7 +18,7 @@ from analytic.torque import STATIC_LIMIT
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
 from fembearing.compare.reference import COMPARED, Estimates, solve_reference
-from fembearing.compare.ring import RingStructure, ring_structure
+from fembearing.compare.ring import RingStructure, structure_of_ring
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.verdict import Verdict, judge, worst
 from fembearing.fem.measure import Quantities
@@ -164,7 +164,7 @@ def solve_contact(
 def with_ring(found: ContactSolution) -> ContactSolution:
     """A solved race contact with what its ring adds. Raises InputError if the ring is not known or cannot be meshed."""
     recipe = load_recipe(RECIPES["ring"])
-    return replace(found, ring=ring_structure(found.meshes, found.estimates["approach"], recipe=recipe))
+    return replace(found, ring=structure_of_ring(found.meshes, found.estimates["approach"], recipe=recipe))
 
 
 def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contact:

@@ -37,7 +37,7 @@ class RingStructure:
         return {"approach": self.approach, "share": self.share, "uncertainty": self.uncertainty}
 
 
-def ring_structure(meshes: Sequence[MeshSolution], approach: Estimate, *, recipe: Recipe) -> RingStructure:
+def structure_of_ring(meshes: Sequence[MeshSolution], approach: Estimate, *, recipe: Recipe) -> RingStructure:
     """The structural part of a contact that was solved on `meshes`, of which the first two are used.
 
     approach : what the meshes say of the contact's

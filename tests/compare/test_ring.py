@@ -9,7 +9,11 @@ from analytic.errors import InputError
 from analytic.scenefile import builtin_scene, load_scene, parse_scene
 from fembearing.compare import ring as module
 from fembearing.compare.discrepancy import solve_contact
+<<<<<<< HEAD:tests/compare/test_ring.py
 from fembearing.compare.ring import ring_structure
+=======
+from fembearing.compare.ring_structure import structure_of_ring
+>>>>>>> ring:tests/compare/test_ring_structure.py
 from fembearing.compare.uncertainty import Estimate
 from fembearing.mesh.recipe import load_recipe
 
@@ -43,7 +47,7 @@ def test_the_endless_half_space_takes_the_place_of_the_block(monkeypatch: pytest
     monkeypatch.setattr(module, "block_compression", lambda mesh: blocks[mesh.level])
     meshes: Any = [SimpleNamespace(level=level) for level in (1, 2, 3)]
     approach = Estimate(values=(4e-6, 4.9e-6, 5.1e-6), order=3.0, richardson=5e-6, mesh=0.1, beyond=0.02, domain=0.01)
-    found = ring_structure(meshes, approach, recipe=load_recipe("race"))
+    found = structure_of_ring(meshes, approach, recipe=load_recipe("race"))
     assert found.approach == pytest.approx(-0.35e-6, rel=1e-9)  # round-off of differences
     assert found.share == pytest.approx(-0.35 / 5.1, rel=1e-9)
     assert found.mesh == pytest.approx(0.01e-6, rel=1e-9)  # a third of -0.25 less -0.22
