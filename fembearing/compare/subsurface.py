@@ -37,8 +37,8 @@ class SubsurfaceComparison:
 def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> SubsurfaceComparison:
     """Both sides of the greatest shear and von Mises stress; solves one body of the last two meshes once more.
 
-    The uncertainty is the last change, or 0.03 % where that is more, as for every quantity without a steady order; the
-    far boundary adds what it does to the peak pressure, and to depths what it does to the minor semi-axis.
+    The uncertainty is the last change, or 0.03 % where that is more; the far boundary adds what it does to the peak
+    pressure, and to depths what it does to the minor semi-axis.
     """
     noun, hertz = solution.contact, solution.hertz
     material = noun.race_material if side == "lower" else noun.ball_material
