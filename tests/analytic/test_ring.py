@@ -393,7 +393,9 @@ def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
         (SOLVED, {"radial_load_x": 1e9}, ("out of its groove", "pi/2")),
     ],
 )
-def test_what_cannot_be_is_refused(bearing_6205: Bearing, angle: ContactAngle, changed: dict, words: tuple) -> None:
+def test_what_cannot_be_is_refused(
+    bearing_6205: Bearing, angle: ContactAngle, changed: dict[str, Any], words: tuple
+) -> None:
     with pytest.raises(InputError) as refusal:
-        ring_equilibrium(bearing_6205, angle, **({"axial_load": 5.0} | changed))
+        ring_equilibrium(bearing_6205, angle, axial_load=5.0, **changed)
     assert all(word in str(refusal.value) for word in words), refusal.value
