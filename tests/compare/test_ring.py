@@ -9,11 +9,7 @@ from analytic.errors import InputError
 from analytic.scenefile import builtin_scene, load_scene, parse_scene
 from fembearing.compare import ring as module
 from fembearing.compare.discrepancy import solve_contact
-<<<<<<< HEAD:tests/compare/test_ring.py
-from fembearing.compare.ring import ring_structure
-=======
-from fembearing.compare.ring_structure import structure_of_ring
->>>>>>> ring:tests/compare/test_ring_structure.py
+from fembearing.compare.ring import structure_of_ring
 from fembearing.compare.uncertainty import Estimate
 from fembearing.mesh.recipe import load_recipe
 
