@@ -4,21 +4,20 @@ Chooses terms and coefficients for each quantity from the set `fit` of solves.cs
 `bearing`, prints how far off they are, and writes analytic/catalog/corrections/finite_geometry.toml. Takes a second.
 
 Least squares, weighted with the solves' uncertainties. Terms come one at a time, each the candidate that lowers the
-error at the point left out most (exact: a point's error without it is its residual over 1 - leverage), and the fewest
-are kept whose mean square at left-out points is within one standard error of the least.
+error at the point left out most (exact: a point's error without it is its residual over 1 - leverage). The fewest are
+kept whose mean square at left-out points is within one standard error of the least, or is down to what the solves
+themselves may be off: from there on, terms would follow the meshes' errors.
 """
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
-from solve import BOX, HERE, OFF_SHOULDER, QUANTITIES, SEED, read_rows
+from solve import BOX, HERE, OFF_SHOULDER, QUANTITIES, read_rows
 
 from analytic import catalog
 from analytic.finite_geometry import ContactShape, monomial, shape_bases, uncertainty_growth
@@ -27,6 +26,7 @@ STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40
 PARALLEL = 1e-6  # of a column's length: what is left of one that the chosen ones already span
 LEAST_UNCERTAINTY = 3e-4  # of a solve, half-width: below it the fit's own misfit, not the solves, sets the error
+NOISE = 0.25  # mean square error of a solve, in its half-widths of 95 %, which are two standard deviations
 Array = NDArray[np.float64]
 Powers = dict[str, int]
 out = Console(width=110)
@@ -150,7 +150,7 @@ def chosen_terms(columns: Array, values: Array) -> list[int]:
         residual, leverage = residual - taken * (taken @ residual), leverage + taken**2
         rest = rest - np.outer(taken, taken @ rest)
     least = int(np.argmin(mean))
-    return chosen[: int(np.argmax(np.array(mean) <= mean[least] + error[least]))]
+    return chosen[: int(np.argmax(np.array(mean) <= max(mean[least] + error[least], NOISE)))]
 
 
 def uncertainty_of(fit: Fit, solves: Solves, quantity: str) -> float:
@@ -172,8 +172,8 @@ def spread(error: Array) -> dict[str, float]:
 def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solves) -> Iterator[str]:
     """The stored file, line by line."""
     (head, *rest) = (line for line in (HERE / "solves.csv").read_text("utf-8").splitlines() if line.startswith("#"))
-    yield "# Hertz's contact corrected for the true shape of ball and groove: read by analytic/finite_geometry.py, written by"
-    yield "# validation/correction/fit.py from validation/correction/solves.csv. Errors and uncertainties are relative."
+    yield "# Hertz's contact corrected for the true shape of ball and groove: read by analytic/finite_geometry.py, written"
+    yield "# by validation/correction/fit.py from validation/correction/solves.csv. Errors and uncertainties are relative."
     dates = sorted({row["date"] for row in read_rows()})
     yield ""
     yield "[provenance]"

@@ -1,12 +1,12 @@
 """The solves behind the correction of Hertz for finite geometry: python validation/correction/solve.py
 
-Solves contacts of true shape by finite elements and stores each quantity over Hertz's with its uncertainty in solves.csv,
-where fit.py finds them. Three sets: `fit`, a Sobol sequence over the box below; `held out`, random contacts of that
+Solves contacts of true shape by finite elements and stores each quantity over Hertz's, with its uncertainty, in
+solves.csv, where fit.py finds them. Three sets: `fit`, a Sobol sequence over the box below; `held out`, random contacts of that
 box; `bearing`, both races of the bearings in bearings.toml under random loads. The fit sees the first alone.
 
 A contact is what `analytic.finite_geometry.ContactShape` holds; nothing else matters in elasticity. Rolling curvatures
-are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (of the heavy series 64), r/R is g/(1 - g) on
-the inner and -g/(1 + g) on the outer race, from -0.25 to 0.48.
+are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (of the heavy series 64), r/R is g/(1 - g)
+on the inner and -g/(1 + g) on the outer race, from -0.25 to 0.48.
 A run that was interrupted goes on where it stopped.
 """
 
