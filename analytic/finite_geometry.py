@@ -29,6 +29,7 @@ from analytic.hertz import contact_modulus, hertz_contact
 from analytic.scene import Array, Bearing, Contact, ContactAngle, Material
 
 OFF_SHOULDER = 1.15  # Hertz's semi-axes b that every solved contact kept from its centre to the shoulder, at least
+SMALL = 0.1  # b/r below which the factors' uncertainty falls with it, as the factors do: a point contact is Hertz's
 TINIEST = 1e-300  # stands for a size of 0, whose logarithm is multiplied by it
 
 
@@ -87,7 +88,7 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
         for name, quantity in fit["quantity"].items():
             change = sum(term["coefficient"] * monomial(bases, term["powers"]) for term in quantity["terms"])
             factors[name] = np.where(covered, 1 + change, 1.0)
-            half_width = quantity["uncertainty"] * uncertainty_growth(values["size"])
+            half_width = quantity["uncertainty"] * np.minimum(1, values["size"] / SMALL)
             uncertainty[name] = np.where(covered, half_width, np.nan)
     return CorrectedGeometry(
         factors=ContactFactors(**factors), uncertainty=MappingProxyType(uncertainty), covered=covered, warnings=warnings
@@ -185,11 +186,6 @@ def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
 def stored_fit() -> dict[str, Any]:
     """The fit with its provenance, as stored."""
     return catalog.entry("corrections", "finite_geometry")
-
-
-def uncertainty_growth(size: Array) -> Array:
-    """How the factors' uncertainty grows with b/r: 1 at 0.45."""
-    return size
 
 
 def _covered(values: Mapping[str, Array], limits: Mapping[str, Any]) -> tuple[NDArray[np.bool_], tuple[str, ...]]:

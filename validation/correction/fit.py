@@ -20,7 +20,7 @@ from rich.table import Table
 from solve import BOX, HERE, OFF_SHOULDER, QUANTITIES, read_rows
 
 from analytic import catalog
-from analytic.finite_geometry import ContactShape, monomial, shape_bases, uncertainty_growth
+from analytic.finite_geometry import SMALL, ContactShape, monomial, shape_bases
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40
@@ -110,7 +110,14 @@ def candidates() -> Iterator[Powers]:
         yield {"size": 1, "ball_drift": 1} | slender
         for part in race[:2]:
             yield {"size": 1, "race_drift": 1} | part | slender
-    curvatures: list[Powers] = [{}, race[0], race[1], {"rolling_curvature": 2}, race[0] | race[1]]
+    curvatures: list[Powers] = [
+        {},
+        race[0],
+        race[1],
+        {"rolling_curvature": 2},
+        {"groove_curvature": 2},
+        race[0] | race[1],
+    ]
     elastic: list[Powers] = [{}, {"ball_share": 1}, {"ball_drift": 1}, {"race_drift": 1}]
     for size, power, curvature, part in product((2, 3, 4), range(3), curvatures, elastic):
         yield {"size": size} | curvature | ({"axis_ratio": power} if power else {}) | part
@@ -154,10 +161,10 @@ def chosen_terms(columns: Array, values: Array) -> list[int]:
 
 
 def uncertainty_of(fit: Fit, solves: Solves, quantity: str) -> float:
-    """Half-width, 95 %, at b/r = 0.45: of the fit at points left out, and of the solves, added."""
-    growth = uncertainty_growth(np.asarray(solves.shape.size))
-    interpolation = float(np.quantile(np.abs(fit.left_out) / growth, 0.95))
-    return interpolation + float(np.median(solves.uncertainty[quantity]))
+    """Half-width, 95 %, of all but the smallest contacts: of the fit at points left out, and of the solves, added."""
+    large = np.asarray(solves.shape.size) >= SMALL
+    interpolation = float(np.quantile(np.abs(fit.left_out[large]), 0.95))
+    return interpolation + float(np.median(solves.uncertainty[quantity][large]))
 
 
 def rms(values: Array) -> float:
@@ -172,15 +179,15 @@ def spread(error: Array) -> dict[str, float]:
 def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solves) -> Iterator[str]:
     """The stored file, line by line."""
     (head, *rest) = (line for line in (HERE / "solves.csv").read_text("utf-8").splitlines() if line.startswith("#"))
-    yield "# Hertz's contact corrected for the true shape of ball and groove: read by analytic/finite_geometry.py, written"
-    yield "# by validation/correction/fit.py from validation/correction/solves.csv. Errors and uncertainties are relative."
+    yield "# Hertz's contact corrected for the true shape of ball and groove: read by analytic/finite_geometry.py,"
+    yield "# written by validation/correction/fit.py from solves.csv beside it. Errors and uncertainties are relative."
     dates = sorted({row["date"] for row in read_rows()})
     yield ""
     yield "[provenance]"
     yield f'about = "{head[2:]}"'
     for line in rest:
         name, _, value = line[2:].partition(": ")
-        yield f'{name.replace(" ", "_")} = "{value}"'
+        yield f'{name} = "{value}"'
     yield f'solver = "{", ".join(sorted(fitted.solver | held_out.solver | bearings.solver))}"'
     yield f'dates = "{dates[0]} to {dates[-1]}"'
     yield 'fit = "python validation/correction/fit.py"'
@@ -192,7 +199,7 @@ def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solve
     for name, fit in fits.items():
         yield ""
         yield f"[quantity.{name}]"
-        yield f"uncertainty = {uncertainty_of(fit, fitted, name):.2g} # at b/r = 0.45, 95 %"
+        yield f"uncertainty = {uncertainty_of(fit, fitted, name):.2g} # half-width, 95 %"
         yield f"numerical_uncertainty = {np.median(fitted.uncertainty[name]):.2g} # of a solve, median"
         for label, error in (
             ("left_out", fit.left_out),

@@ -1,8 +1,9 @@
 """The solves behind the correction of Hertz for finite geometry: python validation/correction/solve.py
 
 Solves contacts of true shape by finite elements and stores each quantity over Hertz's, with its uncertainty, in
-solves.csv, where fit.py finds them. Three sets: `fit`, a Sobol sequence over the box below; `held out`, random contacts of that
-box; `bearing`, both races of the bearings in bearings.toml under random loads. The fit sees the first alone.
+solves.csv, where fit.py finds them. Three sets: `fit`, a Sobol sequence over the box below; `held out`, random
+contacts of that box; `bearing`, both races of the bearings in bearings.toml under random loads. The fit sees the first
+alone.
 
 A contact is what `analytic.finite_geometry.ContactShape` holds; nothing else matters in elasticity. Rolling curvatures
 are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (of the heavy series 64), r/R is g/(1 - g)
@@ -79,6 +80,7 @@ def main(
     for group, number, name, shape in track(ahead, console=Console(stderr=True)):
         rows.append({"set": group, "number": str(number), "name": name} | origin | solved(shape))
         write_rows(rows)
+    write_rows(rows)
 
 
 def drawn(group: str, count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
@@ -188,7 +190,8 @@ def provenance() -> Iterator[str]:
     yield "generator: python validation/correction/solve.py"
     yield f"seeds: {SEED} (fit, scrambled Sobol), {SEED + 1} (held out), {SEED + 2} (bearing)"
     yield f"mesh: recipe race, levels {', '.join(map(str, LEVELS))}, extrapolated"
-    yield ", ".join(f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy", "scikit-fem"))
+    versions = (f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy", "scikit-fem"))
+    yield f"versions: {', '.join(versions)}"
 
 
 def solver_commit() -> str:
