@@ -147,17 +147,17 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
     ball_drift, race_drift : s (1 - 2 nu)/(1 - nu): by which a load draws the surface towards itself
     ball_bulk, race_bulk : s/(1 - nu^2): E*/E
     log_drift : sum over both bodies of s (1 - 2 nu)^2/(1 - nu) R_ball/R, R of the mean curvature, times ln(b/r)
-    rolling_curvature : r/R;  groove_curvature : r/r_g;  shoulder_curvature : r over the shoulder's distance
+    rolling_curvature : r/R;  openness : 1 - r/r_g;  shoulder_curvature : r over the shoulder's distance
     """
     given = _broadcast(shape)
     size, rolling = given["size"], given["rolling_curvature"]
-    groove, share = 0.5 / given["conformity"], given["ball_share"]
-    unit = hertz_contact(curvature_x=1 + rolling, curvature_y=1 - groove, load=1.0, modulus=1.0)
+    openness, share = 1 - 0.5 / given["conformity"], given["ball_share"]
+    unit = hertz_contact(curvature_x=1 + rolling, curvature_y=openness, load=1.0, modulus=1.0)
     log_size = np.log(np.maximum(size, TINIEST))
     shares = {"ball": share, "race": 1 - share}
     ratios = {body: given[f"{body}_poisson_ratio"] for body in shares}
     drift = {body: shares[body] * (1 - 2 * ratios[body]) / (1 - ratios[body]) for body in shares}
-    curvature = {"ball": 1.0, "race": (rolling - groove) / 2}
+    curvature = {"ball": 1.0, "race": (rolling + openness - 1) / 2}
     logarithm = sum(drift[body] * (1 - 2 * ratios[body]) * curvature[body] for body in shares)
     return {
         "size": size,
@@ -165,7 +165,7 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
         "axis_ratio": unit.semi_axis_x / unit.semi_axis_y,
         "relative_load": size / (unit.semi_axis_y * unit.approach),
         "rolling_curvature": rolling,
-        "groove_curvature": groove,
+        "openness": openness,
         "shoulder_curvature": 1 / given["shoulder"],
         "log_drift": logarithm * log_size,
         **{f"{body}_share": shares[body] for body in shares},

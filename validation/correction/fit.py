@@ -24,7 +24,7 @@ from analytic.finite_geometry import SMALL, ContactShape, monomial, shape_bases
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40
-PARALLEL = 1e-6  # of a column's length: what is left of one that the chosen ones already span
+PARALLEL = 0.03  # of a column's length: with less of its own beside those chosen, it would swing with the noise
 LEAST_UNCERTAINTY = 3e-4  # of a solve, half-width: below it the fit's own misfit, not the solves, sets the error
 NOISE = 0.25  # mean square error of a solve, in its half-widths of 95 %, which are two standard deviations
 Array = NDArray[np.float64]
@@ -98,26 +98,18 @@ def candidates() -> Iterator[Powers]:
     with the curvatures and the shoulder that bend them), the logarithm, and the surfaces that the load draws together
     on a slope. Higher order: the shape of the gap, with what the bodies' elasticity may make of it.
     """
-    race: list[Powers] = [{name: 1} for name in ("rolling_curvature", "groove_curvature", "shoulder_curvature")]
+    race: list[Powers] = [{}, *({name: 1} for name in ("rolling_curvature", "openness", "shoulder_curvature"))]
     yield {"relative_load": 1, "log_drift": 1}
     for kind in ("share", "drift", "bulk"):
         yield {"relative_load": 1, f"ball_{kind}": 1}
-        for part in race:
+        for part in (*race, {"shoulder_curvature": 2}):
             yield {"relative_load": 1, f"race_{kind}": 1} | part
-        yield {"relative_load": 1, f"race_{kind}": 1, "shoulder_curvature": 2}
     for power in range(3):
         slender = {"axis_ratio": power} if power else {}
         yield {"size": 1, "ball_drift": 1} | slender
         for part in race[:2]:
             yield {"size": 1, "race_drift": 1} | part | slender
-    curvatures: list[Powers] = [
-        {},
-        race[0],
-        race[1],
-        {"rolling_curvature": 2},
-        {"groove_curvature": 2},
-        race[0] | race[1],
-    ]
+    curvatures: list[Powers] = [*race[:3], {"rolling_curvature": 2}, race[1] | race[2]]
     elastic: list[Powers] = [{}, {"ball_share": 1}, {"ball_drift": 1}, {"race_drift": 1}]
     for size, power, curvature, part in product((2, 3, 4), range(3), curvatures, elastic):
         yield {"size": size} | curvature | ({"axis_ratio": power} if power else {}) | part

@@ -68,7 +68,7 @@ Row = dict[str, str]
 
 
 def main(
-    fit: Annotated[int, typer.Option(help="Contacts to fit; a power of 2 fills the box evenly.")] = 256,
+    fit: Annotated[int, typer.Option(help="Contacts to fit.")] = 192,
     held_out: Annotated[int, typer.Option(help="Random contacts that the fit does not see.")] = 48,
     bearings: Annotated[bool, typer.Option(help="Solve the bearings too.")] = True,
 ) -> None:
