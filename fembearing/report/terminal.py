@@ -175,7 +175,7 @@ def _print_torque(out: Console, change: TorqueChange) -> None:
     fitted = change.fitted
     known = fitted.relative[np.isfinite(fitted.relative)]
     if known.size:
-        ends = sorted({f"{known.min():+.2%}", f"{known.max():+.2%}"}, reverse=True)
+        ends = dict.fromkeys(f"{end:+.2%}" for end in (known.max(), known.min()))
         out.print(
             f"With Hertz's contacts corrected for finite geometry {' to '.join(ends)} +- "
             f"{np.nanmax(fitted.uncertainty):.2%} over {known.size} of {fitted.relative.size} operating points.\n",
