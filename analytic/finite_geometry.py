@@ -6,10 +6,11 @@ Hertz's depends on the ratios of a `ContactShape` alone, in elasticity, and is h
     1 + sum of coefficient * (product of powers of the bases below)
 with the coefficients of catalog/corrections/finite_geometry.toml, whose head says how they came about. Every term
 vanishes with the contact's size, so that a small contact is Hertz's.
-The terms of first order follow theory. A point under the load Q on a body of modulus E, Poisson ratio nu and curvature
-1/R moves against a plane far away by Q/(E R) times a number more or less than on a half space, and by
-(1 - 2 nu)^2 (1 + nu) Q ln(b/R)/(2 pi E R): Boussinesq's stresses leave a shear on the curved surface (derived here; the
-elastic sphere of E. Sternberg and F. Rosenthal, J. Appl. Mech. 19 (1952) 413, not seen, has such a logarithm).
+The terms of first order follow theory. A body of modulus E, Poisson ratio nu and curvature 1/R under the load Q
+approaches a plane far away by Q/(E R) times a number more or less than a half space, and by
+-(1 - 2 nu)^2 (1 + nu) Q ln(b/R)/(2 pi E R) more: on a curved surface Boussinesq's radial stress (1 - 2 nu) Q/(2 pi x^2)
+leaves a shear x/R times as large, and what frees the surface of it pushes the middle in (derived here; the sphere of
+E. Sternberg and F. Rosenthal, J. Appl. Mech. 19 (1952) 413, not seen, has such a logarithm).
 """
 
 from collections.abc import Mapping
@@ -141,7 +142,7 @@ def contact_shape(contact: Contact) -> ContactShape:
 def shape_bases(shape: ContactShape) -> dict[str, Array]:
     """What the terms are products of: name -> array.
 
-    size : b/r;  log_size : ln(b/r);  axis_ratio : a/b, Hertz's, along over across rolling
+    size : b/r;  axis_ratio : a/b, Hertz's, along over across rolling
     relative_load : Q/(E* r delta) by Hertz = 2 pi (b/r)/(3 K): what a displacement Q/(E* r) is of the approach
     ball_share, race_share : s, of the compliance, sum 1
     ball_drift, race_drift : s (1 - 2 nu)/(1 - nu): by which a load draws the surface towards itself
@@ -161,7 +162,6 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
     logarithm = sum(drift[body] * (1 - 2 * ratios[body]) * curvature[body] for body in shares)
     return {
         "size": size,
-        "log_size": log_size,
         "axis_ratio": unit.semi_axis_x / unit.semi_axis_y,
         "relative_load": size / (unit.semi_axis_y * unit.approach),
         "rolling_curvature": rolling,

@@ -134,7 +134,7 @@ def test_the_logarithm_of_the_approach_is_that_of_theory() -> None:
     """-1/(2 pi) times relative load and drift, from Boussinesq's stresses on a curved surface; the fit left it free."""
     terms = stored_fit()["quantity"]["approach"]["terms"]
     (found,) = (term["coefficient"] for term in terms if term["powers"] == {"relative_load": 1, "log_drift": 1})
-    assert found * -2 * np.pi == pytest.approx(1, abs=0.25)  # other terms of first order take and give a part
+    assert found * -2 * np.pi == pytest.approx(1, abs=0.35)  # other terms of first order take and give a part
 
 
 @pytest.mark.parametrize(
