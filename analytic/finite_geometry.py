@@ -44,7 +44,7 @@ class ContactShape:
     ball_poisson_ratio: ArrayLike
     race_poisson_ratio: ArrayLike
     ball_share: ArrayLike  # of the compliance 1/E*, the ball's
-    shoulder: ArrayLike  # from the contact's centre to the nearer shoulder, over r; the other is taken as far away
+    shoulder: ArrayLike  # from the contact's centre to the nearer shoulder, over r; the solves have it on both sides
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

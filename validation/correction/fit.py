@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
-from solve import BOX, HERE, OFF_SHOULDER, QUANTITIES, read_rows
+from solve import BOX, HERE, QUANTITIES, read_rows
 
 from analytic import catalog
-from analytic.finite_geometry import SMALL, ContactShape, monomial, shape_bases
+from analytic.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, monomial, shape_bases
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40

@@ -29,6 +29,7 @@ from rich.progress import track
 from scipy.stats import qmc
 
 from analytic.errors import FembearingError
+from analytic.finite_geometry import OFF_SHOULDER
 from analytic.hertz import contact_modulus
 from analytic.scene import Contact, Material
 from fembearing.compare.discrepancy import hertz_quantities
@@ -50,7 +51,6 @@ BOX = {  # lowest and highest of each
     "ball_share": (0.01, 0.99),  # of the compliance 1/E* that is the ball's
     "shoulder": (0.42, 0.9),  # distance from the contact's centre over r
 }
-OFF_SHOULDER = 1.15  # semi-axes that a contact keeps between its centre and the shoulder, at least
 QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 COLUMNS = [
     *("set", "number", "name", *BOX, *QUANTITIES),
