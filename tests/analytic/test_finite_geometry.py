@@ -17,6 +17,7 @@ from analytic.contact import race_contact
 from analytic.correction import ContactFactors, corrected_contact
 from analytic.equilibrium import thrust_equilibrium
 from analytic.finite_geometry import (
+    SMALL,
     ContactShape,
     contact_shape,
     finite_geometry_factors,
@@ -225,7 +226,7 @@ def test_a_correction_brings_its_own_peak_pressure() -> None:
 @pytest.mark.parametrize("group", ["held out", "bearing"])
 @pytest.mark.parametrize("name", NAMES)
 def test_unseen_solves_lie_within_the_stated_uncertainty(name: str, group: str) -> None:
-    """At least nine in ten, the solve's own uncertainty added; Hertz as it is does not come near."""
+    """At least nine in ten, of the smallest with the solve's own uncertainty; Hertz as it is does not come near."""
     solves = program("fit").solves_of(group)
     found = finite_geometry_factors(solves.shape)
     assert found.covered.all()
@@ -233,6 +234,8 @@ def test_unseen_solves_lie_within_the_stated_uncertainty(name: str, group: str) 
     error = np.asarray(getattr(found.factors, name)) - solves.ratio[name]
     assert error.size >= 35
     assert np.mean(np.abs(error) <= allowed) >= 0.9
+    large = np.asarray(solves.shape.size) >= SMALL  # below, the solves are less certain than the correction
+    assert np.mean(np.abs(error)[large] <= found.uncertainty[name][large]) >= 0.9
     assert np.mean(np.abs(1 - solves.ratio[name]) <= allowed) < 0.6
 
 

@@ -29,7 +29,7 @@ LEAST_UNCERTAINTY = 3e-4  # of a solve, half-width: below it the fit's own misfi
 NOISE = 0.25  # mean square error of a solve, in its half-widths of 95 %, which are two standard deviations
 Array = NDArray[np.float64]
 Powers = dict[str, int]
-out = Console(width=110)
+out = Console(width=120)
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,8 @@ def main() -> None:
     fits = {name: fit_of(fitted, name) for name in QUANTITIES}
     STORED.parent.mkdir(exist_ok=True)
     STORED.write_text("\n".join(toml(fits, fitted, held_out, bearings)) + "\n", "utf-8")
-    table = Table("quantity", "terms", "set", "contacts", "Hertz, rms", "corrected: rms", "95 %", "worst", "solves, +-")
+    heads = ("quantity", "terms", "set", "contacts", "Hertz rms", "rms", "95 %", "worst", "solves +-")
+    table = Table(*heads, title="Corrected Hertz over finite elements, less one")
     for name, fit in fits.items():
         sets = (("left out", fitted, fit.left_out), ("held out", held_out, None), ("bearing", bearings, None))
         for group, solves, known in sets:
