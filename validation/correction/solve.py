@@ -58,6 +58,7 @@ COLUMNS = [
     *("level", "solver", "date", "trouble"),
 ]
 PRESSURES = (0.007, 0.028)  # p0/E* on the bearings: 0.8 to 3.2 GPa on steel
+SOLVER = ("fem", "mesh", "compare/reference.py", "compare/uncertainty.py")  # what a solve depends on
 MATERIALS = {  # E, nu; typical values
     "steel": (206e9, 0.3),
     "silicon nitride": (310e9, 0.26),
@@ -196,9 +197,11 @@ def provenance() -> Iterator[str]:
 
 def solver_commit() -> str:
     """The last commit that touched what solves, marked + if that has changed since."""
-    files = ["--", "fembearing", "meshes"]
+    files = ["--", *(f"fembearing/{part}" for part in SOLVER), "meshes"]
     git = ["git", "-C", str(HERE.parents[1])]
-    last = subprocess.run([*git, "log", "-1", "--format=%h", *files], capture_output=True, text=True, check=True).stdout
+    last = subprocess.run(
+        [*git, "log", "-1", "--no-merges", "--format=%h", *files], capture_output=True, text=True, check=True
+    ).stdout
     changed = subprocess.run([*git, "diff", "--quiet", "HEAD", *files], check=False).returncode
     return last.strip() + "+" * changed
 
