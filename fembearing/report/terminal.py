@@ -81,12 +81,12 @@ def _print_corrected(out: Console, contact: ContactSolution) -> None:
     corrected = contact.corrected
     if corrected is None:
         return
-    shown = []
-    for name, error in contact.interpolation_error.items():
-        value = getattr(corrected.quantities, name) * QUANTITIES[name].factor
-        shown.append(f"{QUANTITIES[name].heading()} {value:.5g} ({error:+.2%})")
+    values = []
+    for name, shown in QUANTITIES.items():
+        value = getattr(corrected.quantities, name) * shown.factor
+        values.append(f"{shown.name} {value:.5g} {shown.unit} ({contact.interpolation_error[name]:+.2%})")
     out.print(
-        f"Hertz corrected for finite geometry (in brackets its interpolation error, over FE - 1): {'; '.join(shown)}; "
+        f"Hertz corrected for finite geometry (its interpolation error, over FE - 1): {', '.join(values)}; "
         f"stated 95 % uncertainty at most {max(corrected.uncertainty.values()):.2%}.",
         highlight=False,
     )
