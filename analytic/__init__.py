@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from analytic.equilibrium import thrust_equilibrium
+    from analytic.finite_geometry import thrust_correction
     from analytic.hertz import hertz_contact
     from analytic.ring import ring_equilibrium
     from analytic.scenefile import load_scene
@@ -19,13 +20,22 @@ if TYPE_CHECKING:
 
     __version__: str
 
-__all__ = ["__version__", "friction_torque", "hertz_contact", "load_scene", "ring_equilibrium", "thrust_equilibrium"]
+__all__ = [
+    "__version__",
+    "friction_torque",
+    "hertz_contact",
+    "load_scene",
+    "ring_equilibrium",
+    "thrust_correction",
+    "thrust_equilibrium",
+]
 
 _HOME = {
     "friction_torque": "analytic.torque",
     "hertz_contact": "analytic.hertz",
     "load_scene": "analytic.scenefile",
     "ring_equilibrium": "analytic.ring",
+    "thrust_correction": "analytic.finite_geometry",
     "thrust_equilibrium": "analytic.equilibrium",
 }
 

@@ -1,31 +1,36 @@
 """What a contact of the true geometry changes in Hertz's: factors at the same load.
 
-They come from outside, for example from a finite-element solution, and are the same for every load of a series.
+They come from outside: from a finite-element solution, the same for every load of a series, or from the fit in
+`analytic.finite_geometry`, each load with its own.
 """
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from analytic.errors import require_positive
 from analytic.hertz import HertzContact
+from analytic.scene import Array
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class ContactFactors:
-    """One contact's size and approach over Hertz's at the same load; 1 leaves Hertz's as it is."""
+    """One contact's size and approach over Hertz's at the same load; 1 leaves Hertz's as it is.
 
-    semi_axis_rolling: float = 1.0
-    semi_axis_transverse: float = 1.0
-    approach: float = 1.0
+    Each a number, or an array with an element for every load.
+    """
+
+    semi_axis_rolling: float | Array = 1.0
+    semi_axis_transverse: float | Array = 1.0
+    approach: float | Array = 1.0
+    peak_pressure: float | Array | None = None  # None: that of a semi-ellipsoid over the new semi-axes
 
     def __post_init__(self) -> None:
-        require_positive(
-            semi_axis_rolling=self.semi_axis_rolling,
-            semi_axis_transverse=self.semi_axis_transverse,
-            approach=self.approach,
-        )
+        given = {name: value for name, value in vars(self).items() if value is not None}
+        require_positive(**given)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class ContactCorrection:
     """The factors of both races."""
 
@@ -34,14 +39,16 @@ class ContactCorrection:
 
 
 def corrected_contact(contact: HertzContact, factors: ContactFactors) -> HertzContact:
-    """Hertz's contact with the factors applied; load, shape of the pressure (semi-ellipsoid) and exponent 3/2 stay.
+    """Hertz's contact with the factors applied; load and exponent 3/2 stay.
 
-    semi-axes and approach times their factors, p0 = 3 Q/(2 pi a b), K = Q/delta^1.5; factors of 1 change no bit.
+    semi-axes, approach and peak pressure times their factors, K = Q/delta^1.5; without a factor of its own
+    p0 = 3 Q/(2 pi a b), the semi-ellipsoid's. Factors of 1 change no bit.
     """
+    product, own = factors.semi_axis_rolling * factors.semi_axis_transverse, factors.peak_pressure
     return HertzContact(
         semi_axis_x=contact.semi_axis_x * factors.semi_axis_rolling,
         semi_axis_y=contact.semi_axis_y * factors.semi_axis_transverse,
-        peak_pressure=contact.peak_pressure / (factors.semi_axis_rolling * factors.semi_axis_transverse),
+        peak_pressure=contact.peak_pressure / product if own is None else contact.peak_pressure * own,
         approach=contact.approach * factors.approach,
-        stiffness=contact.stiffness * factors.approach**-1.5,
+        stiffness=contact.stiffness * np.asarray(factors.approach) ** -1.5,
     )

@@ -53,7 +53,7 @@ def thrust_equilibrium(
     """Loaded contact angle and ball load under pure thrust, by the scene's rule.
 
     axial_load : Fa, any shape, N, > 0
-    correction : factors on Hertz's contacts; None leaves them as they are
+    correction : factors on Hertz's contacts, each a number or of the shape of axial_load; None leaves them as they are
     `given`: al = contact_angle.value. `solved`: al from
         Q = Fa/(Z sin al),  (A0 + delta_i(Q, al) + delta_o(Q, al)) cos al = A0 cos al0
     where A0 is the groove-centre distance and cos al0 = 1 - P_d/(2 A0), P_d the diametral clearance; P_d < 0 (preload)

@@ -1,4 +1,4 @@
-"""Bearings, materials and scenes that ship with the package: TOML files in the format of a scene file."""
+"""Bearings, materials and scenes that ship with the package, in the format of a scene file, and fitted corrections."""
 
 import tomllib
 from functools import cache
@@ -6,7 +6,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any, Literal
 
-Kind = Literal["bearings", "materials", "scenes"]
+Kind = Literal["bearings", "corrections", "materials", "scenes"]
 
 
 @cache

@@ -16,6 +16,7 @@ from analytic.errors import FembearingError, InputError, require_positive
 from analytic.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.hertz_fitted import hertz_contact_fitted
 from analytic.scene import Contact, Scene
+from fembearing.compare.corrected import corrected_hertz
 from fembearing.compare.discrepancy import RECIPES, ContactSolution, contact_of, hertz_quantities
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory, provenance_of
@@ -164,8 +165,8 @@ def angle_ladder(scene: Scene, *, tolerance: float) -> Ladder:
 
 
 def contact_ladder(contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent) -> Ladder:
-    """Hertz, then finite elements on every level of `recipe`, timed apart from the sizing of the mesh."""
-    trials = [_hertz_trial(contact)]
+    """Hertz, corrected Hertz, then every level of `recipe`, timed apart from the sizing of the mesh."""
+    trials = _formula_trials(contact)
     try:
         semi_axes = fitted_solution(contact, recipe=recipe).pair.semi_axes  # also warms up
     except FembearingError as problem:
@@ -192,9 +193,9 @@ def contact_ladder(contact: Contact, *, recipe: Recipe, tolerance: float, progre
 
 
 def contact_ladder_of(found: ContactSolution) -> Ladder:
-    """The contact ladder of a solution at hand: Hertz timed in place, each mesh at the seconds it took, once."""
+    """The contact ladder of a solution at hand: formulas timed in place, each mesh at the seconds it took, once."""
     meshes = [_mesh_trial(mesh, seconds=(mesh.seconds,)) for mesh in found.meshes]
-    trials = [_hertz_trial(found.contact), *meshes, *_extrapolated(found.estimates, meshes)]
+    trials = [*_formula_trials(found.contact), *meshes, *_extrapolated(found.estimates, meshes)]
     reference = _mesh_reference(found.meshes, found.estimates)
     return ladder_of(_contact_quantity(found.contact), reference, trials, tolerance=found.tolerance)
 
@@ -249,8 +250,19 @@ def _seconds(run: Callable[[], object], *, calls: int) -> float:
     return (time.perf_counter() - start) / calls
 
 
-def _hertz_trial(contact: Contact) -> Trial:
-    return timed_formula("Hertz", lambda: _compared(hertz_quantities(contact)))
+def _formula_trials(contact: Contact) -> list[Trial]:
+    """Hertz, and on a race Hertz corrected for finite geometry."""
+
+    def corrected() -> np.ndarray:
+        found, beyond = corrected_hertz(contact, hertz=hertz_quantities(contact))
+        if found is None:
+            raise InputError("; ".join(beyond))
+        return _compared(found.quantities)
+
+    trials = [timed_formula("Hertz", lambda: _compared(hertz_quantities(contact)))]
+    if contact.pair != "pocket":
+        trials.append(timed_formula("Hertz, corrected for finite geometry", corrected))
+    return trials
 
 
 def _mesh_trial(mesh: MeshSolution, *, seconds: tuple[float, ...], memory: int | None = None) -> Trial:

@@ -15,6 +15,7 @@ from analytic.errors import InputError
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
 from analytic.torque import STATIC_LIMIT
+from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
 from fembearing.compare.reference import COMPARED, Estimates, solve_reference
@@ -38,7 +39,8 @@ SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes, and stiffness foll
 class ContactSolution:
     """A contact by production formula and by finite elements.
 
-    Quantities are those of `Quantities`; estimates, discrepancies and verdicts are keyed by their names.
+    Quantities are those of `Quantities`; estimates, discrepancies and verdicts are keyed by their names. Verdicts are
+    on Hertz as it is: the torque stands on it, and the correction comes from these same finite elements.
     """
 
     contact: Contact
@@ -51,6 +53,7 @@ class ContactSolution:
     warnings: tuple[str, ...]
     valid: bool
     ring: RingStructure | None = None  # apart from the contact: in no quantity, not judged; None where not computed
+    corrected: CorrectedHertz | None = None  # None where the correction's fit does not reach
 
     @property
     def reference(self) -> Quantities:
@@ -61,6 +64,14 @@ class ContactSolution:
     def discrepancy(self) -> dict[str, float]:
         """Production over reference minus one."""
         return {name: getattr(self.hertz, name) / part.value - 1 for name, part in self.estimates.items()}
+
+    @property
+    def interpolation_error(self) -> dict[str, float]:
+        """Corrected Hertz over reference minus one, on a contact that the fit has not seen; empty where it ends."""
+        if self.corrected is None:
+            return {}
+        values = vars(self.corrected.quantities)
+        return {name: values[name] / part.value - 1 for name, part in self.estimates.items()}
 
     @property
     def verdicts(self) -> dict[str, Verdict]:
@@ -105,6 +116,8 @@ class ContactSolution:
             "uncertainty": {name: part.total for name, part in self.estimates.items()},
             "hertz": asdict(self.hertz),
             "discrepancy": self.discrepancy,
+            "corrected": self.corrected
+            and {**self.corrected.to_json(), "interpolation_error": self.interpolation_error},
             "verdict": self.verdict if self.judged else "shown",
             "rung": self.rung,
             "ring": None if self.ring is None else self.ring.to_json(),
@@ -230,6 +243,9 @@ def compare_contact(
     meshes, estimates = found.meshes, found.estimates
     overrun = EDGE_OF_GROOVE * meshes[-1].quantities.semi_axis_transverse > contact.shoulder
     warnings = _warnings(contact, meshes[-1], estimates, accuracy=asked, overrun=overrun, thin=thin)
+    corrected, beyond = None, ()
+    if recipe.geometry == "real" and contact.pair != "pocket":  # the correction is of ball and race
+        corrected, beyond = corrected_hertz(contact, hertz=hertz)
     return ContactSolution(
         contact=contact,
         geometry=recipe.geometry,
@@ -238,7 +254,8 @@ def compare_contact(
         estimates=estimates,
         meshes=meshes,
         seconds=time.perf_counter() - start,
-        warnings=warnings,
+        warnings=(*warnings, *beyond),
+        corrected=corrected,
         valid=not thin and not (overrun and recipe.geometry == "real"),
     )
 

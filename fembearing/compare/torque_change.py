@@ -1,11 +1,13 @@
 """What the contact discrepancies do to the race torque: the number an engineer acts on."""
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from analytic.correction import ContactCorrection, ContactFactors
+from analytic.finite_geometry import RaceCorrections, thrust_correction
 from analytic.scene import Scene
 from analytic.torque import FrictionTorque, friction_torque
 from fembearing.compare.discrepancy import ContactSolution
@@ -17,6 +19,25 @@ PARTS = ("total", "race", "spin", "conformity", "hysteresis")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class FittedChange:
+    """The torque with contacts corrected for finite geometry, at every operating point."""
+
+    torque: FrictionTorque
+    relative: np.ndarray  # (n,) over Hertz's, less one; NaN where the correction does not reach
+    uncertainty: np.ndarray  # (n,) of that change, from the factors' uncertainties, 95 %
+    warnings: tuple[str, ...]
+
+    def to_json(self) -> dict[str, Any]:
+        known = np.isfinite(self.relative)
+        return {
+            "contact_angle": _known(self.torque.contact_angle, known),
+            "torque": _known(self.torque.torque.total, known),
+            "change": _known(self.relative, known),
+            "uncertainty": _known(self.uncertainty, known),
+        }
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class TorqueChange:
     """The production torque with Hertz's contacts, and again with finite-element semi-axes and approach."""
 
@@ -25,6 +46,7 @@ class TorqueChange:
     # From the contacts' numerical uncertainties: of each part's relative change, and of the corrected contact angle,
     # relative; parts that were left out have none.
     uncertainties: dict[str, float]
+    fitted: FittedChange
     verdict: Verdict  # the worst of both contacts: beyond "pass" the change stands on contacts that did not pass
 
     @property
@@ -46,8 +68,7 @@ class TorqueChange:
         before, after = getattr(self.hertz.torque, part), getattr(self.corrected.torque, part)
         if before is None:
             return None
-        change = np.divide(after, before, out=np.ones_like(before), where=before != 0) - 1
-        return np.where(self.is_solved, change, np.nan)
+        return np.where(self.is_solved, _change(after, before), np.nan)
 
     def to_json(self) -> dict[str, Any]:
         """Lists over the operating points; SI, changes relative."""
@@ -66,6 +87,7 @@ class TorqueChange:
             },
             "uncertainty": self.uncertainty,
             "uncertainties": self.uncertainties,
+            "finite_geometry": self.fitted.to_json(),
             "verdict": self.verdict,
         }
 
@@ -73,7 +95,8 @@ class TorqueChange:
 def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolution) -> TorqueChange:
     """Race torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
 
-    The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone.
+    The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone. The
+    correction for finite geometry knows every load, and shows the change at each.
     Raises InputError if the scene gives no friction coefficient.
     """
     hertz, corrected = friction_torque(scene), _corrected(scene, factors(inner), factors(outer))
@@ -92,6 +115,7 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
         hertz=hertz,
         corrected=corrected,
         uncertainties=spread,
+        fitted=_fitted(scene, hertz),
         verdict=worst((inner.verdict, outer.verdict)),
     )
 
@@ -101,6 +125,36 @@ def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:
     parts = {name: getattr(found.torque, name) for name in PARTS}
     known = {name: float(part[point]) for name, part in parts.items() if part is not None}
     return known | {"contact_angle": float(found.contact_angle[point])}
+
+
+def _fitted(scene: Scene, hertz: FrictionTorque) -> FittedChange:
+    found = thrust_correction(scene.bearing, scene.contact_angle, axial_load=hertz.axial_load)
+    torque = friction_torque(scene, correction=found.correction)
+    spread = np.zeros_like(hertz.ball_load)
+    for name in FACTORS:
+        for correction in _moved(found, name):
+            moved = friction_torque(scene, correction=correction)
+            spread += np.abs(_change(moved.torque.total, torque.torque.total))
+    covered = found.inner.covered & found.outer.covered
+    return FittedChange(
+        torque=torque,
+        relative=np.where(covered, _change(torque.torque.total, hertz.torque.total), np.nan),
+        uncertainty=np.where(covered, spread, np.nan),
+        warnings=found.warnings,
+    )
+
+
+def _moved(found: RaceCorrections, name: str) -> Iterator[ContactCorrection]:
+    """With one factor of one race moved up by its uncertainty."""
+    plain = found.correction
+    for race, side in (("inner", found.inner), ("outer", found.outer)):
+        up = getattr(side.factors, name) * (1 + np.nan_to_num(side.uncertainty[name]))
+        yield replace(plain, **{race: replace(side.factors, **{name: up})})
+
+
+def _change(after: np.ndarray, before: np.ndarray) -> np.ndarray:
+    """Relative; none of what is 0."""
+    return np.divide(after, before, out=np.ones_like(before), where=before != 0) - 1
 
 
 def _known(values: np.ndarray, is_known: np.ndarray) -> list[float | None]:

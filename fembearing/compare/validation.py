@@ -49,7 +49,7 @@ class Validation:
     def warnings(self) -> tuple[str, ...]:
         """Of the scene, of all contacts, of the torque and of the report, each once."""
         found = [warning for contact in self.contacts for warning in contact.warnings]
-        torque = () if self.torque is None else self.torque.hertz.warnings
+        torque = () if self.torque is None else (*self.torque.hertz.warnings, *self.torque.fitted.warnings)
         return tuple(dict.fromkeys([*found, *torque, *self.trouble]))
 
     def to_json(self) -> dict[str, Any]:

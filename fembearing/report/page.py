@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from numpy import pi
+from numpy import isfinite, pi
 
 from analytic.scene import Array, Scene
 from fembearing.compare.cost import contact_ladder_of
@@ -98,10 +98,19 @@ def _verdict(contact: ContactSolution, name: str) -> dict[str, Any]:
         "production": f"{getattr(contact.hertz, name) * shown.factor:.5g}",
         "reference": f"{part.value * shown.factor:.5g}",
         "discrepancy": f"{contact.discrepancy[name]:+.2%}",
+        **_corrected(contact, name),
         "uncertainty": f"{part.total:.2%}",
         "exceeds": abs(contact.discrepancy[name]) > part.total,
         "verdict": contact.verdicts[name],
     }
+
+
+def _corrected(contact: ContactSolution, name: str) -> dict[str, str]:
+    """Hertz corrected for finite geometry, and its interpolation error."""
+    if contact.corrected is None:
+        return {"corrected": "-", "interpolation": "-"}
+    value = getattr(contact.corrected.quantities, name) * QUANTITIES[name].factor
+    return {"corrected": f"{value:.5g}", "interpolation": f"{contact.interpolation_error[name]:+.2%}"}
 
 
 def _pocket(result: Validation) -> list[dict[str, Any]]:
@@ -130,6 +139,7 @@ def _torque(result: Validation) -> list[dict[str, Any]]:
     if change is None:
         return []
     hertz, corrected = change.hertz, change.corrected
+    fitted = change.fitted.relative
     relative = change.relative("total")
     assert relative is not None  # the total is always there
     rows = [
@@ -143,6 +153,7 @@ def _torque(result: Validation) -> list[dict[str, Any]]:
             },
             "corrected": f"{corrected.torque.total[point] * 1e3:.4g}" if known else "-",
             "change": f"{relative[point]:+.2%}" if known else "-",
+            "fitted": f"{fitted[point]:+.2%}" if isfinite(fitted[point]) else "-",
         }
         for point, known in enumerate(change.is_solved)
     ]

@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
@@ -58,6 +59,7 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
             contact.verdicts[name].removesuffix(" validity") if contact.judged else "shown",
         )
     out.print(table)
+    _print_corrected(out, contact)
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
         "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
@@ -72,6 +74,22 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
             f"+- {ring.uncertainty * 1e6:.3f} um: structure, not contact.\n",
             highlight=False,
         )
+
+
+def _print_corrected(out: Console, contact: ContactSolution) -> None:
+    """The rung between Hertz and finite elements; the verdicts above are on Hertz as it is."""
+    corrected = contact.corrected
+    if corrected is None:
+        return
+    values = []
+    for name, shown in QUANTITIES.items():
+        value = getattr(corrected.quantities, name) * shown.factor
+        values.append(f"{shown.name} {value:.5g} {shown.unit} ({contact.interpolation_error[name]:+.2%})")
+    out.print(
+        f"Hertz corrected for finite geometry (its interpolation error, over FE - 1): {', '.join(values)}; "
+        f"stated 95 % uncertainty at most {max(corrected.uncertainty.values()):.2%}.",
+        highlight=False,
+    )
 
 
 def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
@@ -154,6 +172,15 @@ def _print_torque(out: Console, change: TorqueChange) -> None:
         "coefficient is the scene's, not a lubricant's.\n",
         highlight=False,
     )
+    fitted = change.fitted
+    known = fitted.relative[np.isfinite(fitted.relative)]
+    if known.size:
+        ends = dict.fromkeys(f"{end:+.2%}" for end in (known.max(), known.min()))
+        out.print(
+            f"With Hertz's contacts corrected for finite geometry {' to '.join(ends)} +- "
+            f"{np.nanmax(fitted.uncertainty):.2%} over {known.size} of {fitted.relative.size} operating points.\n",
+            highlight=False,
+        )
     if change.verdict != "pass":
         out.print(f"The race contacts are not all within the tolerance: {change.verdict}.\n", highlight=False)
 

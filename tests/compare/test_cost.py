@@ -165,11 +165,13 @@ def test_a_ladder_of_meshes_is_that_of_the_solution_at_hand(
     taken = contact_ladder_of(solved)
     assert [rung.name for rung in taken.rungs] == [
         "Hertz",
+        "Hertz, corrected for finite geometry",
         *(f"finite elements, level {level}" for level in (1, 2, 3)),
         "finite elements, extrapolated",
     ]
     names = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
-    quantities = [solved.hertz, *(mesh.quantities for mesh in solved.meshes)]
+    assert solved.corrected is not None
+    quantities = [solved.hertz, solved.corrected.quantities, *(mesh.quantities for mesh in solved.meshes)]
     for number, found in enumerate(quantities):
         expected = max(abs(getattr(found, name) / solved.estimates[name].limit - 1) for name in names)
         assert taken.rungs[number].error == pytest.approx(expected, rel=1e-12)  # round-off
@@ -179,11 +181,23 @@ def test_a_ladder_of_meshes_is_that_of_the_solution_at_hand(
     assert taken.reference == run.reference
     assert "extrapolated" in run.reference
     seconds = [mesh.seconds for mesh in solved.meshes]
-    assert [rung.seconds for rung in taken.rungs[1:]] == [*seconds, sum(seconds)]
-    assert [rung.unknowns for rung in run.rungs] == [None, *(mesh.unknowns for mesh in solved.meshes), None]
-    assert [rung.repeats for rung in run.rungs[1:]] == [1, 1, 1, 1]
+    assert [rung.seconds for rung in taken.rungs[2:]] == [*seconds, sum(seconds)]
+    assert [rung.unknowns for rung in run.rungs] == [None, None, *(mesh.unknowns for mesh in solved.meshes), None]
+    assert [rung.repeats for rung in run.rungs[2:]] == [1, 1, 1, 1]
     assert steps == sorted(steps)
     assert 0 <= steps[0] < steps[-1] < 1
+
+
+def test_corrected_hertz_is_much_nearer_than_hertz(solved: ContactSolution) -> None:
+    """On a contact that its fit has not seen, within what fit and meshes say of themselves; Hertz is far outside."""
+    assert solved.corrected is not None
+    for name, error in solved.interpolation_error.items():
+        allowed = solved.corrected.uncertainty[name] + solved.estimates[name].total
+        assert abs(error) < allowed < abs(solved.discrepancy[name]), name
+    rungs = contact_ladder_of(solved).rungs
+    assert rungs[0].error is not None
+    assert rungs[1].error is not None
+    assert rungs[1].error < rungs[0].error / 5
 
 
 def test_the_reference_says_how_far_off_it_is_itself(solved: ContactSolution) -> None:
@@ -195,8 +209,9 @@ def test_the_reference_says_how_far_off_it_is_itself(solved: ContactSolution) ->
 @pytest.mark.usefixtures("once")
 def test_a_contact_that_cannot_be_meshed_has_no_reference(contacts: dict[str, Contact], coarse: Recipe) -> None:
     ladder = contact_ladder(replace(contacts["inner"], load=2e5), recipe=coarse, tolerance=0.9)
-    assert len(ladder.rungs) == 4
-    assert all("too wide" in (rung.failed or "") for rung in ladder.rungs[1:])
+    assert len(ladder.rungs) == 5
+    assert "outside 0 to 0.45 of the fit" in (ladder.rungs[1].failed or "")
+    assert all("too wide" in (rung.failed or "") for rung in ladder.rungs[2:])
     assert ladder.rungs[0].error is None
     assert ladder.chosen is None
     assert ladder.reference.startswith("none")

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from analytic.finite_geometry import thrust_correction
 from analytic.scenefile import parse_scene
+from analytic.torque import friction_torque
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.uncertainty import Estimate
 
@@ -145,3 +147,30 @@ def test_the_change_carries_the_worse_verdict_of_its_contacts() -> None:
     bad.verdict = "outside validity"
     for inner, outer in ((sound, bad), (bad, sound)):
         assert change_of_torque(FIXED, inner=inner, outer=outer).to_json()["verdict"] == "outside validity"
+
+
+def test_the_correction_for_finite_geometry_knows_every_load() -> None:
+    """Its own factors at each load, whatever was solved; at a held angle without spin they act as b^2 and a."""
+    found = change_of_torque(FIXED, inner=solution(), outer=solution()).fitted
+    low, high = found.relative
+    assert high < low < 0  # the contact is shorter across, the more so the larger it is
+    bearing, load = FIXED.bearing, FIXED.operation.axial_load
+    factors = thrust_correction(bearing, FIXED.contact_angle, axial_load=load)
+    squares = [np.asarray(side.factors.semi_axis_transverse) ** 2 for side in (factors.inner, factors.outer)]
+    plain, changed = friction_torque(FIXED).torque, found.torque.torque
+    assert plain.conformity is not None
+    assert changed.conformity is not None
+    ratio = changed.conformity / plain.conformity
+    assert (np.minimum(*squares) < ratio).all()
+    assert (ratio < np.maximum(*squares)).all()
+    assert (found.uncertainty > 0).all()
+    assert (found.uncertainty < np.abs(found.relative)).all()
+    assert None not in found.to_json()["change"]
+
+
+def test_where_the_correction_does_not_reach_nothing_is_claimed() -> None:
+    wide = SCENE.replace('catalog = "6205"', 'catalog = "6205"\ninner.groove_radius = "4.9 mm"')
+    scene = parse_scene(wide.replace("RULE", "given").replace("VALUE", "value"), origin="test")
+    found = change_of_torque(scene, inner=solution(), outer=solution()).fitted
+    assert found.to_json()["change"] == [None, None]
+    assert found.warnings[0].startswith("inner: conformity 0.6171 is outside 0.505 to 0.58 of the fit")

@@ -12,8 +12,9 @@ import pytest
 from analytic.scene import Operation
 from analytic.scenefile import builtin_scene, load_scene
 from analytic.torque import Effect, FrictionTorque, TorqueParts
+from fembearing.compare.corrected import CorrectedHertz
 from fembearing.compare.discrepancy import ContactSolution
-from fembearing.compare.torque_change import TorqueChange
+from fembearing.compare.torque_change import FittedChange, TorqueChange
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.fem.measure import Quantities
@@ -67,6 +68,23 @@ SHEET = {
     "stiffness": Given(60.8e9, (43e9, 41e9, 39e9), 3.2, 39.52e9, 0.0057, 0.0),
 }
 
+CORRECTED = CorrectedHertz(  # of the inner race
+    quantities=Quantities(
+        semi_axis_rolling=0.1203e-3,
+        semi_axis_transverse=0.8778e-3,
+        peak_pressure=1.7085e9,
+        approach=5.2198e-6,
+        stiffness=25.05e9,
+    ),
+    uncertainty={
+        "semi_axis_rolling": 0.0021,
+        "semi_axis_transverse": 0.0032,
+        "peak_pressure": 0.0023,
+        "approach": 0.0054,
+        "stiffness": 0.0081,
+    },
+)
+
 
 def contact_made(
     found: ContactSolution,
@@ -75,6 +93,7 @@ def contact_made(
     load: float,
     unknowns: tuple[int, int, int],
     seconds: tuple[float, float, float],
+    corrected: CorrectedHertz | None = None,
 ) -> ContactSolution:
     """The numbers of a solution replaced, on meshes of the levels 2, 3 and 5."""
     meshes = [
@@ -105,6 +124,7 @@ def contact_made(
         },
         meshes=tuple(meshes),
         warnings=(),
+        corrected=corrected,
     )
 
 
@@ -142,7 +162,9 @@ def made(checked: Validation) -> Validation:
         scene=replace(checked.scene, operation=Operation(axial_load=hertz.axial_load, inner_speed=hertz.inner_speed)),
         tolerance=0.05,
         contacts=(
-            contact_made(inner, INNER, load=371.5, unknowns=(1200, 9500, 31000), seconds=(0.25, 1.5, 7.0)),
+            contact_made(
+                inner, INNER, load=371.5, unknowns=(1200, 9500, 31000), seconds=(0.25, 1.5, 7.0), corrected=CORRECTED
+            ),
             replace(
                 contact_made(outer, OUTER, load=368.5, unknowns=(1300, 8700, 29000), seconds=(0.32, 1.7, 6.0)),
                 valid=False,
@@ -154,6 +176,12 @@ def made(checked: Validation) -> Validation:
             hertz=hertz,
             corrected=torque_made(change.corrected, angle=[0.279, 0.2998, 0.3019], total=[33e-3, 41e-3, 48.5e-3]),
             uncertainties={"total": 0.0137, "spin": 0.021, "contact_angle": 0.0019},
+            fitted=FittedChange(
+                torque=torque_made(change.corrected, angle=[0.278, 0.2996, 0.3017], total=[30.5e-3, 39.2e-3, 48.7e-3]),
+                relative=np.array([np.nan, -0.0213, -0.0267]),
+                uncertainty=np.array([np.nan, 0.0031, 0.0043]),
+                warnings=(),
+            ),
             verdict="undecided",
         ),
         seconds=43.21,

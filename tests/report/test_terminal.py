@@ -63,6 +63,12 @@ def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
         "with Hertz's contacts 50 N mm",
         "those of FE 48.5 N mm: -3.00% +- 1.37%",
         "angle 0.3031 rad and 0.3019 rad",
+        "semi-axis a 0.1203 mm (+0.25%)",
+        "error, over FE - 1): approach 5.2198 um (-0.10%)",
+        "peak pressure 1.7085 GPa (+0.50%)",
+        "stiffness 25.05 GN/m^1.5 (+0.20%)",
+        "stated 95 % uncertainty at most 0.81%",
+        "corrected for finite geometry -2.13% to -2.67% +- 0.43% over 2 of 3 operating points",
         "fail: tolerance 0.05, 43.2 s",
     ):
         assert said in words

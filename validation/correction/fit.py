@@ -1,0 +1,215 @@
+"""The correction of Hertz from its solves: python validation/correction/fit.py
+
+Chooses terms and coefficients for each quantity from the set `fit` of solves.csv, tries them on the sets `held out` and
+`bearing`, prints how far off they are, and writes analytic/catalog/corrections/finite_geometry.toml. Takes a second.
+
+Least squares, weighted with the solves' uncertainties. Terms come one at a time, each the candidate that lowers the
+error at the point left out most (exact: a point's error without it is its residual over 1 - leverage). The fewest are
+kept whose mean square at left-out points is within one standard error of the least, or is down to what the solves
+themselves may be off: from there on, terms would follow the meshes' errors.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+from rich.console import Console
+from rich.table import Table
+from solve import BOX, HERE, QUANTITIES, read_rows
+
+from analytic import catalog
+from analytic.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, monomial, shape_bases
+
+STORED = catalog.path("corrections", "finite_geometry")
+MOST_TERMS = 40
+PARALLEL = 0.03  # of a column's length: with less of its own beside those chosen, it would swing with the noise
+LEAST_UNCERTAINTY = 3e-4  # of a solve, half-width: below it the fit's own misfit, not the solves, sets the error
+NOISE = 0.25  # mean square error of a solve, in its half-widths of 95 %, which are two standard deviations
+Array = NDArray[np.float64]
+Powers = dict[str, int]
+out = Console(width=120)
+
+
+@dataclass(frozen=True)
+class Solves:
+    """One set of solves; arrays (n,)."""
+
+    shape: ContactShape
+    ratio: dict[str, Array]  # of finite elements to Hertz
+    uncertainty: dict[str, Array]  # half-width
+    name: list[str]
+    solver: set[str]
+
+
+@dataclass(frozen=True)
+class Fit:
+    """One quantity."""
+
+    terms: list[Powers]
+    coefficients: Array
+    left_out: Array  # (n,) error at each point of a fit without it
+
+    def error(self, solves: Solves, quantity: str) -> Array:
+        bases = shape_bases(solves.shape)
+        change = sum(c * monomial(bases, term) for c, term in zip(self.coefficients, self.terms, strict=True))
+        return 1 + change - solves.ratio[quantity]
+
+
+def main() -> None:
+    fitted, held_out, bearings = (solves_of(group) for group in ("fit", "held out", "bearing"))
+    fits = {name: fit_of(fitted, name) for name in QUANTITIES}
+    STORED.parent.mkdir(exist_ok=True)
+    STORED.write_text("\n".join(toml(fits, fitted, held_out, bearings)) + "\n", "utf-8")
+    heads = ("quantity", "terms", "set", "contacts", "Hertz rms", "rms", "95 %", "worst", "solves +-")
+    table = Table(*heads, title="Corrected Hertz over finite elements, less one")
+    for name, fit in fits.items():
+        sets = (("left out", fitted, fit.left_out), ("held out", held_out, None), ("bearing", bearings, None))
+        for group, solves, known in sets:
+            error = fit.error(solves, name) if known is None else known
+            each = (rms(solves.ratio[name] - 1), *spread(error).values(), float(np.median(solves.uncertainty[name])))
+            terms = str(len(fit.terms)) if known is not None else ""
+            table.add_row(name, terms, group, str(error.size), *(f"{100 * value:.3f} %" for value in each))
+    out.print(table)
+
+
+def solves_of(group: str) -> Solves:
+    """Those of a set that settled and lie in the box."""
+    rows = [row for row in read_rows() if row["set"] == group and not row["trouble"]]
+    rows = [row for row in rows if float(row["size"]) <= BOX["size"][1]]
+    rows = [row for row in rows if float(row["shoulder"]) >= OFF_SHOULDER * float(row["size"])]
+
+    def column(name: str) -> Array:
+        return np.array([float(row[name]) for row in rows])
+
+    return Solves(
+        shape=ContactShape(**{name: column(name) for name in BOX}),
+        ratio={name: column(name) for name in QUANTITIES},
+        uncertainty={name: column(f"{name}_uncertainty") for name in QUANTITIES},
+        name=[row["name"] for row in rows],
+        solver={row["solver"] for row in rows},
+    )
+
+
+def candidates() -> Iterator[Powers]:
+    """Terms to choose from, each vanishing with the size.
+
+    First order: displacements that do not know the contact's size (ball to its middle plane, race to its far field,
+    with the curvatures and the shoulder that bend them), the logarithm, and the surfaces that the load draws together
+    on a slope. Higher order: the shape of the gap, with what the bodies' elasticity may make of it.
+    """
+    race: list[Powers] = [{}, *({name: 1} for name in ("rolling_curvature", "openness", "shoulder_curvature"))]
+    yield {"relative_load": 1, "log_drift": 1}
+    for kind in ("share", "drift", "bulk"):
+        yield {"relative_load": 1, f"ball_{kind}": 1}
+        for part in (*race, {"shoulder_curvature": 2}):
+            yield {"relative_load": 1, f"race_{kind}": 1} | part
+    for power in range(3):
+        slender = {"axis_ratio": power} if power else {}
+        yield {"size": 1, "ball_drift": 1} | slender
+        for part in race[:2]:
+            yield {"size": 1, "race_drift": 1} | part | slender
+    curvatures: list[Powers] = [*race[:3], {"rolling_curvature": 2}, race[1] | race[2]]
+    elastic: list[Powers] = [{}, {"ball_share": 1}, {"ball_drift": 1}, {"race_drift": 1}]
+    for size, power, curvature, part in product((2, 3, 4), range(3), curvatures, elastic):
+        yield {"size": size} | curvature | ({"axis_ratio": power} if power else {}) | part
+    for size in (2, 3, 4):
+        yield {"size": size, "shoulder_curvature": size, "race_share": 1}
+
+
+def fit_of(solves: Solves, quantity: str) -> Fit:
+    """The fit of one quantity; see the head of this file."""
+    terms, bases = list(candidates()), shape_bases(solves.shape)
+    weight = 1 / np.maximum(solves.uncertainty[quantity], LEAST_UNCERTAINTY)
+    columns = np.column_stack([monomial(bases, term) for term in terms])
+    change = solves.ratio[quantity] - 1
+    chosen = chosen_terms(columns * weight[:, None], change * weight)
+    kept, *_ = np.linalg.qr(columns[:, chosen] * weight[:, None])
+    coefficients = np.linalg.lstsq(columns[:, chosen] * weight[:, None], change * weight, rcond=None)[0]
+    residual = columns[:, chosen] @ coefficients - change
+    leverage = np.sum(kept**2, axis=1)
+    return Fit(terms=[terms[n] for n in chosen], coefficients=coefficients, left_out=residual / (1 - leverage))
+
+
+def chosen_terms(columns: Array, values: Array) -> list[int]:
+    """Which columns (n, m) explain the values (n,), in the order in which they were taken."""
+    rest = columns / np.linalg.norm(columns, axis=0)
+    residual, leverage = values, np.zeros(values.size)
+    chosen, mean, error = [], [float(np.mean(values**2))], [0.0]
+    for _ in range(min(MOST_TERMS, values.size // 4)):
+        length = np.linalg.norm(rest, axis=0)
+        unit = rest / np.maximum(length, PARALLEL)
+        left_out = (residual[:, None] - unit * (residual @ unit)) / (1 - leverage[:, None] - unit**2)
+        score = np.where(length > PARALLEL, np.mean(left_out**2, axis=0), np.inf)
+        best = int(np.argmin(score))
+        chosen.append(best)
+        mean.append(float(score[best]))
+        error.append(float(np.std(left_out[:, best] ** 2) / np.sqrt(values.size)))
+        taken = unit[:, best]
+        residual, leverage = residual - taken * (taken @ residual), leverage + taken**2
+        rest = rest - np.outer(taken, taken @ rest)
+    least = int(np.argmin(mean))
+    return chosen[: int(np.argmax(np.array(mean) <= max(mean[least] + error[least], NOISE)))]
+
+
+def uncertainty_of(fit: Fit, solves: Solves, quantity: str) -> float:
+    """Half-width, 95 %, of all but the smallest contacts: of the fit at points left out, and of the solves, added."""
+    large = np.asarray(solves.shape.size) >= SMALL
+    interpolation = float(np.quantile(np.abs(fit.left_out[large]), 0.95))
+    return interpolation + float(np.median(solves.uncertainty[quantity][large]))
+
+
+def rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+def spread(error: Array) -> dict[str, float]:
+    size = np.abs(error)
+    return {"rms": rms(error), "quantile_95": float(np.quantile(size, 0.95)), "worst": float(size.max())}
+
+
+def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solves) -> Iterator[str]:
+    """The stored file, line by line."""
+    (head, *rest) = (line for line in (HERE / "solves.csv").read_text("utf-8").splitlines() if line.startswith("#"))
+    yield "# Hertz's contact corrected for the true shape of ball and groove: read by analytic/finite_geometry.py,"
+    yield "# written by validation/correction/fit.py from solves.csv beside it. Errors and uncertainties are relative."
+    dates = sorted({row["date"] for row in read_rows()})
+    yield ""
+    yield "[provenance]"
+    yield f'about = "{head[2:]}"'
+    for line in rest:
+        name, _, value = line[2:].partition(": ")
+        yield f'{name} = "{value}"'
+    yield f'solver = "{", ".join(sorted(fitted.solver | held_out.solver | bearings.solver))}"'
+    yield f'dates = "{dates[0]} to {dates[-1]}"'
+    yield 'fit = "python validation/correction/fit.py"'
+    yield f"solves = {{ fit = {size_of(fitted)}, held_out = {size_of(held_out)}, bearing = {size_of(bearings)} }}"
+    yield ""
+    yield "[range]"
+    for name, (low, high) in BOX.items():
+        yield f"{name} = [{low:g}, {high:g}]"
+    for name, fit in fits.items():
+        yield ""
+        yield f"[quantity.{name}]"
+        yield f"uncertainty = {uncertainty_of(fit, fitted, name):.2g} # half-width, 95 %"
+        yield f"numerical_uncertainty = {np.median(fitted.uncertainty[name]):.2g} # of a solve, median"
+        for label, error in (
+            ("left_out", fit.left_out),
+            ("held_out", fit.error(held_out, name)),
+            ("bearing", fit.error(bearings, name)),
+        ):
+            yield f"{label} = {{ {', '.join(f'{key} = {value:.2g}' for key, value in spread(error).items())} }}"
+        yield "terms = ["
+        for coefficient, powers in zip(fit.coefficients, fit.terms, strict=True):
+            inner = ", ".join(f"{base} = {power}" for base, power in powers.items())
+            yield f"  {{ coefficient = {coefficient:.8g}, powers = {{ {inner} }} }},"
+        yield "]"
+
+
+def size_of(solves: Solves) -> int:
+    return np.size(solves.shape.size)
+
+
+if __name__ == "__main__":
+    main()

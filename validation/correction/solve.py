@@ -1,0 +1,210 @@
+"""The solves behind the correction of Hertz for finite geometry: python validation/correction/solve.py
+
+Solves contacts of true shape by finite elements and stores each quantity over Hertz's, with its uncertainty, in
+solves.csv, where fit.py finds them. Three sets: `fit`, a Sobol sequence over the box below; `held out`, random
+contacts of that box; `bearing`, both races of the bearings in bearings.toml under random loads. The fit sees the first
+alone.
+
+A contact is what `analytic.finite_geometry.ContactShape` holds; nothing else matters in elasticity. Rolling curvatures
+are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (of the heavy series 64), r/R is g/(1 - g)
+on the inner and -g/(1 + g) on the outer race, from -0.25 to 0.48.
+A run that was interrupted goes on where it stopped.
+"""
+
+import csv
+import os
+import subprocess
+import tomllib
+from collections.abc import Iterator
+from dataclasses import replace
+from datetime import UTC, datetime
+from importlib.metadata import version
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+from rich.console import Console
+from rich.progress import track
+from scipy.stats import qmc
+
+from analytic.errors import FembearingError
+from analytic.finite_geometry import OFF_SHOULDER
+from analytic.hertz import contact_modulus
+from analytic.scene import Contact, Material
+from fembearing.compare.discrepancy import hertz_quantities
+from fembearing.compare.progress import silent
+from fembearing.compare.reference import solve_reference
+from fembearing.mesh.recipe import load_recipe
+
+HERE = Path(__file__).parent
+SOLVES, BEARINGS = HERE / "solves.csv", HERE / "bearings.toml"
+SEED = 20250
+ACCURACY = 1e-3
+LEVELS = (1, 2, 3)  # of the recipe: the fourth takes three times as long, for half the uncertainty
+BOX = {  # lowest and highest of each
+    "conformity": (0.505, 0.58),  # r_g/D
+    "rolling_curvature": (-0.26, 0.48),  # r/R, below 0 on an outer race
+    "size": (0.01, 0.45),  # Hertz's b/r; the mesh holds up to 0.5
+    "ball_poisson_ratio": (0.2, 0.4),
+    "race_poisson_ratio": (0.2, 0.4),
+    "ball_share": (0.01, 0.99),  # of the compliance 1/E* that is the ball's
+    "shoulder": (0.42, 0.9),  # distance from the contact's centre over r
+}
+QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
+COLUMNS = [
+    *("set", "number", "name", *BOX, *QUANTITIES),
+    *(f"{name}_uncertainty" for name in QUANTITIES),
+    *("level", "solver", "date", "trouble"),
+]
+PRESSURES = (0.007, 0.028)  # p0/E* on the bearings: 0.8 to 3.2 GPa on steel
+SOLVER = ("fem", "mesh", "compare/reference.py", "compare/uncertainty.py")  # what a solve depends on
+MATERIALS = {  # E, nu; typical values
+    "steel": (206e9, 0.3),
+    "silicon nitride": (310e9, 0.26),
+    "peek": (3.6e9, 0.38),
+}
+RADIUS, MODULUS = 5e-3, 113e9  # r, m; E*, Pa: the ratios do not depend on them
+Row = dict[str, str]
+
+
+def main(
+    fit: Annotated[int, typer.Option(help="Contacts to fit.")] = 192,
+    held_out: Annotated[int, typer.Option(help="Random contacts that the fit does not see.")] = 48,
+    bearings: Annotated[bool, typer.Option(help="Solve the bearings too.")] = True,
+) -> None:
+    rows = read_rows()
+    done = {(row["set"], row["number"]) for row in rows}
+    wanted = [*drawn("fit", fit), *drawn("held out", held_out), *(of_bearings() if bearings else ())]
+    origin = {"solver": solver_commit(), "date": datetime.now(UTC).date().isoformat()}
+    ahead = [each for each in wanted if (each[0], str(each[1])) not in done]
+    for group, number, name, shape in track(ahead, console=Console(stderr=True)):
+        rows.append({"set": group, "number": str(number), "name": name} | origin | solved(shape))
+        write_rows(rows)
+    write_rows(rows)
+
+
+def drawn(group: str, count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
+    """Shapes of the box: evenly spread for the fit, at random to be held out."""
+    if group == "fit":
+        units = qmc.Sobol(len(BOX), rng=np.random.default_rng(SEED)).random_base2(int(np.ceil(np.log2(max(count, 1)))))
+    else:
+        units = np.random.default_rng(SEED + 1).random((count, len(BOX)))
+    for number, unit in enumerate(units[:count]):
+        share = dict(zip(BOX, unit, strict=True))
+        shape = {name: low + share[name] * (high - low) for name, (low, high) in BOX.items()}
+        low, high = max(BOX["shoulder"][0], OFF_SHOULDER * shape["size"]), BOX["shoulder"][1]
+        yield group, number, "", shape | {"shoulder": low + share["shoulder"] * (high - low)}
+
+
+def of_bearings() -> Iterator[tuple[str, int, str, dict[str, float]]]:
+    """Both races of each bearing, each under two random loads."""
+    rng, number = np.random.default_rng(SEED + 2), 0
+    for bearing in tomllib.loads(BEARINGS.read_text("utf-8"))["bearing"]:
+        angle = np.radians(bearing["contact_angle"])
+        gamma = bearing["ball_diameter"] * np.cos(angle) / bearing["pitch_diameter"]
+        (ball_modulus, ball_ratio), (race_modulus, race_ratio) = MATERIALS[bearing["ball"]], MATERIALS[bearing["race"]]
+        softness = (1 - ball_ratio**2) / ball_modulus, (1 - race_ratio**2) / race_modulus
+        for race, sign in (("inner", 1), ("outer", -1)):
+            conformity = bearing["conformity"][race]
+            top = np.arccos(1 - bearing["shoulder_height"] / conformity)  # the shoulder's angle on the profile
+            for pressure in rng.uniform(*PRESSURES, 2):
+                shape = {
+                    "conformity": conformity,
+                    "rolling_curvature": sign * gamma / (1 - sign * gamma),
+                    "size": 0.1,
+                    "ball_poisson_ratio": ball_ratio,
+                    "race_poisson_ratio": race_ratio,
+                    "ball_share": softness[0] / sum(softness),
+                    "shoulder": 2 * conformity * np.sin(top - angle),
+                }
+                shape["size"] *= pressure * MODULUS / hertz_quantities(contact_of_shape(shape)).peak_pressure
+                yield "bearing", number, f"{bearing['name']}, {race}", shape
+                number += 1
+
+
+def contact_of_shape(shape: dict[str, float]) -> Contact:
+    """A contact of the given ratios; its load gives Hertz's b the size that is asked."""
+    bodies = []
+    for body, share in (("ball", shape["ball_share"]), ("race", 1 - shape["ball_share"])):
+        ratio = shape[f"{body}_poisson_ratio"]
+        modulus = MODULUS * (1 - ratio**2) / share
+        bodies.append(Material(name=body, youngs_modulus=modulus, poisson_ratio=ratio, density=1.0, source="drawn"))
+    assert abs(contact_modulus(*bodies) / MODULUS - 1) < 1e-12  # round-off
+    curvature = shape["rolling_curvature"]
+    contact = Contact(
+        pair="inner" if curvature > 0 else "outer",
+        ball_radius=RADIUS,
+        groove_radius=2 * RADIUS * shape["conformity"],
+        rolling_radius=RADIUS / curvature,
+        shoulder=RADIUS * shape["shoulder"],
+        contact_angle=0.0,  # of a symmetric groove: the shoulder is where it is
+        load=1.0,
+        ball_material=bodies[0],
+        race_material=bodies[1],
+    )
+    unit = hertz_quantities(contact).semi_axis_transverse
+    return replace(contact, load=(RADIUS * shape["size"] / unit) ** 3)
+
+
+def solved(shape: dict[str, float]) -> Row:
+    """The shape and each quantity by finite elements over Hertz's."""
+    row = {name: repr(float(value)) for name, value in shape.items()}
+    contact = contact_of_shape(shape)
+    recipe = replace(load_recipe("race"), levels=LEVELS)
+    try:
+        found = solve_reference(contact, recipe=recipe, accuracy=ACCURACY, progress=silent)
+    except FembearingError as problem:
+        return row | {"trouble": " ".join(str(problem).split())}
+    hertz = vars(hertz_quantities(contact))
+    for name in QUANTITIES:
+        part = found.estimates[name]
+        row |= {name: f"{part.value / hertz[name]:.7f}", f"{name}_uncertainty": f"{part.total:.2e}"}
+    unsettled = [name for name in QUANTITIES if not found.estimates[name].settled]
+    return row | {
+        "level": str(found.meshes[-1].level),
+        "trouble": f"meshes do not settle in {' '.join(unsettled)}" if unsettled else "",
+    }
+
+
+def read_rows() -> list[Row]:
+    """What is stored; nothing where there is no file yet."""
+    if not SOLVES.exists():
+        return []
+    lines = (line for line in SOLVES.read_text("utf-8").splitlines() if not line.startswith("#"))
+    return list(csv.DictReader(lines))
+
+
+def write_rows(rows: list[Row]) -> None:
+    """Replace the file in one step, so that an interrupted run leaves a whole one."""
+    fresh = SOLVES.with_suffix(".new")
+    with fresh.open("w", encoding="utf-8", newline="") as file:
+        file.writelines(f"# {line}\n" for line in provenance())
+        writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    os.replace(fresh, SOLVES)
+
+
+def provenance() -> Iterator[str]:
+    yield "Contacts of ball and race: finite elements over Hertz, and relative half-widths of their 95 % intervals"
+    yield "generator: python validation/correction/solve.py"
+    yield f"seeds: {SEED} (fit, scrambled Sobol), {SEED + 1} (held out), {SEED + 2} (bearing)"
+    yield f"mesh: recipe race, levels {', '.join(map(str, LEVELS))}, extrapolated"
+    versions = (f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy", "scikit-fem"))
+    yield f"versions: {', '.join(versions)}"
+
+
+def solver_commit() -> str:
+    """The last commit that touched what solves, marked + if that has changed since."""
+    files = ["--", *(f"fembearing/{part}" for part in SOLVER), "meshes"]
+    git = ["git", "-C", str(HERE.parents[1])]
+    last = subprocess.run(
+        [*git, "log", "-1", "--no-merges", "--format=%h", *files], capture_output=True, text=True, check=True
+    ).stdout
+    changed = subprocess.run([*git, "diff", "--quiet", "HEAD", *files], check=False).returncode
+    return last.strip() + "+" * changed
+
+
+if __name__ == "__main__":
+    typer.run(main)
