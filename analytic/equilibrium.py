@@ -77,7 +77,8 @@ def thrust_equilibrium(
     for _ in range(MOST_ROUNDS):
         units, last = _units(bearing, tangent, factors), tangent
         tangent = _loaded_tangent(bearing, load, play=play, units=units, start=last)
-        change = float(np.max(np.abs(np.log(tangent / last)), initial=0.0))
+        # Of ln(tan al), which rounds where it is large: at a light load on no clearance it is -10.
+        change = float(np.max(np.abs(np.log(tangent / last)) / (1 + np.abs(np.log(last))), initial=0.0))
         # The changes fall at least as a geometric series: the next would be below round-off, that of the contacts too.
         if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:
             return _equilibrium(bearing, load, tangent, units, free_angle=free)
