@@ -203,7 +203,7 @@ class Contact:
     `rolling_radius` is the groove's radius along rolling at the contact's centre: positive on
     the inner ring (convex), negative on the outer (concave).
     `shoulder` is the distance from the contact's centre to the nearer shoulder, on the plane
-    tangent at that centre.
+    tangent at that centre; y, across the groove, is positive towards it.
     """
 
     pair: Pair

@@ -183,12 +183,13 @@ def _one_contact(given: Scene, load: float | None, *, as_json: bool, **which: An
     with _progress() as report:
         result = solve_contact(given, load=load, progress=report, **which)
         report(0.8, f"{result.contact.pair}: stress under the contact")
-        below = compare_subsurface(result)
+        below = None if result.meshes[-1].pair.footprint.half else compare_subsurface(result)
     if as_json:
-        _print_json(result.to_json() | {"subsurface": below.to_json()})
+        _print_json(result.to_json() | {"subsurface": None if below is None else below.to_json()})
     else:
         print_contact(out, result)
-        print_subsurface(out, below)
+        if below is not None:
+            print_subsurface(out, below)
         _print_warnings(result.warnings)
     raise typer.Exit(_status(result.verdict) if result.judged else DONE)
 

@@ -1,5 +1,6 @@
 """One contact both ways: Hertz's closed forms and finite elements on the meshed bodies."""
 
+import math
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -18,11 +19,11 @@ from analytic.torque import STATIC_LIMIT
 from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
-from fembearing.compare.reference import COMPARED, Estimates, solve_reference
+from fembearing.compare.reference import COMPARED, Estimates, Reference, solve_reference
 from fembearing.compare.ring import RingStructure, structure_of_ring
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.verdict import Verdict, judge, worst
-from fembearing.fem.measure import Quantities
+from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
@@ -48,6 +49,7 @@ class ContactSolution:
     tolerance: float
     hertz: Quantities
     estimates: dict[str, Estimate]
+    shoulder: dict[str, Estimate]  # keyed by the names of `ShoulderLoad`; empty where the contact ends before it
     meshes: tuple[MeshSolution, ...]  # coarse to fine
     seconds: float
     warnings: tuple[str, ...]
@@ -92,7 +94,31 @@ class ContactSolution:
 
     @property
     def rung(self) -> str:
-        return f"finite elements, {self.geometry}, {self.meshes[-1].unknowns} unknowns"
+        part = "half of the contact, " if self.meshes[-1].pair.footprint.half else ""
+        return f"finite elements, {self.geometry}, {part}{self.meshes[-1].unknowns} unknowns"
+
+    @property
+    def centroid(self) -> float:
+        """y of the load's centroid, m: off the contact's centre where one shoulder cuts it off."""
+        return self.shoulder["centroid"].value if self.shoulder else 0.0
+
+    @property
+    def shoulders(self) -> tuple[float, ...]:
+        """y of the shoulders that cut the contact off, m."""
+        if not self.shoulder:
+            return ()
+        below, above = self.meshes[-1].pair.footprint.room
+        return tuple(y for y in (-below, above) if math.isfinite(y))
+
+    @property
+    def strip_width(self) -> float:
+        """Of the strip beside the shoulder whose load is shown, m."""
+        return STRIP * self.contact.shoulder
+
+    @property
+    def hertz_line_load(self) -> float:
+        """Greatest line load of Hertz's ellipse, 3 Q/(4 b), N/m: the pressure summed along rolling, at its centre."""
+        return 3 * self.contact.load / (4 * self.hertz.semi_axis_transverse)
 
     def write_meshes(self, folder: Path) -> dict[str, Path]:
         """Write both bodies of the finest mesh with the pressure, Pa, as .vtu; "upper" and "lower" to their paths."""
@@ -132,8 +158,24 @@ class ContactSolution:
                 }
                 for name, part in self.estimates.items()
             },
+            "shoulder": self._shoulder_json(),
             "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": peak_memory()},
             "warnings": list(self.warnings),
+        }
+
+    def _shoulder_json(self) -> dict[str, Any] | None:
+        """What the contact does at a shoulder that cuts it off; uncertainties relative."""
+        if not self.shoulder:
+            return None
+        return {
+            "distance": self.contact.shoulder,
+            "sides": 1 if self.meshes[-1].pair.footprint.half else 2,
+            "strip_width": self.strip_width,
+            "hertz_line_load": self.hertz_line_load,
+            **{
+                name: {"fe": part.value, "uncertainty": part.total, "values": list(part.values), "order": part.order}
+                for name, part in self.shoulder.items()
+            },
         }
 
 
@@ -233,7 +275,7 @@ def compare_contact(
         )
 
     found = solve_reference(
-        contact,
+        replace(contact, shoulder=math.inf) if recipe.geometry == "hertzian" else contact,
         recipe=recipe,
         accuracy=asked,
         watched=SHOWN_OF_A_SHEET if thin else COMPARED,
@@ -241,8 +283,8 @@ def compare_contact(
         progress=progress,
     )
     meshes, estimates = found.meshes, found.estimates
-    overrun = EDGE_OF_GROOVE * meshes[-1].quantities.semi_axis_transverse > contact.shoulder
-    warnings = _warnings(contact, meshes[-1], estimates, accuracy=asked, overrun=overrun, thin=thin)
+    overrun = near_shoulder(meshes[-1], contact)
+    warnings = _warnings(contact, found, accuracy=asked, overrun=overrun, thin=thin)
     corrected, beyond = None, ()
     if recipe.geometry == "real" and contact.pair != "pocket":  # the correction is of ball and race
         corrected, beyond = corrected_hertz(contact, hertz=hertz)
@@ -252,12 +294,18 @@ def compare_contact(
         tolerance=tolerance,
         hertz=hertz,
         estimates=estimates,
+        shoulder=found.shoulder,
         meshes=meshes,
         seconds=time.perf_counter() - start,
         warnings=(*warnings, *beyond),
         corrected=corrected,
         valid=not thin and not (overrun and recipe.geometry == "real"),
     )
+
+
+def near_shoulder(mesh: MeshSolution, contact: Contact) -> bool:
+    """Whether a solved contact reaches its shoulder, or nearly: what Hertz is not made for."""
+    return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.shoulder
 
 
 def could_be_decided(part: Estimate, formula: float, *, tolerance: float) -> bool:
@@ -305,18 +353,13 @@ def sheet_warning(contact: Contact) -> str:
     )
 
 
-def _warnings(
-    contact: Contact, finest: MeshSolution, estimates: Estimates, *, accuracy: float, overrun: bool, thin: bool
-) -> tuple[str, ...]:
+def _warnings(contact: Contact, reference: Reference, *, accuracy: float, overrun: bool, thin: bool) -> tuple[str, ...]:
+    finest, estimates = reference.meshes[-1], reference.estimates
     found = []
     if thin:
         found.append(sheet_warning(contact))
     if overrun:
-        found.append(
-            f"{contact.pair}: the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across, the "
-            f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz, and the pressure at that edge may "
-            "exceed the one at the centre; lower the load or the contact angle"
-        )
+        found.append(_shoulder_warning(contact, reference))
     missed = {name: estimates[name].total for name in COMPARED if estimates[name].total > accuracy and not thin}
     if missed:
         name = max(missed, key=lambda name: missed[name])
@@ -334,3 +377,19 @@ def _warnings(
             f"{STATIC_LIMIT:.2g} Pa of bearing steel: both sides are elastic, the contact is not; lower the load"
         )
     return tuple(found)
+
+
+def _shoulder_warning(contact: Contact, reference: Reference) -> str:
+    stands = f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz"
+    remedy = "lower the load or the contact angle"
+    finest = reference.meshes[-1]
+    if finest.shoulder is None:
+        across = finest.quantities.semi_axis_transverse
+        return f"{contact.pair}: the contact reaches {across * 1e3:.3f} mm across, the {stands}; {remedy}"
+    share = reference.shoulder["strip_share"]
+    return (
+        f"{contact.pair}: an ellipse of {finest.semi_axes[1] * 1e3:.3f} mm across is cut off, its {stands}. The tenth "
+        f"of that distance beside it carries {share.value:.2%} of the load. A sharp shoulder, as it is meshed, "
+        "bears a pressure without bound, a real one is rounded: it may exceed the one at the centre, and no number "
+        f"here says by how much; {remedy}"
+    )

@@ -81,10 +81,21 @@ def closure(load: float) -> float:
 
 
 def meshed(
-    contact: Contact, *, recipe: str = "hertzian", level: int = LEVEL, scale: tuple[float, float] = (1.0, 1.0)
+    contact: Contact,
+    *,
+    recipe: str = "hertzian",
+    level: int = LEVEL,
+    scale: tuple[float, float] = (1.0, 1.0),
+    shoulder: float = math.inf,
 ) -> Quantities:
-    """A contact by finite elements; `scale` makes the first mesh that many times too large along rolling and across."""
+    """A contact by finite elements.
+
+    scale : makes the first mesh that many times too large along rolling and across
+    shoulder : m, of the idealisation; a true groove has its own
+    """
     made = load_recipe(recipe)
+    if made.geometry == "hertzian":
+        contact = replace(contact, shoulder=shoulder)
     along, across = expected_semi_axes(contact)
     guess = scale[0] * along, scale[1] * across
     if level == LEVEL:
@@ -289,6 +300,21 @@ CONTACT_CASES: tuple[HardCase, ...] = (
         evaluate=lambda: meshed(inner(), scale=(100.0, 100.0)).peak_pressure,
         expected=2182366274.905845588,
         tolerance=SECOND_LEVEL,
+    ),
+    HardCase(
+        name="contact: grazing its shoulder",
+        asked="a groove that ends 0.3 % before the ellipse does, so that half of the contact is meshed",
+        right="Hertz's approach, by 40 digits: what is cut off carries 1e-5 of the load",
+        evaluate=lambda: meshed(inner(), shoulder=1.118e-3).approach,
+        expected=8.4430937122525567274e-6,
+        tolerance=SECOND_LEVEL,
+    ),
+    HardCase(
+        name="contact: far over its shoulder",
+        asked="an ellipse 3.7 times as long as the room that the groove leaves",
+        right="a refusal with what the mesh holds: there is next to no groove left",
+        evaluate=lambda: meshed(replace(inner(), shoulder=0.3e-3), recipe="race").approach,
+        refusal="its shoulder stands at 0.0003 m: the mesh holds up to 3 times that",
     ),
     HardCase(
         name="contact: past the ball",

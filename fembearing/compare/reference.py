@@ -1,12 +1,11 @@
 """The finite-element reference of a contact: as many meshes as its accuracy asks for, and what they say together."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import asdict, dataclass, replace
 
 from analytic.scene import Contact
 from fembearing.compare.progress import Progress
 from fembearing.compare.uncertainty import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate
-from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Recipe
 
@@ -22,6 +21,7 @@ FORMAL_ORDERS: dict[str, float | None] = {
     "stiffness": 4.0,
 }
 COMPARED = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")  # stiffness follows from the last
+STRIP_LEAST = 0.03  # relative: the strip beside a shoulder cuts cells; boundary elements see 3 % off a third level
 # With which power of a block's size the effect of its far boundary fades: tests/compare/test_discrepancy.py foretells a
 # block 2.5 times as large from one 1.5 times as large. A pocket's seat is a cavity and no half space: its approach runs
 # on with the logarithm of the size.
@@ -35,6 +35,7 @@ class Reference:
 
     meshes: tuple[MeshSolution, ...]
     estimates: Estimates
+    shoulder: Estimates  # keyed by the names of `ShoulderLoad`; empty where the contact ends before the shoulder
 
 
 def solve_reference(
@@ -67,23 +68,45 @@ def solve_reference(
         meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=second.pair.semi_axes))
         estimates = {name: replace(part, **vars(boundary[name])) for name, part in estimates_of(meshes).items()}
         holds = all(estimates[name].mesh <= limit for name, limit in allowed.items())
-        if holds and not is_open(estimates):
+        if holds and (second.shoulder is not None or not is_open(estimates)):
             break
-    return Reference(meshes=tuple(meshes), estimates=estimates)
+    shoulder = {name: part for name, part in estimates.items() if name not in FORMAL_ORDERS}
+    return Reference(
+        meshes=tuple(meshes), estimates={name: estimates[name] for name in FORMAL_ORDERS}, shoulder=shoulder
+    )
 
 
 def estimates_of(meshes: Sequence[MeshSolution]) -> Estimates:
-    """Each quantity from three meshes or more, without what the far boundary does."""
+    """Each quantity from three meshes or more, without what the far boundary does.
+
+    A contact cut off at a shoulder ends in pressure without bound: no order is relied on.
+    """
     sizes = [1 / mesh.level for mesh in meshes]
-    return {
-        name: estimate([getattr(mesh.quantities, name) for mesh in meshes], sizes, formal_order=order)
-        for name, order in FORMAL_ORDERS.items()
-    }
+    table = [measured(mesh) for mesh in meshes]
+    singular = meshes[-1].shoulder is not None
+    found = {}
+    for name in table[-1]:
+        values = [row[name] for row in table]
+        if not any(values):  # the centroid between two shoulders
+            found[name] = Estimate(values=tuple(values), order=None, richardson=None, mesh=0.0)
+        else:
+            order = None if singular else FORMAL_ORDERS[name]
+            found[name] = estimate(values, sizes, formal_order=order, singular=singular)
+        if name.startswith("strip"):
+            found[name] = replace(found[name], mesh=max(found[name].mesh, STRIP_LEAST))
+    return found
+
+
+def measured(mesh: MeshSolution) -> dict[str, float]:
+    """All that is read off a solved mesh, what the shoulder carries included."""
+    return asdict(mesh.quantities) | ({} if mesh.shoulder is None else asdict(mesh.shoulder))
 
 
 def _predicted_level(meshes: Sequence[MeshSolution], *, recipe: Recipe, allowed: dict[str, float]) -> int:
     """The coarsest level from the third on whose mesh uncertainty should be no more than allowed; else the finest."""
     coarse, fine = meshes
+    if fine.shoulder is not None:  # no order to predict with
+        return recipe.levels[2]
     for level in recipe.levels[2:-1]:
         for name, limit in allowed.items():
             formal = FORMAL_ORDERS[name]
@@ -112,7 +135,7 @@ def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
     boundary: nothing.
     """
     if not has_boundary(mesh, recipe=recipe):
-        return {part.name: Boundary() for part in fields(Quantities)}
+        return dict.fromkeys(measured(mesh), Boundary())
     larger = solve_on_mesh(
         mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
     )
@@ -130,11 +153,11 @@ def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Bound
     That shows a part of it. The rest follows from the power with which it fades, and half of the whole is left as
     uncertainty; the approach into a seat is left as it is and uncertain as if it faded as one over the size.
     """
-    names = [part.name for part in fields(Quantities)]
     size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
+    before, after = measured(mesh), measured(larger)
     found = {}
-    for name in names:
-        change = getattr(larger.quantities, name) / getattr(mesh.quantities, name) - 1
+    for name, value in before.items():
+        change = after[name] / value - 1 if value else 0.0
         if mesh.contact.pair == "pocket" and name in ENDLESS_IN_A_SEAT:
             found[name] = Boundary(domain=abs(change) / (1 - size / further))
         else:

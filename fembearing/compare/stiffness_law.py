@@ -18,12 +18,12 @@ from scipy.stats import t as student
 from analytic.errors import InputError
 from analytic.scene import Contact, Pair, Scene
 from fembearing.compare.discrepancy import (
-    EDGE_OF_GROOVE,
     RECIPES,
     Shape,
     contact_of,
     could_be_decided,
     hertz_quantities,
+    near_shoulder,
     sheet_warning,
     traced_to_load,
 )
@@ -214,7 +214,7 @@ def compare_series(
     law = fit_law(data)
     tangents = [(None, None)] * given.size if law is None else _tangents(data, given, approaches)
     thin = recipe.geometry == "wall"
-    over = np.array([EDGE_OF_GROOVE * part.quantities.semi_axis_transverse > contact.shoulder for part in third])
+    over = np.array([near_shoulder(part, contact) for part in third])
     points = []
     for part, approach, tangent, overrun in zip(third, approaches, tangents, over, strict=True):
         formula = hertz_quantities(part.contact).approach

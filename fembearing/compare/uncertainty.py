@@ -55,13 +55,17 @@ class Estimate:
         return self.mesh + self.domain
 
 
-def estimate(values: Sequence[float], cell_sizes: Sequence[float], *, formal_order: float | None) -> Estimate:
+def estimate(
+    values: Sequence[float], cell_sizes: Sequence[float], *, formal_order: float | None, singular: bool = False
+) -> Estimate:
     """Value and uncertainty from the last three of `values`.
 
     values : on meshes from coarse to fine, any unit
     cell_sizes : representative, falling, same length, any unit
     formal_order : with which the error falls as soon as cells are small; None: not extrapolated, and the uncertainty is
         what order 3 would leave, and 0.03 % more
+    singular : the solution has an edge that spoils every order: not extrapolated, and the uncertainty is 3 times the
+        last change
     Where the last change is not well below the one before, the uncertainty is 3 times the spread of the three, or what
     the observed order leaves where that is more.
     """
@@ -75,6 +79,8 @@ def estimate(values: Sequence[float], cell_sizes: Sequence[float], *, formal_ord
     if not settled:
         left = 0.0 if order is None else abs(change) / (ratio**order - 1)
         uncertainty = CAUTIOUS * max(left, max(values[-3:]) - min(values[-3:]))
+    elif singular:
+        uncertainty = CAUTIOUS * abs(change)
     elif formal_order is None:
         uncertainty = abs(step) + LEAST * abs(fine)
     else:

@@ -21,9 +21,10 @@ from scipy.sparse.linalg import splu
 from analytic.errors import SingularError
 from analytic.scene import Material
 from fembearing.fem.contact import is_positive_definite
-from fembearing.fem.elasticity import stiffness
+from fembearing.fem.elasticity import stiffness, surface_mass
 from fembearing.fem.farfield import pressed_ellipse
 from fembearing.mesh.bodies import BodyMesh
+from fembearing.mesh.footprint import UNCUT
 
 # Where MKL's own packages put it: pypardiso, told nothing, searches all of the environment for half a second.
 for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
@@ -42,26 +43,51 @@ OUT_OF_MEMORY = (-2, -8, -9)  # of PARDISO's status codes: too little memory, to
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CondensedBody:
     compliance: Array  # (m, m) m/N, symmetric
-    drift: Array  # (m,) m/N
+    drift: Array  # (m,) m/N, for each newton of the whole load
     unknowns: int
 
 
-def condense(body: BodyMesh, *, material: Material, force: Array, semi_axes: tuple[float, float]) -> CondensedBody:
+def condense(
+    body: BodyMesh,
+    *,
+    material: Material,
+    force: Array,
+    semi_axes: tuple[float, float],
+    room: tuple[float, float] = UNCUT,
+) -> CondensedBody:
     """Reduce a body to its touching nodes.
 
     force : (3, m) unit vectors along which the contact pushes this body
-    semi_axes : of the pressure whose far field holds the body, m
+    semi_axes, room : of the pressure whose far field holds the body, m
     Raises SingularError for a body that is not held, or whose equations are not those of an elastic one.
+
+    Half a ball has no plane of symmetry across the contact: its middle plane is held there, at rest on the average, by
+    forces spread evenly over it. A unit force f then comes with -f_y of those, and what it moves is told from where the
+    middle plane is: P^T K^-1 P with P = push - (forces of the plane) f_y, K held at a single node that feels nothing.
     """
-    system = held_stiffness(body, material=material, semi_axes=semi_axes)
+    system = held_stiffness(body, material=material, semi_axes=semi_axes, room=room)
     push = system.forces(body.touching, force)
     solve = _by_superlu if PyPardisoSolver is None else _by_pardiso
     with system.solving():
-        compliance, drift = solve(system.matrix, push, system.far_force)
+        beside = middle_plane(system, body) if body.pinned else system.far_force
+        compliance, drift, own = solve(system.matrix, push, beside)
+        if body.pinned:
+            across = drift[:, None] * force[1]
+            compliance = compliance + own * force[1][:, None] * force[1] - across - across.T
+            drift = np.zeros_like(drift)
         compliance = (compliance + compliance.T) / 2
         if not (np.isfinite(compliance).all() and is_positive_definite(compliance)):
             raise LinAlgError("touching nodes yield without resistance")
     return CondensedBody(compliance=compliance, drift=drift, unknowns=system.free.size)
+
+
+def middle_plane(system: "HeldBody", body: BodyMesh) -> Array:
+    """(n,) a unit force across, spread evenly over a ball's middle plane."""
+    plane = body.planes[2]
+    area = np.asarray(surface_mass(body.mesh, plane).sum(axis=1)).ravel()
+    full = np.zeros((3, system.nodes))
+    full[1, plane] = area / area.sum()
+    return full.ravel()[system.free]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -117,7 +143,9 @@ class HeldBody:
             ) from problem
 
 
-def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float, float]) -> HeldBody:
+def held_stiffness(
+    body: BodyMesh, *, material: Material, semi_axes: tuple[float, float], room: tuple[float, float] = UNCUT
+) -> HeldBody:
     """Assemble a body and hold its planes of symmetry and its far boundary."""
     matrix = stiffness(body.mesh, material)
     count = body.mesh.doflocs.shape[1]
@@ -129,7 +157,7 @@ def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float
     is_held[:, body.clamped] = True
     x, y, z = body.mesh.doflocs[:, body.far]
     side = 1.0 if z.size and z.min() >= 0 else -1.0
-    displacement[:, body.far] = pressed_ellipse(x, y, side * z, semi_axes=semi_axes, material=material)
+    displacement[:, body.far] = pressed_ellipse(x, y, side * z, semi_axes=semi_axes, room=room, material=material)
     displacement[2] *= side
     held, free = np.flatnonzero(is_held), np.flatnonzero(~is_held)
     rows = matrix[free]
@@ -144,8 +172,8 @@ def held_stiffness(body: BodyMesh, *, material: Material, semi_axes: tuple[float
     )
 
 
-def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array]:
-    """push.T K^-1 push and push.T K^-1 far_force from one factorisation.
+def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array, float]:
+    """push.T K^-1 push, push.T K^-1 far_force and far_force.T K^-1 far_force from one factorisation.
 
     PARDISO eliminates all degrees of freedom of [K B; B.T 0] but those that stand for the columns of B, the pushes and
     the far field: what is left of them is -B.T K^-1 B.
@@ -166,7 +194,7 @@ def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple
     finally:
         solver.free_memory(everything=True)
     moved = -left.reshape(columns, columns) / np.outer(scale, scale)
-    return moved[:-1, :-1], moved[:-1, -1]
+    return moved[:-1, :-1], moved[:-1, -1], float(moved[-1, -1])
 
 
 def _solution_by_pardiso(matrix: csr_matrix, right: Array) -> Array:
@@ -188,10 +216,10 @@ def _pardiso(*, schur: bool) -> Any:
     return solver
 
 
-def _by_superlu(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array]:
+def _by_superlu(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array, float]:
     """The same from one solution for each touching node."""
     moved = _solution_by_superlu(matrix, np.column_stack([push.toarray(), far_force]))
-    return push.T @ moved[:, :-1], push.T @ moved[:, -1]
+    return push.T @ moved[:, :-1], push.T @ moved[:, -1], float(far_force @ moved[:, -1])
 
 
 def _solution_by_superlu(matrix: csr_matrix, right: Array) -> Array:

@@ -20,6 +20,7 @@ QUADRATURE = 5  # degree: 3 points each way integrate a quadratic cell's product
 NEARLY_INCOMPRESSIBLE = 0.45
 REDUCED = 3  # degree: 2 points each way
 CORNERS = 4  # of a facet
+FINE = 30  # points each way over a facet that a strip's border crosses
 
 
 def require_elastic(contact: Contact) -> None:
@@ -92,17 +93,44 @@ def surface_mass(mesh: MeshHex2, nodes: NDArray[np.intp]) -> csr_matrix:
     It turns nodal forces into a pressure: the forces are the integrals of pressure times shape function. All facets
     must be the same side of their cells, as those of a patch are: then no point has to be looked for in its cell.
     """
+    basis, area = _surface(mesh, nodes, *get_quadrature(RefQuad, QUADRATURE))
+    shape = _shape_functions(basis, area)
+    mass = _summation(basis.element_dofs.T, basis.N)(np.einsum("icp,jcp,cp->cij", shape, shape, area, optimize=True))
+    return csr_matrix(mass[nodes][:, nodes])
+
+
+def strip_integrals(mesh: MeshHex2, nodes: NDArray[np.intp], *, low: float, high: float) -> Array:
+    """(m,) m^2: integrals of the shape functions of `nodes` over the part of their surface where low < y < high, m.
+
+    The strip's borders cross facets, so that each is summed over `FINE` by `FINE` points of equal weight.
+    """
+    ticks = (np.arange(FINE) + 0.5) / FINE
+    points = np.array(np.meshgrid(ticks, ticks)).reshape(2, -1)
+    basis, area = _surface(mesh, nodes, points, np.full(FINE**2, FINE**-2.0))
+    y = np.asarray(basis.global_coordinates())[1]
+    inside = area * ((low < y) & (y < high))
+    whole = np.zeros(basis.N)
+    np.add.at(whole, basis.element_dofs, np.einsum("icp,cp->ic", _shape_functions(basis, area), inside))
+    return whole[nodes]
+
+
+def _surface(mesh: MeshHex2, nodes: NDArray[np.intp], points: Array, weights: Array) -> tuple[Basis, Array]:
+    """Quadrature over the facets whose corners are all among `nodes`: its basis and areas (cells, points), m^2.
+
+    points, weights : (2, p) and (p,) on the unit square
+    """
     among = np.isin(mesh.t, nodes)
     cells = np.flatnonzero(among.sum(axis=0) == CORNERS)
     side = among[:, cells[0]]
     assert (among[:, cells] == side[:, None]).all()
     corners = ElementHex2.refdom.p[:, side]
     across = int(np.flatnonzero(np.ptp(corners, axis=1) == 0)[0])  # the direction that leaves the facet
-    points, weights = get_quadrature(RefQuad, QUADRATURE)
     points = np.insert(points, across, corners[across, 0], axis=0)
     basis = Basis(mesh, ElementHex2(), elements=cells, quadrature=(points, weights))
     along, other = np.delete(basis.mapping.DF(points, tind=cells), across, axis=1).swapaxes(0, 1)
-    area = np.linalg.norm(np.cross(along, other, axis=0), axis=0) * weights  # (cells, points), m^2
-    shape = np.array([np.broadcast_to(np.asarray(each[0]), area.shape) for each in basis.basis])  # (27, cells, points)
-    mass = _summation(basis.element_dofs.T, basis.N)(np.einsum("icp,jcp,cp->cij", shape, shape, area, optimize=True))
-    return csr_matrix(mass[nodes][:, nodes])
+    return basis, np.linalg.norm(np.cross(along, other, axis=0), axis=0) * weights
+
+
+def _shape_functions(basis: Basis, area: Array) -> Array:
+    """(27, cells, points)."""
+    return np.array([np.broadcast_to(np.asarray(each[0]), area.shape) for each in basis.basis])

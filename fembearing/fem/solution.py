@@ -11,14 +11,22 @@ from analytic.errors import ConvergenceError
 from analytic.scene import Contact
 from fembearing.fem.condensation import CondensedBody, condense
 from fembearing.fem.contact import press
-from fembearing.fem.elasticity import require_elastic, surface_mass
+from fembearing.fem.elasticity import require_elastic, strip_integrals, surface_mass
 from fembearing.fem.guess import expected_semi_axes
-from fembearing.fem.measure import Quantities, nodal_pressure, peak_pressure, semi_axis
+from fembearing.fem.measure import (
+    STRIP,
+    Quantities,
+    ShoulderLoad,
+    nodal_pressure,
+    peak_pressure,
+    semi_axis,
+    shoulder_load,
+    uncut_semi_axes,
+)
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
-QUARTERS = 4  # a mesh is a quarter of the contact
 # How far off, in semi-axes, the mesh may be made on the first and the second level. The first shows a slender ellipse
 # up to a tenth too short; a mesh that is 1 % off changes no quantity by more than its own discretisation error.
 GOOD_GUESSES = (0.1, 0.01)
@@ -37,20 +45,22 @@ class CondensedPair:
     pair: PairMesh
     upper: CondensedBody
     lower: CondensedBody
-    mass: csr_matrix  # (m, m) m^2, of the upper body's surface over the nodes that may touch
+    mass: csr_matrix  # (m, m) m^2, of the upper body's surface over the nodes that may touch, as far as a shoulder
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MeshSolution:
-    """A contact on one mesh. Node arrays run over the nodes that may touch, of a quarter."""
+    """A contact on one mesh. Node arrays run over the nodes that may touch, of a quarter or of a half."""
 
     contact: Contact
     level: int
     pair: PairMesh
     quantities: Quantities
+    semi_axes: tuple[float, float]  # m, of the ellipse that a mesh should follow: measured where it is not cut off
+    shoulder: ShoulderLoad | None  # None where the contact ends before it
     x: Array  # (m,) along rolling, m
     y: Array  # (m,) transverse, m
-    force: Array  # (m,) normal force on the quarter, N
+    force: Array  # (m,) normal force on the meshed part, N
     pressure: Array  # (m,) Pa
     unknowns: int
     rounds: int  # of the active set
@@ -60,10 +70,6 @@ class MeshSolution:
     @property
     def upper(self) -> CondensedBody:
         return self.bodies.upper
-
-    @property
-    def semi_axes(self) -> tuple[float, float]:
-        return self.quantities.semi_axis_rolling, self.quantities.semi_axis_transverse
 
 
 def solve_on_mesh(
@@ -104,7 +110,7 @@ def condensed_pair(
     require_elastic(contact)
     pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended)
     upper, lower = _condensed(contact, pair, upper)
-    mass = surface_mass(pair.upper.mesh, pair.upper.touching)
+    mass = _mass_within(pair)
     return CondensedPair(contact=contact, level=level, pair=pair, upper=upper, lower=lower, mass=mass)
 
 
@@ -117,23 +123,34 @@ def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]
     """
     start = time.perf_counter()
     pair, upper, lower = bodies.pair, bodies.upper, bodies.lower
+    half, parts = pair.footprint.half, pair.footprint.parts
     x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
     lever = -pair.normal[2]
     force, approach, rounds = press(
         compliance=upper.compliance + lower.compliance,
-        drift=QUARTERS * (upper.drift + lower.drift),
+        drift=parts * (upper.drift + lower.drift),
         gap=pair.gap,
         lever=lever,
-        load=load / QUARTERS,
-        start=(x / expected[0]) ** 2 + (y / expected[1]) ** 2 < 1,
+        load=load / parts,
+        start=((x / expected[0]) ** 2 + (y / expected[1]) ** 2 < 1) & np.isfinite(pair.gap),
     )
     along_load = force * lever
-    measured = semi_axis(x, along_load), semi_axis(y, along_load)
     pressure = nodal_pressure(force, bodies.mass)
+    room = pair.footprint.room[1]
+    centroid = float(along_load @ y / along_load.sum()) if half else 0.0
+    shoulder = None
+    if np.isfinite(room):
+        strip = strip_integrals(pair.upper.mesh, pair.upper.touching, low=(1 - STRIP) * room, high=room)
+        strip_force = float(strip @ (pressure * lever))
+        shoulder = shoulder_load(centroid=centroid, strip_force=strip_force, shoulder=room, load=load)
+    measured = semi_axis(x, along_load), semi_axis(y, along_load, centre=centroid)
+    ellipse = uncut_semi_axes(x, y, along_load) if half else measured
+    area = np.asarray(bodies.mass.sum(axis=1)).ravel()
+    inside = (ellipse[0], min(ellipse[1], room))
     quantities = Quantities(
         semi_axis_rolling=measured[0],
         semi_axis_transverse=measured[1],
-        peak_pressure=peak_pressure(x, y, pressure, np.asarray(bodies.mass.sum(axis=1)).ravel(), semi_axes=measured),
+        peak_pressure=peak_pressure(x, y, pressure, area, semi_axes=inside, half=half),
         approach=approach,
         stiffness=load / approach**1.5,
     )
@@ -142,6 +159,8 @@ def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]
         level=bodies.level,
         pair=pair,
         quantities=quantities,
+        semi_axes=ellipse,
+        shoulder=shoulder,
         x=x,
         y=y,
         force=force,
@@ -193,8 +212,17 @@ def fitted_on_level(
 
 
 def _condensed(contact: Contact, pair: PairMesh, upper: CondensedBody | None) -> tuple[CondensedBody, CondensedBody]:
+    pressed_on = {"semi_axes": pair.semi_axes, "room": pair.footprint.room}
     if upper is None or pair.upper.name != "ball":
-        upper = condense(pair.upper, material=contact.ball_material, force=-pair.normal, semi_axes=pair.semi_axes)
+        upper = condense(pair.upper, material=contact.ball_material, force=-pair.normal, **pressed_on)
     if pair.upper.name == pair.lower.name and contact.ball_material == contact.race_material:
         return upper, upper  # two half spaces of one material are mirror images
-    return upper, condense(pair.lower, material=contact.race_material, force=pair.normal, semi_axes=pair.semi_axes)
+    return upper, condense(pair.lower, material=contact.race_material, force=pair.normal, **pressed_on)
+
+
+def _mass_within(pair: PairMesh) -> csr_matrix:
+    """Of the ball's surface; beyond a shoulder that cuts the contact off there is no pressure, and rows are empty."""
+    nodes = pair.upper.touching
+    within = np.flatnonzero(pair.footprint.holds(pair.upper.mesh.doflocs[1, nodes]))
+    some = surface_mass(pair.upper.mesh, nodes[within]).tocoo()
+    return csr_matrix((some.data, (within[some.row], within[some.col])), shape=(nodes.size, nodes.size))

@@ -13,6 +13,7 @@ from scipy.interpolate import make_lsq_spline
 from scipy.optimize import minimize_scalar
 from skfem import Basis, ElementHex2
 
+from analytic.errors import InputError
 from analytic.scene import Material
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.elasticity import lame_parameters
@@ -49,8 +50,15 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
     The body is solved once more under the contact's forces. In each layer under the centre, stresses at the cell's
     Gauss points are brought to the axis by a fit even in x and y; a cubic spline with one knot a layer, half as many
     as there are points, smooths what still alternates within a cell.
+    Raises InputError for half a contact: its axis lies in one plane of symmetry only, so that x, y and z are not the
+    directions of principal stress there.
     Off the axis, at the edge of the contact, other stresses may be larger; they are not looked at.
     """
+    if solution.pair.footprint.half:
+        raise InputError(
+            f"{solution.contact.pair}: a contact cut off at one shoulder has no axis of symmetry to find the greatest "
+            "stress on; lower the load or the contact angle"
+        )
     body, material = _body(solution, side)
     displacement = body_displacement(solution, side=side)
     place, sampled = _stress_at_axis(body, displacement, material)

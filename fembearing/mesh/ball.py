@@ -1,24 +1,31 @@
-"""The ball: an octant from its pole, where the contact is, to its middle plane."""
+"""The ball: an octant, or a quarter, from its pole, where the contact is, to its middle plane."""
 
 import numpy as np
 
+from analytic.scene import Contact
 from fembearing.mesh.bodies import BodyMesh, body_mesh, cells_of
+from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import contact_zone, depth_lines, far_square, outside_share, patch_mesh
+from fembearing.mesh.race import places_facing
 from fembearing.mesh.recipe import Recipe
 
 
-def ball_octant(radius: float, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> BodyMesh:
-    """A smooth map of the cube [0, 1]^3, its face Z = 1 under the contact.
+def ball_octant(contact: Contact, recipe: Recipe, level: int, footprint: Footprint) -> BodyMesh:
+    """A smooth map of the cube [0, 1]^3, its face Z = 1 under the contact; and its mirror image for half a contact.
 
     The map x = X sqrt(1 - Y^2/2 - Z^2/2 + Y^2 Z^2/3) and its permutations sends the cube's faces
     X, Y, Z = 1 to the sphere and X, Y, Z = 0 to the octant's planes.
     Source: P. Nowell, "Mapping a cube to a sphere" (2005), not seen; the ball's volume checks it.
     """
-    patch = patch_mesh(cells_of(recipe, level, growth=radius / min(semi_axes)))
-    zone_x, zone_y = contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes) / radius
+    radius, semi_axes = contact.ball_radius, footprint.semi_axes
+    cells = cells_of(recipe, level, growth=radius / min(semi_axes))
+    patch = patch_mesh(cells, ends=footprint.ends, half=footprint.half)
+    zone = contact_zone(patch, shape=recipe.patch, footprint=footprint)
+    zone_x, zone_y = zone = (places_facing(contact, zone) if footprint.cut else zone) / radius
     square, difference = np.array([zone_x, zone_y]) ** 2, zone_x**2 - zone_y**2
     linear = 3 + 2 * np.array([difference, -difference])
     near = np.sqrt(12 * square / (linear + np.sqrt(linear**2 - 24 * square)))  # the map's inverse on the face Z = 1
+    near = np.copysign(near, zone)
     growth = radius / (recipe.patch.margin_size * min(semi_axes))
     share = outside_share(patch, rings=patch.cells.outside, growth=growth, straight=False)
     # Not straight: at the cube's far corner the map is flat, and cells with middle nodes half way turn inside out.

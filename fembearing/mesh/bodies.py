@@ -27,7 +27,12 @@ class BodyMesh:
     surface: Nodes  # all nodes of the loaded surface
     far: Nodes  # nodes that carry the far-field displacement of a half space
     clamped: Nodes  # nodes that cannot move
-    planes: tuple[Nodes, Nodes, Nodes]  # nodes with u_x = 0, u_y = 0, u_z = 0
+    planes: tuple[Nodes, Nodes, Nodes]  # nodes with u_x = 0, u_y = 0, u_z = 0; across, a halved ball has its centre
+
+    @property
+    def pinned(self) -> bool:
+        """Whether a single node keeps the body from moving across: the middle of a ball without that symmetry."""
+        return self.planes[1].size == 1
 
 
 def body_mesh(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
@@ -41,6 +46,9 @@ def body_mesh(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
     outermost = (ring > patch.cells.rings - NODE)[column]
     deepest = np.abs(patch.layer - (patch.cells.depth - surface_layer)) < NODE
     none = np.array([], dtype=np.intp)
+    still = (np.abs(patch.v) < NODE)[column]
+    if patch.half:
+        still &= deepest & (patch.u < NODE)[column] & (name == "ball")
     return BodyMesh(
         name=name,
         mesh=MeshHex2(np.ascontiguousarray(position), patch.topology.t),
@@ -50,7 +58,7 @@ def body_mesh(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
         clamped=np.flatnonzero(outermost) if name == "pocket wall" else none,
         planes=(
             np.flatnonzero((patch.u < NODE)[column]),
-            np.flatnonzero((patch.v < NODE)[column]),
+            np.flatnonzero(still),
             np.flatnonzero(deepest) if name == "ball" else none,
         ),
     )

@@ -13,6 +13,7 @@ from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.mesh.ball import ball_octant
 from fembearing.mesh.bodies import FURTHER, Block, BodyMesh, body_mesh
+from fembearing.mesh.footprint import Footprint, footprint_of
 from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.pocket import pocket_wall
 from fembearing.mesh.quality import mesh_quality
@@ -29,9 +30,14 @@ class PairMesh:
 
     upper: BodyMesh
     lower: BodyMesh
-    gap: Array  # (m,) along the normal, m
+    gap: Array  # (m,) along the normal, m; inf where there is nothing to touch
     normal: Array  # (3, m) unit vectors out of the upper body
-    semi_axes: tuple[float, float]  # along rolling and transverse, m: where the mesh expects the edge
+    footprint: Footprint  # where the mesh expects the edge
+
+    @property
+    def semi_axes(self) -> tuple[float, float]:
+        """Along rolling and transverse, m."""
+        return self.footprint.semi_axes
 
 
 def pair_mesh(
@@ -61,19 +67,21 @@ def pair_mesh(
 def _half_spaces(
     contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool
 ) -> PairMesh:
+    """Two half spaces; where the contact reaches over a shoulder, nothing touches beyond."""
+    footprint = footprint_of(contact, semi_axes)
     reach = recipe.domain.extent * max(semi_axes)
     further = FURTHER * reach if extended else None
     block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach, further=further)
-    patch = patch_mesh(block.cells)
-    x, y = plane = block.plane(patch, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
+    patch = patch_mesh(block.cells, ends=footprint.ends, half=footprint.half)
+    x, y = plane = block.plane(patch, contact_zone(patch, shape=recipe.patch, footprint=footprint))
     flat = np.zeros_like(x)
     upper = body_mesh("half space", patch, block.stack(patch, plane, flat, side=1))
     lower = body_mesh("half space", patch, block.stack(patch, plane, flat, side=-1))
     curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius
     curvature_y = 1 / contact.ball_radius - 1 / contact.groove_radius
-    gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[patch.zone]
+    gap = np.where(footprint.holds(y), (curvature_x * x**2 + curvature_y * y**2) / 2, np.inf)[patch.zone]
     normal = np.tile([[0.0], [0.0], [-1.0]], gap.size)
-    return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
+    return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, footprint=footprint)
 
 
 def _ball_on_race(
@@ -87,12 +95,13 @@ def _ball_on_race(
             f"for a ball of radius {radius:.3g} m: the mesh holds up to {widest:.3g} m. Lower the load, or raise "
             "groove_radius or youngs_modulus"
         )
-    upper = ball_octant(radius, recipe, level, semi_axes)
+    footprint = footprint_of(contact, semi_axes)
+    upper = ball_octant(contact, recipe, level, footprint)
     touching = upper.mesh.doflocs[:, upper.touching]
     normal = touching / radius - np.array([[0.0], [0.0], [1.0]])
     gap = distance_to_race(contact, normal)
     if recipe.geometry == "wall":
-        lower = pocket_wall(contact, recipe, level, semi_axes)
+        lower = pocket_wall(contact, recipe, level, footprint)
     else:
-        lower = race_block(contact, recipe, level, semi_axes, extended)
-    return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, semi_axes=semi_axes)
+        lower = race_block(contact, recipe, level, footprint, extended)
+    return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, footprint=footprint)

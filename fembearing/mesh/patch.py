@@ -11,22 +11,31 @@ towards it from both sides. A quarter of the patch is a square core and, around 
     |       |__|__|\\____|        to 1 on the diagonal
     +-----------------------u
 
+A half of it has v < 0 too. Where a shoulder cuts the ellipse off, the ring on the edge follows the shoulder instead and
+the diagonal runs through the point where the two meet; that side gets twice as many cells along v, since its ring then
+turns further.
+
 `layer` counts cells along depth. Nodes of the quadratic cells sit at half steps of all three.
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 from skfem import MeshHex1, MeshHex2
 
+from fembearing.mesh.footprint import UNCUT, Footprint
 from fembearing.mesh.recipe import Cells, Depth, Patch
 
 Array = NDArray[np.float64]
 
 
 NODE = 1e-6  # patch coordinates are multiples of 1/(2 cells); nearer than this is the same
+# By how much of its width the core tapers towards a shoulder that just touches the ellipse: without it the cells
+# between the core's corner and that of the edge, far round the ellipse, turn inside out.
+CORNER = 0.6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -34,6 +43,7 @@ class PatchMesh:
     """The patch before it gets a shape: columns of nodes under (u, v), and what connects them."""
 
     cells: Cells
+    ends: tuple[float, float]  # where the contact is cut off at v < 0 and at v > 0, in semi-axes; inf where it is not
     topology: MeshHex2  # its own positions mean nothing but (u, v, layer)
     u: Array  # (columns,)
     v: Array  # (columns,)
@@ -43,7 +53,12 @@ class PatchMesh:
     @property
     def ring(self) -> Array:
         """(columns,) rings outside the core; negative inside it."""
-        return np.maximum(self.u, self.v) - 1.0
+        return np.maximum(self.u, np.abs(self.v)) - 1.0
+
+    @property
+    def half(self) -> bool:
+        """Whether both sides of v = 0 are there."""
+        return bool(self.v.min() < -NODE)
 
     @property
     def zone(self) -> NDArray[np.bool_]:
@@ -51,11 +66,17 @@ class PatchMesh:
         return self.ring < self.cells.inside + self.cells.margin - NODE
 
 
-def patch_mesh(cells: Cells) -> PatchMesh:
-    """27-node hexahedra over the patch."""
+def patch_mesh(cells: Cells, *, ends: tuple[float, float] = UNCUT, half: bool = False) -> PatchMesh:
+    """27-node hexahedra over the patch.
+
+    ends : where the contact is cut off at v < 0 and at v > 0, in semi-axes, below 1; inf where it is not
+    half : both sides of v = 0, not one
+    """
     corners: dict[tuple[float, float], int] = {}
+    along = [cells.core * (2 if np.isfinite(end) else 1) for end in ends]  # cells of the core along v < 0 and v > 0
+    places = _quads(cells, below=along[0] if half else 0, above=along[1])
     quads = np.array(
-        [[corners.setdefault((round(u, 9), round(v, 9)), len(corners)) for u, v in quad] for quad in _quads(cells)]
+        [[corners.setdefault((round(u, 9), round(v, 9)), len(corners)) for u, v in quad] for quad in places]
     ).T
     count = len(corners)
     plane = np.array(list(corners)).T
@@ -67,40 +88,57 @@ def patch_mesh(cells: Cells) -> PatchMesh:
     u, v, layer = topology.doflocs
     columns, column = np.unique(np.round(np.array([u, v]) / NODE).astype(np.int64), axis=1, return_inverse=True)
     return PatchMesh(
-        cells=cells, topology=topology, u=columns[0] * NODE, v=columns[1] * NODE, column=column.ravel(), layer=layer
+        cells=cells,
+        ends=ends,
+        topology=topology,
+        u=columns[0] * NODE,
+        v=columns[1] * NODE,
+        column=column.ravel(),
+        layer=layer,
     )
 
 
-def _quads(cells: Cells) -> list[list[tuple[float, float]]]:
-    """Corners of every quadrilateral, in the order (0, 0), (0, 1), (1, 0), (1, 1) of its own axes."""
+def _quads(cells: Cells, *, below: int, above: int) -> list[list[tuple[float, float]]]:
+    """Corners of every quadrilateral, in the order (0, 0), (0, 1), (1, 0), (1, 1) of its own axes.
+
+    below, above : cells of the core at v < 0 and at v > 0
+    """
     ends = [(di, dj) for di in (0, 1) for dj in (0, 1)]
     step = 1 / cells.core
-    quads = [
-        [((i + di) * step, (j + dj) * step) for di, dj in ends] for i in range(cells.core) for j in range(cells.core)
+    lines = [*(j / below for j in range(-below, 0)), *(j / above for j in range(above + 1))]
+    across = list(pairwise(lines))
+    quads: list[list[tuple[float, float]]] = [
+        [((i + di) * step, pair[dj]) for di, dj in ends] for i in range(cells.core) for pair in across
     ]
     for ring in range(1, cells.rings + 1):
+        quads += [[(float(ring + di), (ring + di) * pair[dj]) for di, dj in ends] for pair in across]
         for j in range(cells.core):
-            quads.append([(ring + di, (ring + di) * (j + dj) * step) for di, dj in ends])
-            quads.append([((ring + dj) * (j + di) * step, ring + dj) for di, dj in ends])
+            quads.append([((ring + dj) * (j + di) * step, float(ring + dj)) for di, dj in ends])
+            if below:
+                quads.append([((ring + 1 - dj) * (j + di) * step, -float(ring + 1 - dj)) for di, dj in ends])
     return quads
 
 
-def contact_zone(patch: PatchMesh, *, shape: Patch, semi_axes: tuple[float, float]) -> Array:
+def contact_zone(patch: PatchMesh, *, shape: Patch, footprint: Footprint) -> Array:
     """x, y of the columns out to the margin, (2, columns), m; columns further out are put on the margin's rim."""
     u, v, ring, cells = patch.u, patch.v, patch.ring, patch.cells
-    direction = ray(u, v)
-    scale = np.maximum(1.0, np.maximum(u, v))
+    direction = ray(u, v, ends=patch.ends)
+    scale = np.maximum(1.0, np.maximum(u, np.abs(v)))
     core_u, core_v = u / scale, v / scale
+    room = np.where(v < 0, *np.minimum(patch.ends, 1.0))  # the core is as much flatter as the contact
+    taper = 1 - CORNER * np.maximum(0, 1 - np.sqrt(2 * (1 - room**2))) * np.abs(core_v) * (room < 1)
     bulge = shape.core_bulge / 2
     core = shape.core_size * np.array(
-        [core_u * np.sqrt(1 - bulge * core_v**2), core_v * np.sqrt(1 - bulge * core_u**2)]
+        [taper * core_u * np.sqrt(1 - bulge * core_v**2), room * core_v * np.sqrt(1 - bulge * core_u**2)]
     )
     inwards = np.clip(1 - ring / cells.inside, 0, 1) ** shape.edge_grading  # 1 at the core, 0 on the edge
     outwards = np.clip((ring - cells.inside) / cells.margin, 0, 1) ** shape.edge_grading  # 0 on the edge
     inside = core * inwards + direction * (1 - inwards)
     outside = direction * (1 + (shape.margin_size - 1) * outwards)
     place = np.where(ring <= NODE, core, np.where(ring <= cells.inside + NODE, inside, outside))
-    return np.array(semi_axes)[:, None] * place
+    along, across = footprint.semi_axes
+    reach = [across if np.isinf(end) else room / end for room, end in zip(footprint.room, patch.ends, strict=True)]
+    return np.array([along * place[0], np.where(v < 0, *reach) * place[1]])
 
 
 def outside_share(patch: PatchMesh, *, rings: int, growth: float, straight: bool = True) -> Array:
@@ -118,8 +156,8 @@ def outside_share(patch: PatchMesh, *, rings: int, growth: float, straight: bool
 
 
 def far_square(u: Array, v: Array) -> Array:
-    """Where the ray of the patch through (u, v) meets the unit square, (2, ...), 0 to 1."""
-    reach = np.maximum(np.maximum(u, v), np.finfo(float).tiny)
+    """Where the ray of the patch through (u, v) meets the unit square, (2, ...), 0 to 1, along v from -1."""
+    reach = np.maximum(np.maximum(u, np.abs(v)), np.finfo(float).tiny)
     return np.array([u, v]) / reach
 
 
@@ -140,8 +178,18 @@ def depth_lines(layers: int, *, depth: Depth, minor: float, extent: float) -> Ar
     return np.interp(np.arange(2 * layers + 1) / 2, np.arange(layers + 1), lines)
 
 
-def ray(u: Array, v: Array) -> Array:
-    """Unit vector from the centre to the edge, in semi-axes: the angle runs evenly along a ring. Shape (2, ...)."""
+def ray(u: Array, v: Array, *, ends: tuple[float, float] = UNCUT) -> Array:
+    """From the centre to the edge, in semi-axes: the angle runs evenly along a ring. Shape (2, ...).
+
+    A unit vector, or shorter where the contact is cut off at one of `ends`.
+    """
     across, along = far_square(u, v)
-    angle = np.where(v > u, np.pi / 2 - across * np.pi / 4, along * np.pi / 4)
-    return np.array([np.cos(angle), np.sin(angle)])
+    end = np.where(v < 0, *ends)
+    cut = np.isfinite(end)
+    height = np.where(cut, end, np.sqrt(0.5))  # of the ellipse's point on the diagonal
+    diagonal = np.where(cut, np.arcsin(height), np.pi / 4)
+    beside = np.abs(v) <= u
+    angle = np.where(beside, np.abs(along) * diagonal, np.pi / 2 - across * (np.pi / 2 - diagonal))
+    x, y = np.cos(angle), np.sin(angle)
+    flat = cut & ~beside
+    return np.array([np.where(flat, across * np.cos(diagonal), x), np.where(v < 0, -1.0, 1.0) * np.where(flat, end, y)])

@@ -5,12 +5,13 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.mesh.bodies import BodyMesh, body_mesh, cells_of
+from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import contact_zone, depth_lines, outside_share, patch_mesh, ray
 from fembearing.mesh.race import meeting_places
 from fembearing.mesh.recipe import Recipe
 
 
-def pocket_wall(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> BodyMesh:
+def pocket_wall(contact: Contact, recipe: Recipe, level: int, footprint: Footprint) -> BodyMesh:
     """Half a spherical pocket of sheet metal, from its pole to its rim in the plane where the halves join.
 
     The patch is laid on the sphere with distances from the pole kept; the rim is held as rivets hold it.
@@ -18,10 +19,11 @@ def pocket_wall(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[f
     """
     if contact.wall is None:
         raise InputError("a pocket wall needs the cage's wall thickness and pocket depth")
+    semi_axes = footprint.semi_axes
     radius, thickness = contact.groove_radius, contact.wall.thickness
     rim = float(np.arccos(1 - contact.wall.depth / radius))
     patch = patch_mesh(cells_of(recipe, level, growth=max(rim * radius, thickness) / min(semi_axes)))
-    zone = meeting_places(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
+    zone = meeting_places(contact, contact_zone(patch, shape=recipe.patch, footprint=footprint))
     distance = np.hypot(*zone)
     if distance.max() >= radius * np.sin(rim):
         raise InputError(

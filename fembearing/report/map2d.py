@@ -1,6 +1,7 @@
 """A contact's pressure as a plain map by matplotlib, where VTK cannot draw; to the same frame."""
 
 import os
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -34,20 +35,29 @@ def draw_map(
     axes.set_axis_off()
     finest = contact.meshes[-1]
     pressure = np.where(finest.force > 0, finest.pressure, 0.0) * factor
-    horizontal, vertical = (finest.x, finest.y) if frame.rolling_is_horizontal else (finest.y, finest.x)
     levels = np.linspace(0, peak, LEVELS + 1)
     levels[0] = LEAST_SHOWN * peak
     scale = ScalarMappable(Normalize(0, peak), "viridis")
     # Triangles of a circle: those of a slender ellipse would reach from its edge across to nodes outside.
     triangles = Triangulation(finest.x / finest.x.max(), finest.y / finest.y.max()).triangles
-    for right in (1, -1):  # the mesh is a quarter of the contact
-        for up in (1, -1):
-            quarter = Triangulation(right * horizontal, up * vertical, triangles)
-            axes.tricontourf(quarter, np.clip(pressure, 0, peak), levels=levels, cmap=scale.cmap, norm=scale.norm)
+    triangles = triangles[finest.pair.footprint.holds(finest.y[triangles].mean(axis=1))]
+    half = finest.pair.footprint.half
+    for rolling, across in product((1, -1), (1,) if half else (1, -1)):  # half or a quarter is meshed
+        place = rolling * finest.x, across * finest.y
+        horizontal, vertical = place if frame.rolling_is_horizontal else place[::-1]
+        part = Triangulation(horizontal, vertical, triangles)
+        axes.tricontourf(part, np.clip(pressure, 0, peak), levels=levels, cmap=scale.cmap, norm=scale.norm)
     angle = np.linspace(0, 2 * np.pi, 721)
-    for found, colour, width in ((contact.reference, "black", 1.0), (contact.hertz, "red", 1.5)):
-        along = found.semi_axis_rolling * np.cos(angle), found.semi_axis_transverse * np.sin(angle)
+    for found, centre, colour, width in (
+        (contact.reference, contact.centroid, "black", 1.0),
+        (contact.hertz, 0.0, "red", 1.5),
+    ):
+        along = found.semi_axis_rolling * np.cos(angle), centre + found.semi_axis_transverse * np.sin(angle)
         axes.plot(*(along if frame.rolling_is_horizontal else along[::-1]), color=colour, linewidth=width)
+    for shoulder in contact.shoulders:
+        mark = axes.axhline if frame.rolling_is_horizontal else axes.axvline
+        mark(shoulder, color="darkorange", linewidth=1.5)
+        figure.text(380 / frame.width, 1 - 52 / frame.height, "orange: shoulder", fontsize=10, color="darkorange")
     figure.text(12 / frame.width, 1 - 28 / frame.height, title_of(contact), fontsize=12)
     figure.text(12 / frame.width, 1 - 52 / frame.height, "red: Hertz's ellipse", fontsize=10, color="red")
     figure.text(170 / frame.width, 1 - 52 / frame.height, "black: the computed one", fontsize=10)

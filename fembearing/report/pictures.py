@@ -17,7 +17,7 @@ from matplotlib.ticker import MaxNLocator
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.report.framing import Frame, frame_of
 from fembearing.report.map2d import draw_map
-from fembearing.report.wording import AXES, place_of, title_of
+from fembearing.report.wording import AXES, place_of, shoulder_lines, title_of
 
 RENDERER = (sys.executable, "-m", "fembearing.report.render")
 PATIENCE = 300  # s for all pictures; they take about ten
@@ -109,6 +109,9 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
         "title": title_of(contact),
         "hertz": [contact.hertz.semi_axis_rolling, contact.hertz.semi_axis_transverse],
         "computed": [contact.reference.semi_axis_rolling, contact.reference.semi_axis_transverse],
+        "centroid": contact.centroid,
+        "shoulders": list(contact.shoulders),
+        "half": contact.meshes[-1].pair.footprint.half,
     }
     near = "The pocket" if contact.contact.pair == "pocket" else "The race"
     return [
@@ -165,7 +168,16 @@ def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
         f"Contact pressure by finite elements, seen along the load and drawn to scale, {place_of(contact)}. "
         f"{'Grey lines are the mesh, the' if mesh else 'The'} red line is Hertz's ellipse: transverse it reaches "
         f"{abs(across):.1%} {'beyond' if across > 0 else 'less far than'} the computed semi-axis, drawn in black. The "
-        f"painted edge is only as sharp as one cell. {AXES}."
+        f"painted edge is only as sharp as one cell. {_shoulder_caption(contact)}{AXES}."
+    )
+
+
+def _shoulder_caption(contact: ContactSolution) -> str:
+    if not contact.shoulder:
+        return ""
+    return (
+        f"{' '.join(shoulder_lines(contact))} The orange line is the shoulder; the black ellipse has the semi-axes of "
+        "the load about its centroid. "
     )
 
 

@@ -15,7 +15,7 @@ import numpy as np
 import pyvista as pv
 
 MM = 1e3
-COLOURS, BARE, INK, HERTZ, LINES = "viridis", "gainsboro", "black", "red", "dimgrey"
+COLOURS, BARE, INK, HERTZ, LINES, SHOULDER = "viridis", "gainsboro", "black", "red", "dimgrey", "darkorange"
 BODIES = {"upper": "lightsteelblue", "lower": "wheat"}
 LEAST_SHOWN = 0.005  # of the peak pressure: below, a surface is bare
 ROUND = 3  # subdivisions that draw a quadratic cell's face as the curve it is
@@ -52,19 +52,25 @@ def pressure_map(job: dict[str, Any]) -> pv.Plotter:
     """The contact seen along the load, to scale, with Hertz's ellipse and a bar of a round length."""
     frame, axes = job["frame"], np.eye(3)
     width, height, scale = frame["width"], frame["height"], frame["scale"] / MM  # pixels per mm
-    eye, up = axes[2], axes[1 if frame["rolling_is_horizontal"] else 0]
+    eye, up = axes[2], axes[1] if frame["rolling_is_horizontal"] else -axes[0]  # y upwards or to the right
     right = np.cross(up, eye)
     middle = (frame["centre"][1] - height / 2) / scale * up
     plotter = pv.Plotter(window_size=[width, height])
     body = scaled(job["lower"], job)
-    surface = mirrored(loaded_face(body), (0, 1))
-    edges = cell_edges(mirrored(body, (0, 1)), loaded=True)
+    missing = (0, *across(job))
+    surface = mirrored(loaded_face(body), missing)
+    edges = cell_edges(mirrored(body, missing), loaded=True)
     above = np.ptp(surface.points[:, 2]) * eye  # the projection is parallel: height does not show
     plotter.add_mesh(surface, color=BARE, lighting=False)
     bar = colour_bar(job, width=420 / width, left=1 - 440 / width, height=80 / height)
     show_pressure(plotter, surface.translate(above), job, bar=bar)
     plotter.add_mesh(edges.translate(2 * above), color=LINES, opacity=0.3, line_width=1)
-    plotter.add_mesh(ellipse(job["computed"]).translate(3 * above), color=INK, line_width=2)
+    computed = ellipse(job["computed"]).translate(3 * above + MM * job["centroid"] * axes[1])
+    plotter.add_mesh(computed, color=INK, line_width=2)
+    for shoulder in job["shoulders"]:
+        ends = [MM * shoulder * axes[1] + side * max(width, height) / scale * axes[0] for side in (-1, 1)]
+        plotter.add_mesh(pv.Line(*ends).translate(5 * above), color=SHOULDER, line_width=3)
+        plotter.add_text("orange: shoulder", position=(470, height - 62), font_size=10, color=SHOULDER)
     plotter.add_mesh(ellipse(job["hertz"]).translate(4 * above), color=HERTZ, line_width=3)
     length = frame["bar"] * MM
     start = middle + 3 * above + ((30 - width / 2) * right + (30 - height / 2) * up) / scale
@@ -83,7 +89,7 @@ def section(job: dict[str, Any]) -> pv.Plotter:
     plotter = pv.Plotter(shape=(1, 2), window_size=[1500, 800], border=False)
     bodies = {side: scaled(job[side], job) for side in BODIES}
     bodies["upper"] = bodies["upper"].translate([0.0, 0.0, MM * job["lifted"]])
-    middle, half_height = fitted(bodies)
+    middle, half_height = fitted(bodies, job)
     plotter.subplot(0, 0)
     for side, body in bodies.items():
         draw(plotter, body, side, job, eye=VIEW, half_height=half_height)
@@ -99,10 +105,10 @@ def section(job: dict[str, Any]) -> pv.Plotter:
     return plotter
 
 
-def fitted(bodies: dict[str, pv.UnstructuredGrid]) -> tuple[np.ndarray, float]:
+def fitted(bodies: dict[str, pv.UnstructuredGrid], job: dict[str, Any]) -> tuple[np.ndarray, float]:
     """Middle and half height of a square picture from VIEW that holds the lower body and what is around it."""
-    around = AROUND * np.ptp(bodies["lower"].points[:, 1])  # a quarter is half as wide as the whole
-    points = np.vstack([mirrored(body, (1,)).points for body in bodies.values()]).clip(-around, around)
+    around = AROUND * bodies["lower"].points[:, 1].max()
+    points = np.vstack([mirrored(body, across(job)).points for body in bodies.values()]).clip(-around, around)
     right = np.cross([0, 0, 1], VIEW) / np.linalg.norm(VIEW[:2])
     up = np.cross(VIEW, right)
     seen = points @ np.column_stack([right, up])
@@ -111,12 +117,17 @@ def fitted(bodies: dict[str, pv.UnstructuredGrid]) -> tuple[np.ndarray, float]:
 
 
 def scaled(path: str, job: dict[str, Any]) -> pv.UnstructuredGrid:
-    """A quarter of a body in mm, its pressure in the unit of the picture."""
+    """A quarter or a half of a body in mm, its pressure in the unit of the picture."""
     body = pv.read(path)
     body.points *= MM
     body.point_data["pressure"] *= job["factor"]
     body.point_data["surface"] = body.point_data["surface"].astype(float)  # VTK rounds what it interpolates in integers
     return body
+
+
+def across(job: dict[str, Any]) -> tuple[int, ...]:
+    """The axis across the contact, where the meshes end in a plane of symmetry."""
+    return () if job["half"] else (1,)
 
 
 def mirrored(mesh: pv.DataSet, axes: tuple[int, ...]) -> pv.DataSet:
@@ -156,9 +167,9 @@ def draw(
     bar: Any = None,
 ) -> None:
     """Half of a body, cut along x = 0, with its cells and the pressure on it."""
-    half = mirrored(body, (1,))
+    half = mirrored(body, across(job))
     solid = half.extract_surface(nonlinear_subdivision=ROUND, algorithm="dataset_surface")
-    surface = mirrored(loaded_face(body), (1,))
+    surface = mirrored(loaded_face(body), across(job))
     nearer = 0.002 * half_height * eye  # what lies on a face is moved towards the eye, to be drawn on top of it
     plotter.add_mesh(solid, color=BODIES[side], ambient=0.45, diffuse=0.6)
     show_pressure(plotter, surface.translate(nearer), job, bar=bar)
@@ -167,6 +178,9 @@ def draw(
 
 def show_pressure(plotter: pv.Plotter, surface: pv.DataSet, job: dict[str, Any], *, bar: Any = None) -> None:
     """The part of a surface that carries pressure, in colours."""
+    for shoulder in job["shoulders"]:  # cells beyond would be painted down to their next nodes
+        inwards = -np.sign(shoulder) * np.eye(3)[1]
+        surface = surface.clip(normal=inwards, origin=(0.0, MM * shoulder, 0.0), invert=False)
     pressed = surface.clip_scalar(scalars="pressure", value=LEAST_SHOWN * job["peak"], invert=False)
     plotter.add_mesh(
         pressed,

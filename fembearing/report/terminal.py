@@ -16,7 +16,7 @@ from fembearing.compare.stiffness_law import LoadSeries
 from fembearing.compare.subsurface import SubsurfaceComparison
 from fembearing.compare.torque_change import TorqueChange
 from fembearing.compare.validation import Validation
-from fembearing.report.wording import AXES, QUANTITIES, STRESSES, title_of
+from fembearing.report.wording import AXES, QUANTITIES, STRESSES, shoulder_lines, title_of
 
 PLAIN: dict[str, Any] = {
     "title_justify": "left",
@@ -60,6 +60,8 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
         )
     out.print(table)
     _print_corrected(out, contact)
+    for line in shoulder_lines(contact):
+        out.print(line, highlight=False)
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
         "95 %; *: the difference exceeds it; order: observed on the meshes.\n"

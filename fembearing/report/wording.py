@@ -48,3 +48,26 @@ def title_of(contact: ContactSolution | LoadSeries) -> str:
     place = place_of(contact)
     load = f"{len(contact.points)} loads" if isinstance(contact, LoadSeries) else f"{noun.load:.4g} N"
     return f"{place[0].upper()}{place[1:]}{angle}: {load}"
+
+
+def shoulder_lines(contact: ContactSolution) -> list[str]:
+    """What a contact cut off at a shoulder does there, a sentence each; none where it ends before."""
+    if not contact.shoulder:
+        return []
+    centroid, share, line = (contact.shoulder[name] for name in ("centroid", "strip_share", "strip_line_load"))
+    room = contact.contact.shoulder * 1e3
+    found = []
+    if contact.meshes[-1].pair.footprint.half:
+        found.append(
+            f"Cut off at the shoulder, y = {room:.4g} mm, on one side: half of the contact is meshed, semi-axes are "
+            f"about the load's centroid, at y = {centroid.value * 1e3:.3g} mm (+-{centroid.total:.1%} of that)."
+        )
+    else:
+        found.append(f"Cut off at both shoulders, y = -{room:.4g} mm and {room:.4g} mm.")
+    times = line.value / contact.hertz_line_load
+    found.append(
+        f"Edge load: the strip of {contact.strip_width * 1e3:.3g} mm beside the shoulder carries {share.value:.2%} of "
+        f"the load (+-{share.total:.1%} of that), {line.value * 1e-3:.4g} N/mm or {times:.3g} times Hertz's greatest "
+        "line load."
+    )
+    return found

@@ -14,6 +14,7 @@ from fembearing.compare.uncertainty import Estimate
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh import race
 from fembearing.mesh.recipe import load_recipe
+from fembearing.report.wording import shoulder_lines
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
@@ -43,6 +44,46 @@ def test_an_ellipse_over_the_shoulder_is_not_judged(contacts: dict[str, Contact]
     found = compare_contact(narrow, recipe=load_recipe("race"), tolerance=0.9)
     assert found.verdict == "outside validity"
     assert "shoulder stands at 0.800 mm" in " ".join(found.warnings)
+    assert "half of the contact" in found.rung
+    said = found.to_json()["shoulder"]
+    assert (said["distance"], said["sides"]) == (0.8e-3, 1)
+    assert found.shoulders == (0.8e-3,)
+    assert said["centroid"]["fe"] < 0 < said["centroid"]["uncertainty"]
+    # Hertz's line load 3 Q/(4 b) (1 - y^2/b^2) is 0.36 of its greatest in the middle of the strip, the edge's own more
+    assert 0.36 < said["strip_line_load"]["fe"] / said["hertz_line_load"] < 1
+    assert said["strip_line_load"]["fe"] * said["strip_width"] == pytest.approx(
+        said["strip_share"]["fe"] * narrow.load, rel=1e-3
+    )  # each with its own far boundary
+    for name in ("centroid", "strip_share", "strip_line_load"):
+        values = said[name]["values"]
+        assert said[name]["uncertainty"] > abs(values[-1] / values[-2] - 1), name
+    text = " ".join(shoulder_lines(found))
+    assert "y = 0.8 mm, on one side" in text
+    assert "times Hertz's greatest line load" in text
+
+
+def test_the_answer_does_not_jump_where_the_contact_reaches_its_shoulder(contacts: dict[str, Contact]) -> None:
+    """A quarter before, a half after: they agree within what they say of themselves."""
+    reach = 0.931e-3  # m, of the ellipse that the meshes find
+    before, after = (
+        solve_reference(
+            replace(contacts["inner"], shoulder=side * reach), recipe=load_recipe("race"), accuracy=0.9, progress=silent
+        )
+        for side in (1.01, 0.99)
+    )
+    assert (before.meshes[-1].pair.footprint.half, after.meshes[-1].pair.footprint.half) == (False, True)
+    for name, part in before.estimates.items():
+        other = after.estimates[name]
+        assert abs(other.value / part.value - 1) < part.total + other.total, name
+
+
+def test_the_hertzian_idealisation_has_no_shoulder(contacts: dict[str, Contact]) -> None:
+    """Its exact answer is Hertz's."""
+    narrow = replace(contacts["inner"], shoulder=0.8e-3)
+    found = compare_contact(narrow, recipe=load_recipe("hertzian"), tolerance=0.05)
+    assert found.verdict == "pass"
+    assert not found.shoulder
+    assert max(map(abs, found.discrepancy.values())) < 2e-3  # as without a shoulder
 
 
 def test_meshes_go_on_as_long_as_one_more_could_decide(contacts: dict[str, Contact]) -> None:
@@ -76,10 +117,10 @@ def test_an_ellipse_within_a_twentieth_of_its_shoulder_is_not_judged(
 ) -> None:
     contact = contacts["inner"]
     solved = replace(hertz_quantities(contact), semi_axis_transverse=0.9e-3)
-    meshes = (SimpleNamespace(level=3, quantities=solved),)
+    meshes = (SimpleNamespace(level=3, quantities=solved, shoulder=None),)
     values = {name: 3 * (value,) for name, value in vars(solved).items()}
     estimates = {name: Estimate(values=part, order=None, richardson=None, mesh=0.001) for name, part in values.items()}
-    found = SimpleNamespace(meshes=meshes, estimates=estimates)
+    found = SimpleNamespace(meshes=meshes, estimates=estimates, shoulder={})
     monkeypatch.setattr(module, "solve_reference", lambda *_, **__: found)
     judged = compare_contact(replace(contact, shoulder=room * 0.9e-3), recipe=load_recipe("race"), tolerance=0.4)
     assert judged.valid == valid

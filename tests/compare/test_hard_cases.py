@@ -103,6 +103,7 @@ REFERENCES = {
     "contact: close groove": lambda: on_race("major", groove=str(mpf("0.505") * mpf("7.94e-3"))),
     "contact: mesh ten times too small": lambda: on_race("minor"),
     "contact: mesh ten times too large": lambda: on_race("approach"),
+    "contact: grazing its shoulder": lambda: on_race("approach"),
     "contact: a single node": lambda: on_race("pressure"),
     "contact: mesh ten times too wide along rolling": lambda: on_race("approach"),
     "contact: mesh ten times too short across": lambda: on_race("major"),

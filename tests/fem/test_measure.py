@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact
-from fembearing.fem.elasticity import surface_mass
+from fembearing.fem.elasticity import strip_integrals, surface_mass
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import nodal_pressure, peak_pressure, semi_axis
 from fembearing.mesh.pair import PairMesh, pair_mesh
@@ -79,3 +79,25 @@ def test_the_first_guess_is_near_enough_for_one_correction(contacts: dict[str, C
             exact = hertz_contact(curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus)
             expected = float(exact.semi_axis_x), float(exact.semi_axis_y)
             np.testing.assert_allclose(expected_semi_axes(contact), expected, rtol=0.05)
+
+
+def test_over_both_sides_the_peak_is_told_from_a_slope() -> None:
+    """A cut contact leans: p^2 has a slope across, and its value at the centre is asked, not its largest."""
+    random = np.random.default_rng(4)
+    x, y = random.uniform(0, A, 300), random.uniform(-B, 0.6 * B, 300)
+    pressure = PEAK * np.sqrt(np.maximum(1 - (x / A) ** 2 - (y / B) ** 2 + 0.21 * y / B, 0.0))
+    area = random.uniform(0.4, 1.9, 300) * A * B / 300
+    found = peak_pressure(x, y, pressure, area, semi_axes=(A, B), half=True)
+    np.testing.assert_allclose(found, PEAK, rtol=1e-12)  # round-off
+
+
+def test_a_strip_is_as_large_as_its_part_of_the_ellipse(pair: PairMesh) -> None:
+    """Shape functions sum to one, so that their integrals over a strip sum to its area; x and y told apart."""
+    x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
+    inside = np.hypot(x / A, y / B) < 1 + 1e-9
+    low, high = 0.31 * B, 0.43 * B
+    found = strip_integrals(pair.upper.mesh, pair.upper.touching[inside], low=low, high=high)
+    middles = np.linspace(low, high, 2001)[:-1] + (high - low) / 4000
+    area = np.mean(A * np.sqrt(1 - (middles / B) ** 2)) * (high - low)
+    assert found.sum() == pytest.approx(area, rel=0.01)  # 30 points each way of a facet that the border crosses
+    assert found @ y[inside] / found.sum() == pytest.approx((low + high) / 2, rel=0.01)  # as good

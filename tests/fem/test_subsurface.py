@@ -91,7 +91,7 @@ def real() -> MeshSolution:
         INNER,
         SPHERE,
         ACROSS,
-        replace(INNER, ball_material=RUBBER, race_material=RUBBER),
+        replace(INNER, ball_material=RUBBER, race_material=RUBBER, shoulder=np.inf),
         replace(INNER, ball_material=NITRIDE),
     ],
     ids=["inner", "sphere", "across", "rubber", "ceramic"],

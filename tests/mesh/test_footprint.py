@@ -1,0 +1,89 @@
+"""Meshes of a contact cut off at a shoulder: half of it, a line of the mesh on the shoulder."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.scene import Contact
+from fembearing.mesh.footprint import Footprint, farther_shoulder, footprint_of
+from fembearing.mesh.pair import pair_mesh
+from fembearing.mesh.quality import mesh_quality
+from fembearing.mesh.recipe import load_recipe
+
+SEMI_AXES = {"inner": (0.100e-3, 0.936e-3), "outer": (0.135e-3, 0.771e-3)}  # m, about those of 372 N
+
+
+@pytest.mark.parametrize("level", [1, 2])
+@pytest.mark.parametrize("overrun", [1.0001, 1.004, 1.02, 1.1, 1.41, 2.0, 2.9])  # semi-axis over room
+@pytest.mark.parametrize("recipe", ["race", "hertzian"])
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+def test_no_cell_is_inside_out(
+    contacts: dict[str, Contact], pair: str, recipe: str, overrun: float, level: int
+) -> None:
+    contact = replace(contacts[pair], shoulder=SEMI_AXES[pair][1] / overrun)
+    bodies = pair_mesh(contact, recipe=load_recipe(recipe), level=level, semi_axes=SEMI_AXES[pair])
+    assert bodies.footprint.half
+    for body in (bodies.upper, bodies.lower):
+        assert mesh_quality(body.mesh).least_determinant > 0.05, body.name  # the quarter's worst is 0.1
+
+
+@pytest.mark.parametrize("overrun", [1.004, 1.3, 2.2])
+@pytest.mark.parametrize("angle", [0.303, 0.0])  # rad: at 0 both shoulders are reached, and a quarter is enough
+@pytest.mark.parametrize("recipe", ["race", "hertzian"])
+def test_a_line_of_the_mesh_is_the_shoulder(
+    contacts: dict[str, Contact], recipe: str, angle: float, overrun: float
+) -> None:
+    room = SEMI_AXES["inner"][1] / overrun
+    contact = replace(contacts["inner"], shoulder=room, contact_angle=angle)
+    bodies = pair_mesh(contact, recipe=load_recipe(recipe), level=2, semi_axes=SEMI_AXES["inner"])
+    assert bodies.footprint.half == (angle > 0)
+    race = bodies.lower.mesh
+    x, y, _ = race.doflocs
+    on_line = np.intersect1d(np.flatnonzero(np.abs(y - room) < 1e-12 * room), bodies.lower.surface)
+    assert on_line.size == 2 * 2 + 1  # corners and middle nodes of two cells
+    # from the middle out to where the ellipse goes over, or for one that only just does, that of 0.995
+    reach = SEMI_AXES["inner"][0] * math.sqrt(1 - min(1 / overrun, 0.995) ** 2)
+    assert x[on_line].max() == pytest.approx(reach, rel=1e-9)
+    facets = race.facets[:, np.isin(race.facets, bodies.lower.surface).all(axis=0)]
+    near = (x[facets] < 0.999 * reach).all(axis=0)
+    across = (y[facets] < (1 - 1e-9) * room).any(axis=0) & (y[facets] > (1 + 1e-9) * room).any(axis=0)
+    assert not (near & across).any()
+
+
+def test_touching_nodes_face_each_other_along_the_balls_normal(contacts: dict[str, Contact]) -> None:
+    contact = replace(contacts["outer"], shoulder=0.51e-3)
+    bodies = pair_mesh(contact, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES["outer"])
+    ball, race = (body.mesh.doflocs[:, body.touching] for body in (bodies.upper, bodies.lower))
+    np.testing.assert_allclose(race - ball, bodies.gap * bodies.normal, atol=1e-12 * contact.ball_radius)  # round-off
+    assert bodies.gap.min() > -1e-15
+    assert bodies.gap.max() > 5e-6
+
+
+def test_a_shoulder_cuts_off_what_reaches_it(contacts: dict[str, Contact]) -> None:
+    contact = replace(contacts["inner"], shoulder=0.8e-3)
+    assert footprint_of(contact, (0.1e-3, 0.8e-3)) == Footprint(semi_axes=(0.1e-3, 0.8e-3))
+    over = footprint_of(contact, (0.1e-3, 0.81e-3))
+    assert (over.half, over.parts, over.room) == (True, 2, (math.inf, 0.8e-3))
+    slight = replace(contact, contact_angle=0.01)  # both shoulders reached, at unequal distances
+    further = farther_shoulder(slight)
+    assert footprint_of(slight, (0.1e-3, 0.9e-3)).room == (further, 0.8e-3)
+    both = footprint_of(replace(contact, contact_angle=0.0), (0.1e-3, 0.81e-3))
+    assert (both.half, both.parts, both.room) == (False, 4, (0.8e-3, 0.8e-3))
+
+
+def test_the_farther_shoulder_is_the_groove_mirrored_about_its_bottom(contacts: dict[str, Contact]) -> None:
+    """Half-width w of the groove: shoulders at r_g sin(asin(w/r_g) -+ al) from the contact's centre."""
+    width, angle, groove = 2.37e-3, 0.21, contacts["outer"].groove_radius
+    near, far = (groove * np.sin(np.arcsin(width / groove) + side * angle) for side in (-1, 1))
+    contact = replace(contacts["outer"], shoulder=near, contact_angle=angle)
+    assert farther_shoulder(contact) == pytest.approx(far, rel=1e-12)  # round-off
+
+
+def test_too_much_beyond_the_shoulder_is_refused(contacts: dict[str, Contact]) -> None:
+    narrow = replace(contacts["inner"], shoulder=0.3e-3)
+    with pytest.raises(InputError, match=r"shoulder stands at 0\.0003 m: the mesh holds up to 3 times") as caught:
+        pair_mesh(narrow, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES["inner"])
+    assert "\n" not in str(caught.value)
