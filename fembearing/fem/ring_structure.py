@@ -9,8 +9,9 @@ from typing import Literal
 
 import numpy as np
 
+from analytic.errors import InputError
 from fembearing.fem.condensation import held_stiffness
-from fembearing.fem.solution import QUARTERS, MeshSolution
+from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import into_ring, ring_piece
 
@@ -23,9 +24,14 @@ def ring_compression(solution: MeshSolution, *, recipe: Recipe, end: End = "free
 
     recipe : that the contact was meshed with
     end : whether the piece of the ring is free where it is cut off, or clamped: the whole ring lies between
-    Raises InputError if the ring is not known or cannot be meshed.
+    Raises InputError if the ring is not known or cannot be meshed, or the contact reaches over its shoulder.
     """
     contact, pair = solution.contact, solution.pair
+    if pair.footprint.cut:
+        raise InputError(
+            f"{contact.pair}: the ring's structure is that of a contact that ends before its shoulder, "
+            f"{contact.shoulder:.3g} m away; this one reaches over: lower the load or the contact angle"
+        )
     piece = ring_piece(contact, recipe, solution.level, pair.semi_axes)
     body = piece.body if end == "free" else piece.held
     image = pair.normal * np.array([[1.0], [-1.0], [1.0]])
@@ -39,4 +45,4 @@ def ring_compression(solution: MeshSolution, *, recipe: Recipe, end: End = "free
 def block_compression(solution: MeshSolution) -> float:
     """The same of the solution's own block, which ends in the displacement of a half space, m."""
     force, load, block = solution.force, solution.contact.load, solution.bodies.lower
-    return float(force @ (block.compliance @ force + block.drift * load)) / (load / QUARTERS)
+    return float(force @ (block.compliance @ force + block.drift * load)) / (load / solution.pair.footprint.parts)

@@ -132,7 +132,7 @@ def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]
         gap=pair.gap,
         lever=lever,
         load=load / parts,
-        start=((x / expected[0]) ** 2 + (y / expected[1]) ** 2 < 1) & np.isfinite(pair.gap),
+        start=(x / expected[0]) ** 2 + (y / expected[1]) ** 2 < 1,
     )
     along_load = force * lever
     pressure = nodal_pressure(force, bodies.mass)

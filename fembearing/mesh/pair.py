@@ -4,7 +4,7 @@ Both are meshed over the same patch, so their contact nodes face each other: a b
 the ball's normal meets the race.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +30,7 @@ class PairMesh:
 
     upper: BodyMesh
     lower: BodyMesh
-    gap: Array  # (m,) along the normal, m; inf where there is nothing to touch
+    gap: Array  # (m,) along the normal, m
     normal: Array  # (3, m) unit vectors out of the upper body
     footprint: Footprint  # where the mesh expects the edge
 
@@ -79,7 +79,9 @@ def _half_spaces(
     lower = body_mesh("half space", patch, block.stack(patch, plane, flat, side=-1))
     curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius
     curvature_y = 1 / contact.ball_radius - 1 / contact.groove_radius
-    gap = np.where(footprint.holds(y), (curvature_x * x**2 + curvature_y * y**2) / 2, np.inf)[patch.zone]
+    held = footprint.holds(y[patch.zone])
+    upper, lower = (replace(body, touching=body.touching[held]) for body in (upper, lower))
+    gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[patch.zone][held]
     normal = np.tile([[0.0], [0.0], [-1.0]], gap.size)
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, footprint=footprint)
 

@@ -16,6 +16,7 @@ from skfem.refdom import RefHex
 from analytic.errors import InputError
 from analytic.scene import Contact, Ring
 from fembearing.mesh.bodies import Block, BodyMesh
+from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import NODE, PatchMesh, contact_zone, depth_lines, far_square, patch_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.race import LEAST_FURTHER, WIDEST_BLOCK, meeting_places, race_height
@@ -69,7 +70,7 @@ def ring_piece(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[fl
     )
     mesh, column, mirrored = _halved(patch)
     side = np.where(mirrored, -1.0, 1.0)
-    zone = meeting_places(contact, contact_zone(patch, shape=recipe.patch, semi_axes=semi_axes))
+    zone = meeting_places(contact, contact_zone(patch, shape=recipe.patch, footprint=Footprint(semi_axes=semi_axes)))
     x, y = block.plane(patch, zone)[:, column]
     angle, along = _columns(contact, ring, x, side * y)
     # Past the reach of the race's block, columns go on to the side faces and to the cut end.

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 from skfem import MeshHex2
 
+from analytic.errors import InputError
 from analytic.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from fembearing.fem.condensation import condense, held_stiffness, middle_plane
 from fembearing.fem.elasticity import stiffness
 from fembearing.fem.farfield import point_load, pressed_ellipse
 from fembearing.fem.measure import STRIP
+from fembearing.fem.ring_structure import ring_compression
 from fembearing.fem.solution import CondensedPair, MeshSolution, fitted_solution, pressed, solve_on_mesh
 from fembearing.fem.subsurface import subsurface_stress
 from fembearing.mesh import pair as pair_module
@@ -203,6 +205,8 @@ def test_the_far_field_of_a_cut_ellipse_is_that_of_its_points(
         np.testing.assert_allclose(found[:, 0], expected, rtol=2e-3)  # the sum's own: its strips end between points
 
 
-def test_stresses_on_the_axis_of_half_a_contact_are_refused(cut: MeshSolution) -> None:
-    with pytest.raises(Exception, match="no axis of symmetry"):
+def test_what_takes_a_symmetric_contact_refuses_half_of_one(cut: MeshSolution) -> None:
+    with pytest.raises(InputError, match="no axis of symmetry"):
         subsurface_stress(cut)
+    with pytest.raises(InputError, match="reaches over"):
+        ring_compression(cut, recipe=load_recipe("race"))

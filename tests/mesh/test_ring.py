@@ -8,6 +8,7 @@ from skfem import Basis, ElementHex2
 
 from analytic.errors import InputError
 from analytic.scene import Contact, Material, Ring
+from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.race import race_block
 from fembearing.mesh.recipe import load_recipe
@@ -84,7 +85,7 @@ def test_its_volume_is_that_of_the_turned_section(contact: Contact) -> None:
 @BOTH
 def test_touching_nodes_are_the_races_and_their_images(contact: Contact) -> None:
     body = ring_piece(contact, RACE, 2, AXES).body
-    race = race_block(contact, RACE, 2, AXES, False)
+    race = race_block(contact, RACE, 2, Footprint(semi_axes=AXES), False)
     tilt, radius = contact.contact_angle, contact.groove_radius
     centre = np.array([[0.0], [radius * np.sin(tilt)], [radius * (1 - np.cos(tilt))]])
     as_they_are = race.mesh.doflocs[:, race.touching]
