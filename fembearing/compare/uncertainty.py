@@ -65,7 +65,7 @@ def estimate(
     formal_order : with which the error falls as soon as cells are small; None: not extrapolated, and the uncertainty is
         what order 3 would leave, and 0.03 % more
     singular : the solution has an edge that spoils every order: not extrapolated, and the uncertainty is 3 times the
-        last change
+        last change, and 0.03 % more
     Where the last change is not well below the one before, the uncertainty is 3 times the spread of the three, or what
     the observed order leaves where that is more.
     """
@@ -80,7 +80,7 @@ def estimate(
         left = 0.0 if order is None else abs(change) / (ratio**order - 1)
         uncertainty = CAUTIOUS * max(left, max(values[-3:]) - min(values[-3:]))
     elif singular:
-        uncertainty = CAUTIOUS * abs(change)
+        uncertainty = CAUTIOUS * abs(change) + LEAST * abs(fine)
     elif formal_order is None:
         uncertainty = abs(step) + LEAST * abs(fine)
     else:
