@@ -16,14 +16,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.bracket import bracketed_root
+from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import Array, SpinRule
 
 FULL_SPIN = 0.5  # |eps| from which one pure-rolling line has left the contact and the other is its centre
 # Of the share of spin, or of the moments it balances: where Newton's quadratic steps can do no better.
 ROUND_OFF = 4 * np.finfo(np.float64).eps
-# Each step halves the bracket or the step before; 4 to 6 are usual, and bisection alone takes 60.
-MOST_STEPS = 200
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -238,31 +237,25 @@ def _balanced_shares(inner: SlidingContact, outer: SlidingContact, difference: A
     stiff, stiff_other = limit * ratio, limit_other * ratio_other
     total = stiff + stiff_other
     share = np.divide(stiff_other, total, out=np.full_like(total, 0.5), where=total > 0)  # both moments linear in spin
-    low, high, last = np.zeros_like(share), np.ones_like(share), np.ones_like(share)
-    settled = np.zeros(share.shape, dtype=bool)
-    for _ in range(MOST_STEPS):
+
+    def excess(share: Array) -> tuple[Array, Array]:
         eps, eps_other = ratio * share, ratio_other * (1 - share)
         moment = limit * _spin_moment(eps)
-        excess = moment - limit_other * _spin_moment(eps_other)
-        slope = stiff * _spin_stiffness(eps) + stiff_other * _spin_stiffness(eps_other)
-        low, high = np.where(excess < 0, share, low), np.where(excess > 0, share, high)
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # where both contacts spin in full
-            step = -excess / slope
-            newton = (share + step >= low) & (share + step <= high) & (np.abs(step) <= np.abs(last) / 2)
-        settled |= np.abs(excess) <= ROUND_OFF * moment
-        last = np.where(settled, 0.0, np.where(newton, step, (low + high) / 2 - share))
-        share = share + last
-        settled |= np.abs(last) <= ROUND_OFF * share
-        if np.all(settled):
-            return np.where(swap, 1 - share, share), np.where(swap, share, 1 - share)
-    raise ConvergenceError(
-        iterations=MOST_STEPS,
-        residual=float(np.max(np.abs(last))),
-        tolerance=float(ROUND_OFF),
+        left = moment - limit_other * _spin_moment(eps_other)
+        slope = stiff * _spin_stiffness(eps) + stiff_other * _spin_stiffness(eps_other)  # 0 where both spin in full
+        return np.where(np.abs(left) <= ROUND_OFF * moment, 0.0, left), slope
+
+    share = bracketed_root(
+        excess,
+        start=share,
+        low=np.zeros_like(share),
+        high=np.ones_like(share),
+        relative=ROUND_OFF,
         unit="of the spin",
         problem="the balance of spin between both races",
         remedy="Check that loads, semi-axes and friction coefficients of both contacts are of ordinary size.",
     )
+    return np.where(swap, 1 - share, share), np.where(swap, share, 1 - share)
 
 
 def _half_distance(ratio: Array) -> Array:
