@@ -163,8 +163,9 @@ def film_asymptotes(
         log_rp = np.log(1.29) - 2 / 3 * np.log1p(0.691 * ellipticity) + 2 / 3 * log_l
         log_ei = np.log(3.18) - 14 / 25 * elastic - log_ratio / 15
         log_ep = np.log(1.48) - 7 / 20 * elastic - log_ratio / 24 + 3 / 4 * log_l
-        with np.errstate(invalid="ignore"):  # inf - inf without load and without piezoviscosity: H_EP is then not needed
-            piezoviscous = -np.logaddexp(-8 * log_rp, -8 * np.where(log_l == -np.inf, -np.inf, log_ep - log_m / 12)) / 8
+        with np.errstate(invalid="ignore"):  # inf - inf with neither load nor piezoviscosity: H_EP is then not needed
+            log_ep_loaded = np.where(log_l == -np.inf, -np.inf, log_ep - log_m / 12)
+        piezoviscous = -np.logaddexp(-8 * log_rp, -8 * log_ep_loaded) / 8
         return FilmAsymptotes(
             ellipticity=ellipticity,
             rigid=np.where(moving, scale + log_ri, -np.inf),

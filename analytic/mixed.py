@@ -122,9 +122,7 @@ def _shared(numbers: Array, asperities: AsperityTable | None) -> tuple[Array, Ar
     share, height = np.where(carried, 1.0, 0.0), np.where(carried, least, np.exp(log_alone))
     sharing = loaded & ~carried
     if sharing.any():
-        share[sharing], height[sharing] = _balanced(
-            numbers[:, sharing], log_alone[sharing], least[sharing], asperities
-        )
+        share[sharing], height[sharing] = _balanced(numbers[:, sharing], log_alone[sharing], least[sharing], asperities)
     return share, height, asperities.area_fraction(height)
 
 
@@ -162,8 +160,9 @@ def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: Asperi
         falling = np.exp(log_remaining) * needed_slope / np.hypot(deviation, needed)
         return np.arcsinh(h / deviation) - np.arcsinh(needed / deviation), rising - falling
 
-    log_share = asperities.log_pressure(np.exp(np.stack([log_alone, np.minimum(log_alone + np.log(4), log_room)]))) + log_softness
-    low = np.minimum(log_share[1], 0.0) - 1e-6  # oil with half of the load or more has a film at most 4 times as thick
+    thick = np.minimum(log_alone + np.log(4), log_room)  # no film under half of the load or more is thicker
+    log_share = asperities.log_pressure(np.exp(np.stack([log_alone, thick]))) + log_softness
+    low = np.minimum(log_share[1], 0.0) - 1e-6  # the table's inverse is good to 1e-8
     # ln(1/(1 - s)) at which the oil's film is as thick as asperities need that carry all.
     thicken = np.log(np.maximum(least, 1e-3 * deviation))
     grown = np.maximum((thicken - film.elastic) / 0.6, (thicken - film.unloaded) / 0.5)
@@ -178,7 +177,7 @@ def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: Asperi
         excess,
         start=np.where(little, most, np.clip(start, low, high)),
         low=low,
-        high=np.where(little, most + 1e-6, high),  # the table's inverse is good to 1e-8
+        high=np.where(little, most + 1e-6, high),
         relative=1e-12,
         absolute=LAST_STEP,
         unit="of ln(s/(1 - s))",

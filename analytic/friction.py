@@ -1,0 +1,304 @@
+"""Friction of one ball that rolls and spins between its races, by three rungs from cheap to accurate.
+
+`single_coefficient`: each contact slides with one coefficient, that of its mean pressure and mean sliding speed, and
+its moments are the closed forms of `analytic.race`. `along_axis`: the stress follows pressure and sliding from point to
+point, the sliding across the major axis left out. `over_ellipse`: that sliding too. The step from the first to the last
+is 2 to 7 % of the torque of a deep-groove bearing (`validation/benchmarks/friction.py`).
+Rates are per unit ring speed difference w and torques are slip power / w, as in `analytic.race`; the law of traction
+sees sliding speeds of |w| times as much.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any, Literal, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize.elementwise import find_root
+
+from analytic.ellipse_slip import SlipMoments, slip_along_axis, slip_over_ellipse
+from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.race import MicroslipTorque, SlidingContact, microslip_torque
+from analytic.scene import Array, Lubricant, SpinRule
+from analytic.traction import CoulombTraction, MixedTraction, Traction
+
+Rung = Literal["single_coefficient", "along_axis", "over_ellipse"]
+SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
+# Of the friction forces, between rounds. Each round leaves a few hundredths of the change before; in a viscous contact,
+# where force goes as speed, up to a half.
+LAST_CHANGE = 1e-9
+MOST_ROUNDS = 100
+# Of the share of spin: the integrals are good to 1e-6.
+SHARE_TOLERANCE = 1e-9
+BLOCK = 32  # points at a time: a contact has 768 nodes
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RaceContact:
+    """A ball on one race and what resists its sliding; one entry a ball or an operating point; the fields broadcast."""
+
+    traction: Traction
+    load: Array | float  # F, N, >= 0
+    semi_axis_rolling: Array | float  # a, along rolling, m, >= 0, and not 0 under load
+    semi_axis_transverse: Array | float  # b, across rolling, m, likewise
+    deformed_radius: Array | float  # R, of the contact surface across rolling, m, > 0
+    rolling_rate: Array | float  # w_roll/w, > 0
+
+    def __post_init__(self) -> None:
+        require_non_negative(
+            load=self.load,
+            semi_axis_rolling=self.semi_axis_rolling,
+            semi_axis_transverse=self.semi_axis_transverse,
+        )
+        require_positive(deformed_radius=self.deformed_radius, rolling_rate=self.rolling_rate)
+
+    @property
+    def area(self) -> Array:
+        """A_H = pi a b, m^2."""
+        return np.pi * np.asarray(self.semi_axis_rolling) * np.asarray(self.semi_axis_transverse)
+
+
+Noun = TypeVar("Noun", RaceContact, CoulombTraction, MixedTraction)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SlipFriction:
+    """Friction of one ball by slip on both races; arrays of one shape."""
+
+    torque: MicroslipTorque  # with moments and spin rates
+    inner_coefficient: Array  # of the Coulomb friction that would lose the same power at the same rates; 0 without load
+    outer_coefficient: Array
+    inner_slip_speed: Array  # m/s, the mean that the pressure weighs: what Coulomb friction loses over mu F
+    outer_slip_speed: Array
+
+
+def slip_friction(
+    inner: RaceContact,
+    outer: RaceContact,
+    *,
+    ring_speed: ArrayLike,
+    spin_difference: ArrayLike,
+    spin_rule: SpinRule,
+    rung: Rung,
+) -> SlipFriction:
+    """Torque of one ball from its slip on both races; all fields, ring_speed and spin_difference broadcast.
+
+    ring_speed : w, inner less outer, rad/s, any sign; at 0 the law of traction is asked for its limit
+    spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) where the contact angles are equal
+    spin_rule : as `race.microslip_torque`
+    On the first rung each contact has the force of its law at the mean speed
+        |v| = |w| [w_roll M_roll + w_s M_spin]/(mu Q)
+    which depends on how the spin is shared, and that on the forces: both are repeated until they agree. The force
+    changes slowly with the speed, so that this settles.
+    """
+    require_finite(ring_speed=ring_speed)
+    require_non_negative(spin_difference=spin_difference)
+    given = [np.asarray(value, dtype=np.float64) for value in (ring_speed, spin_difference)]
+    try:
+        shape = np.broadcast_shapes(*(value.shape for value in given), _shape(inner), _shape(outer))
+    except ValueError as problem:
+        raise InputError("both contacts and their speeds have shapes that do not fit: give equal lengths") from problem
+    speed, difference = (np.broadcast_to(value, shape) for value in (np.abs(given[0]), given[1]))
+    if rung == "single_coefficient":
+        return _single_coefficient(inner, outer, speed, difference, spin_rule)
+    if rung not in SLIP:
+        raise InputError(f'rung must be "single_coefficient", "along_axis" or "over_ellipse", got {rung!r}')
+    races = [_mapped(race, lambda value: np.broadcast_to(value, shape).ravel()) for race in (inner, outer)]
+    speed, difference = speed.ravel(), difference.ravel()
+    blocks = [
+        _integrated(*(_at(race, part) for race in races), speed[part], difference[part], spin_rule, SLIP[rung])
+        for part in np.array_split(np.arange(speed.size), max(1, -(-speed.size // BLOCK)))
+    ]
+    columns = [np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True)]
+    return SlipFriction(
+        torque=MicroslipTorque(
+            spin=columns[0],
+            conformity=columns[1],
+            inner_spin_rate=columns[2],
+            outer_spin_rate=columns[3],
+            inner_spin_moment=columns[4],
+            outer_spin_moment=columns[5],
+            inner_rolling_moment=columns[6],
+            outer_rolling_moment=columns[7],
+        ),
+        inner_coefficient=columns[8],
+        outer_coefficient=columns[9],
+        inner_slip_speed=columns[10],
+        outer_slip_speed=columns[11],
+    )
+
+
+def _single_coefficient(
+    inner: RaceContact, outer: RaceContact, speed: Array, difference: Array, spin_rule: SpinRule
+) -> SlipFriction:
+    races = (inner, outer)
+    loads = [np.broadcast_to(np.asarray(race.load, dtype=np.float64), speed.shape) for race in races]
+    forces, change = loads, np.inf
+    for _ in range(MOST_ROUNDS):
+        torque = microslip_torque(
+            *(_sliding(race, force) for race, force in zip(races, forces, strict=True)),
+            spin_difference=difference,
+            spin_rule=spin_rule,
+        )
+        slips = [
+            speed * _over(moment * rate + rolling * race.rolling_rate, force)
+            for race, force, moment, rate, rolling in zip(races, forces, *_contacts(torque), strict=True)
+        ]
+        last = forces
+        forces = [
+            race.traction.force(load=load, area=race.area, speed=slip)
+            for race, load, slip in zip(races, loads, slips, strict=True)
+        ]
+        changes = [_over(abs(new - old), new) for new, old in zip(forces, last, strict=True)]
+        change = float(np.max(changes, initial=0.0))
+        if change <= LAST_CHANGE:
+            inner_coefficient, outer_coefficient = (_over(f, q) for f, q in zip(last, loads, strict=True))
+            return SlipFriction(
+                torque=torque,
+                inner_coefficient=inner_coefficient,
+                outer_coefficient=outer_coefficient,
+                inner_slip_speed=slips[0],
+                outer_slip_speed=slips[1],
+            )
+    raise ConvergenceError(
+        iterations=MOST_ROUNDS,
+        residual=change,
+        tolerance=LAST_CHANGE,
+        unit="of the friction force",
+        problem="the friction of both contacts with their shares of spin",
+        remedy="Check that load, speed, viscosity and film are of ordinary size.",
+    )
+
+
+def _contacts(torque: MicroslipTorque) -> tuple[tuple[Array, Array], ...]:
+    """Spin moments, spin rates and rolling moments, each (inner, outer)."""
+    return (
+        (torque.inner_spin_moment, torque.outer_spin_moment),
+        (torque.inner_spin_rate, torque.outer_spin_rate),
+        (torque.inner_rolling_moment, torque.outer_rolling_moment),
+    )
+
+
+def _sliding(race: RaceContact, force: Array) -> SlidingContact:
+    """The contact whose mu Q is the force."""
+    return SlidingContact(
+        friction_coefficient=1.0,
+        load=force,
+        semi_axis_rolling=race.semi_axis_rolling,
+        semi_axis_transverse=race.semi_axis_transverse,
+        deformed_radius=race.deformed_radius,
+        rolling_rate=race.rolling_rate,
+    )
+
+
+def _integrated(
+    inner: RaceContact,
+    outer: RaceContact,
+    speed: Array,
+    difference: Array,
+    spin_rule: SpinRule,
+    slip: Callable[..., SlipMoments],
+) -> tuple[Array, ...]:
+    """The columns of slip_friction for contacts (n,)."""
+
+    def excess(share: Array, index: Array) -> Array:
+        part = index.astype(np.intp)
+        rate = difference[part]
+        return (
+            _moments(_at(inner, part), share * rate, speed[part], slip).spin_moment
+            + _moments(_at(outer, part), (share - 1) * rate, speed[part], slip).spin_moment
+        )
+
+    match spin_rule:
+        case "balanced":
+            ends = np.zeros_like(difference), np.ones_like(difference)
+            found = find_root(excess, ends, args=(np.arange(speed.size),), tolerances={"xatol": SHARE_TOLERANCE})
+            if not np.all(found.success):
+                raise ConvergenceError(
+                    iterations=int(np.max(found.nit)),
+                    residual=float(np.max(abs(found.bracket[1] - found.bracket[0]))),
+                    tolerance=SHARE_TOLERANCE,
+                    unit="of the spin",
+                    problem="the balance of spin between both races",
+                    remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
+                )
+            share = found.x
+        case "inner_control":
+            share = np.zeros_like(difference)
+        case "outer_control":
+            share = np.ones_like(difference)
+        case _:
+            raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
+    rates = (share * difference, (share - 1) * difference)
+    moments = [_moments(race, rate, speed, slip) for race, rate in zip((inner, outer), rates, strict=True)]
+    unit = CoulombTraction(friction_coefficient=1.0)
+    smooth = [
+        _moments(replace(race, traction=unit), rate, speed, slip).slip_power
+        for race, rate in zip((inner, outer), rates, strict=True)
+    ]
+    return (
+        moments[0].spin_moment * rates[0] + moments[1].spin_moment * rates[1],
+        moments[0].rolling_moment * inner.rolling_rate + moments[1].rolling_moment * outer.rolling_rate,
+        *rates,
+        *(moment.spin_moment for moment in moments),
+        *(moment.rolling_moment for moment in moments),
+        *(_over(moment.slip_power, power) for moment, power in zip(moments, smooth, strict=True)),
+        *(speed * _over(power, race.load) for power, race in zip(smooth, (inner, outer), strict=True)),
+    )
+
+
+def _moments(race: RaceContact, spin_rate: Array, speed: Array, slip: Callable[..., SlipMoments]) -> SlipMoments:
+    """Of contacts (n,); power and rates per unit w. A contact without load, a point, has none."""
+    loaded = np.asarray(race.load) > 0
+    along, across = (np.where(loaded, axis, 1.0) for axis in (race.semi_axis_rolling, race.semi_axis_transverse))
+    traction, fast = _mapped(race.traction, lambda value: np.asarray(value)[..., None]), speed[:, None]
+    found = slip(
+        traction=lambda pressure, slide: traction.stress(pressure, fast * slide),
+        peak_pressure=1.5 * np.asarray(race.load) / (np.pi * along * across),
+        semi_axis_rolling=along,
+        semi_axis_transverse=across,
+        deformed_radius=race.deformed_radius,
+        rolling_rate=race.rolling_rate,
+        spin_rate=spin_rate,
+    )
+    return SlipMoments(
+        spin_moment=loaded * found.spin_moment,
+        rolling_moment=loaded * found.rolling_moment,
+        slip_power=loaded * found.slip_power,
+        creep_speed=loaded * found.creep_speed,
+    )
+
+
+def _over(numerator: Array, denominator: ArrayLike) -> Array:
+    """The quotient, and 0 where the denominator is."""
+    top, bottom = np.broadcast_arrays(numerator, denominator)
+    return np.divide(top, bottom, out=np.zeros(top.shape), where=bottom > 0)
+
+
+def _shape(noun: Any) -> tuple[int, ...]:
+    """The broadcast shape of all numbers in a contact or a law of traction."""
+    values = [getattr(noun, field.name) for field in fields(noun)]
+    return np.broadcast_shapes(
+        *(
+            _shape(value) if is_dataclass(value) else np.shape(value)
+            for value in values
+            if not isinstance(value, Lubricant)
+        )
+    )
+
+
+def _mapped(noun: Noun, change: Callable[[Any], Array]) -> Noun:
+    """A contact or a law of traction with every number of it changed."""
+    values = {field.name: getattr(noun, field.name) for field in fields(noun)}
+    return replace(
+        noun,
+        **{
+            name: _mapped(value, change) if is_dataclass(value) else change(value)
+            for name, value in values.items()
+            if not isinstance(value, Lubricant)
+        },
+    )
+
+
+def _at(race: RaceContact, index: Array) -> RaceContact:
+    return _mapped(race, lambda value: value[index])
