@@ -10,24 +10,23 @@ sees sliding speeds of |w| times as much.
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass, replace
-from typing import Any, Literal, TypeVar
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy.optimize.elementwise import find_root
 
+from analytic.bracket import bracketed_root, with_secant_slopes
 from analytic.ellipse_slip import SlipMoments, slip_along_axis, slip_over_ellipse
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
-from analytic.race import MicroslipTorque, SlidingContact, microslip_torque
+from analytic.race import MicroslipTorque, SlidingContact, contact_moments, microslip_torque
 from analytic.scene import Array, Lubricant, SpinRule
-from analytic.traction import CoulombTraction, MixedTraction, Traction
+from analytic.traction import CoulombTraction, Traction
 
 Rung = Literal["single_coefficient", "along_axis", "over_ellipse"]
 SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
-# Of the friction forces, between rounds. Each round leaves a few hundredths of the change before; in a viscous contact,
-# where force goes as speed, up to a half.
-LAST_CHANGE = 1e-9
-MOST_ROUNDS = 100
+ROUND_OFF = 4 * np.finfo(np.float64).eps  # of a spin moment, and of the share of spin that balances it
+LAST_STEP = 1e-9  # of the share of spin: the secant steps before it leave less
 # Of the share of spin: the integrals are good to 1e-6.
 SHARE_TOLERANCE = 1e-9
 BLOCK = 32  # points at a time: a contact has 768 nodes
@@ -58,9 +57,6 @@ class RaceContact:
         return np.pi * np.asarray(self.semi_axis_rolling) * np.asarray(self.semi_axis_transverse)
 
 
-Noun = TypeVar("Noun", RaceContact, CoulombTraction, MixedTraction)
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SlipFriction:
     """Friction of one ball by slip on both races; arrays of one shape."""
@@ -88,8 +84,8 @@ def slip_friction(
     spin_rule : as `race.microslip_torque`
     On the first rung each contact has the force of its law at the mean speed
         |v| = |w| [w_roll M_roll + w_s M_spin]/(mu Q)
-    which depends on how the spin is shared, and that on the forces: both are repeated until they agree. The force
-    changes slowly with the speed, so that this settles.
+    that goes with its share of spin. Its moment grows with that share on every rung, so that there is one balance.
+    Repeating forces and shares in turn would find it too, but not where oil is viscous and both contacts spin in full.
     """
     require_finite(ring_speed=ring_speed)
     require_non_negative(spin_difference=spin_difference)
@@ -106,7 +102,7 @@ def slip_friction(
     races = [_mapped(race, lambda value: np.broadcast_to(value, shape).ravel()) for race in (inner, outer)]
     speed, difference = speed.ravel(), difference.ravel()
     blocks = [
-        _integrated(*(_at(race, part) for race in races), speed[part], difference[part], spin_rule, SLIP[rung])
+        _integrated(_at(races[0], part), _at(races[1], part), speed[part], difference[part], spin_rule, SLIP[rung])
         for part in np.array_split(np.arange(speed.size), max(1, -(-speed.size // BLOCK)))
     ]
     columns = [np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True)]
@@ -132,58 +128,67 @@ def _single_coefficient(
     inner: RaceContact, outer: RaceContact, speed: Array, difference: Array, spin_rule: SpinRule
 ) -> SlipFriction:
     races = (inner, outer)
-    loads = [np.broadcast_to(np.asarray(race.load, dtype=np.float64), speed.shape) for race in races]
-    forces, change = loads, np.inf
-    for _ in range(MOST_ROUNDS):
-        torque = microslip_torque(
-            *(_sliding(race, force) for race, force in zip(races, forces, strict=True)),
-            spin_difference=difference,
-            spin_rule=spin_rule,
+    laws = [race.traction.force(load=race.load, area=race.area) for race in races]
+    unit = [_sliding(race, 1.0) for race in races]  # N of friction force
+
+    def state(which: int, rate: Array) -> tuple[Array, Array, Array]:
+        """Force, mean slip speed and spin moment of one contact."""
+        spin, roll = contact_moments(unit[which], spin_rate=rate)
+        slip = speed * (spin * rate + roll * races[which].rolling_rate)
+        force = np.broadcast_to(laws[which](slip), speed.shape)
+        return force, slip, force * spin
+
+    def excess(share: Array) -> Array:
+        inner_spin, outer_spin = state(0, share * difference)[2], state(1, (share - 1) * difference)[2]
+        left = inner_spin + outer_spin
+        return np.where(np.abs(left) <= ROUND_OFF * inner_spin, 0.0, left)
+
+    if spin_rule == "balanced" and (inner.traction.asks_speed or outer.traction.asks_speed):
+        none, whole = np.zeros(speed.shape), np.ones(speed.shape)
+        share = bracketed_root(
+            with_secant_slopes(excess, first_slope=excess(whole) - excess(none)),
+            start=whole / 2,
+            low=none,
+            high=whole,
+            relative=ROUND_OFF,
+            absolute=LAST_STEP,
+            unit="of the spin",
+            problem="the balance of spin between both races",
+            remedy="Check that load, speed, viscosity and film of both contacts are of ordinary size.",
         )
-        slips = [
-            speed * _over(moment * rate + rolling * race.rolling_rate, force)
-            for race, force, moment, rate, rolling in zip(races, forces, *_contacts(torque), strict=True)
-        ]
-        last = forces
-        forces = [
-            race.traction.force(load=load, area=race.area, speed=slip)
-            for race, load, slip in zip(races, loads, slips, strict=True)
-        ]
-        changes = [_over(abs(new - old), new) for new, old in zip(forces, last, strict=True)]
-        change = float(np.max(changes, initial=0.0))
-        if change <= LAST_CHANGE:
-            inner_coefficient, outer_coefficient = (_over(f, q) for f, q in zip(last, loads, strict=True))
-            return SlipFriction(
-                torque=torque,
-                inner_coefficient=inner_coefficient,
-                outer_coefficient=outer_coefficient,
-                inner_slip_speed=slips[0],
-                outer_slip_speed=slips[1],
-            )
-    raise ConvergenceError(
-        iterations=MOST_ROUNDS,
-        residual=change,
-        tolerance=LAST_CHANGE,
-        unit="of the friction force",
-        problem="the friction of both contacts with their shares of spin",
-        remedy="Check that load, speed, viscosity and film are of ordinary size.",
+        inner_rate, outer_rate = share * difference, (share - 1) * difference
+    else:  # the forces are known, or the rates
+        forces = [np.broadcast_to(law(speed), speed.shape) for law in laws]
+        known = microslip_torque(
+            _sliding(inner, forces[0]), _sliding(outer, forces[1]), spin_difference=difference, spin_rule=spin_rule
+        )
+        inner_rate, outer_rate = known.inner_spin_rate, known.outer_spin_rate
+    (inner_force, inner_slip, _), (outer_force, outer_slip, _) = state(0, inner_rate), state(1, outer_rate)
+    inner_spin, inner_roll = contact_moments(_sliding(inner, inner_force), spin_rate=inner_rate)
+    outer_spin, outer_roll = contact_moments(_sliding(outer, outer_force), spin_rate=outer_rate)
+    return SlipFriction(
+        torque=MicroslipTorque(
+            spin=inner_spin * inner_rate + outer_spin * outer_rate,
+            conformity=inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
+            inner_spin_rate=inner_rate,
+            outer_spin_rate=outer_rate,
+            inner_spin_moment=inner_spin,
+            outer_spin_moment=outer_spin,
+            inner_rolling_moment=inner_roll,
+            outer_rolling_moment=outer_roll,
+        ),
+        inner_coefficient=_over(inner_force, inner.load),
+        outer_coefficient=_over(outer_force, outer.load),
+        inner_slip_speed=inner_slip,
+        outer_slip_speed=outer_slip,
     )
 
 
-def _contacts(torque: MicroslipTorque) -> tuple[tuple[Array, Array], ...]:
-    """Spin moments, spin rates and rolling moments, each (inner, outer)."""
-    return (
-        (torque.inner_spin_moment, torque.outer_spin_moment),
-        (torque.inner_spin_rate, torque.outer_spin_rate),
-        (torque.inner_rolling_moment, torque.outer_rolling_moment),
-    )
-
-
-def _sliding(race: RaceContact, force: Array) -> SlidingContact:
+def _sliding(race: RaceContact, force: ArrayLike) -> SlidingContact:
     """The contact whose mu Q is the force."""
     return SlidingContact(
         friction_coefficient=1.0,
-        load=force,
+        load=np.asarray(force),
         semi_axis_rolling=race.semi_axis_rolling,
         semi_axis_transverse=race.semi_axis_transverse,
         deformed_radius=race.deformed_radius,
@@ -287,7 +292,7 @@ def _shape(noun: Any) -> tuple[int, ...]:
     )
 
 
-def _mapped(noun: Noun, change: Callable[[Any], Array]) -> Noun:
+def _mapped(noun: Any, change: Callable[[Any], Array]) -> Any:
     """A contact or a law of traction with every number of it changed."""
     values = {field.name: getattr(noun, field.name) for field in fields(noun)}
     return replace(
@@ -300,5 +305,5 @@ def _mapped(noun: Noun, change: Callable[[Any], Array]) -> Noun:
     )
 
 
-def _at(race: RaceContact, index: Array) -> RaceContact:
+def _at(race: RaceContact, index: NDArray[np.intp]) -> RaceContact:
     return _mapped(race, lambda value: value[index])

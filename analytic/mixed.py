@@ -20,6 +20,7 @@ from analytic.scene import Array
 # Of ln(s/(1 - s)), where Newton's quadratic steps leave far less; the asperities' table is good to 1e-8.
 LAST_STEP = 1e-7
 FADED = 45.0  # standard deviations of summit height: there asperities bear e^-1000 of what they can
+NEARLY_ALL = 40.0  # ln(s/(1 - s)): s is 1 in double precision
 BLOCK = 4096  # contacts at a time: what is worked on stays in the processor's cache
 
 
@@ -33,7 +34,7 @@ class MixedContact:
     asperity_load: Array  # s F, N
     capped: NDArray[np.bool_]  # the film is as thick as the bodies leave room for
     outside_range: NDArray[np.bool_]  # the film formula is extrapolated in ellipticity
-    without_film: NDArray[np.bool_]  # at standstill: the asperities carry all, at once and not as the limit of u -> 0
+    without_film: NDArray[np.bool_]  # at standstill asperities carry all, which need not be the limit of u -> 0
 
 
 def mixed_contact(
@@ -59,8 +60,9 @@ def mixed_contact(
     s in [0, 1] and h solve
         p_a(h) A_H = s F,  h = heating_factor * film(F (1 - s), E* (1 - s))
     As s grows the film grows and the pressure of the asperities falls: there is one solution. Asperities that carry the
-    load even at largest_gap carry all of it, and so they do without speed, when p_a(h) A_H = F; a film whose speed goes
-    to 0 keeps its oil a share. A contact without load has no share, and a smooth one only without speed, where h = 0.
+    load even at largest_gap carry all of it, and so they do without speed: then p_a(h) A_H = F gives h. Slower and
+    slower running comes to the same if that h is positive; else h tends to 0, and s to p_a(0) A_H/F below 1, from where
+    standstill is a jump. A contact without load has no share, and a smooth one only without speed, where h = 0.
     Raises InputError for an argument of the wrong sign, not finite, or if shapes do not broadcast.
     """
     require_non_negative(contact_area=contact_area, heating_factor=heating_factor)
@@ -78,22 +80,22 @@ def mixed_contact(
         require_positive(largest_gap=largest_gap)
         log_room = np.minimum(log_room, np.log(largest_gap))
     force, area = np.asarray(load, dtype=np.float64), np.asarray(contact_area, dtype=np.float64)
-    with np.errstate(divide="ignore", invalid="ignore"):  # without load nobody asks for the softness
-        log_heating, log_softness = np.log(heating_factor), np.log(area) - np.log(force)
-    parts = (
-        *(log_heating + film for film in (asymptotes.rigid, asymptotes.elastic, asymptotes.unloaded)),
-        *(log_heating + asymptotes.piezoviscous, asymptotes.elastic_ratio, asymptotes.ellipticity),
-        *(log_room, log_softness, force),
-    )
     try:
+        with np.errstate(divide="ignore", invalid="ignore"):  # without load nobody asks for the softness
+            log_heating, log_softness = np.log(heating_factor), np.log(area) - np.log(force)
+            films = (asymptotes.rigid, asymptotes.elastic, asymptotes.unloaded, asymptotes.piezoviscous)
+            heated = (np.where(log_heating == -np.inf, -np.inf, log_heating + film) for film in films)
+            parts = (*heated, asymptotes.elastic_ratio, asymptotes.ellipticity, log_room, log_softness, force)
         shape = np.broadcast(*parts).shape
         numbers = np.empty((len(parts), *shape))
-        for row, part in zip(numbers, parts, strict=True):
-            row[...] = part
+        for row, part in enumerate(parts):
+            numbers[row] = part
     except ValueError as problem:
         raise InputError(
             "the arguments of a mixed contact have shapes that do not fit together: give equal lengths"
         ) from problem
+    if np.any(np.isneginf(numbers[7])):  # ln 0 less the ln of a load
+        raise InputError("contact_area is 0 under load: give pi a b of the smooth contact")
     flat = numbers.reshape(len(parts), -1)
     found = [_shared(flat[:, start : start + BLOCK], asperities) for start in range(0, max(flat.shape[1], 1), BLOCK)]
     share, height, touched = (np.concatenate(rows).reshape(shape) for rows in zip(*found, strict=True))
@@ -170,7 +172,7 @@ def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: Asperi
     start = grown + np.log(-np.expm1(-grown))
     # Nor can they carry more than at the film of the full load; and a film FADED deviations thick leaves them nothing.
     surely = np.log(asperities.summits.mean_height + FADED * deviation)
-    high = np.maximum((surely - film.rigid) / 2, 0.0) + 1
+    high = np.maximum((surely - film.rigid) / 2, 0.0) + NEARLY_ALL
     little = log_share[0] < -0.5
     most = log_share[0] - np.log1p(-np.exp(np.minimum(log_share[0], -0.5)))
     z = bracketed_root(

@@ -140,8 +140,8 @@ def microslip_torque(
         case _:
             raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
     inner_rate, outer_rate = shares[0] * difference, -shares[1] * difference
-    inner_spin, inner_roll = _moments(inner, inner_rate)
-    outer_spin, outer_roll = _moments(outer, outer_rate)
+    inner_spin, inner_roll = contact_moments(inner, spin_rate=inner_rate)
+    outer_spin, outer_roll = contact_moments(outer, spin_rate=outer_rate)
     fields = np.broadcast_arrays(
         inner_spin * inner_rate + outer_spin * outer_rate,
         inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
@@ -157,6 +157,17 @@ def microslip_torque(
         outer_spin_moment=outer_spin,
         inner_rolling_moment=inner_roll,
         outer_rolling_moment=outer_roll,
+    )
+
+
+def contact_moments(contact: SlidingContact, *, spin_rate: ArrayLike) -> tuple[Array, Array]:
+    """(spin moment, rolling moment), N m: microslip_moments of a contact that spins with w_s/w = spin_rate."""
+    return microslip_moments(
+        friction_coefficient=contact.friction_coefficient,
+        load=contact.load,
+        semi_axis_transverse=contact.semi_axis_transverse,
+        deformed_radius=contact.deformed_radius,
+        spin_to_roll=_spin_to_roll(contact, np.asarray(spin_rate)),
     )
 
 
@@ -198,16 +209,6 @@ def hysteresis_torque(inner: SlidingContact, outer: SlidingContact, *, hysteresi
         )
         torque = torque + moment * np.asarray(contact.rolling_rate)
     return np.asarray(torque)
-
-
-def _moments(contact: SlidingContact, spin_rate: Array) -> tuple[Array, Array]:
-    return microslip_moments(
-        friction_coefficient=contact.friction_coefficient,
-        load=contact.load,
-        semi_axis_transverse=contact.semi_axis_transverse,
-        deformed_radius=contact.deformed_radius,
-        spin_to_roll=_spin_to_roll(contact, spin_rate),
-    )
 
 
 def _spin_to_roll(contact: SlidingContact, spin_rate: Array) -> Array:

@@ -7,6 +7,7 @@ Source: oil by H. Eyring, J. Chem. Phys. 4 (1936) 283 (not seen), with a limit a
 J. Lubr. Tech. 101 (1979) 251 (not seen).
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,9 +31,14 @@ class CoulombTraction:
         """mu p, Pa; the arguments broadcast with mu."""
         return np.asarray(self.friction_coefficient) * pressure
 
-    def force(self, *, load: Array, area: Array, speed: Array) -> Array:  # noqa: ARG002
-        """mu Q, N; the arguments broadcast with mu."""
-        return np.asarray(self.friction_coefficient) * load
+    @property
+    def asks_speed(self) -> bool:
+        return False
+
+    def force(self, *, load: ArrayLike, area: ArrayLike) -> Callable[[Array], Array]:  # noqa: ARG002
+        """mu Q, N, as a function of the speed; the arguments broadcast with mu."""
+        friction = np.asarray(self.friction_coefficient) * np.asarray(load)
+        return lambda _: friction
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -58,6 +64,10 @@ class MixedTraction:
         if np.any(np.asarray(self.asperity_share) > 1) or np.any(np.asarray(self.area_fraction) > 1):
             raise InputError("asperity_share and area_fraction must be at most 1: they are parts of a whole")
 
+    @property
+    def asks_speed(self) -> bool:
+        return self.lubricant.traction != "eyring_constant"
+
     def stress(self, pressure: Array, speed: Array) -> Array:
         """mu_b s p + tau (1 - A_a/A_H), Pa; pressure p >= 0, Pa, and speed |v|, m/s, broadcast with the fields."""
         share = np.asarray(self.asperity_share)
@@ -66,13 +76,18 @@ class MixedTraction:
         )
         return np.asarray(self.boundary_friction) * share * pressure + oil * (1 - np.asarray(self.area_fraction))
 
-    def force(self, *, load: Array, area: Array, speed: Array) -> Array:
-        """mu_b s F + tau (A_H - A_a), N, with tau at the mean pressure F/A_H: a force, as mu has no limit at F = 0.
+    def force(self, *, load: ArrayLike, area: ArrayLike) -> Callable[[Array], Array]:
+        """mu_b s F + tau (A_H - A_a), N, as a function of the speed |v|, m/s, with tau at the mean pressure F/A_H.
 
-        load : F, N, >= 0;  area : A_H, m^2, >= 0;  speed : |v|, m/s; they broadcast with the fields
+        load : F, N, >= 0;  area : A_H, m^2, >= 0; they broadcast with the fields
+        A force, because the coefficient has no limit at F = 0.
         """
-        mean = np.divide(load, area, out=np.zeros(np.broadcast(load, area).shape), where=np.asarray(area) > 0)
-        return self.stress(mean, speed) * area
+        share, force, nominal = np.asarray(self.asperity_share), np.asarray(load), np.asarray(area)
+        mean = np.divide(force, nominal, out=np.zeros(np.broadcast(force, nominal).shape), where=nominal > 0)
+        shear = _oil_shear(self.lubricant, (1 - share) * mean, np.asarray(self.film_thickness))
+        boundary = np.asarray(self.boundary_friction) * share * force
+        wetted = (1 - np.asarray(self.area_fraction)) * nominal
+        return lambda speed: boundary + shear(speed) * wetted
 
 
 Traction = CoulombTraction | MixedTraction
@@ -90,10 +105,22 @@ def oil_shear_stress(
     keeps them, never falls with |v| and has only a kink; any smooth passage would invent a lower stress between them.
     Shear heating within the film is left out: it lowers tau where sliding is fast.
     """
+    require_non_negative(speed=speed)
+    try:
+        return _oil_shear(lubricant, np.asarray(pressure), np.asarray(film_thickness))(np.asarray(speed))
+    except ValueError as problem:
+        if isinstance(problem, InputError):
+            raise
+        raise InputError("pressure, speed and film have shapes that do not fit: give equal lengths") from problem
+
+
+def _oil_shear(lubricant: Lubricant, pressure: Array, film_thickness: Array) -> Callable[[Array], Array]:
+    """oil_shear_stress as a function of the speed; the viscosity is computed once."""
     require_positive(eyring_stress=lubricant.eyring_stress)
-    require_non_negative(pressure=pressure, speed=speed, limiting_shear=lubricant.limiting_shear)
+    require_non_negative(pressure=pressure, limiting_shear=lubricant.limiting_shear)
+    eyring = lubricant.eyring_stress
     if lubricant.traction == "eyring_constant":
-        return np.full(np.broadcast(pressure, speed, film_thickness).shape, lubricant.eyring_stress)
+        return lambda speed: np.full(np.broadcast(pressure, speed, film_thickness).shape, eyring)
     if lubricant.traction != "eyring_sinh":
         raise InputError(f'traction must be "eyring_sinh" or "eyring_constant", got {lubricant.traction!r}')
     viscosity = roelands_viscosity(
@@ -104,8 +131,13 @@ def oil_shear_stress(
         reference_temperature=lubricant.reference_temperature,
         viscosity_temperature=lubricant.viscosity_temperature,
     )
-    sliding, film = np.asarray(speed, dtype=np.float64), np.maximum(film_thickness, 0.0)
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # solid oil, no film: the limit is below
-        rate = sliding / film * (viscosity / lubricant.eyring_stress)
-    rate = np.where(np.isnan(rate), np.where(film > 0, 0.0, np.inf), rate)
-    return np.minimum(lubricant.eyring_stress * np.arcsinh(rate), lubricant.limiting_shear * np.asarray(pressure))
+    film, limit = np.maximum(film_thickness, 0.0), lubricant.limiting_shear * pressure
+    fluidity = viscosity / eyring
+
+    def shear(speed: Array) -> Array:
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # solid oil or no film: the limit holds
+            rate = speed / film * fluidity
+        rate = np.where(np.isnan(rate), np.where(film > 0, 0.0, np.inf), rate)
+        return np.minimum(eyring * np.arcsinh(rate), limit)
+
+    return shear
