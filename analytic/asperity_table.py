@@ -45,7 +45,7 @@ class Cubic:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AsperityTable:
-    """Pressure and area of one rough surface; build it with `asperity_table`."""
+    """Pressure and area of one rough surface; build it with `tabulated_asperities`."""
 
     summits: Summits
     log_scale: float  # ln of pi R_a density sigma_s H, Pa
@@ -74,7 +74,7 @@ class AsperityTable:
 
 
 @lru_cache(maxsize=64)
-def asperity_table(*, summits: Summits, modulus: float, hardness: float) -> AsperityTable:
+def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -> AsperityTable:
     """Splines that give what asperity_contact gives, to 1e-8 relative up to w_1 = 1000 sigma_s.
 
     summits : of a rough surface, numbers;  modulus : E*, Pa, > 0;  hardness : H, of the softer body, Pa, > 0

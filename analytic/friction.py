@@ -2,8 +2,9 @@
 
 `single_coefficient`: each contact slides with one coefficient, that of its mean pressure and mean sliding speed, and
 its moments are the closed forms of `analytic.race`. `along_axis`: the stress follows pressure and sliding from point to
-point, the sliding across the major axis left out. `over_ellipse`: that sliding too. The step from the first to the last
-is 2 to 7 % of the torque of a deep-groove bearing (`validation/benchmarks/friction.py`).
+point, the sliding across the major axis left out. `over_ellipse`: that sliding too. Leaving it out costs 1 % of the
+torque by slip of a 6205. The single coefficient costs 0.4 to 5 % where the stress follows the pressure, up to 16 %
+where the oil's stress is the same everywhere and asperities carry little (`validation/benchmarks/friction.py`).
 Rates are per unit ring speed difference w and torques are slip power / w, as in `analytic.race`; the law of traction
 sees sliding speeds of |w| times as much.
 """
@@ -14,11 +15,10 @@ from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize.elementwise import find_root
 
 from analytic.bracket import bracketed_root, with_secant_slopes
 from analytic.ellipse_slip import SlipMoments, slip_along_axis, slip_over_ellipse
-from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.race import MicroslipTorque, SlidingContact, contact_moments, microslip_torque
 from analytic.scene import Array, Lubricant, SpinRule
 from analytic.traction import CoulombTraction, Traction
@@ -27,8 +27,6 @@ Rung = Literal["single_coefficient", "along_axis", "over_ellipse"]
 SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
 ROUND_OFF = 4 * np.finfo(np.float64).eps  # of a spin moment, and of the share of spin that balances it
 LAST_STEP = 1e-9  # of the share of spin: the secant steps before it leave less
-# Of the share of spin: the integrals are good to 1e-6.
-SHARE_TOLERANCE = 1e-9
 BLOCK = 32  # points at a time: a contact has 768 nodes
 
 
@@ -96,76 +94,19 @@ def slip_friction(
         raise InputError("both contacts and their speeds have shapes that do not fit: give equal lengths") from problem
     speed, difference = (np.broadcast_to(value, shape) for value in (np.abs(given[0]), given[1]))
     if rung == "single_coefficient":
-        return _single_coefficient(inner, outer, speed, difference, spin_rule)
-    if rung not in SLIP:
+        columns = _single_coefficient(inner, outer, speed, difference, spin_rule)
+    elif rung in SLIP:
+        races = [_mapped(race, lambda value: np.broadcast_to(value, shape).ravel()) for race in (inner, outer)]
+        speed, difference = speed.ravel(), difference.ravel()
+        blocks = [
+            _integrated(_at(races[0], part), _at(races[1], part), speed[part], difference[part], spin_rule, SLIP[rung])
+            for part in np.array_split(np.arange(speed.size), max(1, -(-speed.size // BLOCK)))
+        ]
+        columns = tuple(np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
+    else:
         raise InputError(f'rung must be "single_coefficient", "along_axis" or "over_ellipse", got {rung!r}')
-    races = [_mapped(race, lambda value: np.broadcast_to(value, shape).ravel()) for race in (inner, outer)]
-    speed, difference = speed.ravel(), difference.ravel()
-    blocks = [
-        _integrated(_at(races[0], part), _at(races[1], part), speed[part], difference[part], spin_rule, SLIP[rung])
-        for part in np.array_split(np.arange(speed.size), max(1, -(-speed.size // BLOCK)))
-    ]
-    columns = [np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True)]
-    return SlipFriction(
-        torque=MicroslipTorque(
-            spin=columns[0],
-            conformity=columns[1],
-            inner_spin_rate=columns[2],
-            outer_spin_rate=columns[3],
-            inner_spin_moment=columns[4],
-            outer_spin_moment=columns[5],
-            inner_rolling_moment=columns[6],
-            outer_rolling_moment=columns[7],
-        ),
-        inner_coefficient=columns[8],
-        outer_coefficient=columns[9],
-        inner_slip_speed=columns[10],
-        outer_slip_speed=columns[11],
-    )
-
-
-def _single_coefficient(
-    inner: RaceContact, outer: RaceContact, speed: Array, difference: Array, spin_rule: SpinRule
-) -> SlipFriction:
-    races = (inner, outer)
-    laws = [race.traction.force(load=race.load, area=race.area) for race in races]
-    unit = [_sliding(race, 1.0) for race in races]  # N of friction force
-
-    def state(which: int, rate: Array) -> tuple[Array, Array, Array]:
-        """Force, mean slip speed and spin moment of one contact."""
-        spin, roll = contact_moments(unit[which], spin_rate=rate)
-        slip = speed * (spin * rate + roll * races[which].rolling_rate)
-        force = np.broadcast_to(laws[which](slip), speed.shape)
-        return force, slip, force * spin
-
-    def excess(share: Array) -> Array:
-        inner_spin, outer_spin = state(0, share * difference)[2], state(1, (share - 1) * difference)[2]
-        left = inner_spin + outer_spin
-        return np.where(np.abs(left) <= ROUND_OFF * inner_spin, 0.0, left)
-
-    if spin_rule == "balanced" and (inner.traction.asks_speed or outer.traction.asks_speed):
-        none, whole = np.zeros(speed.shape), np.ones(speed.shape)
-        share = bracketed_root(
-            with_secant_slopes(excess, first_slope=excess(whole) - excess(none)),
-            start=whole / 2,
-            low=none,
-            high=whole,
-            relative=ROUND_OFF,
-            absolute=LAST_STEP,
-            unit="of the spin",
-            problem="the balance of spin between both races",
-            remedy="Check that load, speed, viscosity and film of both contacts are of ordinary size.",
-        )
-        inner_rate, outer_rate = share * difference, (share - 1) * difference
-    else:  # the forces are known, or the rates
-        forces = [np.broadcast_to(law(speed), speed.shape) for law in laws]
-        known = microslip_torque(
-            _sliding(inner, forces[0]), _sliding(outer, forces[1]), spin_difference=difference, spin_rule=spin_rule
-        )
-        inner_rate, outer_rate = known.inner_spin_rate, known.outer_spin_rate
-    (inner_force, inner_slip, _), (outer_force, outer_slip, _) = state(0, inner_rate), state(1, outer_rate)
-    inner_spin, inner_roll = contact_moments(_sliding(inner, inner_force), spin_rate=inner_rate)
-    outer_spin, outer_roll = contact_moments(_sliding(outer, outer_force), spin_rate=outer_rate)
+    inner_rate, inner_spin, inner_roll, inner_coefficient, inner_slip = columns[:5]
+    outer_rate, outer_spin, outer_roll, outer_coefficient, outer_slip = columns[5:]
     return SlipFriction(
         torque=MicroslipTorque(
             spin=inner_spin * inner_rate + outer_spin * outer_rate,
@@ -177,10 +118,80 @@ def _single_coefficient(
             inner_rolling_moment=inner_roll,
             outer_rolling_moment=outer_roll,
         ),
-        inner_coefficient=_over(inner_force, inner.load),
-        outer_coefficient=_over(outer_force, outer.load),
+        inner_coefficient=inner_coefficient,
+        outer_coefficient=outer_coefficient,
         inner_slip_speed=inner_slip,
         outer_slip_speed=outer_slip,
+    )
+
+
+# Of both ways to the result: for the inner and then the outer contact spin rate, spin moment, rolling moment,
+# coefficient, slip speed.
+Columns = tuple[Array, ...]
+
+
+def _single_coefficient(
+    inner: RaceContact, outer: RaceContact, speed: Array, difference: Array, spin_rule: SpinRule
+) -> Columns:
+    races = (inner, outer)
+    laws = [race.traction.force(load=race.load, area=race.area) for race in races]
+    if not (inner.traction.asks_speed or outer.traction.asks_speed):  # the forces are known: Coulomb's closed form
+        forces = [np.broadcast_to(law(speed), speed.shape) for law in laws]
+        torque = microslip_torque(
+            _sliding(inner, forces[0]), _sliding(outer, forces[1]), spin_difference=difference, spin_rule=spin_rule
+        )
+        columns = (
+            (torque.inner_spin_rate, torque.inner_spin_moment, torque.inner_rolling_moment),
+            (torque.outer_spin_rate, torque.outer_spin_moment, torque.outer_rolling_moment),
+        )
+        return tuple(
+            column
+            for race, force, (rate, spin, roll) in zip(races, forces, columns, strict=True)
+            for column in (
+                *(rate, spin, roll, _over(force, race.load)),
+                speed * _over(spin * rate + roll * race.rolling_rate, force),
+            )
+        )
+    units = [_sliding(race, 1.0) for race in races]  # N of friction force
+
+    def column(which: int, rate: Array) -> Columns:
+        spin, roll = contact_moments(units[which], spin_rate=rate)
+        slip = speed * (spin * rate + roll * races[which].rolling_rate)
+        force = np.broadcast_to(laws[which](slip), speed.shape)
+        return rate, force * spin, force * roll, _over(force, races[which].load), slip
+
+    share = _inner_share(
+        spin_rule, lambda x: (column(0, x * difference)[1], column(1, (x - 1) * difference)[1]), speed.shape
+    )
+    return *column(0, share * difference), *column(1, (share - 1) * difference)
+
+
+def _inner_share(
+    spin_rule: SpinRule, spin_moments: Callable[[Array], tuple[Array, Array]], shape: tuple[int, ...]
+) -> Array:
+    """Of the spin difference, what the inner contact takes; spin_moments: those of inner and outer at such a share."""
+    none, whole = np.zeros(shape), np.ones(shape)
+    if spin_rule == "inner_control":
+        return none
+    if spin_rule == "outer_control":
+        return whole
+    if spin_rule != "balanced":
+        raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
+
+    def excess(share: Array) -> Array:
+        moment, other = spin_moments(share)
+        return np.where(np.abs(moment + other) <= ROUND_OFF * moment, 0.0, moment + other)
+
+    return bracketed_root(
+        with_secant_slopes(excess, first_slope=2 * spin_moments(whole / 2)[0]),  # as if the moment grew evenly
+        start=whole / 2,
+        low=none,
+        high=whole,
+        relative=ROUND_OFF,
+        absolute=LAST_STEP,
+        unit="of the spin",
+        problem="the balance of spin between both races",
+        remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
     )
 
 
@@ -203,53 +214,23 @@ def _integrated(
     difference: Array,
     spin_rule: SpinRule,
     slip: Callable[..., SlipMoments],
-) -> tuple[Array, ...]:
-    """The columns of slip_friction for contacts (n,)."""
-
-    def excess(share: Array, index: Array) -> Array:
-        part = index.astype(np.intp)
-        rate = difference[part]
+) -> Columns:
+    def spin_moments(share: Array) -> tuple[Array, Array]:
         return (
-            _moments(_at(inner, part), share * rate, speed[part], slip).spin_moment
-            + _moments(_at(outer, part), (share - 1) * rate, speed[part], slip).spin_moment
+            _moments(inner, share * difference, speed, slip).spin_moment,
+            _moments(outer, (share - 1) * difference, speed, slip).spin_moment,
         )
 
-    match spin_rule:
-        case "balanced":
-            ends = np.zeros_like(difference), np.ones_like(difference)
-            found = find_root(excess, ends, args=(np.arange(speed.size),), tolerances={"xatol": SHARE_TOLERANCE})
-            if not np.all(found.success):
-                raise ConvergenceError(
-                    iterations=int(np.max(found.nit)),
-                    residual=float(np.max(abs(found.bracket[1] - found.bracket[0]))),
-                    tolerance=SHARE_TOLERANCE,
-                    unit="of the spin",
-                    problem="the balance of spin between both races",
-                    remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
-                )
-            share = found.x
-        case "inner_control":
-            share = np.zeros_like(difference)
-        case "outer_control":
-            share = np.ones_like(difference)
-        case _:
-            raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
-    rates = (share * difference, (share - 1) * difference)
-    moments = [_moments(race, rate, speed, slip) for race, rate in zip((inner, outer), rates, strict=True)]
-    unit = CoulombTraction(friction_coefficient=1.0)
-    smooth = [
-        _moments(replace(race, traction=unit), rate, speed, slip).slip_power
-        for race, rate in zip((inner, outer), rates, strict=True)
-    ]
-    return (
-        moments[0].spin_moment * rates[0] + moments[1].spin_moment * rates[1],
-        moments[0].rolling_moment * inner.rolling_rate + moments[1].rolling_moment * outer.rolling_rate,
-        *rates,
-        *(moment.spin_moment for moment in moments),
-        *(moment.rolling_moment for moment in moments),
-        *(_over(moment.slip_power, power) for moment, power in zip(moments, smooth, strict=True)),
-        *(speed * _over(power, race.load) for power, race in zip(smooth, (inner, outer), strict=True)),
-    )
+    def column(race: RaceContact, rate: Array) -> Columns:
+        found = _moments(race, rate, speed, slip)
+        unit = _moments(replace(race, traction=CoulombTraction(friction_coefficient=1.0)), rate, speed, slip).slip_power
+        return (
+            *(rate, found.spin_moment, found.rolling_moment, _over(found.slip_power, unit)),
+            speed * _over(unit, race.load),
+        )
+
+    share = _inner_share(spin_rule, spin_moments, speed.shape)
+    return *column(inner, share * difference), *column(outer, (share - 1) * difference)
 
 
 def _moments(race: RaceContact, spin_rate: Array, speed: Array, slip: Callable[..., SlipMoments]) -> SlipMoments:

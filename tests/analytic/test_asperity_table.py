@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from analytic.asperity import asperity_contact, first_yield, separation_at
-from analytic.asperity_table import AsperityTable, asperity_table
+from analytic.asperity_table import AsperityTable, tabulated_asperities
 from analytic.errors import InputError
 from analytic.summits import Summits
 
@@ -17,7 +17,7 @@ def table(ratio: float) -> tuple[AsperityTable, Summits]:
     """Of a surface whose summits yield at this many standard deviations."""
     radius = ratio * DEVIATION / float(first_yield(1.0, E, H))
     summits = Summits(density=5e8, radius=radius, height_deviation=DEVIATION, mean_height=MEAN)
-    return asperity_table(summits=summits, modulus=E, hardness=H), summits
+    return tabulated_asperities(summits=summits, modulus=E, hardness=H), summits
 
 
 @pytest.mark.parametrize("ratio", [1e-4, 3e-3, 0.02, 0.26, 1.1, 10.0, 300.0])
@@ -61,6 +61,6 @@ def test_it_is_made_once_and_refuses_what_has_no_table() -> None:
     assert table(0.26)[0] is table(0.26)[0]
     smooth = Summits(density=0.0, radius=np.inf, height_deviation=0.0, mean_height=0.0)
     with pytest.raises(InputError, match="density must be positive"):
-        asperity_table(summits=smooth, modulus=E, hardness=H)
+        tabulated_asperities(summits=smooth, modulus=E, hardness=H)
     with pytest.raises(InputError, match="modulus must be positive"):
-        asperity_table(summits=table(0.26)[1], modulus=-E, hardness=H)
+        tabulated_asperities(summits=table(0.26)[1], modulus=-E, hardness=H)

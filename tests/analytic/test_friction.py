@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from scipy.optimize import brentq
 
-from analytic.asperity_table import asperity_table
+from analytic.asperity_table import tabulated_asperities
 from analytic.errors import InputError
 from analytic.friction import RaceContact, Rung, SlipFriction, slip_friction
 from analytic.hertz import hertz_contact
@@ -87,7 +87,7 @@ def running(
         entrainment_speed=motion.entrainment_speed,
         viscosity=OIL.viscosity,
         pressure_viscosity=OIL.pressure_viscosity,
-        asperities=asperity_table(summits=summits, modulus=STEEL, hardness=HARDNESS),
+        asperities=tabulated_asperities(summits=summits, modulus=STEEL, hardness=HARDNESS),
     )
     races = [
         RaceContact(
@@ -341,6 +341,8 @@ def test_always_a_number(
     found = friction(races, rung, ring_speed=10.0**speed, spin_difference=10.0**spin)
     for value in (*vars(found.torque).values(), found.inner_coefficient, found.outer_slip_speed):
         assert np.isfinite(value)
+    balance = found.torque.inner_spin_moment + found.torque.outer_spin_moment
+    assert abs(balance) <= 1e-5 * abs(found.torque.inner_spin_moment) + 1e-300  # 1e-9 of a share, at up to 1e3 rad/s
     assert found.torque.conformity >= 0
     assert found.torque.spin >= 0
 

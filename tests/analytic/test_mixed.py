@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 
 from analytic.asperity import asperity_contact
-from analytic.asperity_table import AsperityTable, asperity_table
+from analytic.asperity_table import AsperityTable, tabulated_asperities
 from analytic.errors import InputError
 from analytic.film import central_film, film_asymptotes
 from analytic.hertz import hertz_contact
@@ -26,7 +26,7 @@ def rough(sq: float, length: float = 60e-6, *, modulus: float = E, hardness: flo
     """Two surfaces of this roughness against each other."""
     correlation = Autocorrelation(kind="gaussian", length=length, spacing=length / 30)
     moments = spectral_moments(rms_roughness=sq, autocorrelation=correlation)
-    return asperity_table(summits=mccool_summits(moments + moments), modulus=modulus, hardness=hardness)
+    return tabulated_asperities(summits=mccool_summits(moments + moments), modulus=modulus, hardness=hardness)
 
 
 def area(given: dict[str, object]) -> object:
@@ -254,8 +254,8 @@ def test_physics_does_not_depend_on_the_units(metre: float, pascal: float, secon
     base_table = rough(0.3e-6)
     moments = SpectralMoments(height=(0.42e-6 * metre) ** 2, slope=1e-4, curvature=6e4 / metre**2)
     summits = mccool_summits(moments)
-    table = asperity_table(summits=summits, modulus=E * pascal, hardness=H * pascal)
-    base_table = asperity_table(
+    table = tabulated_asperities(summits=summits, modulus=E * pascal, hardness=H * pascal)
+    base_table = tabulated_asperities(
         summits=mccool_summits(SpectralMoments(height=0.42e-6**2, slope=1e-4, curvature=6e4)), modulus=E, hardness=H
     )
     found = mixed(
