@@ -134,8 +134,9 @@ def race_torque(
     slip_friction(inner, outer, **arguments)
     started = time.process_time()
     found = slip_friction(inner, outer, **arguments).torque
+    seconds = time.process_time() - started
     balls = load_scene(builtin_scene("6205")).bearing.ball_count
-    return 1e3 * balls * float((found.spin + found.conformity)[0]), time.process_time() - started
+    return 1e3 * balls * float((found.spin + found.conformity)[0]), seconds
 
 
 def time_sharing(out: Console) -> None:
