@@ -343,8 +343,8 @@ def test_always_a_number(
         assert np.isfinite(value)
     balance = found.torque.inner_spin_moment + found.torque.outer_spin_moment
     assert abs(balance) <= 1e-5 * abs(found.torque.inner_spin_moment) + 1e-300  # 1e-9 of a share, at up to 1e3 rad/s
-    assert found.torque.conformity >= 0
     assert found.torque.spin >= 0
+    assert found.torque.conformity >= -1e-9 * found.torque.spin  # round-off of the sums where spin is full
 
 
 @settings(max_examples=5)
