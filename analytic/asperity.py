@@ -14,7 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.bracket import bracketed_root
+from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import Array, Material, Surface
 from analytic.summits import Summits
 
@@ -29,7 +30,6 @@ BACK, REACH = 6.2, 7.0
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(30)
 BLOCK = 1024  # elements at a time: the tables stay in the processor's cache
 
-MOST_STEPS = 200  # each halves the bracket or the step before; about 8 are usual
 LAST_STEP = 1e-9  # of the separation, in standard deviations: no less than the integrals' own error
 
 
@@ -65,7 +65,7 @@ def asperity_load(
     require_finite(interference=interference)
     require_positive(tip_radius=tip_radius)
     radius = np.asarray(tip_radius, dtype=np.float64)
-    yielding = _first_yield(radius, modulus, hardness)
+    yielding = first_yield(radius, modulus, hardness)
     depth = np.maximum(interference, 0.0)
     ratio = depth / yielding
     pressure, growth = np.zeros(ratio.shape), np.zeros(ratio.shape)
@@ -88,7 +88,7 @@ def asperity_contact(
     """
     require_finite(film_thickness=film_thickness)
     t, yielding, scale, reference = _arguments(film_thickness, summits, modulus, hardness)
-    load, area, slope = _integrals(t, yielding)
+    load, area, slope = summit_integrals(t, yielding)
     decay = np.exp(-(np.maximum(t, 0.0) ** 2) / 2)
     rough = scale > 0
     height = np.broadcast_to(np.asarray(film_thickness, dtype=np.float64), t.shape)
@@ -140,8 +140,11 @@ def softer_hardness(surface: Surface, first: Material, second: Material) -> floa
     return min(known)
 
 
-def _first_yield(radius: ArrayLike, modulus: ArrayLike, hardness: ArrayLike) -> Array:
-    """w_1, m."""
+def first_yield(radius: ArrayLike, modulus: ArrayLike, hardness: ArrayLike) -> Array:
+    """w_1, m: the interference at which a summit starts to yield; the arguments broadcast.
+
+    radius : R_a, m;  modulus : E*, Pa, > 0;  hardness : H, Pa, > 0
+    """
     require_positive(modulus=modulus, hardness=hardness)
     strain = 3 * np.pi * YIELD_SHARE * np.asarray(hardness, dtype=np.float64) / (4 * np.asarray(modulus))
     return strain**2 * np.asarray(radius)
@@ -181,7 +184,7 @@ def _arguments(
     divisor = np.where(rough, deviation, 1.0)
     given = (
         (np.asarray(sized, dtype=np.float64) - summits.mean_height) / divisor,
-        _first_yield(radius, modulus, hardness) / divisor,
+        first_yield(radius, modulus, hardness) / divisor,
         np.where(rough, np.pi * radius * np.asarray(summits.density) * deviation, 0.0),
         hardness,
     )
@@ -194,7 +197,7 @@ def _arguments(
     return t, yielding, scale, reference
 
 
-def _integrals(t: Array, yielding: Array) -> tuple[Array, Array, Array]:
+def summit_integrals(t: Array, yielding: Array) -> tuple[Array, Array, Array]:
     """Integrals over y >= 0 of y f g phi, y g phi and x y f g phi at x = t + y, times exp(t^2/2) where t > 0.
 
     f and g are mean pressure over H and area over pi R_a w, as REGIMES give them. The third is minus the derivative of
@@ -245,23 +248,18 @@ def _solved(log_target: Array, yielding: Array) -> Array:
     needed = 2 * target / YIELD_SHARE
     low = -np.maximum(needed, np.cbrt(needed**2 * yielding))
     high = np.where(log_target < tail, np.sqrt(2 * np.maximum(tail - log_target, 0.0)), -(target - np.exp(tail)) / 2)
-    t, last = high.copy(), high - low
-    settled = np.zeros(t.shape, dtype=bool)
-    for _ in range(MOST_STEPS):
-        load, _, slope = _integrals(t, yielding)
-        excess = np.log(load) - np.maximum(t, 0.0) ** 2 / 2 - log_target
-        low, high = np.where(excess > 0, t, low), np.where(excess < 0, t, high)
-        step = excess * load / slope
-        inside = (t + step >= low) & (t + step <= high) & (np.abs(step) <= np.abs(last) / 2)
-        last = np.where(settled, 0.0, np.where(inside, step, (low + high) / 2 - t))
-        t = t + last
-        settled |= np.abs(last) <= LAST_STEP * (1 + np.abs(t))
-        if np.all(settled):
-            return t
-    raise ConvergenceError(
-        iterations=MOST_STEPS,
-        residual=float(np.max(np.abs(last))),
-        tolerance=LAST_STEP,
+
+    def excess(t: Array) -> tuple[Array, Array]:
+        load, _, slope = summit_integrals(t, yielding)
+        return log_target - np.log(load) + np.maximum(t, 0.0) ** 2 / 2, slope / load
+
+    return bracketed_root(
+        excess,
+        start=high,
+        low=low,
+        high=high,
+        relative=LAST_STEP,
+        absolute=LAST_STEP,
         unit="standard deviations of summit height",
         problem="the separation of the rough surfaces",
         remedy="Check that pressure, hardness and roughness are of ordinary size.",

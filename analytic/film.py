@@ -32,6 +32,41 @@ class CentralFilm:
     outside_range: NDArray[np.bool_]  # ellipticity outside FITTED_ELLIPTICITY: the value is an extrapolation
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FilmAsymptotes:
+    """Logarithms of the films in m that central_film joins, and of the ratio that says how; fields broadcast."""
+
+    ellipticity: Array  # lambda
+    rigid: Array  # of H_RI
+    elastic: Array  # of H_EI
+    unloaded: Array  # of H_00
+    piezoviscous: Array  # of H_RP and H_EP together
+    elastic_ratio: Array  # ln(H_EI/H_EP)
+
+    def log_film(self, log_remaining: Array | float) -> tuple[Array, Array]:
+        """ln h and its derivative by log_remaining = ln(1 - s_a), where asperities carry the share s_a of the load.
+
+        The oil's film is that of F (1 - s_a) and E* (1 - s_a): W stays, U grows as 1/(1 - s_a), so that in metres the
+        isoviscous asymptotes grow as powers of it (-2, -0.6 and -1/2) and the piezoviscous ones stay as they are.
+        """
+        rigid = 1.5 * (self.rigid - 2 * log_remaining)
+        elastic, unloaded = -4 * self.elastic + 2.4 * log_remaining, -4 * self.unloaded + 2 * log_remaining
+        with np.errstate(over="ignore", invalid="ignore"):  # inf - inf without load or speed: the film needs it not
+            bodies = np.logaddexp(elastic, unloaded)
+            both = np.logaddexp(rigid, -3 / 8 * bodies)
+            isoviscous = 2 / 3 * both
+            ratio = np.exp(self.elastic_ratio - 0.6 * log_remaining)
+            fading = np.exp(-1.2 * ratio)
+            s = 1.5 * (1 + fading)
+            film = np.logaddexp(s * isoviscous, s * self.piezoviscous) / s
+            weight, weight_rigid = np.exp(s * (isoviscous - film)), np.exp(rigid - both)
+            slope = -2 * weight_rigid - (1 - weight_rigid) * (0.5 + 0.1 * np.exp(elastic - bodies))
+            # s changes too: ds = 1.08 ratio fading per unit of log_remaining
+            mixture = weight * (isoviscous - film) + (1 - weight) * (self.piezoviscous - film)
+            slope = weight * slope + np.where(fading > 0, 1.08 * ratio * fading / s * mixture, 0.0)
+        return film, slope
+
+
 def central_film(
     *,
     curvature_x: ArrayLike,
@@ -59,41 +94,91 @@ def central_film(
         H_EP = 1.48 (1 + 0.006 ln lambda + 0.63 lambda^(4/7))^(-7/20) lambda^(-1/24) M^(-1/12) L^(3/4)
         H_00 = 1.8/lambda,  s = 1.5 (1 + exp(-1.2 H_EI/H_EP))
         H^s = [H_RI^(3/2) + (H_EI^-4 + H_00^-4)^(-3/8)]^(2 s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)
-    computed in logarithms, so that no power over- or underflows. Under asperities that carry the share s_a of the load
-    the oil's film is that of F (1 - s_a) and E* (1 - s_a).
+    computed in logarithms, so that no power over- or underflows.
     Raises InputError for an argument of the wrong sign, not finite, or if shapes do not broadcast.
+    """
+    asymptotes = film_asymptotes(
+        curvature_x=curvature_x,
+        curvature_y=curvature_y,
+        load=load,
+        modulus=modulus,
+        entrainment_speed=entrainment_speed,
+        viscosity=viscosity,
+        pressure_viscosity=pressure_viscosity,
+    )
+    room = 1 / (np.asarray(curvature_x, dtype=np.float64) + np.asarray(curvature_y, dtype=np.float64))
+    if largest_gap is not None:
+        require_positive(largest_gap=largest_gap)
+        room = np.minimum(room, largest_gap)
+    try:
+        log_h, room = np.broadcast_arrays(asymptotes.log_film(0.0)[0], np.log(room))
+    except ValueError as problem:
+        raise InputError(
+            "the arguments of a film have shapes that do not fit together: give equal lengths"
+        ) from problem
+    lowest, highest = FITTED_ELLIPTICITY
+    ellipticity = np.broadcast_to(asymptotes.ellipticity, log_h.shape)
+    return CentralFilm(
+        thickness=np.exp(np.minimum(log_h, room)),
+        ellipticity=ellipticity,
+        capped=log_h > room,
+        outside_range=(ellipticity < lowest) | (ellipticity > highest),
+    )
+
+
+def film_asymptotes(
+    *,
+    curvature_x: ArrayLike,
+    curvature_y: ArrayLike,
+    load: ArrayLike,
+    modulus: ArrayLike,
+    entrainment_speed: ArrayLike,
+    viscosity: ArrayLike,
+    pressure_viscosity: ArrayLike,
+) -> FilmAsymptotes:
+    """What the film of central_film joins, in logarithms; arguments and errors as there.
+
+    Without speed all are -inf; without load those of elastic bodies are inf; without piezoviscosity its own are -inf.
     """
     require_positive(curvature_x=curvature_x, curvature_y=curvature_y, modulus=modulus, viscosity=viscosity)
     require_non_negative(load=load, pressure_viscosity=pressure_viscosity)
     require_finite(entrainment_speed=entrainment_speed)
     along, across = np.asarray(curvature_x, dtype=np.float64), np.asarray(curvature_y, dtype=np.float64)
-    room = 1 / (along + across)
-    if largest_gap is not None:
-        require_positive(largest_gap=largest_gap)
-        room = np.minimum(room, largest_gap)
     stiff = 2 * np.asarray(modulus, dtype=np.float64)
     speed = 2 * np.abs(np.asarray(entrainment_speed, dtype=np.float64))
     try:
+        ellipticity, log_along = across / along, np.log(along)
+        log_stiff = np.log(stiff)
         with np.errstate(divide="ignore"):  # ln 0 where there is no load, no speed or no piezoviscosity
-            log_u = np.log(speed) + np.log(viscosity) + np.log(along) - np.log(stiff)
-            log_w = np.log(load) + 2 * np.log(along) - np.log(stiff)
-            log_alpha = np.log(pressure_viscosity) + np.log(stiff)
+            log_u = np.log(speed) + np.log(viscosity) + log_along - log_stiff
+            log_w = np.log(load) + 2 * log_along - log_stiff
+            log_alpha = np.log(pressure_viscosity) + log_stiff
         moving = speed > 0
         log_u = np.where(moving, log_u, 0.0)
-        log_h = _log_film(across / along, log_w - 0.75 * log_u, log_alpha + log_u / 4) + log_u / 2 - np.log(along)
-        log_h, room, moving, ellipticity = np.broadcast_arrays(log_h, room, moving, across / along)
+        log_m, log_l = log_w - 0.75 * log_u, log_alpha + log_u / 4
+        scale = log_u / 2 - log_along  # ln of R_x U^(1/2)
+        log_ratio = np.log(ellipticity)
+        elastic = np.log1p(0.006 * log_ratio + 0.63 * ellipticity ** (4 / 7))
+        log_ri = np.log(145) - 15 / 7 * np.log1p(0.796 * ellipticity ** (14 / 15)) - log_ratio - 2 * log_m
+        log_rp = np.log(1.29) - 2 / 3 * np.log1p(0.691 * ellipticity) + 2 / 3 * log_l
+        log_ei = np.log(3.18) - 14 / 25 * elastic - log_ratio / 15
+        log_ep = np.log(1.48) - 7 / 20 * elastic - log_ratio / 24 + 3 / 4 * log_l
+        with np.errstate(invalid="ignore"):  # inf - inf with neither load nor piezoviscosity: H_EP is then not needed
+            log_ep_loaded = np.where(log_l == -np.inf, -np.inf, log_ep - log_m / 12)
+        piezoviscous = -np.logaddexp(-8 * log_rp, -8 * log_ep_loaded) / 8
+        return FilmAsymptotes(
+            ellipticity=ellipticity,
+            rigid=np.where(moving, scale + log_ri, -np.inf),
+            elastic=np.where(moving, scale + log_ei - 2 / 15 * log_m, -np.inf),
+            unloaded=np.where(moving, scale + np.log(1.8) - log_ratio, -np.inf),
+            piezoviscous=np.where(moving, scale + piezoviscous, -np.inf),
+            # H_EI/H_EP in one piece: without load both are infinite, without piezoviscosity H_EP is 0.
+            elastic_ratio=log_ei - log_ep - (2 / 15 - 1 / 12) * log_m,
+        )
     except ValueError as problem:
         raise InputError(
             "the arguments of a film have shapes that do not fit together: give equal lengths"
         ) from problem
-    thickness = np.where(moving, np.exp(np.minimum(log_h, np.log(room))), 0.0)
-    lowest, highest = FITTED_ELLIPTICITY
-    return CentralFilm(
-        thickness=thickness,
-        ellipticity=ellipticity,
-        capped=moving & (log_h > np.log(room)),
-        outside_range=(ellipticity < lowest) | (ellipticity > highest),
-    )
 
 
 def inlet_heating_factor(
@@ -128,23 +213,3 @@ def thermal_loading(
     require_finite(entrainment_speed=entrainment_speed)
     heat = np.asarray(viscosity) * np.asarray(viscosity_temperature) * np.asarray(entrainment_speed) ** 2
     return heat / np.asarray(conductivity)
-
-
-def _log_film(ellipticity: Array, log_m: Array, log_l: Array) -> Array:
-    """ln H of central_film. Without load ln M is -inf and H infinite; without piezoviscosity ln L is -inf."""
-    log_ratio = np.log(ellipticity)
-    elastic = np.log1p(0.006 * log_ratio + 0.63 * ellipticity ** (4 / 7))
-    log_00 = np.log(1.8) - log_ratio
-    log_ri = np.log(145) - 15 / 7 * np.log1p(0.796 * ellipticity ** (14 / 15)) - log_ratio - 2 * log_m
-    log_rp = np.log(1.29) - 2 / 3 * np.log1p(0.691 * ellipticity) + 2 / 3 * log_l
-    log_ei = np.log(3.18) - 14 / 25 * elastic - log_ratio / 15 - 2 / 15 * log_m
-    log_ep_unloaded = np.log(1.48) - 7 / 20 * elastic - log_ratio / 24 + 3 / 4 * log_l
-    # H_EI/H_EP in one piece: without load both are infinite, without piezoviscosity H_EP is 0.
-    with np.errstate(over="ignore"):
-        ratio = np.exp(np.log(3.18) - 14 / 25 * elastic - log_ratio / 15 - log_ep_unloaded - (2 / 15 - 1 / 12) * log_m)
-        s = 1.5 * (1 + np.exp(-1.2 * ratio))
-    isoviscous = 2 / 3 * np.logaddexp(1.5 * log_ri, -3 / 8 * np.logaddexp(-4 * log_ei, -4 * log_00))
-    with np.errstate(invalid="ignore"):  # inf - inf without load and without piezoviscosity: H_EP is then not needed
-        log_ep = np.where(np.isneginf(log_l), -np.inf, log_ep_unloaded - log_m / 12)
-    piezoviscous = -np.logaddexp(-8 * log_rp, -8 * log_ep) / 8
-    return np.logaddexp(s * isoviscous, s * piezoviscous) / s

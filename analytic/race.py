@@ -16,14 +16,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.bracket import bracketed_root
+from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import Array, SpinRule
 
 FULL_SPIN = 0.5  # |eps| from which one pure-rolling line has left the contact and the other is its centre
 # Of the share of spin, or of the moments it balances: where Newton's quadratic steps can do no better.
 ROUND_OFF = 4 * np.finfo(np.float64).eps
-# Each step halves the bracket or the step before; 4 to 6 are usual, and bisection alone takes 60.
-MOST_STEPS = 200
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -141,8 +140,8 @@ def microslip_torque(
         case _:
             raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
     inner_rate, outer_rate = shares[0] * difference, -shares[1] * difference
-    inner_spin, inner_roll = _moments(inner, inner_rate)
-    outer_spin, outer_roll = _moments(outer, outer_rate)
+    inner_spin, inner_roll = contact_moments(inner, spin_rate=inner_rate)
+    outer_spin, outer_roll = contact_moments(outer, spin_rate=outer_rate)
     fields = np.broadcast_arrays(
         inner_spin * inner_rate + outer_spin * outer_rate,
         inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
@@ -158,6 +157,17 @@ def microslip_torque(
         outer_spin_moment=outer_spin,
         inner_rolling_moment=inner_roll,
         outer_rolling_moment=outer_roll,
+    )
+
+
+def contact_moments(contact: SlidingContact, *, spin_rate: ArrayLike) -> tuple[Array, Array]:
+    """(spin moment, rolling moment), N m: microslip_moments of a contact that spins with w_s/w = spin_rate."""
+    return microslip_moments(
+        friction_coefficient=contact.friction_coefficient,
+        load=contact.load,
+        semi_axis_transverse=contact.semi_axis_transverse,
+        deformed_radius=contact.deformed_radius,
+        spin_to_roll=_spin_to_roll(contact, np.asarray(spin_rate)),
     )
 
 
@@ -201,16 +211,6 @@ def hysteresis_torque(inner: SlidingContact, outer: SlidingContact, *, hysteresi
     return np.asarray(torque)
 
 
-def _moments(contact: SlidingContact, spin_rate: Array) -> tuple[Array, Array]:
-    return microslip_moments(
-        friction_coefficient=contact.friction_coefficient,
-        load=contact.load,
-        semi_axis_transverse=contact.semi_axis_transverse,
-        deformed_radius=contact.deformed_radius,
-        spin_to_roll=_spin_to_roll(contact, spin_rate),
-    )
-
-
 def _spin_to_roll(contact: SlidingContact, spin_rate: Array) -> Array:
     """eps; where the contact is a point, the largest number if it spins and 0 if it does not."""
     numerator = spin_rate * np.asarray(contact.deformed_radius)
@@ -238,31 +238,25 @@ def _balanced_shares(inner: SlidingContact, outer: SlidingContact, difference: A
     stiff, stiff_other = limit * ratio, limit_other * ratio_other
     total = stiff + stiff_other
     share = np.divide(stiff_other, total, out=np.full_like(total, 0.5), where=total > 0)  # both moments linear in spin
-    low, high, last = np.zeros_like(share), np.ones_like(share), np.ones_like(share)
-    settled = np.zeros(share.shape, dtype=bool)
-    for _ in range(MOST_STEPS):
+
+    def excess(share: Array) -> tuple[Array, Array]:
         eps, eps_other = ratio * share, ratio_other * (1 - share)
         moment = limit * _spin_moment(eps)
-        excess = moment - limit_other * _spin_moment(eps_other)
-        slope = stiff * _spin_stiffness(eps) + stiff_other * _spin_stiffness(eps_other)
-        low, high = np.where(excess < 0, share, low), np.where(excess > 0, share, high)
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # where both contacts spin in full
-            step = -excess / slope
-            newton = (share + step >= low) & (share + step <= high) & (np.abs(step) <= np.abs(last) / 2)
-        settled |= np.abs(excess) <= ROUND_OFF * moment
-        last = np.where(settled, 0.0, np.where(newton, step, (low + high) / 2 - share))
-        share = share + last
-        settled |= np.abs(last) <= ROUND_OFF * share
-        if np.all(settled):
-            return np.where(swap, 1 - share, share), np.where(swap, share, 1 - share)
-    raise ConvergenceError(
-        iterations=MOST_STEPS,
-        residual=float(np.max(np.abs(last))),
-        tolerance=float(ROUND_OFF),
+        left = moment - limit_other * _spin_moment(eps_other)
+        slope = stiff * _spin_stiffness(eps) + stiff_other * _spin_stiffness(eps_other)  # 0 where both spin in full
+        return np.where(np.abs(left) <= ROUND_OFF * moment, 0.0, left), slope
+
+    share = bracketed_root(
+        excess,
+        start=share,
+        low=np.zeros_like(share),
+        high=np.ones_like(share),
+        relative=ROUND_OFF,
         unit="of the spin",
         problem="the balance of spin between both races",
         remedy="Check that loads, semi-axes and friction coefficients of both contacts are of ordinary size.",
     )
+    return np.where(swap, 1 - share, share), np.where(swap, share, 1 - share)
 
 
 def _half_distance(ratio: Array) -> Array:

@@ -1,0 +1,153 @@
+"""The friction ladder: python validation/benchmarks/friction.py
+
+Prints the race torque of a 6205 under 1000 N thrust at a given contact angle of 0.18 rad, without hysteresis, by the
+three rungs of `analytic.friction`, with what the cheaper ones miss and the processor time of each, and the time that
+the load shared by film and asperities takes. Model against model: nothing here is measured. Times are the machine's.
+"""
+
+import time
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from analytic import load_scene, thrust_equilibrium
+from analytic.asperity_table import tabulated_asperities
+from analytic.contact import race_curvatures
+from analytic.friction import RaceContact, Rung, slip_friction
+from analytic.hertz import contact_modulus
+from analytic.kinematics import ball_kinematics
+from analytic.mixed import mixed_contact
+from analytic.race import deformed_radius
+from analytic.roughness import spectral_moments
+from analytic.scene import Autocorrelation, ContactAngle, Lubricant
+from analytic.scenefile import builtin_scene
+from analytic.summits import mccool_summits
+from analytic.traction import MixedTraction
+
+RUNGS: tuple[Rung, ...] = ("single_coefficient", "along_axis", "over_ellipse")
+ANGLE, LOAD, HARDNESS = 0.18, 1000.0, 7.8e9  # rad, N, Pa
+LENGTH = 150e-6  # m, of the gaussian autocorrelation
+OIL = Lubricant(
+    viscosity=0.06,
+    pressure_viscosity=2e-8,
+    viscosity_temperature=0.03,
+    reference_temperature=313.15,
+    temperature=313.15,
+    thermal_conductivity=0.14,
+    density=870.0,
+    eyring_stress=5e6,
+    limiting_shear=0.06,
+    traction="eyring_constant",
+)
+
+
+def main() -> None:
+    table = Table("traction", "Sq, um", "rpm", "N mm", "of the last, missed by", "ms", title=", ".join(RUNGS))
+    laws: tuple[Literal["eyring_constant", "eyring_sinh"], ...] = ("eyring_constant", "eyring_sinh")
+    for traction in laws:
+        for roughness in (0.1e-6, 1e-6):
+            for rpm in (100.0, 500.0):
+                torques, seconds = zip(*(race_torque(rung, traction, roughness, rpm) for rung in RUNGS), strict=True)
+                missed = " ".join(f"{torque / torques[-1] - 1:+.1%}" for torque in torques[:-1])
+                table.add_row(
+                    *(traction, f"{roughness * 1e6:g}", f"{rpm:g}"),
+                    *(" ".join(f"{torque:.2f}" for torque in torques), missed),
+                    " ".join(f"{1e3 * second:.1f}" for second in seconds),
+                )
+    out = Console(width=120)
+    out.print(table)
+    time_sharing(out)
+
+
+def contacts(roughness: float, speed: np.ndarray) -> tuple[list[dict], dict]:
+    """Of both races: geometry and load as RaceContact takes them; and the arguments of mixed_contact, (2, n)."""
+    bearing = load_scene(builtin_scene("6205")).bearing
+    balls = thrust_equilibrium(bearing, ContactAngle(rule="given", value=ANGLE), axial_load=LOAD)
+    motion, rates = (
+        ball_kinematics(
+            inner_speed=w,
+            contact_angle=ANGLE,
+            pitch_diameter=bearing.pitch_diameter,
+            ball_diameter=bearing.ball_diameter,
+        )
+        for w in (speed, 1.0)
+    )
+    rolling = {"inner": rates.inner_rolling_rate, "outer": rates.outer_rolling_rate}
+    races, curvatures = [], []
+    for name, contact, groove in (("inner", balls.inner, bearing.inner), ("outer", balls.outer, bearing.outer)):
+        curvatures.append(race_curvatures(bearing, name, contact_angle=ANGLE))  # pyright: ignore[reportArgumentType]
+        races.append(
+            {
+                "load": float(balls.ball_load),
+                "semi_axis_rolling": float(contact.semi_axis_x),
+                "semi_axis_transverse": float(contact.semi_axis_y),
+                "deformed_radius": float(
+                    deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter)
+                ),
+                "rolling_rate": float(rolling[name]),
+            }
+        )
+    correlation = Autocorrelation(kind="gaussian", length=LENGTH, spacing=LENGTH / 20)
+    moments = spectral_moments(rms_roughness=roughness, autocorrelation=correlation)
+    modulus = contact_modulus(bearing.ball_material, bearing.inner.material)
+    along, across = np.array(curvatures, dtype=np.float64).T[..., None]
+    areas = [np.pi * race["semi_axis_rolling"] * race["semi_axis_transverse"] for race in races]
+    return races, {
+        "curvature_x": along,
+        "curvature_y": across,
+        "load": float(balls.ball_load),
+        "modulus": modulus,
+        "contact_area": np.array(areas)[:, None],
+        "entrainment_speed": motion.entrainment_speed,
+        "viscosity": OIL.viscosity,
+        "pressure_viscosity": OIL.pressure_viscosity,
+        "asperities": tabulated_asperities(
+            summits=mccool_summits(moments + moments), modulus=modulus, hardness=HARDNESS
+        ),
+    }
+
+
+def race_torque(
+    rung: Rung, traction: Literal["eyring_constant", "eyring_sinh"], roughness: float, rpm: float
+) -> tuple[float, float]:
+    """N mm, and processor seconds without the sharing."""
+    speed = np.array([rpm * np.pi / 30])
+    races, film = contacts(roughness, speed)
+    shared = mixed_contact(**film)
+    inner, outer = (
+        RaceContact(
+            traction=MixedTraction(
+                lubricant=replace(OIL, traction=traction),
+                boundary_friction=0.12,
+                asperity_share=shared.asperity_share[k],
+                area_fraction=shared.area_fraction[k],
+                film_thickness=shared.film_thickness[k],
+            ),
+            **race,
+        )
+        for k, race in enumerate(races)
+    )
+    arguments = {"ring_speed": speed, "spin_difference": np.sin(ANGLE), "spin_rule": "balanced", "rung": rung}
+    slip_friction(inner, outer, **arguments)
+    started = time.process_time()
+    found = slip_friction(inner, outer, **arguments).torque
+    seconds = time.process_time() - started
+    balls = load_scene(builtin_scene("6205")).bearing.ball_count
+    return 1e3 * balls * float((found.spin + found.conformity)[0]), seconds
+
+
+def time_sharing(out: Console) -> None:
+    for points, repeats in ((1, 200), (100_000, 1)):
+        _, film = contacts(1e-6, np.geomspace(1.0, 1000.0, points))
+        mixed_contact(**film)
+        started = time.process_time()
+        for _ in range(repeats):
+            mixed_contact(**film)
+        out.print(f"load shared in {2 * points} contacts: {1e3 * (time.process_time() - started) / repeats:.3g} ms")
+
+
+if __name__ == "__main__":
+    main()
