@@ -9,7 +9,7 @@ from skfem import Basis, ElementHex2, MeshHex2
 from skfem.quadrature import get_quadrature
 from skfem.refdom import RefHex, RefQuad
 
-from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.errors import InputError, require_positive
 from analytic.scene import Contact, Material
 
 Array = NDArray[np.float64]
@@ -26,7 +26,10 @@ FINE = 30  # points each way over a facet that a strip's border crosses
 def require_elastic(contact: Contact) -> None:
     """Raise InputError unless both bodies of a contact are stable elastic ones and something presses them together."""
     require_positive(load=contact.load, ball_radius=contact.ball_radius)
-    require_non_negative(groove_curvature=1 / contact.groove_radius if contact.groove_radius else np.inf)  # 0: a flat
+    if not contact.groove_radius > 0:  # infinite: a flat
+        raise InputError(
+            f"groove_radius must be positive, got {contact.groove_radius!r}; check its sign and its SI unit"
+        )
     for material in (contact.ball_material, contact.race_material):
         require_positive(youngs_modulus=material.youngs_modulus)
         if not -1 < material.poisson_ratio < 0.5:
