@@ -22,6 +22,9 @@ FORMAL_ORDERS: dict[str, float | None] = {
 }
 COMPARED = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")  # stiffness follows from the last
 STRIP_LEAST = 0.03  # relative: the strip beside a shoulder cuts cells; boundary elements see 3 % off a third level
+# A level costs about a quarter of the next, and its mesh serves the next one's interval: it is tried unless foretold to
+# miss by more than this. The peak pressure, whose error changes sign, is foretold up to twice too uncertain.
+WORTH_A_TRY = 2.0
 # With which power of a block's size the effect of its far boundary fades: tests/compare/test_discrepancy.py foretells a
 # block 2.5 times as large from one 1.5 times as large. A pocket's seat is a cavity and no half space: its approach runs
 # on with the logarithm of the size.
@@ -103,7 +106,7 @@ def measured(mesh: MeshSolution) -> dict[str, float]:
 
 
 def _predicted_level(meshes: Sequence[MeshSolution], *, recipe: Recipe, allowed: dict[str, float]) -> int:
-    """The coarsest level from the third on whose mesh uncertainty should be no more than allowed; else the finest."""
+    """The coarsest level from the third on whose mesh uncertainty may be no more than allowed; else the finest."""
     coarse, fine = meshes
     if fine.shoulder is not None:  # no order to predict with
         return recipe.levels[2]
@@ -113,7 +116,7 @@ def _predicted_level(meshes: Sequence[MeshSolution], *, recipe: Recipe, allowed:
             order = formal or UNSTEADY
             change = abs(getattr(coarse.quantities, name) / getattr(fine.quantities, name) - 1)
             error = change / ((fine.level / coarse.level) ** order - 1) * (fine.level / level) ** order
-            if (HALF * error if formal else error + LEAST) + FINEST > limit:
+            if (HALF * error if formal else error + LEAST) + FINEST > WORTH_A_TRY * limit:
                 break
         else:
             return level

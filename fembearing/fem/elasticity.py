@@ -27,9 +27,7 @@ def require_elastic(contact: Contact) -> None:
     """Raise InputError unless both bodies of a contact are stable elastic ones and something presses them together."""
     require_positive(load=contact.load, ball_radius=contact.ball_radius)
     if not contact.groove_radius > 0:  # infinite: a flat
-        raise InputError(
-            f"groove_radius must be positive, got {contact.groove_radius!r}; check sign and unit"
-        )
+        raise InputError(f"groove_radius must be positive, got {contact.groove_radius!r}; check sign and unit")
     for material in (contact.ball_material, contact.race_material):
         require_positive(youngs_modulus=material.youngs_modulus)
         if not -1 < material.poisson_ratio < 0.5:
