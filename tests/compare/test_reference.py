@@ -14,8 +14,8 @@ ORDER = 3.0  # of a semi-axis
 def coarse_and_fine(change: float) -> list[Any]:
     """The first two levels, a semi-axis apart by `change`."""
     return [
-        SimpleNamespace(level=1, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3 * (1 + change))),
-        SimpleNamespace(level=2, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3)),
+        SimpleNamespace(level=1, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3 * (1 + change))),
+        SimpleNamespace(level=2, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3)),
     ]
 
 
