@@ -1,10 +1,10 @@
-"""Do the intervals hold? python validation/benchmarks/coverage.py [--ideal 100] [--real 30] [--seed 7000]
+"""Do the intervals hold? python validation/benchmarks/coverage.py [--ideal 100] [--real 30] [--seed 8000]
 
 Solves random contacts to an asked accuracy and compares each quantity with its true value: on the Hertzian idealisation
 Hertz's, exactly; on true shapes that of a finer solution on a block twice as wide. Prints, for each quantity, how often
 the 95 % interval holds the true value, and the median of half-width over true error. Seeds 0 to 59,
-1000 to 1099 and 5000 to 5019 were used to choose the factors of `fembearing.compare.uncertainty`; any others are a test
-of them.
+1000 to 1099, 5000 to 5019 and 7000 to 7099 were used to choose the factors of `fembearing.compare.uncertainty`; any
+others are a test of them.
 """
 
 import time
@@ -48,7 +48,7 @@ class Trial:
 def main(
     ideal: Annotated[int, typer.Option(help="Random contacts of half spaces.")] = 100,
     real: Annotated[int, typer.Option(help="Random contacts of true shapes.")] = 30,
-    seed: Annotated[int, typer.Option(help="First seed.")] = 7000,
+    seed: Annotated[int, typer.Option(help="First seed.")] = 8000,
 ) -> None:
     for count, name in ((ideal, "hertzian"), (real, "race")):
         if count == 0:
