@@ -17,7 +17,7 @@ from fembearing.compare.provenance import provenance_of
 from fembearing.compare.validation import Validation
 from fembearing.report.figures import convergence_figure, cost_figure, png
 from fembearing.report.pictures import Picture
-from fembearing.report.wording import AXES, QUANTITIES, place_of, title_of
+from fembearing.report.wording import AXES, QUANTITIES, place_of, ring_line, title_of
 
 PER_MINUTE = 30 / pi  # rpm in one rad/s
 LONGEST_LIST = 12  # values in a table's cell
@@ -42,6 +42,7 @@ def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str 
         scene=result.scene,
         axes=AXES,
         verdicts=[(title_of(found), _rows(_verdict, found)) for found in result.contacts if found.judged],
+        rings=[(place_of(found), ring_line(found.ring)) for found in result.contacts if found.ring is not None],
         pocket=_pocket(result),
         torque=_torque(result),
         meshes=[(place_of(found), _rows(_study, found)) for found in result.contacts],

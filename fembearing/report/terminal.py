@@ -16,7 +16,7 @@ from fembearing.compare.stiffness_law import LoadSeries
 from fembearing.compare.subsurface import SubsurfaceComparison
 from fembearing.compare.torque_change import TorqueChange
 from fembearing.compare.validation import Validation
-from fembearing.report.wording import AXES, QUANTITIES, STRESSES, shoulder_lines, title_of
+from fembearing.report.wording import AXES, QUANTITIES, STRESSES, ring_line, shoulder_lines, title_of
 
 PLAIN: dict[str, Any] = {
     "title_justify": "left",
@@ -70,12 +70,7 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
         highlight=False,
     )
     if contact.ring is not None:
-        ring = contact.ring
-        out.print(
-            f"Ring on a rigid seat: approach {ring.approach * 1e6:+.3f} um ({ring.share:+.1%} of the contact's), "
-            f"+- {ring.uncertainty * 1e6:.3f} um: structure, not contact.\n",
-            highlight=False,
-        )
+        out.print(f"{ring_line(contact.ring)}\n", highlight=False)
 
 
 def _print_corrected(out: Console, contact: ContactSolution) -> None:

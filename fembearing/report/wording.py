@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.ring import RingStructure
 from fembearing.compare.stiffness_law import LoadSeries
 
 
@@ -39,6 +40,14 @@ def place_of(contact: ContactSolution | LoadSeries) -> str:
         return "ball in cage pocket, " + ("sheet on its rim" if contact.geometry == "wall" else "thick seat")
     ideal = ", idealised" if contact.geometry == "hertzian" else ""
     return f"ball on {contact.contact.pair} race{ideal}"
+
+
+def ring_line(ring: RingStructure) -> str:
+    """What the ring adds to the approach, in one sentence."""
+    return (
+        f"Ring on a rigid seat: approach {ring.approach * 1e6:+.3f} um ({ring.share:+.1%} of the contact's), "
+        f"+- {ring.uncertainty * 1e6:.3f} um: structure, not contact."
+    )
 
 
 def title_of(contact: ContactSolution | LoadSeries) -> str:

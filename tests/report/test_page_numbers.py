@@ -1,10 +1,12 @@
 """Each number of the page in its row and column, against a result made by hand: see `made` in conftest.py."""
 
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
 
+from fembearing.compare.ring import RingStructure
 from fembearing.compare.validation import Validation
 from fembearing.report.page import write_page
 
@@ -117,6 +119,16 @@ def test_no_verdict_wears_the_colour_of_another(tables: Tables) -> None:
     colours = {"pass": "pass", "fail": "fail", "undecided": "undecided", "outside validity": "outside"}
     for verdict, colour in colours.items():
         assert {style for style, text in tables.styled if text == verdict} == {colour}
+
+
+def test_a_ring_stands_apart_from_its_contact(made: Validation, tmp_path: Path) -> None:
+    ring = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9)
+    inner, outer, *pocket = made.contacts
+    result = replace(made, contacts=(replace(inner, ring=None), replace(outer, ring=ring), *pocket))
+    write_page(result, pictures=[], trouble=None, file=tmp_path / "page.html")
+    words = " ".join((tmp_path / "page.html").read_text("utf-8").split())
+    said = "ring on a rigid seat: approach -0.212 um (-4.1% of the contact&#39;s), +- 0.008 um: structure, not contact."
+    assert words.count(f"<li>ball on outer race: {said}</li>") == words.count("ring on a rigid seat") == 1
 
 
 def test_the_pocket_is_set_against_hertz(tables: Tables) -> None:
