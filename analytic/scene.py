@@ -171,11 +171,16 @@ class Scene:
     cage: Cage | None = None  # None: no cage term and no pocket contact
     lubricant: Lubricant | None = None  # None: not known
     surface: Surface | None = None  # None: not known
-    friction_coefficient: float | None = None  # mu at every race contact, until a model gives it
+    friction_coefficient: float | None = None  # mu at every race contact, in place of a surface's; None: not given
     hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: not known
     spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races
     effects: Mapping[str, Literal["auto", "on", "off"]] = field(default_factory=lambda: MappingProxyType({}))
     warnings: tuple[str, ...] = ()
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether the friction of ball on race is given, or known well enough to be computed."""
+        return self.friction_coefficient is not None or (self.lubricant is not None and self.surface is not None)
 
 
 @dataclass(frozen=True, kw_only=True)

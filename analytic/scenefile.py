@@ -183,6 +183,8 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         yield f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"
+    if table.friction is not None and table.friction.coefficient is None and table.lubricant is None:
+        yield "friction.coefficient is missing; give for example 0.1, or the tables [lubricant] and [surface] instead"
     surface = table.surface
     if surface is not None:
         if (surface.rms_roughness is None) == (surface.height_map is None):

@@ -163,7 +163,8 @@ class SurfaceTable(Table):
 
 
 class FrictionTable(Table):
-    coefficient: Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
+    # Of every race contact, in place of the one that lubricant and surface give.
+    coefficient: Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")] | None = None
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
     spin_rule: SpinRule = "balanced"
 
@@ -188,5 +189,7 @@ class SceneTable(Table):
     surface: SurfaceTable | None = Field(
         default=None, description="give a table [surface] with rms_roughness and autocorrelation, or with height_map"
     )
-    friction: FrictionTable | None = Field(default=None, description="give a table [friction] with coefficient")
+    friction: FrictionTable | None = Field(
+        default=None, description="give a table [friction], with coefficient where no lubricant is given"
+    )
     effects: EffectsTable = Field(default=EffectsTable(), description='give a table [effects] of "auto", "on", "off"')

@@ -15,7 +15,7 @@ from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
-from analytic.torque import STATIC_LIMIT
+from analytic.torque_warnings import STATIC_LIMIT
 from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory

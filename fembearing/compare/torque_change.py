@@ -9,7 +9,8 @@ import numpy as np
 from analytic.correction import ContactCorrection, ContactFactors
 from analytic.finite_geometry import RaceCorrections, thrust_correction
 from analytic.scene import Scene
-from analytic.torque import FrictionTorque, friction_torque
+from analytic.torque import friction_torque
+from analytic.torque_result import FrictionTorque
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.verdict import Verdict, worst
 
@@ -97,7 +98,7 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
 
     The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone. The
     correction for finite geometry knows every load, and shows the change at each.
-    Raises InputError if the scene gives no friction coefficient.
+    Raises InputError as friction_torque does.
     """
     hertz, corrected = friction_torque(scene), _corrected(scene, factors(inner), factors(outer))
     solved = int(np.argmax(hertz.ball_load))

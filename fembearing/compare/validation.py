@@ -33,7 +33,7 @@ class Validation:
     scene: Scene
     tolerance: float
     contacts: tuple[ContactSolution, ...]
-    torque: TorqueChange | None  # None where the scene gives no friction coefficient
+    torque: TorqueChange | None  # None where the scene gives neither friction nor lubrication
     hard: tuple[HardOutcome, ...]  # empty unless they were asked for
     seconds: float
     trouble: tuple[str, ...] = ()  # met while the report was written
@@ -98,8 +98,7 @@ def check_scene(
     start = time.perf_counter()
     asked = scene.tolerance if tolerance is None else tolerance
     jobs = RACES if scene.cage is None else RACES + POCKET
-    has_friction = scene.friction_coefficient is not None
-    if has_friction or "on" in scene.effects.values():
+    if scene.has_friction or "on" in scene.effects.values():
         friction_torque(scene)  # refuses what it cannot model before anything is solved
     for pair, *_ in jobs:
         contact_of(scene, pair=pair)  # and so do the contacts
@@ -122,7 +121,7 @@ def check_scene(
         scene=scene,
         tolerance=asked,
         contacts=(inner, outer, *contacts[2:]),
-        torque=change_of_torque(scene, inner=inner, outer=outer) if has_friction else None,
+        torque=change_of_torque(scene, inner=inner, outer=outer) if scene.has_friction else None,
         hard=run_hard_cases(progress=part_of(progress, shares[-1], 1.0)) if hard else (),
         seconds=time.perf_counter() - start,
     )

@@ -36,7 +36,10 @@ def print_validation(out: Console, result: Validation) -> None:
     if result.torque is not None:
         _print_torque(out, result.torque)
     else:
-        out.print("The scene gives no friction coefficient, so there is no torque.\n", highlight=False)
+        out.print(
+            "No friction coefficient, lubricant or surface is given, so there is no torque.\n",
+            highlight=False,
+        )
     if result.hard:
         _print_hard(out, result.hard)
     out.print(f"{result.verdict}: tolerance {result.tolerance:g}, {result.seconds:.1f} s", highlight=False)

@@ -15,7 +15,8 @@ from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
 from analytic.scene import Bearing, ContactAngle, Operation, Scene, SpinRule
 from analytic.scenefile import builtin_scene, load_scene, parse_scene
-from analytic.torque import FrictionTorque, TorqueParts, friction_torque
+from analytic.torque import friction_torque
+from analytic.torque_result import FrictionTorque, TorqueParts
 
 GIVEN = ContactAngle(rule="given", value=0.18)
 SOLVED = ContactAngle(rule="solved", free=0.18)

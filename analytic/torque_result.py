@@ -1,0 +1,106 @@
+"""What the friction torque of a scene is told with: parts, contacts, effects, warnings, and their JSON."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+from analytic.scene import Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TorqueParts:
+    """N m, each (n,); None where a part was left out or is not modelled."""
+
+    total: Array  # the sum of what was computed
+    race: Array  # spin + conformity + hysteresis + rolling, as far as computed
+    spin: Array | None
+    conformity: Array | None
+    hysteresis: Array | None
+    rolling: Array | None = None
+    cage: Array | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FrictionCoefficients:
+    """Of each contact, (n,); None where there is no such contact, or nothing that slides was asked for."""
+
+    inner: Array | None = None
+    outer: Array | None = None
+    pocket: Array | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class OnRaces:
+    """A quantity of the contacts on both races, each (n,); None where it is not known."""
+
+    inner: Array | None = None
+    outer: Array | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LoadedContact:
+    """One ball on one race, each (n,)."""
+
+    load: Array  # Q, N
+    semi_axis_rolling: Array  # a, m
+    semi_axis_transverse: Array  # b, m
+    peak_pressure: Array  # p0, Pa
+    approach: Array  # delta, m
+
+
+@dataclass(frozen=True, kw_only=True)
+class Effect:
+    """One physical contribution, decided for the whole series."""
+
+    name: str
+    decision: Literal["on", "off"]
+    share: float | None  # of the total, the largest over the series; None: left out, its size not known
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FrictionTorque:
+    """The friction torque at every operating point of a scene; arrays have the shape (n,)."""
+
+    inner_speed: Array  # rad/s
+    axial_load: Array  # N
+    contact_angle: Array  # al, loaded, rad
+    ball_load: Array  # Q, N
+    torque: TorqueParts
+    friction_coefficient: FrictionCoefficients
+    film: OnRaces  # h, between the mean planes, m; None without a lubrication model
+    asperity_share: OnRaces  # s, of the load, 0 to 1; likewise
+    inner: LoadedContact
+    outer: LoadedContact
+    effects: tuple[Effect, ...]
+    warnings: tuple[str, ...]
+    provenance: Mapping[str, str]
+    seconds: float  # that the computation took
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain Python numbers, texts, lists and dicts, all SI; None where a part was left out or is not modelled."""
+        return {
+            "points": [self._point(index) for index in range(self.inner_speed.size)],
+            "effects": [asdict(effect) for effect in self.effects],
+            "warnings": list(self.warnings),
+            "provenance": dict(self.provenance),
+            "seconds": self.seconds,
+        }
+
+    def _point(self, index: int) -> dict[str, Any]:
+        def here(group: object) -> dict[str, float | None]:
+            return {name: None if values is None else float(values[index]) for name, values in vars(group).items()}
+
+        cage = ("mean_force", "max_force", "interval", "duration", "state", "signed_moment")
+        return {
+            "inner_speed": float(self.inner_speed[index]),
+            "axial_load": float(self.axial_load[index]),
+            "contact_angle": float(self.contact_angle[index]),
+            "torque": here(self.torque),
+            "friction_coefficient": here(self.friction_coefficient),
+            "film": here(self.film),
+            "asperity_share": here(self.asperity_share),
+            "contact": {"inner": here(self.inner), "outer": here(self.outer)},
+            "uncertainty": {"numerical": None, "model": None},
+            "cage": dict.fromkeys(cage),
+        }

@@ -1,0 +1,207 @@
+"""Friction torque with a lubricant: what defines film and coefficient, limits, second scenes, JSON and refusals."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic.asperity import asperity_contact
+from analytic.contact import race_curvatures
+from analytic.errors import InputError
+from analytic.film import central_film, inlet_heating_factor
+from analytic.hertz import contact_modulus
+from analytic.roughness import gap_roughness
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Lubricant, Operation, Scene, Surface
+from analytic.scenefile import builtin_scene, parse_scene
+from analytic.torque import RACES, friction_torque
+
+OIL = Lubricant(
+    viscosity=0.043,
+    pressure_viscosity=1.9e-8,
+    viscosity_temperature=0.04,
+    reference_temperature=313.15,
+    temperature=313.15,
+    thermal_conductivity=0.13,
+    density=865.0,
+    eyring_stress=4.7e6,
+    limiting_shear=0.06,
+    traction="eyring_constant",
+)
+FINISH = Surface(
+    rms_roughness=0.31e-6,
+    ball_rms_roughness=0.13e-6,
+    autocorrelation=Autocorrelation(kind="gaussian", length=43e-6, spacing=2e-6),
+    hardness=7.3e9,
+    boundary_friction=0.11,
+)
+SPEEDS = np.array([3.7, 21.0, 640.0])
+
+
+@pytest.fixture(scope="module")
+def scene(bearing_6205: Bearing) -> Scene:
+    return Scene(
+        name="oiled",
+        tolerance=0.05,
+        bearing=bearing_6205,
+        contact_angle=ContactAngle(rule="solved", free=0.18),
+        operation=Operation(axial_load=np.array([300.0, 910.0, 620.0]), inner_speed=SPEEDS),
+        lubricant=OIL,
+        surface=FINISH,
+    )
+
+
+def at_rest(scene: Scene) -> Scene:
+    return replace(scene, operation=Operation(axial_load=np.array([730.0]), inner_speed=np.array([0.0])))
+
+
+def as_given(scene: Scene, coefficient: float) -> Scene:
+    return replace(scene, lubricant=None, surface=None, friction_coefficient=coefficient)
+
+
+@pytest.mark.parametrize("temperature", [313.15, 341.0])
+def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float) -> None:
+    """What defines them: the film of the oil's part of load and modulus, and the asperities' pressure at it."""
+    found = friction_torque(replace(scene, lubricant=replace(OIL, temperature=temperature)))
+    # Roelands' law by its logarithm at ambient pressure: ln eta = -9.67 + G x, x = [(T - 138)/(T0 - 138)]^-S.
+    g = np.log(OIL.viscosity) + 9.67
+    x = ((temperature - 138) / 175.15) ** (-OIL.viscosity_temperature * 175.15 / g)
+    viscosity, slope = np.exp(g * x - 9.67), OIL.viscosity_temperature * x * 175.15 / (temperature - 138)
+    bearing = scene.bearing
+    reach = bearing.ball_radius * np.cos(found.contact_angle)
+    u = SPEEDS * (bearing.pitch_diameter**2 / 4 - reach**2) / bearing.pitch_diameter
+    for race in RACES:
+        film, share = getattr(found.film, race), getattr(found.asperity_share, race)
+        contact, groove = getattr(found, race), getattr(bearing, race)
+        modulus = contact_modulus(bearing.ball_material, groove.material)
+        along, across = race_curvatures(bearing, race, contact_angle=found.contact_angle)
+        oil = central_film(
+            curvature_x=along,
+            curvature_y=across,
+            load=contact.load * (1 - share),
+            modulus=modulus * (1 - share),
+            entrainment_speed=u,
+            viscosity=viscosity,
+            pressure_viscosity=OIL.pressure_viscosity * x,
+        )
+        heating = inlet_heating_factor(
+            peak_pressure=contact.peak_pressure,
+            modulus=modulus,
+            thermal_loading=viscosity * slope * u**2 / OIL.thermal_conductivity,
+            slide_to_roll=0.0,
+        )
+        assert heating[2] < 0.97  # so that it shows
+        np.testing.assert_allclose(film, heating * oil.thickness, rtol=1e-6)  # the share is good to 1e-7
+        summits = gap_roughness(FINISH).summits
+        rough = asperity_contact(film_thickness=film, summits=summits, modulus=modulus, hardness=7.3e9)
+        area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
+        np.testing.assert_allclose(rough.pressure * area, share * contact.load, rtol=1e-5)  # falls steeply with h
+        assert np.all((share > 0) & (share < 1))
+        # What resists: boundary friction on what asperities carry, the oil's stress on the rest of the area.
+        force = 0.11 * share * contact.load + 4.7e6 * (1 - rough.area_fraction) * area
+        mu = getattr(found.friction_coefficient, race)
+        np.testing.assert_allclose(mu, force / contact.load, rtol=1e-6)
+    assert not any("comes from the scene" in warning for warning in found.warnings)
+
+
+def test_asperities_alone_are_a_given_coefficient(scene: Scene) -> None:
+    """At standstill they carry all, and where the oil has no stress worth naming the coefficient is theirs."""
+    found = friction_torque(replace(at_rest(scene), lubricant=replace(OIL, eyring_stress=1e-3)))
+    expected = friction_torque(as_given(at_rest(scene), 0.11))
+    # 1e-3 Pa beside 0.11 of some GPa
+    np.testing.assert_allclose(found.torque.total, expected.torque.total, rtol=1e-9)
+    assert found.asperity_share.inner == found.asperity_share.outer == 1
+    assert sum("at standstill" in warning for warning in found.warnings) == 2
+
+
+def test_a_smooth_surface_slides_on_oil_alone(scene: Scene) -> None:
+    """Under one load the force is tau_E times the area, whatever the speed: between both races' coefficients given."""
+    smooth = replace(
+        scene,
+        surface=replace(FINISH, rms_roughness=0.0, ball_rms_roughness=0.0, hardness=None),
+        operation=Operation(axial_load=np.full(3, 730.0), inner_speed=SPEEDS),
+    )
+    found = friction_torque(smooth)
+    assert np.all(found.asperity_share.inner == 0)
+    assert np.all(found.torque.total == found.torque.total[0])
+    both = []
+    for race in RACES:
+        contact = getattr(found, race)
+        area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
+        both.append(float(4.7e6 * area[0] / contact.load[0]))
+        np.testing.assert_allclose(getattr(found.friction_coefficient, race), both[-1], rtol=1e-14)  # round-off
+    low, high = sorted(float(friction_torque(as_given(smooth, mu)).torque.total[0]) for mu in both)
+    assert low < found.torque.total[0] < high
+
+
+def test_rougher_surfaces_and_stiffer_oil_resist_more(scene: Scene) -> None:
+    plain = friction_torque(scene).torque.total
+    assert np.all(friction_torque(replace(scene, surface=replace(FINISH, rms_roughness=0.5e-6))).torque.total > plain)
+    assert np.all(friction_torque(replace(scene, lubricant=replace(OIL, eyring_stress=6e6))).torque.total > plain)
+
+
+@pytest.mark.parametrize("traction", ["eyring_sinh", "eyring_constant"])
+def test_the_torque_mirrors_with_the_speed(scene: Scene, traction: str) -> None:
+    oiled = replace(scene, lubricant=replace(OIL, traction=traction))  # pyright: ignore[reportArgumentType]
+    back = replace(oiled, operation=replace(oiled.operation, inner_speed=-SPEEDS))
+    np.testing.assert_array_equal(friction_torque(oiled).torque.total, friction_torque(back).torque.total)
+
+
+def test_film_and_share_reach_the_json(scene: Scene) -> None:
+    found = friction_torque(replace(scene, hysteresis_loss=0.006))
+    told = json.loads(json.dumps(found.to_json(), allow_nan=False))
+    for index, point in enumerate(told["points"]):
+        for name in ("film", "asperity_share"):
+            assert point[name] == {race: getattr(getattr(found, name), race)[index] for race in RACES}
+        assert point["friction_coefficient"]["pocket"] is None
+        assert 0 < point["friction_coefficient"]["inner"] < 0.11
+    assert told["provenance"]["friction"] == "mixed lubrication, single coefficient"
+
+
+def test_what_does_not_slide_needs_no_film(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("analytic.torque.lubricated_race", None)  # would raise if it were called
+    found = friction_torque(replace(scene, hysteresis_loss=0.006, effects={"spin": "off", "conformity": "off"}))
+    point = found.to_json()["points"][0]
+    assert point["film"] == point["asperity_share"] == {"inner": None, "outer": None}
+    assert point["friction_coefficient"]["inner"] is None
+    assert np.all(found.torque.total > 0)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"friction_coefficient": 0.07}, r"friction\.coefficient = 0\.07 and \[surface\] both"),
+        ({"lubricant": None}, r"\[lubricant\] is missing.*\[surface\] alone"),
+        ({"surface": None}, r"\[surface\] is missing.*\[lubricant\] alone"),
+        ({"surface": replace(FINISH, hardness=None)}, r"surface\.hardness is missing, and steel has none"),
+        ({"lubricant": replace(OIL, temperature=120.0)}, "temperature must be above 138 K"),
+    ],
+)
+def test_what_does_not_fit_together_is_refused(scene: Scene, change: dict, words: str) -> None:
+    with pytest.raises(InputError, match=words) as problem:
+        friction_torque(replace(scene, **change))
+    assert "\n" not in str(problem.value)
+
+
+def test_a_scene_file_with_oil_needs_no_coefficient(tmp_path: Path) -> None:
+    text, _ = builtin_scene("6205").read_text("utf-8").split("[friction]")
+    text += """
+[friction]
+hysteresis_loss = 0.006
+spin_rule = "outer_control"
+[lubricant]
+viscosity = "43 mPa s"
+pressure_viscosity = "1.9e-8 1/Pa"
+eyring_stress = "4.7 MPa"
+[surface]
+rms_roughness = "0.31 um"
+autocorrelation = { kind = "gaussian", length = "43 um", spacing = "2 um" }
+hardness = "7.3 GPa"
+"""
+    scene = parse_scene(text, origin="here", folder=tmp_path)
+    assert scene.has_friction
+    assert (scene.friction_coefficient, scene.hysteresis_loss, scene.spin_rule) == (None, 0.006, "outer_control")
+    found = friction_torque(scene)
+    assert found.film.inner is not None
+    assert np.all(np.diff(found.film.inner) > 0)  # with speed
