@@ -12,23 +12,27 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.contact import Race
+from analytic.contact import Race, race_curvatures
 from analytic.correction import ContactCorrection
 from analytic.equilibrium import ThrustEquilibrium, thrust_equilibrium
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.friction import RaceContact, SlipFriction, slip_friction
-from analytic.hertz import HertzContact
+from analytic.hertz import HertzContact, contact_modulus
 from analytic.kinematics import BallKinematics, ball_kinematics
 from analytic.lubrication import LubricatedRace, lubricated_race
 from analytic.race import SlidingContact, deformed_radius, hysteresis_torque
+from analytic.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
 from analytic.roughness import GapRoughness, gap_roughness
-from analytic.scene import Array, Scene
+from analytic.scene import Array, Lubricant, Scene
 from analytic.torque_result import Effect, FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
-from analytic.torque_warnings import NOT_MODELLED, doubts
+from analytic.torque_warnings import doubts
 from analytic.traction import CoulombTraction, Traction
+from analytic.viscosity import inlet_viscosity
 
 RACES: tuple[Race, Race] = ("inner", "outer")
 BY_SLIP = ("spin", "conformity")
+MODELLED = (*BY_SLIP, "hysteresis", "rolling")
+NOT_MODELLED = ("cage",)
 
 
 def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None) -> FrictionTorque:
@@ -36,10 +40,12 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
 
     correction : factors on Hertz's contacts; under the rule `solved` they move contact angle and ball load too
     The equilibrium under thrust, the slip power of both contacts of one ball per unit speed, times the number of balls:
-        total = race = spin + conformity + hysteresis (equations 9 to 12)
+        total = race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
     What slides does so by mixed lubrication where the scene has an oil and a surface, each contact with the coefficient
     of its mean pressure and mean sliding speed (`analytic.friction`, its first rung). A friction coefficient stands in
-    place of the surface: then the torque does not depend on speed, and at standstill is that of the first motion.
+    place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
+    Rolling takes the oil at the inlet's temperature, flooded and not heated by its own shear; factors on contacts reach
+    it by angle and ball load alone.
     Raises InputError if the scene gives neither or both, asks for an effect that is not modelled or lacks its input, or
     loads the balls beyond a shoulder.
     """
@@ -75,6 +81,13 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
     if scene.hysteresis_loss is not None and "hysteresis" not in reasons:
         loss = hysteresis_torque(inner, outer, hysteresis_loss=scene.hysteresis_loss)
         parts["hysteresis"] = bearing.ball_count * loss
+    resistance: Mapping[Race, RollingResistance] = {}
+    if scene.lubricant is not None and "rolling" not in reasons:
+        resistance = {
+            race: _rolling(scene, scene.lubricant, race, balls, speed * motion.entrainment_speed) for race in RACES
+        }
+        rolling = rolling_torque(**resistance, entrainment_rate=motion.entrainment_speed)
+        parts["rolling"] = bearing.ball_count * rolling
     parts = {name: part for name, part in parts.items() if name not in reasons}
     race = sum(parts.values(), start=np.zeros_like(balls.ball_load))
     return FrictionTorque(
@@ -82,9 +95,7 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
         axial_load=load,
         contact_angle=balls.contact_angle,
         ball_load=balls.ball_load,
-        torque=TorqueParts(
-            total=race, race=race, **{name: parts.get(name) for name in ("spin", "conformity", "hysteresis")}
-        ),
+        torque=TorqueParts(total=race, race=race, **{name: parts.get(name) for name in MODELLED}),
         friction_coefficient=FrictionCoefficients(**coefficients),
         film=OnRaces(**{race: found.shared.film_thickness for race, found in oiled.items()}),
         asperity_share=OnRaces(**{race: found.shared.asperity_share for race, found in oiled.items()}),
@@ -92,7 +103,15 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
         outer=_loaded(balls.ball_load, balls.outer),
         effects=tuple(_effects(scene, reasons, parts, race)),
         warnings=tuple(
-            doubts(scene, balls, motion, {"inner": inner, "outer": outer}, roughness=roughness, oiled=oiled)
+            doubts(
+                scene,
+                balls,
+                motion,
+                {"inner": inner, "outer": outer},
+                roughness=roughness,
+                oiled=oiled,
+                resistance=resistance,
+            )
         ),
         provenance=MappingProxyType(
             {
@@ -174,6 +193,21 @@ def _slip(
     )
 
 
+def _rolling(
+    scene: Scene, lubricant: Lubricant, race: Race, balls: ThrustEquilibrium, entrainment_speed: Array
+) -> RollingResistance:
+    groove = scene.bearing.inner if race == "inner" else scene.bearing.outer
+    along, across = race_curvatures(scene.bearing, race, contact_angle=balls.contact_angle)
+    return hydrodynamic_rolling(
+        curvature_x=along,
+        curvature_y=across,
+        load=balls.ball_load,
+        modulus=contact_modulus(scene.bearing.ball_material, groove.material),
+        viscosity=inlet_viscosity(lubricant).viscosity,
+        entrainment_speed=entrainment_speed,
+    )
+
+
 def _coulomb(scene: Scene) -> Traction:
     assert scene.friction_coefficient is not None
     return CoulombTraction(friction_coefficient=scene.friction_coefficient)
@@ -219,6 +253,10 @@ def _left_out(scene: Scene) -> dict[str, str]:
         if scene.effects.get(name) == "on":
             raise InputError(f'effects.{name} = "on" cannot be had: not modelled yet; give "auto" or "off"')
         reasons[name] = "not modelled yet"
+    if scene.lubricant is None and "rolling" not in reasons:
+        if scene.effects.get("rolling") == "on":
+            raise InputError('effects.rolling = "on" needs the oil: add a table [lubricant]')
+        reasons["rolling"] = "no lubricant is given"
     if scene.hysteresis_loss is None and "hysteresis" not in reasons:
         if scene.effects.get("hysteresis") == "on":
             raise InputError(
@@ -231,7 +269,7 @@ def _left_out(scene: Scene) -> dict[str, str]:
 
 def _effects(scene: Scene, reasons: dict[str, str], parts: dict[str, Array], total: Array) -> list[Effect]:
     effects = []
-    for name in ("spin", "conformity", "hysteresis", *NOT_MODELLED):
+    for name in (*MODELLED, *NOT_MODELLED):
         if name in reasons:
             effects.append(Effect(name=name, decision="off", share=None, reason=reasons[name]))
             continue

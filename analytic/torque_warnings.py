@@ -11,12 +11,12 @@ from analytic.hertz import HertzContact
 from analytic.kinematics import BallKinematics
 from analytic.lubrication import LubricatedRace
 from analytic.race import SlidingContact, sliding_number
+from analytic.rolling import RollingResistance
 from analytic.roughness import GapRoughness
 from analytic.scene import Scene
 
 STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
 LEAST_SLIDING = 3.0  # of the sliding number: below, elastic creep takes a good part of the slip
-NOT_MODELLED = ("rolling", "cage")
 
 
 def doubts(
@@ -27,6 +27,7 @@ def doubts(
     *,
     roughness: GapRoughness | None,
     oiled: Mapping[Race, LubricatedRace],
+    resistance: Mapping[Race, RollingResistance],
 ) -> list[str]:
     """In the order of their weight. Raises InputError for a contact that has left its race."""
     warnings = [*scene.warnings]
@@ -35,10 +36,18 @@ def doubts(
             f"the friction coefficient {scene.friction_coefficient:g} comes from the scene, not from a lubrication "
             "model"
         )
-    warnings.append(f"{' and '.join(NOT_MODELLED)} are not modelled yet: the total is too low by them")
+    warnings.append("the cage is not modelled yet: the total is too low by it")
+    if scene.lubricant is None and scene.effects.get("rolling") != "off":
+        warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")
     if roughness is not None:
         warnings += roughness.warnings
     warnings += _doubts_of_film(oiled)
+    for race, found in resistance.items():
+        if np.any(found.outside_range):
+            warnings.append(
+                f"rolling on the {race} race is extrapolated: its formula is for slow rolling of contacts that are "
+                "longer across it than along"
+            )
     contacts: dict[Race, HertzContact] = {"inner": balls.inner, "outer": balls.outer}
     for race, contact in contacts.items():
         room = shoulder_distance(scene.bearing, race, contact_angle=balls.contact_angle)

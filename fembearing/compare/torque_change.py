@@ -16,7 +16,7 @@ from fembearing.compare.verdict import Verdict, worst
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
-PARTS = ("total", "race", "spin", "conformity", "hysteresis")
+PARTS = ("total", "race", "spin", "conformity", "hysteresis", "rolling")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -254,7 +254,7 @@ def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
     assert (told["conformity"].decision, told["conformity"].share) == ("off", None)
     assert "says off" in told["conformity"].reason
     assert "friction.hysteresis_loss" in told["hysteresis"].reason
-    assert told["rolling"].reason == told["cage"].reason == "not modelled yet"
+    assert (told["rolling"].reason, told["cage"].reason) == ("no lubricant is given", "not modelled yet")
     nothing = friction_torque(without(scene, *PARTS)).torque
     assert nothing.total == 0
 
@@ -318,8 +318,9 @@ def test_the_result_says_where_its_friction_comes_from(scene: Scene) -> None:
     found = friction_torque(replace(scene, warnings=("a doubt",)))
     assert found.warnings[0] == "a doubt"
     assert any("friction coefficient 0.1 comes from the scene" in warning for warning in found.warnings)
-    assert any("rolling and cage are not modelled" in warning for warning in found.warnings)
-    assert len(found.warnings) == 3  # nothing else is doubtful here
+    assert any("cage is not modelled" in warning for warning in found.warnings)
+    assert any("rolling needs [lubricant]" in warning for warning in found.warnings)
+    assert len(found.warnings) == 4  # nothing else is doubtful here
 
 
 @pytest.mark.parametrize(
@@ -351,7 +352,7 @@ def test_a_doubtful_contact_is_flagged_with_its_numbers(scene: Scene, load: floa
         ({"operation": operation()}, r"operation\.axial_load is empty"),
         ({"operation": operation(0.0)}, "axial_load must be positive"),
         ({"operation": operation(40.0, 1e7), "contact_angle": SOLVED}, "beyond the inner race's shoulder"),
-        ({"effects": {"rolling": "on"}}, r'effects\.rolling = "on" cannot be had'),
+        ({"effects": {"rolling": "on"}}, r'effects\.rolling = "on" needs the oil'),
         ({"effects": {"cage": "on"}}, r'effects\.cage = "on" cannot be had'),
         ({"effects": {"hysteresis": "on"}, "hysteresis_loss": None}, r"needs friction\.hysteresis_loss"),
         ({"spin_rule": "race_control"}, "spin_rule must be"),
