@@ -290,10 +290,10 @@ def _operation(given: OperationTable) -> Operation:
 
 
 def _left_out(given: OperationTable) -> Iterator[str]:
-    """Warnings: loads that the friction torque does not know yet."""
+    """Warnings: loads that the contacts do not know yet, and that the friction torque refuses."""
     for key in ("radial_load", "moment"):
         if any(getattr(given, key)):
-            yield f"operation.{key} is known to analytic.ring alone: angle, contacts and torque are those of thrust"
+            yield f"operation.{key} is known to analytic.ring alone: angle and contacts are those of thrust"
 
 
 def _frozen(values: Array) -> Array:

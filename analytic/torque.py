@@ -46,11 +46,12 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
     place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
     Rolling takes the oil at the inlet's temperature, flooded and not heated by its own shear; factors on contacts reach
     it by angle and ball load alone.
-    Raises InputError if the scene gives neither or both, asks for an effect that is not modelled or lacks its input, or
-    loads the balls beyond a shoulder.
+    Raises InputError if the scene gives neither or both, has a radial load or a moment, asks for an effect that is not
+    modelled or lacks its input, or loads the balls beyond a shoulder.
     """
     started = perf_counter()
     bearing = scene.bearing
+    _require_thrust(scene)
     _require_friction(scene)
     reasons = _left_out(scene)
     load, speed = np.broadcast_arrays(*map(np.atleast_1d, (scene.operation.axial_load, scene.operation.inner_speed)))
@@ -125,6 +126,17 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
         ),
         seconds=perf_counter() - started,
     )
+
+
+def _require_thrust(scene: Scene) -> None:
+    for name, unit in (("radial_load", "N"), ("moment", "N m")):
+        values = np.atleast_1d(getattr(scene.operation, name))
+        other = values[values != 0]  # NaN too
+        if other.size:
+            raise InputError(
+                f"operation.{name} = {other[0]:g} {unit}: the torque is computed for thrust alone, where all balls are "
+                "loaded alike; leave it out, or take ball loads and angles from analytic.ring_equilibrium"
+            )
 
 
 def _require_friction(scene: Scene) -> None:

@@ -249,3 +249,12 @@ def test_rolling_is_left_out_where_the_scene_says_so(scene: Scene, monkeypatch: 
     found = friction_torque(replace(scene, effects={"rolling": "off"}))
     assert found.torque.rolling is None
     assert {effect.name: effect.reason for effect in found.effects}["rolling"] == "the scene says off"
+
+
+@pytest.mark.parametrize(("name", "words"), [("radial_load", "= -70 N: the torque"), ("moment", "= -70 N m: the")])
+def test_unequal_balls_are_refused(scene: Scene, name: str, words: str) -> None:
+    def loaded(value: float) -> Scene:
+        return replace(scene, operation=replace(scene.operation, **{name: np.array([0.0, value, 3.0])}))
+
+    with pytest.raises(InputError, match=rf"operation\.{name} {words}.*analytic\.ring_equilibrium"):
+        friction_torque(loaded(-70.0))
