@@ -13,6 +13,25 @@ from analytic.scene import Array
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
+def load_distribution_ratio(
+    *,
+    axial_load: ArrayLike,
+    radial_load: ArrayLike,
+    moment: ArrayLike,
+    contact_angle: ArrayLike,
+    pitch_diameter: ArrayLike,
+) -> Array:
+    """(Fr tan(al) + 2 M/d_m)/Fa: how unequal radial load and moment make balls that thrust loads alike.
+
+    axial_load, radial_load : Fa, Fr, N;  moment : M, N m;  contact_angle : al, under the thrust, rad, 0 to pi/2
+    pitch_diameter : d_m, m, > 0
+    """
+    require_positive(pitch_diameter=pitch_diameter)
+    require_non_negative(axial_load=axial_load, radial_load=radial_load, moment=moment, contact_angle=contact_angle)
+    other = np.asarray(radial_load) * np.tan(contact_angle) + 2 * np.asarray(moment) / np.asarray(pitch_diameter)
+    return _ratio(other, axial_load)
+
+
 def centrifugal_ratio(
     *, ball_mass: ArrayLike, pitch_diameter: ArrayLike, cage_speed: ArrayLike, load: ArrayLike
 ) -> Array:

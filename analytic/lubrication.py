@@ -1,7 +1,7 @@
-"""A rough ball on a lubricated rough race: from the scene's oil and finish to film, shared load and law of traction.
+"""Rough balls on lubricated rough races: from the scene's oil and finish to film, shared load and law of traction.
 
-The film is that of the oil at the inlet of the contact, thinned by its own shear heating there; rolling nearly without
-sliding, flooded.
+The film is that of the oil at the inlet of the contact, rolling nearly without sliding, flooded. Arrays are (2, n, m):
+races, operating points, balls.
 """
 
 from dataclasses import dataclass
@@ -10,81 +10,135 @@ import numpy as np
 
 from analytic.asperity import softer_hardness
 from analytic.asperity_table import AsperityTable, tabulated_asperities
-from analytic.contact import Race, race_curvatures
-from analytic.film import inlet_heating_factor, thermal_loading
-from analytic.hertz import HertzContact, contact_modulus
+from analytic.balls import LoadedBalls
+from analytic.film import CentralFilm, central_film, inlet_heating_factor, thermal_loading
 from analytic.mixed import MixedContact, mixed_contact
-from analytic.roughness import GapRoughness
+from analytic.roughness import GapRoughness, gap_roughness
 from analytic.scene import Array, Bearing, Lubricant, Surface
-from analytic.traction import MixedTraction
+from analytic.traction import MixedTraction, oil_shear_stress
 from analytic.viscosity import inlet_viscosity
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LubricatedRace:
-    """Balls on one race; arrays of the shape of their loads."""
+class LubricatedRaces:
+    """Both races of loaded balls with the oil and the finish between them."""
 
-    shared: MixedContact
-    traction: MixedTraction
+    balls: LoadedBalls
+    lubricant: Lubricant
+    surface: Surface
+    roughness: GapRoughness
+    tables: tuple[AsperityTable | None, AsperityTable | None]  # of inner and outer; None: smooth
+    entrainment_speed: Array  # (n, m) u, m/s
+    film: CentralFilm  # (2, n, m) of smooth surfaces, isothermal
 
+    @property
+    def area(self) -> Array:
+        """A_H = pi a b, m^2."""
+        return np.pi * self.balls.contact.semi_axis_x * self.balls.contact.semi_axis_y
 
-def lubricated_race(
-    bearing: Bearing,
-    race: Race,
-    *,
-    lubricant: Lubricant,
-    surface: Surface,
-    roughness: GapRoughness,
-    contact_angle: Array,
-    load: Array,
-    contact: HertzContact,
-    entrainment_speed: Array,
-) -> LubricatedRace:
-    """The load shared between oil and asperities, and what they resist sliding with; the arrays broadcast.
+    def heating_factor(self) -> Array:
+        """What shear at the inlet leaves of the film; a ball slides by less than a hundredth of its rolling."""
+        oil = inlet_viscosity(self.lubricant)
+        return inlet_heating_factor(
+            peak_pressure=self.balls.contact.peak_pressure,
+            modulus=self.balls.modulus,
+            thermal_loading=thermal_loading(
+                viscosity=oil.viscosity,
+                viscosity_temperature=oil.viscosity_temperature,
+                entrainment_speed=self.entrainment_speed,
+                conductivity=self.lubricant.thermal_conductivity,
+            ),
+            slide_to_roll=0.0,
+        )
 
-    roughness : `roughness.gap_roughness` of the surface
-    contact_angle : al, rad;  load : Q, N;  contact : Hertz's at that load;  entrainment_speed : u, m/s, any sign
-    Sliding adds next to nothing to the heat at the inlet, as a ball slides by less than a hundredth of its rolling.
-    Raises InputError if no hardness is known, and as the formulas do for an oil out of range.
-    """
-    groove = bearing.inner if race == "inner" else bearing.outer
-    modulus = contact_modulus(bearing.ball_material, groove.material)
-    along, across = race_curvatures(bearing, race, contact_angle=contact_angle)
-    oil = inlet_viscosity(lubricant)
-    asperities: AsperityTable | None = None
-    if roughness.rms_roughness > 0:
-        hardness = softer_hardness(surface, bearing.ball_material, groove.material)
-        asperities = tabulated_asperities(summits=roughness.summits, modulus=modulus, hardness=hardness)
-    heating = inlet_heating_factor(
-        peak_pressure=contact.peak_pressure,
-        modulus=modulus,
-        thermal_loading=thermal_loading(
+    def largest_asperity_share(self, heating_factor: Array | float = 1.0) -> Array:
+        """p_a(h) A_H/F at the film of smooth surfaces, at most 1: the film of a shared load is thicker."""
+        share = np.zeros(self.balls.load.shape)
+        for race, table in enumerate(self.tables):
+            if table is not None:
+                with np.errstate(divide="ignore", over="ignore"):  # without load there is nothing to share
+                    log_share = table.log_pressure((self.film.thickness * heating_factor)[race])
+                    log_share = log_share + np.log(self.area[race] / self.balls.load[race])
+                share[race] = np.exp(np.minimum(np.nan_to_num(log_share, nan=-np.inf), 0.0))
+        return np.where(self.film.thickness > 0, share, 1.0)
+
+    def least_oil_friction(self, slip_speed: Array) -> Array:
+        """(2, n, m) tau A_H of smooth surfaces that slide by at least slip_speed, N."""
+        mean = np.divide(self.balls.load, self.area, out=np.zeros_like(self.area), where=self.area > 0)
+        stress = oil_shear_stress(self.lubricant, pressure=mean, speed=slip_speed, film_thickness=self.film.thickness)
+        return stress * self.area
+
+    def shared(self, *, asperities: bool, heating_factor: Array | float) -> MixedContact:
+        """The load shared by film and asperities, or carried by the film alone."""
+        tables = self.tables if asperities else (None, None)
+        if tables[0] is tables[1]:
+            return self._mixed(slice(None), tables[0], heating_factor)
+        races = [
+            self._mixed(slice(race, race + 1), table, np.broadcast_to(heating_factor, self.balls.load.shape)[race])
+            for race, table in enumerate(tables)
+        ]
+        return MixedContact(
+            **{name: np.concatenate([getattr(race, name) for race in races]) for name in vars(races[0])}
+        )
+
+    def traction(self, shared: MixedContact, race: int) -> MixedTraction:
+        """What resists sliding on one race, (n, m)."""
+        return MixedTraction(
+            lubricant=self.lubricant,
+            boundary_friction=self.surface.boundary_friction,
+            asperity_share=shared.asperity_share[race],
+            area_fraction=shared.area_fraction[race],
+            film_thickness=shared.film_thickness[race],
+        )
+
+    def _mixed(self, races: slice, table: AsperityTable | None, heating_factor: Array | float) -> MixedContact:
+        balls, oil = self.balls, inlet_viscosity(self.lubricant)
+        return mixed_contact(
+            curvature_x=balls.curvature_along[races],
+            curvature_y=balls.curvature_across[races],
+            load=balls.load[races],
+            modulus=balls.modulus[races],
+            contact_area=self.area[races],
+            entrainment_speed=self.entrainment_speed,
             viscosity=oil.viscosity,
-            viscosity_temperature=oil.viscosity_temperature,
-            entrainment_speed=entrainment_speed,
-            conductivity=lubricant.thermal_conductivity,
-        ),
-        slide_to_roll=0.0,
-    )
-    shared = mixed_contact(
-        curvature_x=along,
-        curvature_y=across,
-        load=load,
-        modulus=modulus,
-        contact_area=np.pi * contact.semi_axis_x * contact.semi_axis_y,
-        entrainment_speed=entrainment_speed,
+            pressure_viscosity=oil.pressure_viscosity,
+            asperities=table,
+            heating_factor=heating_factor,
+        )
+
+
+def lubricated_races(
+    bearing: Bearing, balls: LoadedBalls, *, lubricant: Lubricant, surface: Surface, ring_speed: Array
+) -> LubricatedRaces:
+    """ring_speed : w, (n,), rad/s. Raises InputError if no hardness is known, and as the formulas do for their oil."""
+    roughness = gap_roughness(surface)
+    tables: list[AsperityTable | None] = [None, None]
+    if roughness.rms_roughness > 0:
+        tables = [
+            tabulated_asperities(
+                summits=roughness.summits,
+                modulus=float(modulus),
+                hardness=softer_hardness(surface, bearing.ball_material, groove.material),
+            )
+            for modulus, groove in zip(balls.modulus.ravel(), (bearing.inner, bearing.outer), strict=True)
+        ]
+    speed = ring_speed[:, None] * balls.motion.entrainment_speed
+    oil = inlet_viscosity(lubricant)
+    film = central_film(
+        curvature_x=balls.curvature_along,
+        curvature_y=balls.curvature_across,
+        load=balls.load,
+        modulus=balls.modulus,
+        entrainment_speed=speed,
         viscosity=oil.viscosity,
         pressure_viscosity=oil.pressure_viscosity,
-        asperities=asperities,
-        heating_factor=heating,
     )
-    return LubricatedRace(
-        shared=shared,
-        traction=MixedTraction(
-            lubricant=lubricant,
-            boundary_friction=surface.boundary_friction,
-            asperity_share=shared.asperity_share,
-            area_fraction=shared.area_fraction,
-            film_thickness=shared.film_thickness,
-        ),
+    return LubricatedRaces(
+        balls=balls,
+        lubricant=lubricant,
+        surface=surface,
+        roughness=roughness,
+        tables=(tables[0], tables[1]),
+        entrainment_speed=speed,
+        film=film,
     )

@@ -24,6 +24,7 @@ from analytic.correction import ContactCorrection
 from analytic.equilibrium import play_and_free_angle, unit_contacts
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.hertz import HertzContact, loaded_contact
+from analytic.kinematics import ball_kinematics
 from analytic.scene import Array, Bearing, ContactAngle
 
 # Of the load and the largest ball load: Newton's quadratic steps reach it at once, and rounding is a thousandth of it.
@@ -74,12 +75,14 @@ def ring_equilibrium(
     moment_x: ArrayLike = 0.0,
     moment_y: ArrayLike = 0.0,
     inner_speed: ArrayLike = 0.0,
+    centrifugal: bool = True,
+    gyroscopic: bool = True,
     correction: ContactCorrection | None = None,
 ) -> RingEquilibrium:
     """Ball loads, contact angles and ring displacement under any load; loads and speed broadcast to (...).
 
     axial_load, radial_load_x, radial_load_y : N;  moment_x, moment_y : about x and y, N m; any sign
-    inner_speed : rad/s; the balls' centrifugal force and gyroscopic moment with it, 0 leaves them out
+    inner_speed : rad/s; with it come the balls' centrifugal force and gyroscopic moment, where these are wanted
     contact_angle : rule "solved"; free, where given, replaces the clearance by A0 (1 - cos al0)
     correction : factors on Hertz's contacts; None leaves them as they are
 
@@ -88,8 +91,7 @@ def ring_equilibrium(
     and the load is the sum of the ball forces. K of a contact is Hertz's at its own angle, and its force acts along the
     normal: the work of a K that changes with the angle, (2/5)(delta/A0) d ln K/d al of the force, is left out.
     At speed w a ball rolls without slip at both contacts' centres and spins alike on both races, about an axis at the
-    pitch (al_i + al_o)/2; with R_i = d_m/2 - r cos al_i and R_o = d_m/2 + r cos al_o
-        cage w_m = w R_i/(R_i + R_o),  ball w_b = (w - w_m) R_i/(r cos((al_i - al_o)/2))
+    pitch (al_i + al_o)/2 (analytic.kinematics), with the cage speed w_m and the ball speed w_b
         F_c = m (d_m/2) w_m^2,  M_g = (m D^2/10) w_b w_m sin((al_i + al_o)/2)
     Friction across the groove carries M_g, on each race in proportion to its load (half each where the loads are equal;
     race control would give it to one race): it needs mu >= M_g/(r (Q_i + Q_o)), which is not asked for here.
@@ -116,7 +118,9 @@ def ring_equilibrium(
     play, free = play_and_free_angle(bearing, contact_angle)
     arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given.values()))
     shape, (axial, x, y, about_x, about_y, speed) = arrays[0].shape, (array.ravel() for array in arrays)
-    ring = _Ring(bearing, play, correction or ContactCorrection())
+    ring = _Ring(
+        bearing, play, correction or ContactCorrection(), centrifugal=float(centrifugal), gyroscopic=float(gyroscopic)
+    )
     load = np.stack([axial, x, y, about_x / ring.arm, about_y / ring.arm], axis=-1)
     if bearing.ball_count < LEAST_BALLS and np.any(load[:, 1:]):
         raise InputError(
@@ -183,8 +187,11 @@ class _State:
 class _Ring:
     """The bearing as its inner ring sees it: how far each ball's groove travels, and what pushes back."""
 
-    def __init__(self, bearing: Bearing, play: float, correction: ContactCorrection) -> None:
+    def __init__(
+        self, bearing: Bearing, play: float, correction: ContactCorrection, *, centrifugal: float, gyroscopic: float
+    ) -> None:
         self.bearing, self.play, self.correction = bearing, play, correction
+        self.centrifugal, self.gyroscopic = centrifugal, gyroscopic  # 1, or 0 where left out
         self.arm = bearing.inner.bottom_radius + bearing.inner.groove_radius  # R, m
         self.azimuth = 2 * np.pi * np.arange(bearing.ball_count) / bearing.ball_count
         cosine, sine, zero = np.cos(self.azimuth), np.sin(self.azimuth), np.zeros(bearing.ball_count)
@@ -208,7 +215,7 @@ class _Ring:
             outer_angle=_in_groove(outer_angle),
             correction=self.correction,
         )
-        if not speed.any():
+        if not (speed.any() and (self.centrifugal or self.gyroscopic)):
             still = np.zeros_like(inner_angle)
             return _Held(
                 inner=inner,
@@ -218,13 +225,16 @@ class _Ring:
                 centrifugal_force=still,
                 gyroscopic_moment=still,
             )
-        inner_radius = bearing.pitch_diameter / 2 - bearing.ball_radius * np.cos(inner_angle)
-        outer_radius = bearing.pitch_diameter / 2 + bearing.ball_radius * np.cos(outer_angle)
-        cage = speed[:, None] * inner_radius / (inner_radius + outer_radius)
-        ball = (speed[:, None] - cage) * inner_radius / bearing.ball_radius / np.cos((inner_angle - outer_angle) / 2)
-        centrifugal = bearing.ball_mass * bearing.pitch_diameter / 2 * cage**2
-        inertia = bearing.ball_mass * bearing.ball_diameter**2 / 10
-        moment = inertia * ball * cage * np.sin((inner_angle + outer_angle) / 2)
+        motion = ball_kinematics(
+            inner_speed=speed[:, None],
+            inner_angle=np.clip(inner_angle, -np.pi / 2, np.pi / 2),  # on its way a ball may leave its groove
+            outer_angle=np.clip(outer_angle, -np.pi / 2, np.pi / 2),
+            pitch_diameter=bearing.pitch_diameter,
+            ball_diameter=bearing.ball_diameter,
+        )
+        centrifugal = self.centrifugal * bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2
+        inertia = self.gyroscopic * bearing.ball_mass * bearing.ball_diameter**2 / 10
+        moment = inertia * motion.ball_speed * motion.cage_speed * np.sin((inner_angle + outer_angle) / 2)
         friction = moment / bearing.ball_radius * inner_share, moment / bearing.ball_radius * (1 - inner_share)
         at_inner = friction[0][..., None] * np.stack([-np.sin(inner_angle), np.cos(inner_angle)], axis=-1)
         at_outer = friction[1][..., None] * np.stack([np.sin(outer_angle), -np.cos(outer_angle)], axis=-1)

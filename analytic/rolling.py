@@ -80,11 +80,11 @@ def hydrodynamic_rolling(
     )
 
 
-def rolling_torque(inner: RollingResistance, outer: RollingResistance, *, entrainment_rate: ArrayLike) -> Array:
-    """Torque of one ball from its rolling on both races, N m: power over ring speed, 2 (f_i + f_o) u/w.
+def rolling_torque(resistance: RollingResistance, *, entrainment_rate: ArrayLike) -> Array:
+    """Torque about the bearing axis from each contact, N m: power over ring speed, 2 f u/w.
 
     entrainment_rate : u/w, m, >= 0, entrainment speed per unit ring speed, the same on both races; broadcasts with the
         forces. So the torque exists at standstill, where it is 0; like every torque it opposes w
     """
     require_non_negative(entrainment_rate=entrainment_rate)
-    return 2 * (inner.force + outer.force) * np.asarray(entrainment_rate)
+    return 2 * resistance.force * np.asarray(entrainment_rate)

@@ -114,6 +114,7 @@ class Lubricant:
     eyring_stress: float  # tau_E, Pa
     limiting_shear: float  # zeta: the largest shear stress over the pressure
     traction: Traction
+    supply: Literal["oil_bath", "grease"] = "oil_bath"  # how it comes back to the track
 
 
 @dataclass(frozen=True, kw_only=True)

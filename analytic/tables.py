@@ -137,6 +137,7 @@ class LubricantTable(Table):
     viscosity_temperature: Annotated[float, Dimension(unit="1/K", low=0, high=0.2, example='"0.045 1/K"')] = 0.045
     thermal_conductivity: Annotated[float, Dimension(unit="W/m/K", low=1e-3, high=100, example='"0.14 W/m/K"')] = 0.14
     density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] = 870.0
+    supply: Literal["oil_bath", "grease"] = "oil_bath"
 
 
 class AutocorrelationTable(Table):
@@ -170,6 +171,13 @@ class FrictionTable(Table):
 
 
 class EffectsTable(Table):
+    load_distribution: Decision = "auto"
+    centrifugal: Decision = "auto"
+    gyroscopic: Decision = "auto"
+    finite_geometry: Decision = "auto"
+    asperities: Decision = "auto"
+    inlet_heating: Decision = "auto"
+    starvation: Decision = "auto"
     spin: Decision = "auto"
     conformity: Decision = "auto"
     hysteresis: Decision = "auto"

@@ -1,10 +1,11 @@
-"""Friction torque of a ball bearing under thrust, split by effect: equation 1 of the paper.
+"""Friction torque of a ball bearing, split by effect: equation 1 of the paper, summed over the balls.
 
-Torques are magnitudes about the bearing axis and oppose the rotation: turning the other way mirrors them.
+Every part is the power that one effect loses, over the speed of the ring. Torques are magnitudes about the bearing axis
+and oppose the rotation: turning the other way mirrors them.
 """
 
 import platform
-from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from time import perf_counter
@@ -12,131 +13,107 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.contact import Race, race_curvatures
+from analytic.balls import LoadedBalls
+from analytic.bounds import cage_rest_torque
+from analytic.catalogue_torque import inlet_shear_factor, replenishment_factor
 from analytic.correction import ContactCorrection
-from analytic.equilibrium import ThrustEquilibrium, thrust_equilibrium
+from analytic.effects import EFFECTS, Choices
 from analytic.errors import InputError, require_finite, require_non_negative
-from analytic.friction import RaceContact, SlipFriction, slip_friction
-from analytic.hertz import HertzContact, contact_modulus
-from analytic.kinematics import BallKinematics, ball_kinematics
-from analytic.lubrication import LubricatedRace, lubricated_race
-from analytic.race import SlidingContact, deformed_radius, hysteresis_torque
+from analytic.loading import RACES, loaded_balls, points
+from analytic.lubrication import LubricatedRaces, lubricated_races
+from analytic.mixed import MixedContact
+from analytic.race import hysteresis_moment
 from analytic.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
-from analytic.roughness import GapRoughness, gap_roughness
 from analytic.scene import Array, Lubricant, Scene
+from analytic.sliding import Sliding, largest_spin_rise, rolling_power, sliding
 from analytic.torque_result import Effect, FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.torque_warnings import doubts
 from analytic.traction import CoulombTraction, Traction
 from analytic.viscosity import inlet_viscosity
 
-RACES: tuple[Race, Race] = ("inner", "outer")
 BY_SLIP = ("spin", "conformity")
-MODELLED = (*BY_SLIP, "hysteresis", "rolling")
-NOT_MODELLED = ("cage",)
+LEAST_FILM = 1e-3  # of the isothermal film, at which a bound on heating is large enough
+PARTS = (*BY_SLIP, "hysteresis", "rolling")
 
 
 def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
-    correction : factors on Hertz's contacts; under the rule `solved` they move contact angle and ball load too
-    The equilibrium under thrust, the slip power of both contacts of one ball per unit speed, times the number of balls:
+    correction : factors on Hertz's contacts, in place of those of the finite geometry; under the rule `solved` they
+        move contact angle and ball loads too
+    The balls are loaded (`analytic.loading`), and each loses power to each race: per unit speed and summed,
         total = race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
-    What slides does so by mixed lubrication where the scene has an oil and a surface, each contact with the coefficient
-    of its mean pressure and mean sliding speed (`analytic.friction`, its first rung). A friction coefficient stands in
+    What slides does so by mixed lubrication where the scene has an oil and a surface. A friction coefficient stands in
     place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
-    Rolling takes the oil at the inlet's temperature, flooded and not heated by its own shear; factors on contacts reach
-    it by angle and ball load alone.
-    Raises InputError if the scene gives neither or both, has a radial load or a moment, asks for an effect that is not
-    modelled or lacks its input, or loads the balls beyond a shoulder.
+    Rolling takes the oil at the inlet's temperature.
+    What is computed, and how, follows from the scene's tolerance (`analytic.effects`, `analytic.sliding`); the result
+    names it all, with the numerical uncertainty that remains.
+    Raises InputError if the scene gives neither or both of coefficient and surface, asks for an effect that lacks its
+    input, or loads the balls beyond a shoulder.
     """
     started = perf_counter()
-    bearing = scene.bearing
-    _require_thrust(scene)
     _require_friction(scene)
-    reasons = _left_out(scene)
-    load, speed = np.broadcast_arrays(*map(np.atleast_1d, (scene.operation.axial_load, scene.operation.inner_speed)))
-    if load.size == 0:
-        raise InputError("operation.axial_load is empty: give at least one operating point")
+    operation = points(scene)
+    speed = operation.inner_speed
     require_finite(**{"operation.inner_speed": speed})
-    balls = thrust_equilibrium(bearing, scene.contact_angle, axial_load=load, correction=correction)
-    motion = ball_kinematics(  # per unit speed: the torque exists at standstill too
-        inner_speed=1.0,
-        contact_angle=balls.contact_angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
-    parts: dict[str, Array] = {}
-    roughness: GapRoughness | None = None
-    oiled: Mapping[Race, LubricatedRace] = {}
-    coefficients: Mapping[Race, Array] = {}
-    if any(name not in reasons for name in BY_SLIP):
-        if scene.surface is not None:
-            roughness = gap_roughness(scene.surface)
-            oiled = {
-                race: _lubricated(scene, race, roughness, balls, speed * motion.entrainment_speed) for race in RACES
-            }
-        slip = _slip(scene, oiled, balls, motion, speed=speed, spins="spin" not in reasons)
-        coefficients = {"inner": slip.inner_coefficient, "outer": slip.outer_coefficient}
-        parts |= {name: bearing.ball_count * getattr(slip.torque, name) for name in BY_SLIP}
-    inner, outer = (_sliding(scene, race, balls, motion, coefficients.get(race, 0.0)) for race in RACES)
-    if scene.hysteresis_loss is not None and "hysteresis" not in reasons:
-        loss = hysteresis_torque(inner, outer, hysteresis_loss=scene.hysteresis_loss)
-        parts["hysteresis"] = bearing.ball_count * loss
-    resistance: Mapping[Race, RollingResistance] = {}
-    if scene.lubricant is not None and "rolling" not in reasons:
-        resistance = {
-            race: _rolling(scene, scene.lubricant, race, balls, speed * motion.entrainment_speed) for race in RACES
-        }
-        rolling = rolling_torque(**resistance, entrainment_rate=motion.entrainment_speed)
-        parts["rolling"] = bearing.ball_count * rolling
-    parts = {name: part for name, part in parts.items() if name not in reasons}
-    race = sum(parts.values(), start=np.zeros_like(balls.ball_load))
+    choices = Choices(scene, speed.size)
+    balls, warnings = loaded_balls(scene, operation, choices, correction=correction)
+    parts, resistance = _rolled(scene, balls, speed, choices)
+    oiled: LubricatedRaces | None = None
+    shared: MixedContact | None = None
+    slid: Sliding | None = None
+    conforms = choices.calls_for("conformity", share=None)
+    if conforms or scene.effects.get("spin") != "off":
+        if scene.lubricant is not None and scene.surface is not None:
+            oiled = lubricated_races(
+                scene.bearing, balls, lubricant=scene.lubricant, surface=scene.surface, ring_speed=speed
+            )
+        shared, parts = _lubricated(scene, balls, oiled, choices, speed, parts)
+        slid = sliding(
+            balls,
+            _tractions(scene, oiled, shared),
+            ring_speed=speed,
+            spins=choices.on("spin"),
+            spin_rule=scene.spin_rule,
+            beside=_sum(parts, speed),
+            allowed=scene.tolerance - choices.left_out,
+        )
+        parts |= {name: getattr(slid, name) for name in BY_SLIP if choices.on(name)}
+    race = _sum(parts, speed)
+    _watch(scene, balls, choices, race)
+    at = balls.heaviest
     return FrictionTorque(
         inner_speed=speed,
-        axial_load=load,
-        contact_angle=balls.contact_angle,
-        ball_load=balls.ball_load,
-        torque=TorqueParts(total=race, race=race, **{name: parts.get(name) for name in MODELLED}),
-        friction_coefficient=FrictionCoefficients(**coefficients),
-        film=OnRaces(**{race: found.shared.film_thickness for race, found in oiled.items()}),
-        asperity_share=OnRaces(**{race: found.shared.asperity_share for race, found in oiled.items()}),
-        inner=_loaded(balls.ball_load, balls.inner),
-        outer=_loaded(balls.ball_load, balls.outer),
-        effects=tuple(_effects(scene, reasons, parts, race)),
+        axial_load=operation.axial_load,
+        contact_angle=balls.contact_angle.mean(axis=0)[at],
+        ball_load=balls.load.max(axis=0)[at],
+        torque=TorqueParts(total=race, race=race, **{name: parts.get(name) for name in PARTS}),
+        numerical_uncertainty=choices.left_out
+        + (0.0 if slid is None else slid.error * _share(slid.spin + slid.conformity, race)),
+        friction_coefficient=FrictionCoefficients(**_on_races(None if slid is None else slid.coefficient, at)),
+        film=OnRaces(**_on_races(None if shared is None else shared.film_thickness, at)),
+        asperity_share=OnRaces(**_on_races(None if shared is None else shared.asperity_share, at)),
+        inner=_loaded(balls, 0, at),
+        outer=_loaded(balls, 1, at),
+        effects=tuple(_with_share(choices.made[name], parts, race) for name in EFFECTS if name in choices.made),
         warnings=tuple(
-            doubts(
-                scene,
-                balls,
-                motion,
-                {"inner": inner, "outer": outer},
-                roughness=roughness,
-                oiled=oiled,
-                resistance=resistance,
-            )
+            doubts(scene, operation, balls, choices, oiled=oiled, shared=shared, slid=slid, resistance=resistance)
+            + warnings
         ),
         provenance=MappingProxyType(
             {
                 "scene": scene.name,
                 "contact_angle": scene.contact_angle.rule,
                 "spin_rule": scene.spin_rule,
-                "friction": "given coefficient" if scene.surface is None else "mixed lubrication, single coefficient",
-                "contacts": "Hertz" if correction is None else "Hertz with given factors",
+                "loads": "thrust, all balls alike" if balls.alike > 1 else "equilibrium of the ring",
+                "contacts": "Hertz" if not choices.on("finite_geometry") else "Hertz with factors",
+                "friction": "given coefficient" if oiled is None else "mixed lubrication",
+                "sliding": "none" if slid is None else slid.rung.replace("_", " "),
                 **_versions(),
             }
         ),
         seconds=perf_counter() - started,
     )
-
-
-def _require_thrust(scene: Scene) -> None:
-    for name, unit in (("radial_load", "N"), ("moment", "N m")):
-        values = np.atleast_1d(getattr(scene.operation, name))
-        other = values[values != 0]  # NaN too
-        if other.size:
-            raise InputError(
-                f"operation.{name} = {other[0]:g} {unit}: the torque is computed for thrust alone, where all balls are "
-                "loaded alike; leave it out, or take ball loads and angles from analytic.ring_equilibrium"
-            )
 
 
 def _require_friction(scene: Scene) -> None:
@@ -161,134 +138,168 @@ def _require_friction(scene: Scene) -> None:
         )
 
 
-def _lubricated(
-    scene: Scene, race: Race, roughness: GapRoughness, balls: ThrustEquilibrium, entrainment_speed: Array
-) -> LubricatedRace:
-    assert scene.lubricant is not None
-    assert scene.surface is not None
-    return lubricated_race(
-        scene.bearing,
-        race,
-        lubricant=scene.lubricant,
-        surface=scene.surface,
-        roughness=roughness,
-        contact_angle=balls.contact_angle,
-        load=balls.ball_load,
-        contact=_contact(balls, race),
-        entrainment_speed=entrainment_speed,
+def _rolled(
+    scene: Scene, balls: LoadedBalls, speed: Array, choices: Choices
+) -> tuple[dict[str, Array], RollingResistance | None]:
+    """What rolling costs without any sliding, (n,) N m: hysteresis of the bodies, and pushing the oil aside."""
+    parts: dict[str, Array] = {}
+    resistance: RollingResistance | None = None
+    lacks = (
+        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle, for steel 0.004-0.01"
     )
-
-
-def _slip(
-    scene: Scene,
-    oiled: Mapping[Race, LubricatedRace],
-    balls: ThrustEquilibrium,
-    motion: BallKinematics,
-    *,
-    speed: Array,
-    spins: bool,
-) -> SlipFriction:
-    """Of one ball, at each operating point."""
-
-    def contact(race: Race) -> RaceContact:
-        return RaceContact(
-            traction=oiled[race].traction if oiled else _coulomb(scene), **_geometry(scene, race, balls, motion)
+    if choices.calls_for("hysteresis", share=None, lacks=lacks if scene.hysteresis_loss is None else None):
+        assert scene.hysteresis_loss is not None
+        moment = hysteresis_moment(
+            hysteresis_loss=scene.hysteresis_loss, load=balls.load, semi_axis_rolling=balls.contact.semi_axis_x
         )
+        parts["hysteresis"] = balls.total(moment * balls.rolling_rate)
+    lacks = "no lubricant is given: add a table [lubricant]"
+    if choices.calls_for("rolling", share=None, lacks=lacks if scene.lubricant is None else None):
+        assert scene.lubricant is not None
+        resistance = hydrodynamic_rolling(
+            curvature_x=balls.curvature_along,
+            curvature_y=balls.curvature_across,
+            load=balls.load,
+            modulus=balls.modulus,
+            viscosity=inlet_viscosity(scene.lubricant).viscosity,
+            entrainment_speed=speed[:, None] * balls.motion.entrainment_speed,
+        )
+        parts["rolling"] = balls.total(rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed))
+    return parts, resistance
 
-    return slip_friction(
-        contact("inner"),
-        contact("outer"),
-        ring_speed=speed,
-        spin_difference=motion.spin_difference if spins else np.zeros_like(motion.spin_difference),
-        spin_rule=scene.spin_rule,
-        rung="single_coefficient",
+
+def _lubricated(
+    scene: Scene,
+    balls: LoadedBalls,
+    oiled: LubricatedRaces | None,
+    choices: Choices,
+    speed: Array,
+    parts: dict[str, Array],
+) -> tuple[MixedContact | None, dict[str, Array]]:
+    """Decides asperities to spin. The load shared by oil and asperities; the parts, with less rolling where it lacks oil.
+
+    The least torque that there can be, rolling without spin on oil alone, is what shares are told of.
+    """
+    rolls, spins = rolling_power(balls), largest_spin_rise(balls)  # m, of each contact
+    force = (
+        np.asarray(scene.friction_coefficient) * balls.load
+        if oiled is None
+        else oiled.least_oil_friction(np.abs(speed)[:, None] * rolls)
     )
-
-
-def _rolling(
-    scene: Scene, lubricant: Lubricant, race: Race, balls: ThrustEquilibrium, entrainment_speed: Array
-) -> RollingResistance:
-    groove = scene.bearing.inner if race == "inner" else scene.bearing.outer
-    along, across = race_curvatures(scene.bearing, race, contact_angle=balls.contact_angle)
-    return hydrodynamic_rolling(
-        curvature_x=along,
-        curvature_y=across,
-        load=balls.ball_load,
-        modulus=contact_modulus(scene.bearing.ball_material, groove.material),
-        viscosity=inlet_viscosity(lubricant).viscosity,
-        entrainment_speed=entrainment_speed,
-    )
-
-
-def _coulomb(scene: Scene) -> Traction:
-    assert scene.friction_coefficient is not None
-    return CoulombTraction(friction_coefficient=scene.friction_coefficient)
-
-
-def _sliding(
-    scene: Scene, race: Race, balls: ThrustEquilibrium, motion: BallKinematics, coefficient: Array | float
-) -> SlidingContact:
-    return SlidingContact(friction_coefficient=coefficient, **_geometry(scene, race, balls, motion))
-
-
-def _geometry(scene: Scene, race: Race, balls: ThrustEquilibrium, motion: BallKinematics) -> dict[str, Array]:
-    """Of a ball on one race, as RaceContact and SlidingContact take it."""
-    bearing, contact = scene.bearing, _contact(balls, race)
-    groove = bearing.inner if race == "inner" else bearing.outer
-    return {
-        "load": balls.ball_load,
-        "semi_axis_rolling": contact.semi_axis_x,
-        "semi_axis_transverse": contact.semi_axis_y,
-        "deformed_radius": deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter),
-        "rolling_rate": motion.inner_rolling_rate if race == "inner" else motion.outer_rolling_rate,
-    }
-
-
-def _contact(balls: ThrustEquilibrium, race: Race) -> HertzContact:
-    return balls.inner if race == "inner" else balls.outer
-
-
-def _loaded(load: Array, contact: HertzContact) -> LoadedContact:
-    return LoadedContact(
-        load=load,
-        semi_axis_rolling=contact.semi_axis_x,
-        semi_axis_transverse=contact.semi_axis_y,
-        peak_pressure=contact.peak_pressure,
-        approach=contact.approach,
-    )
-
-
-def _left_out(scene: Scene) -> dict[str, str]:
-    """name -> why, for each effect that is not computed; refuses what the scene asks for and cannot have."""
-    reasons = {name: "the scene says off" for name, decision in scene.effects.items() if decision == "off"}
-    for name in NOT_MODELLED:
-        if scene.effects.get(name) == "on":
-            raise InputError(f'effects.{name} = "on" cannot be had: not modelled yet; give "auto" or "off"')
-        reasons[name] = "not modelled yet"
-    if scene.lubricant is None and "rolling" not in reasons:
-        if scene.effects.get("rolling") == "on":
-            raise InputError('effects.rolling = "on" needs the oil: add a table [lubricant]')
-        reasons["rolling"] = "no lubricant is given"
-    if scene.hysteresis_loss is None and "hysteresis" not in reasons:
-        if scene.effects.get("hysteresis") == "on":
-            raise InputError(
-                'effects.hysteresis = "on" needs friction.hysteresis_loss: give the share of elastic energy lost in '
-                "each cycle, for bearing steel 0.004 to 0.01"
+    floor = balls.total(force * rolls) + _sum(parts, speed)
+    rolling = parts.get("rolling", np.zeros_like(floor))
+    asperities, boundary = False, np.zeros_like(force)
+    if oiled is None:
+        choices.settled("asperities", on=False, reason="the friction coefficient is given")
+    else:
+        boundary = oiled.surface.boundary_friction * balls.load  # N, if asperities carried all
+        touching = oiled.largest_asperity_share() * boundary
+        asperities = choices.calls_for("asperities", share=_share(balls.total(touching * (rolls + spins)), floor))
+        if asperities:
+            force = force + touching
+    heating: Array | float = 1.0
+    if scene.lubricant is None:
+        for name in ("inlet_heating", "starvation"):
+            choices.calls_for(name, share=None, lacks="no lubricant is given")
+    else:
+        kept = _kept_of_rolling(scene, scene.lubricant, speed)
+        loss = (1 - kept["inlet_heating"]) * rolling
+        if oiled is not None:
+            heated = oiled.heating_factor()
+            thinner = (
+                force * (1 / np.maximum(heated, LEAST_FILM) - 1) if scene.lubricant.traction == "eyring_sinh" else 0
             )
-        reasons["hysteresis"] = "friction.hysteresis_loss is not given"
-    return reasons
+            if asperities:
+                thinner = thinner + (oiled.largest_asperity_share(heated) - oiled.largest_asperity_share()) * boundary
+            loss = loss + balls.total(thinner * (rolls + spins))
+        if choices.calls_for("inlet_heating", share=_share(loss, floor)):
+            heating = heated if oiled is not None else 1.0
+            rolling = rolling * kept["inlet_heating"]
+        starved = kept.get("starvation")
+        lacks = "bearing.bore_diameter and bearing.outside_diameter are not given" if starved is None else None
+        loss = None if starved is None else _share((1 - starved) * rolling, floor)
+        if choices.calls_for("starvation", share=loss, lacks=lacks) and starved is not None:
+            rolling = rolling * starved
+    rise = force * spins
+    least_rise = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
+    choices.calls_for("spin", share=_share(balls.total(least_rise[None]), floor))
+    shared = None if oiled is None else oiled.shared(asperities=asperities, heating_factor=heating)
+    return shared, parts | ({"rolling": rolling} if "rolling" in parts else {})
 
 
-def _effects(scene: Scene, reasons: dict[str, str], parts: dict[str, Array], total: Array) -> list[Effect]:
-    effects = []
-    for name in (*MODELLED, *NOT_MODELLED):
-        if name in reasons:
-            effects.append(Effect(name=name, decision="off", share=None, reason=reasons[name]))
-            continue
-        shares = np.divide(parts[name], total, out=np.zeros_like(total), where=total > 0)
-        reason = "the scene says on" if scene.effects.get(name) == "on" else "always computed: it costs next to nothing"
-        effects.append(Effect(name=name, decision="on", share=float(np.max(shares, initial=0.0)), reason=reason))
-    return effects
+def _kept_of_rolling(scene: Scene, lubricant: Lubricant, speed: Array) -> dict[str, Array]:
+    """(n,) of the hydrodynamic rolling torque, what heating and starvation of the inlets leave; by SKF's factors."""
+    bearing, nu = scene.bearing, inlet_viscosity(lubricant).viscosity / lubricant.density
+    bore, outside = bearing.bore_diameter, bearing.outside_diameter
+    mean = bearing.pitch_diameter if bore is None or outside is None else (bore + outside) / 2
+    kept = {
+        "inlet_heating": inlet_shear_factor(mean_diameter=mean, ring_speed=np.abs(speed), kinematic_viscosity=nu),
+    }
+    if bore is not None and outside is not None:
+        kept["starvation"] = replenishment_factor(
+            bore_diameter=bore,
+            outside_diameter=outside,
+            ring_speed=np.abs(speed),
+            kinematic_viscosity=nu,
+            lubrication=lubricant.supply,
+        )
+    return kept
+
+
+def _tractions(scene: Scene, oiled: LubricatedRaces | None, shared: MixedContact | None) -> tuple[Traction, Traction]:
+    if oiled is None or shared is None:
+        assert scene.friction_coefficient is not None
+        law = CoulombTraction(friction_coefficient=scene.friction_coefficient)
+        return law, law
+    return oiled.traction(shared, 0), oiled.traction(shared, 1)
+
+
+def _watch(scene: Scene, balls: LoadedBalls, choices: Choices, total: Array) -> None:
+    """What nothing computes yet: how large it could be."""
+    if scene.cage is None:
+        choices.settled("cage", on=False, reason="no cage is given")
+        return
+    friction = scene.surface.boundary_friction if scene.surface is not None else scene.friction_coefficient
+    resting = cage_rest_torque(
+        friction_coefficient=0.0 if friction is None else friction,
+        cage_mass=scene.cage.mass,
+        ball_rate=balls.motion.ball_speed.max(axis=1),
+        ball_radius=scene.bearing.ball_radius,
+    )
+    reason = "not modelled yet; the share is that of a cage that rests on its balls with its whole weight"
+    choices.settled("cage", on=False, share=_share(resting, total), reason=reason)
+
+
+def _with_share(effect: Effect, parts: dict[str, Array], total: Array) -> Effect:
+    """A part of the torque is told with its own largest share in place of a bound."""
+    if effect.name not in parts:
+        return effect
+    return replace(effect, share=float(np.max(_share(parts[effect.name], total), initial=0.0)))
+
+
+def _sum(parts: dict[str, Array], like: Array) -> Array:
+    return sum(parts.values(), start=np.zeros(like.shape))
+
+
+def _share(part: Array, total: Array) -> Array:
+    """0 where there is nothing to share."""
+    return np.divide(part, total, out=np.zeros(np.broadcast(part, total).shape), where=total > 0)
+
+
+def _on_races(values: Array | None, at: tuple[Array, Array]) -> dict[str, Array]:
+    """inner, outer: of the heaviest ball at each point."""
+    return {} if values is None else {race: values[index][at] for index, race in enumerate(RACES)}
+
+
+def _loaded(balls: LoadedBalls, race: int, at: tuple[Array, Array]) -> LoadedContact:
+    contact = balls.contact
+    return LoadedContact(
+        load=balls.load[race][at],
+        semi_axis_rolling=contact.semi_axis_x[race][at],
+        semi_axis_transverse=contact.semi_axis_y[race][at],
+        peak_pressure=contact.peak_pressure[race][at],
+        approach=contact.approach[race][at],
+    )
 
 
 @cache

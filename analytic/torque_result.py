@@ -64,9 +64,10 @@ class FrictionTorque:
 
     inner_speed: Array  # rad/s
     axial_load: Array  # N
-    contact_angle: Array  # al, loaded, rad
-    ball_load: Array  # Q, N
+    contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
+    ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts
+    numerical_uncertainty: Array  # of the total, relative: bounds on what was left out, and on the rung of sliding
     friction_coefficient: FrictionCoefficients
     film: OnRaces  # h, between the mean planes, m; None without a lubrication model
     asperity_share: OnRaces  # s, of the load, 0 to 1; likewise
@@ -101,6 +102,6 @@ class FrictionTorque:
             "film": here(self.film),
             "asperity_share": here(self.asperity_share),
             "contact": {"inner": here(self.inner), "outer": here(self.outer)},
-            "uncertainty": {"numerical": None, "model": None},
+            "uncertainty": {"numerical": float(self.numerical_uncertainty[index]), "model": None},
             "cage": dict.fromkeys(cage),
         }

@@ -16,7 +16,8 @@ HELD = {"friction_coefficient": 0.05, "load": 620.63, "semi_axis_transverse": 1.
 def motion(bearing: Bearing, rpm: float) -> BallKinematics:
     return ball_kinematics(
         inner_speed=rpm * 2 * np.pi / 60,
-        contact_angle=0.18,
+        inner_angle=0.18,
+        outer_angle=0.18,
         pitch_diameter=bearing.pitch_diameter,
         ball_diameter=bearing.ball_diameter,
     )

@@ -68,7 +68,7 @@ def running(
 ) -> Running:
     """A ball of a 6205 under thrust at a given contact angle."""
     speed, ball_load = np.asarray(rpm, dtype=np.float64) * np.pi / 30, load / (BALLS * np.sin(angle))
-    geometry = {"contact_angle": angle, "pitch_diameter": PITCH, "ball_diameter": BALL}
+    geometry = {"inner_angle": angle, "outer_angle": angle, "pitch_diameter": PITCH, "ball_diameter": BALL}
     rates, motion = ball_kinematics(inner_speed=1.0, **geometry), ball_kinematics(inner_speed=speed, **geometry)
     grooves, sides = np.array([4.13e-3, 4.21e-3]), np.array([1.0, -1.0])
     radii = np.array([rates.inner_radius, rates.outer_radius])

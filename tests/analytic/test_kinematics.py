@@ -10,24 +10,33 @@ PITCH, BALL, ANGLE = 39.01e-3, 7.94e-3, 0.3031  # m, m, rad
 AXIS = np.array([0.0, 0.0, 1.0])  # of the bearing; x radial through the ball's centre, y tangential
 
 
-def kinematics(inner: float, outer: float, angle: float = ANGLE) -> BallKinematics:
+def kinematics(inner: float, outer: float, angle: float = ANGLE, outer_angle: float | None = None) -> BallKinematics:
     return ball_kinematics(
-        inner_speed=inner, outer_speed=outer, contact_angle=angle, pitch_diameter=PITCH, ball_diameter=BALL
+        inner_speed=inner,
+        outer_speed=outer,
+        inner_angle=angle,
+        outer_angle=angle if outer_angle is None else outer_angle,
+        pitch_diameter=PITCH,
+        ball_diameter=BALL,
     )
 
 
-@pytest.mark.parametrize("angle", [0.0, 0.18, ANGLE, 1.2])
+@pytest.mark.parametrize(
+    ("inner_angle", "outer_angle"), [(0.0, 0.0), (0.18, 0.18), (1.2, 1.2), (0.41, 0.12), (0.31, -0.02), (-0.5, -0.3)]
+)
 @pytest.mark.parametrize(("inner", "outer"), [(52.4, 0.0), (-31.0, 0.0), (0.0, 17.3), (23.0, -41.0)])
-def test_nothing_slips_at_the_centres(inner: float, outer: float, angle: float) -> None:
+def test_nothing_slips_at_the_centres(inner: float, outer: float, inner_angle: float, outer_angle: float) -> None:
     """In the frame of the cage the surfaces at each contact have one velocity, and what is left is roll and spin."""
-    found = kinematics(inner, outer, angle)
-    normal = np.array([np.cos(angle), 0.0, np.sin(angle)])  # from the ball's centre to the outer contact
-    across = np.array([-np.sin(angle), 0.0, np.cos(angle)])
+    found = kinematics(inner, outer, inner_angle, outer_angle)
+    pitch = (inner_angle + outer_angle) / 2
+    axis = np.array([-np.sin(pitch), 0.0, np.cos(pitch)])
+    ball = -np.sign(inner - outer) * np.linalg.norm(found.ball_speed) * axis
     centre = np.array([PITCH / 2, 0.0, 0.0])
-    rings = [(inner, -1, found.inner_radius), (outer, 1, found.outer_radius)]
-    ball = -np.sign(inner - outer) * np.linalg.norm(found.ball_speed) * across  # its spin on the normal is free
     rolling, spin = [], []
-    for speed, side, radius in rings:
+    rings = [(inner, -1, found.inner_radius, inner_angle), (outer, 1, found.outer_radius, outer_angle)]
+    for speed, side, radius, angle in rings:
+        normal = np.array([np.cos(angle), 0.0, np.sin(angle)])  # outwards
+        across = np.array([-np.sin(angle), 0.0, np.cos(angle)])
         contact = centre + side * BALL / 2 * normal
         np.testing.assert_allclose(np.hypot(*contact[:2]), radius, rtol=1e-14)  # round-off
         ring = (speed - found.cage_speed) * AXIS
@@ -62,9 +71,13 @@ def test_turning_the_other_way_mirrors_every_speed_and_standing_still_stops_them
 
 def test_operating_points_broadcast() -> None:
     series = ball_kinematics(
-        inner_speed=[[10.0], [-20.0]], contact_angle=[0.1, 0.2, 0.3], pitch_diameter=PITCH, ball_diameter=BALL
+        inner_speed=[[10.0], [-20.0]],
+        inner_angle=[0.1, 0.2, 0.3],
+        outer_angle=[0.1, 0.2, 0.25],
+        pitch_diameter=PITCH,
+        ball_diameter=BALL,
     )
-    one = kinematics(-20.0, 0.0, 0.3)
+    one = kinematics(-20.0, 0.0, 0.3, 0.25)
     for name, values in vars(series).items():
         assert values.shape == (2, 3)
         assert values[1, 2] == getattr(one, name)
@@ -75,12 +88,19 @@ def test_operating_points_broadcast() -> None:
     [
         ({"inner_speed": float("nan")}, "inner_speed must be finite"),
         ({"outer_speed": float("inf")}, "outer_speed must be finite"),
-        ({"contact_angle": 18.0}, "is it in degrees"),
-        ({"contact_angle": -0.1}, "contact_angle must be at least 0"),
+        ({"inner_angle": 18.0}, "inner_angle must be at most pi/2 rad, got 18"),
+        ({"outer_angle": -18.0}, "is it in degrees"),
+        ({"outer_angle": float("nan")}, "outer_angle must be finite"),
         ({"ball_diameter": PITCH}, "must be below pitch_diameter"),
     ],
 )
 def test_bad_input_is_refused(change: dict[str, float], words: str) -> None:
-    good = {"inner_speed": 52.4, "contact_angle": ANGLE, "pitch_diameter": PITCH, "ball_diameter": BALL}
+    good = {
+        "inner_speed": 52.4,
+        "inner_angle": ANGLE,
+        "outer_angle": 0.28,
+        "pitch_diameter": PITCH,
+        "ball_diameter": BALL,
+    }
     with pytest.raises(InputError, match=words):
         ball_kinematics(**(good | change))

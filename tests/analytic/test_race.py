@@ -166,7 +166,11 @@ def both_contacts(bearing: Bearing, *, angle: float, mu: tuple[float, float]) ->
     """The 6205 at a given angle under 1000 N."""
     balls = thrust_equilibrium(bearing, ContactAngle(rule="given", value=angle), axial_load=1000.0)
     motion = ball_kinematics(
-        inner_speed=1.0, contact_angle=angle, pitch_diameter=bearing.pitch_diameter, ball_diameter=bearing.ball_diameter
+        inner_speed=1.0,
+        inner_angle=angle,
+        outer_angle=angle,
+        pitch_diameter=bearing.pitch_diameter,
+        ball_diameter=bearing.ball_diameter,
     )
 
     def contact(race: str, mu: float) -> SlidingContact:
@@ -211,7 +215,8 @@ def test_torque_times_speed_is_the_slip_power(
     motion = ball_kinematics(
         inner_speed=inner_speed,
         outer_speed=outer_speed,
-        contact_angle=angle,
+        inner_angle=angle,
+        outer_angle=angle,
         pitch_diameter=bearing_6205.pitch_diameter,
         ball_diameter=bearing_6205.ball_diameter,
     )
@@ -274,7 +279,9 @@ def test_conformity_and_hysteresis_are_equations_11_and_12(bearing_6205: Bearing
 def test_the_sliding_number_of_the_6205(bearing_6205: Bearing) -> None:
     """Of an independent calculation: 13 inner, 6.5 outer at mu = 0.1; two digits."""
     inner, outer = both_contacts(bearing_6205, angle=0.18, mu=(0.1, 0.1))
-    motion = ball_kinematics(inner_speed=1.0, contact_angle=0.18, pitch_diameter=39.01e-3, ball_diameter=7.94e-3)
+    motion = ball_kinematics(
+        inner_speed=1.0, inner_angle=0.18, outer_angle=0.18, pitch_diameter=39.01e-3, ball_diameter=7.94e-3
+    )
     for contact, side, expected, last in ((inner, 1, 13.0, 0.5), (outer, -1, 6.5, 0.05)):
         curvature = 1 / 3.97e-3 + side * np.cos(0.18) / (19.505e-3 - side * 3.97e-3 * np.cos(0.18))
         found = sliding_number(contact, entrainment_speed=motion.entrainment_speed, curvature_rolling=curvature)

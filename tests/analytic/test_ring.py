@@ -336,7 +336,11 @@ def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bea
     assert np.all(np.diff(found.outer_angle[1:, 0]) < 0)
     assert np.all(np.diff(found.outer_load[1:, 0]) > 0)
     at_rest = ball_kinematics(
-        inner_speed=1e-3, contact_angle=found.inner_angle[1, 0], pitch_diameter=39.01e-3, ball_diameter=7.94e-3
+        inner_speed=1e-3,
+        inner_angle=found.inner_angle[1, 0],
+        outer_angle=found.outer_angle[1, 0],
+        pitch_diameter=39.01e-3,
+        ball_diameter=7.94e-3,
     )
     orbit = 2.04e-3 * 39.01e-3 / 2 * at_rest.cage_speed**2
     np.testing.assert_allclose(found.centrifugal_force[1], np.full(9, orbit), rtol=1e-9)  # the angles still agree

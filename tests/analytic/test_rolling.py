@@ -71,7 +71,11 @@ def both(bearing: Bearing, *, viscosity: float, speed: float) -> tuple[RollingRe
     """Inner and outer race of a 6205 at 0.18 rad under 1000 N, and u/w."""
     angle = 0.18
     motion = ball_kinematics(
-        inner_speed=1.0, contact_angle=angle, pitch_diameter=bearing.pitch_diameter, ball_diameter=bearing.ball_diameter
+        inner_speed=1.0,
+        inner_angle=angle,
+        outer_angle=angle,
+        pitch_diameter=bearing.pitch_diameter,
+        ball_diameter=bearing.ball_diameter,
     )
     found = []
     for race in ("inner", "outer"):

@@ -69,7 +69,8 @@ def contacts(roughness: float, speed: np.ndarray) -> tuple[list[dict], dict]:
     motion, rates = (
         ball_kinematics(
             inner_speed=w,
-            contact_angle=ANGLE,
+            inner_angle=ANGLE,
+            outer_angle=ANGLE,
             pitch_diameter=bearing.pitch_diameter,
             ball_diameter=bearing.ball_diameter,
         )

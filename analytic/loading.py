@@ -1,0 +1,147 @@
+"""From the loads on the bearing to its loaded balls, by the cheapest rung that the scene calls for.
+
+Thrust alone loads all balls alike, in closed form but for the angle; radial load, moment, centrifugal force and
+gyroscopic moment take the equilibrium of the ring. Contacts are Hertz's, or corrected for their finite geometry.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from analytic.balls import LoadedBalls, ring_balls, thrust_balls
+from analytic.bounds import centrifugal_ratio, gyroscopic_ratio, load_distribution_ratio
+from analytic.contact import Race
+from analytic.correction import ContactCorrection, corrected_contact
+from analytic.effects import Choices
+from analytic.errors import InputError
+from analytic.finite_geometry import finite_geometry_factors, race_shape, thrust_correction
+from analytic.hertz import HertzContact
+from analytic.kinematics import ball_kinematics
+from analytic.scene import Array, Operation, Scene
+
+RACES: tuple[Race, Race] = ("inner", "outer")
+# Heaviest ball of Z under a radial load Fr without clearance: 4.37 Fr/Z (Stribeck; R. Stribeck, ASME Trans. 29 (1907),
+# not seen: it is the load-distribution integral of point contacts, 1/J_r(0.5) = 4.37).
+STRIBECK = 4.37
+HELD_BY = 0.05  # friction coefficient against a gyroscopic moment: that of an oil film (SKF's mu_EHL)
+# Change of the torque over (b/r)^2 by the finite geometry of the contacts: the largest that the stored correction gives
+# over the bearings and loads of its fit, rounded up (tests/analytic/test_effects.py).
+PER_SIZE_SQUARED = 0.5
+
+
+def loaded_balls(
+    scene: Scene, operation: Operation, choices: Choices, *, correction: ContactCorrection | None
+) -> tuple[LoadedBalls, list[str]]:
+    """The balls at each operating point, and warnings; decides load_distribution to finite_geometry.
+
+    operation : the scene's, every array (n,)
+    correction : factors on Hertz's contacts that the caller brings; None: those of the finite geometry, if called for
+    Raises InputError for loads that no rung takes.
+    """
+    balls = _balls(scene, operation, choices, correction)
+    if correction is not None:
+        choices.settled("finite_geometry", on=True, reason="the factors on the contacts come with the call")
+        return balls, []
+    size = np.max(balls.contact.semi_axis_y, axis=(0, 2)) / scene.bearing.ball_radius
+    if not choices.calls_for("finite_geometry", share=PER_SIZE_SQUARED * size**2):
+        return balls, []
+    if balls.alike > 1:
+        found = thrust_correction(scene.bearing, scene.contact_angle, axial_load=operation.axial_load)
+        corrected = thrust_balls(
+            scene.bearing, scene.contact_angle, axial_load=operation.axial_load, correction=found.correction
+        )
+        return corrected, list(found.warnings)
+    return _corrected(scene, balls)
+
+
+def _balls(scene: Scene, operation: Operation, choices: Choices, correction: ContactCorrection | None) -> LoadedBalls:
+    bearing, axial, radial = scene.bearing, operation.axial_load, np.abs(operation.radial_load)
+    moment, given = np.abs(operation.moment), scene.contact_angle.rule == "given"
+    held = 'contact_angle.rule = "given" holds the angle that it would change: use "solved"' if given else None
+    unequal = np.any(radial > 0) or np.any(moment > 0)
+    thrust: LoadedBalls | None = None
+    if np.all(axial > 0) or not unequal:  # without any load the thrust's error is the right one
+        thrust = thrust_balls(bearing, scene.contact_angle, axial_load=axial, correction=correction)
+        angle, load = np.max(thrust.contact_angle, axis=(0, 2)), np.max(thrust.load, axis=(0, 2))
+    else:
+        angle, load = np.zeros_like(axial), STRIBECK * (radial + moment / bearing.pitch_diameter) / bearing.ball_count
+    share = load_distribution_ratio(
+        axial_load=axial, radial_load=radial, moment=moment, contact_angle=angle, pitch_diameter=bearing.pitch_diameter
+    )
+    share = np.where(axial > 0, share, np.inf) if unequal else share
+    distributed = choices.calls_for("load_distribution", share=share, lacks=held)
+    if not distributed and (thrust is None or (given and np.any(share > scene.tolerance))):
+        raise InputError(
+            f"operation.radial_load and operation.moment are up to {share.max():.3g} of what thrust does, and "
+            + (held or "without thrust they are the whole load: leave effects.load_distribution on auto")
+        )
+    motion = ball_kinematics(
+        inner_speed=operation.inner_speed,
+        inner_angle=angle,
+        outer_angle=angle,
+        pitch_diameter=bearing.pitch_diameter,
+        ball_diameter=bearing.ball_diameter,
+    )
+    cage, ball = np.abs(motion.cage_speed), np.abs(motion.ball_speed)
+    centrifugal = choices.calls_for(
+        "centrifugal",
+        share=centrifugal_ratio(
+            ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=cage, load=load
+        ),
+        lacks=held,
+    )
+    gyroscopic = choices.calls_for(
+        "gyroscopic",
+        share=gyroscopic_ratio(
+            ball_mass=bearing.ball_mass,
+            ball_radius=bearing.ball_radius,
+            ball_speed=ball,
+            cage_speed=cage,
+            contact_angle=angle,
+            friction_coefficient=HELD_BY,
+            load=load,
+            semi_axis_transverse=np.max(thrust.contact.semi_axis_y, axis=(0, 2)) if thrust else bearing.ball_radius,
+        ),
+        lacks=held,
+    )
+    if thrust is not None and not (distributed or centrifugal or gyroscopic):
+        return thrust
+    return ring_balls(
+        bearing,
+        scene.contact_angle,
+        axial_load=axial,
+        radial_load=operation.radial_load if distributed else 0.0,
+        moment=operation.moment if distributed else 0.0,
+        inner_speed=operation.inner_speed,
+        centrifugal=centrifugal,
+        gyroscopic=gyroscopic,
+        correction=correction,
+    )
+
+
+def _corrected(scene: Scene, balls: LoadedBalls) -> tuple[LoadedBalls, list[str]]:
+    """With the contacts of unequal balls corrected; the loads stay those that Hertz's contacts share out."""
+    sides, warnings = [], []
+    for race, load, angle in zip(RACES, balls.load, np.abs(balls.contact_angle), strict=True):
+        shape = race_shape(scene.bearing, race, contact_angle=angle, ball_load=load)
+        found = finite_geometry_factors(shape)
+        sides.append(found.factors)
+        warnings += [f"{race}: {warning}" for warning in found.warnings]
+    contacts = [
+        corrected_contact(HertzContact(**{name: field[race] for name, field in vars(balls.contact).items()}), factors)
+        for race, factors in enumerate(sides)
+    ]
+    stacked = {name: np.stack([getattr(contact, name) for contact in contacts]) for name in vars(balls.contact)}
+    return replace(balls, contact=HertzContact(**stacked)), warnings
+
+
+def points(scene: Scene) -> Operation:
+    """The scene's operation with every array (n,). Raises InputError if there is no point or shapes do not fit."""
+    names = ("axial_load", "inner_speed", "radial_load", "moment")
+    try:
+        arrays: list[Array] = np.broadcast_arrays(*(np.atleast_1d(getattr(scene.operation, name)) for name in names))
+    except ValueError as problem:
+        raise InputError("the arrays of operation have shapes that do not fit: give equal lengths") from problem
+    if arrays[0].size == 0:
+        raise InputError("operation.axial_load is empty: give at least one operating point")
+    return Operation(**dict(zip(names, arrays, strict=True)))
