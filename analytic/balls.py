@@ -5,6 +5,7 @@ races have an axis of two in front, inner and outer; n operating points and m ba
 """
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +24,7 @@ from analytic.scene import Array, Bearing, ContactAngle
 class LoadedBalls:
     """n operating points, m balls in columns."""
 
+    rung: Literal["thrust", "ring"]  # by which they were loaded
     alike: int  # balls that each column stands for
     load: Array  # (2, n, m) Q, N, >= 0
     contact_angle: Array  # (2, n, m) al, rad, >= 0 but where both angles are near 0
@@ -61,6 +63,7 @@ def thrust_balls(
     angle = found.contact_angle[:, None]
     return _balls(
         bearing,
+        rung="thrust",
         alike=bearing.ball_count,
         load=np.stack([found.ball_load[:, None]] * 2),
         angle=np.stack([angle, angle]),
@@ -98,6 +101,7 @@ def ring_balls(
     angle = np.stack([found.inner_angle, found.outer_angle])
     return _balls(
         bearing,
+        rung="ring",
         alike=1,
         load=np.stack([found.inner_load, found.outer_load]),
         angle=np.where(angle.sum(axis=0) < 0, -angle, angle),
@@ -106,7 +110,13 @@ def ring_balls(
 
 
 def _balls(
-    bearing: Bearing, *, alike: int, load: Array, angle: Array, contacts: tuple[HertzContact, HertzContact]
+    bearing: Bearing,
+    *,
+    rung: Literal["thrust", "ring"],
+    alike: int,
+    load: Array,
+    angle: Array,
+    contacts: tuple[HertzContact, HertzContact],
 ) -> LoadedBalls:
     grooves = (bearing.inner, bearing.outer)
     curvatures = [
@@ -114,6 +124,7 @@ def _balls(
         for race, of_race in zip(("inner", "outer"), angle, strict=True)
     ]
     return LoadedBalls(
+        rung=rung,
         alike=alike,
         load=load,
         contact_angle=angle,

@@ -4,6 +4,7 @@ They come from outside: from a finite-element solution, the same for every load 
 `analytic.finite_geometry`, each load with its own.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,6 +37,16 @@ class ContactCorrection:
 
     inner: ContactFactors = ContactFactors()
     outer: ContactFactors = ContactFactors()
+
+    def mapped(self, change: Callable[[Array], Array]) -> "ContactCorrection":
+        """With every factor that is an array changed."""
+
+        def side(factors: ContactFactors) -> ContactFactors:
+            return ContactFactors(
+                **{n: change(v) if isinstance(v, np.ndarray) else v for n, v in vars(factors).items()}
+            )
+
+        return ContactCorrection(inner=side(self.inner), outer=side(self.outer))
 
 
 def corrected_contact(contact: HertzContact, factors: ContactFactors) -> HertzContact:

@@ -62,8 +62,8 @@ class LubricatedRaces:
                 share[race] = np.exp(np.minimum(np.nan_to_num(log_share, nan=-np.inf), 0.0))
         return np.where(self.film.thickness > 0, share, 1.0)
 
-    def least_oil_friction(self, slip_speed: Array) -> Array:
-        """(2, n, m) tau A_H of smooth surfaces that slide by at least slip_speed, N."""
+    def oil_friction(self, slip_speed: Array) -> Array:
+        """(2, n, m) tau A_H of smooth surfaces at their mean pressure and slip_speed, N."""
         mean = np.divide(self.balls.load, self.area, out=np.zeros_like(self.area), where=self.area > 0)
         stress = oil_shear_stress(self.lubricant, pressure=mean, speed=slip_speed, film_thickness=self.film.thickness)
         return stress * self.area

@@ -14,7 +14,6 @@ Technology, 5th ed. (2007), sections 1 and 3 (neither seen: derived here from en
 """
 
 from dataclasses import dataclass
-from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,6 +24,7 @@ from analytic.equilibrium import play_and_free_angle, unit_contacts
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.hertz import HertzContact, loaded_contact
 from analytic.kinematics import ball_kinematics
+from analytic.rows import merged, part_of
 from analytic.scene import Array, Bearing, ContactAngle
 
 # Of the load and the largest ball load: Newton's quadratic steps reach it at once, and rounding is a thousandth of it.
@@ -41,8 +41,6 @@ MOST_ROUNDS = 100
 LEAST_DESCENT = 1e-4  # of what the slope promises: Armijo's customary share
 ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of the balls' loads times A0, whose rounding moves them
 LEAST_BALLS = 3  # that hold a ring in all five freedoms
-
-Rows = TypeVar("Rows")  # a dataclass of arrays with a row for each operating point
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -84,7 +82,7 @@ def ring_equilibrium(
     axial_load, radial_load_x, radial_load_y : N;  moment_x, moment_y : about x and y, N m; any sign
     inner_speed : rad/s; with it come the balls' centrifugal force and gyroscopic moment, where these are wanted
     contact_angle : rule "solved"; free, where given, replaces the clearance by A0 (1 - cos al0)
-    correction : factors on Hertz's contacts; None leaves them as they are
+    correction : factors on Hertz's contacts, each a number or (..., Z); None leaves them as they are
 
     Each ball settles between groove centres that are V = (A0 cos al0 + u_r, u_a) apart (analytic.ball_balance), with
         u_r = x cos psi + y sin psi,  u_a = z + R (t_x sin psi - t_y cos psi)
@@ -118,9 +116,8 @@ def ring_equilibrium(
     play, free = play_and_free_angle(bearing, contact_angle)
     arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given.values()))
     shape, (axial, x, y, about_x, about_y, speed) = arrays[0].shape, (array.ravel() for array in arrays)
-    ring = _Ring(
-        bearing, play, correction or ContactCorrection(), centrifugal=float(centrifugal), gyroscopic=float(gyroscopic)
-    )
+    factors = (correction or ContactCorrection()).mapped(lambda array: array.reshape(-1, bearing.ball_count))
+    ring = _Ring(bearing, play, factors, centrifugal=float(centrifugal), gyroscopic=float(gyroscopic))
     load = np.stack([axial, x, y, about_x / ring.arm, about_y / ring.arm], axis=-1)
     if bearing.ball_count < LEAST_BALLS and np.any(load[:, 1:]):
         raise InputError(
@@ -202,18 +199,25 @@ class _Ring:
         self.travel = np.stack([self.radial.T, self.axial.T], axis=1)  # (Z, 2, 5)
 
     def held(
-        self, load: Array, speed: Array, *, inner_angle: Array, outer_angle: Array, inner_share: Array | float
+        self,
+        load: Array,
+        speed: Array,
+        rows: NDArray[np.intp],
+        *,
+        inner_angle: Array,
+        outer_angle: Array,
+        inner_share: Array | float,
     ) -> _Held:
         """Contact stiffness, inertia and friction of balls at their angles, (n, Z).
 
-        inner_share : Q_i/(Q_i + Q_o)
+        rows : of all operating points, those at hand;  inner_share : Q_i/(Q_i + Q_o)
         """
         bearing = self.bearing
         inner, outer = unit_contacts(
             bearing,
             inner_angle=_in_groove(inner_angle),
             outer_angle=_in_groove(outer_angle),
-            correction=self.correction,
+            correction=self.correction.mapped(lambda array: array[rows]),
         )
         if not (speed.any() and (self.centrifugal or self.gyroscopic)):
             still = np.zeros_like(inner_angle)
@@ -289,16 +293,16 @@ class _Ring:
 
 def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tuple[_State, Array]:
     """Rounds of Newton's method, each holding what the angles of the last one give, until one has nothing to do."""
-    angles = np.full((len(load), ring.bearing.ball_count), angle)
-    held = ring.held(load, speed, inner_angle=angles, outer_angle=angles, inner_share=0.0)
+    angles, active = np.full((len(load), ring.bearing.ball_count), angle), np.arange(len(load))
+    held = ring.held(load, speed, active, inner_angle=angles, outer_angle=angles, inner_share=0.0)
     found, steps = _settled(ring, ring.at(_start(ring, load, held), held))
-    active = np.arange(len(load))
     for _ in range(MOST_ROUNDS):
-        balls = _part(found.balls, active)
+        balls = part_of(found.balls, active)
         both = balls.inner_load + balls.outer_load
         held = ring.held(
             load[active],
             speed[active],
+            active,
             inner_angle=balls.inner_angle,
             outer_angle=balls.outer_angle,
             inner_share=np.divide(balls.inner_load, both, out=np.zeros_like(both), where=both > 0),
@@ -306,7 +310,7 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
         again, more = _settled(ring, ring.at(found.place[active], held))
         # A ball that floats, or is wedged, follows its forces without the ring's notice.
         change = np.abs(held.ball_force - found.held.ball_force[active]).max(axis=(-2, -1))
-        found = _merged(found, active, again)
+        found = merged(found, active, again)
         steps[active] += more
         active = active[(more > 0) | (change > again.tolerance)]
         if not len(active):
@@ -335,7 +339,7 @@ def _settled(ring: _Ring, state: _State) -> tuple[_State, Array]:
         open_ = np.flatnonzero(state.residual > state.tolerance)
         if not len(open_):
             return state, steps
-        now = _part(state, open_)
+        now = part_of(state, open_)
         # A freedom that nothing holds is left where it is; where nothing touches at all the load leads on.
         trace = np.trace(now.tangent, axis1=-2, axis2=-1)
         least = LEAST_TANGENT * trace + LEAST_TANGENT * now.residual / distance
@@ -352,7 +356,7 @@ def _settled(ring: _Ring, state: _State) -> tuple[_State, Array]:
             if not np.any(short):
                 break
             share = np.where(short, share / 2, share)
-        state = _merged(state, open_, trial)
+        state = merged(state, open_, trial)
         steps[open_] += 1
     raise _not_settled(state)
 
@@ -375,26 +379,3 @@ def _in_groove(angle: Array) -> Array:
 
 def _reshaped(contact: HertzContact, shape: tuple[int, ...]) -> HertzContact:
     return HertzContact(**{name: field.reshape(shape) for name, field in vars(contact).items()})
-
-
-def _part(whole: Rows, index: NDArray[np.intp]) -> Rows:
-    """The rows at the index, in rising order, of every array in a dataclass."""
-    if len(index) == len(next(iter(vars(whole).values()))):
-        return whole
-    fields = vars(whole).items()
-    return type(whole)(**{k: v[index] if isinstance(v, np.ndarray) else _part(v, index) for k, v in fields})
-
-
-def _merged(whole: Rows, index: NDArray[np.intp], part: Rows) -> Rows:
-    """The dataclass with those rows of every array taken from the part."""
-    if len(index) == len(next(iter(vars(whole).values()))):
-        return part
-    merged = {}
-    for name, new in vars(part).items():
-        old = getattr(whole, name)
-        if isinstance(new, np.ndarray):
-            merged[name] = old.copy()
-            merged[name][index] = new
-        else:
-            merged[name] = _merged(old, index, new)
-    return type(whole)(**merged)

@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["balanced", "inner_control", "outer_control"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
+Sliding = Literal["auto", "single_coefficient", "along_axis", "over_ellipse"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -175,6 +176,7 @@ class Scene:
     friction_coefficient: float | None = None  # mu at every race contact, in place of a surface's; None: not given
     hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: not known
     spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races
+    sliding: Sliding = "auto"  # the rung by which it is integrated over a contact; auto: as the tolerance asks
     effects: Mapping[str, Literal["auto", "on", "off"]] = field(default_factory=lambda: MappingProxyType({}))
     warnings: tuple[str, ...] = ()
 

@@ -6,6 +6,7 @@ itself misses is known: beyond full spin E(m) - 1 of the moment, m = 1 - (a/b)^2
 """
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from scipy.special import ellipe
@@ -13,14 +14,16 @@ from scipy.special import ellipe
 from analytic.balls import LoadedBalls
 from analytic.friction import RaceContact, Rung, SlipFriction, slip_friction
 from analytic.race import microslip_moments
-from analytic.scene import Array, SpinRule
+from analytic.scene import Array, Lubricant, SpinRule
 from analytic.traction import CoulombTraction, Traction
 
-# Measured against the last rung on 1000 contacts with oil and asperities (validation/benchmarks/friction.py --errors):
-# what is missed at a stress that does not follow the pressure, where it may stop doing so within the contact (the kink
-# at the limiting stress), and where it is proportional to the speed.
-EVEN_STRESS, KINK, VISCOUS = 0.18, 0.17, 0.65
-QUADRATURE = 1e-3  # of the last rung; its nodes leave 1e-5, its balance of spin less
+# Measured against the last rung on 1000 contacts with oil and asperities (validation/benchmarks/friction.py --errors),
+# of the true power: what is missed at a stress that does not follow the pressure, where it may stop doing so within the
+# contact (the kink at the limiting stress), per exponent of the speed, and where it is proportional to the speed.
+EVEN_STRESS, KINK, PER_EXPONENT, VISCOUS = 0.18, 0.17, 1.3, 0.62
+RUNGS: tuple[Rung, ...] = ("single_coefficient", "along_axis", "over_ellipse")
+QUADRATURE = 1e-4  # of the last rung: its nodes leave 1e-5, its balance of spin less
+LEAST_FOUND = 0.05  # of the true power, that a rung is taken to find: below, its error is large enough
 SPREAD = 0.02  # relative step of the differences that give the exponents
 SPIN_STIFFNESS = 0.9163  # d(M_spin/mu Q b)/d eps at eps = 0, the largest; see analytic.race
 
@@ -36,20 +39,21 @@ class Sliding:
     error: Array  # (n,) bound on what the rung misses, of spin + conformity
 
 
-def sliding(
+def race_sliding(
     balls: LoadedBalls,
     traction: tuple[Traction, Traction],
     *,
     ring_speed: Array,
     spins: bool,
     spin_rule: SpinRule,
+    asked: Rung | Literal["auto"],
     beside: Array,
     allowed: Array,
 ) -> Sliding:
     """Of all balls at each operating point.
 
     traction : of inner and outer race, its numbers (n, m);  ring_speed : w, (n,), rad/s
-    spins : whether balls spin at all
+    spins : whether balls spin at all;  asked : the rung, or auto for the cheapest that is good enough
     beside : (n,) torque of other effects, N m;  allowed : (n,) error of the whole that is left to the rung, relative
     """
     races = [
@@ -70,25 +74,26 @@ def sliding(
             *races, ring_speed=ring_speed[:, None], spin_difference=difference, spin_rule=spin_rule, rung=rung
         )
 
-    rung: Rung = "single_coefficient"
+    rung: Rung = "single_coefficient" if asked == "auto" else asked
     found = on(rung)
-    missed, weight = _missed(races, found)
-    slender = _slenderness(balls)
-    error = np.sum((missed + slender) * weight, axis=(0, 2))
-    whole = balls.total(found.torque.spin + found.torque.conformity)
-    part = np.divide(whole, whole + beside, out=np.zeros_like(whole), where=whole > 0)
-    if np.any(error * part > allowed):
-        error = np.sum(slender * weight, axis=(0, 2))
-        rung = "along_axis"
-        if np.any(error * part > allowed):
-            error, rung = np.full_like(error, QUADRATURE), "over_ellipse"
-        found = on(rung)
+    slender, weight = _slenderness(balls), _weight(balls, found)
+    errors = {
+        "single_coefficient": _relative(slender + _missed(races, found), weight),
+        "along_axis": _relative(slender, weight),
+        "over_ellipse": np.full(ring_speed.shape, QUADRATURE),
+    }
+    if asked == "auto":
+        whole = balls.total(found.torque.spin + found.torque.conformity)
+        part = np.divide(whole, whole + beside, out=np.zeros_like(whole), where=whole > 0)
+        good = [name for name in RUNGS if np.all(errors[name] * part <= allowed)]
+        rung = good[0] if good else "over_ellipse"
+        found = found if rung == "single_coefficient" else on(rung)
     return Sliding(
         spin=balls.total(found.torque.spin),
         conformity=balls.total(found.torque.conformity),
         coefficient=np.stack([found.inner_coefficient, found.outer_coefficient]),
         rung=rung,
-        error=error,
+        error=errors[rung],
     )
 
 
@@ -104,30 +109,51 @@ def rolling_power(balls: LoadedBalls) -> Array:
     return moment * balls.rolling_rate
 
 
+def full_spin(balls: LoadedBalls) -> Array:
+    """(2, n, m) 3/8 b w_s/w, m: torque per N of friction of a race that takes all of the spin and does not roll."""
+    return 3 / 8 * balls.contact.semi_axis_y * np.abs(balls.motion.spin_difference)
+
+
 def largest_spin_rise(balls: LoadedBalls) -> Array:
-    """(2, n, m) how much a race that takes all of the spin can add per N of friction force, m.
+    """(2, n, m) how much a race that takes all of the spin can add per N of Coulomb friction, m.
 
     The spin moment grows from 0 with a slope that never exceeds its first, and to no more than 3/8 mu Q b, and the
     power by slip grows with spin as the moment does: at most 0.458 eps b w_s/w, at most 3/8 b w_s/w.
     """
-    spin, b = np.abs(balls.motion.spin_difference), balls.contact.semi_axis_y
+    spin = np.abs(balls.motion.spin_difference)
     ratio = spin * balls.deformed_radius / balls.rolling_rate  # eps b, m
-    return np.minimum(SPIN_STIFFNESS / 2 * ratio, 3 / 8 * b) * spin
+    return np.minimum(SPIN_STIFFNESS / 2 * ratio * spin, full_spin(balls))
 
 
-def _missed(races: list[RaceContact], found: SlipFriction) -> tuple[Array, Array]:
-    """(2, n, m) what one coefficient misses on each contact; its weight, the contact's part of the power at a point."""
-    torque = found.torque
+def most_missed(balls: LoadedBalls, lubricant: Lubricant | None) -> Array:
+    """(2, n, m) how much larger than by mean stresses on a long ellipse the torque by sliding can be, relative."""
+    uneven = {"eyring_sinh": VISCOUS, "eyring_constant": EVEN_STRESS}[lubricant.traction] if lubricant else 0.0
+    return (1 + _slenderness(balls)) / (1 - uneven) - 1
+
+
+def _weight(balls: LoadedBalls, found: SlipFriction) -> Array:
+    """(2, n, m) of the power that slips at an operating point, what each contact loses."""
+    torque, rate = found.torque, balls.rolling_rate
     power = np.stack(
         [
-            torque.inner_spin_moment * torque.inner_spin_rate + torque.inner_rolling_moment * races[0].rolling_rate,
-            torque.outer_spin_moment * torque.outer_spin_rate + torque.outer_rolling_moment * races[1].rolling_rate,
+            torque.inner_spin_moment * torque.inner_spin_rate + torque.inner_rolling_moment * rate[0],
+            torque.outer_spin_moment * torque.outer_spin_rate + torque.outer_rolling_moment * rate[1],
         ]
     )
     whole = np.sum(power, axis=(0, 2), keepdims=True)
-    weight = np.divide(power, whole, out=np.zeros_like(power), where=whole > 0)
+    return np.divide(power, whole, out=np.zeros_like(power), where=whole > 0)
+
+
+def _relative(missed: Array, weight: Array) -> Array:
+    """(n,) what all contacts miss of the true power, told of what was found, which may be too small by it."""
+    missed = np.sum(missed * weight, axis=(0, 2))
+    return missed / np.maximum(1 - missed, LEAST_FOUND)
+
+
+def _missed(races: list[RaceContact], found: SlipFriction) -> Array:
+    """(2, n, m) of the true power, what one coefficient misses on each contact."""
     slips = (found.inner_slip_speed, found.outer_slip_speed)
-    return np.stack([_missed_by_one(race, slip) for race, slip in zip(races, slips, strict=True)]), weight
+    return np.stack([_missed_by_one(race, slip) for race, slip in zip(races, slips, strict=True)])
 
 
 def _missed_by_one(race: RaceContact, slip: Array) -> Array:

@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from analytic import catalog
 from analytic.quantity import Dimension
-from analytic.scene import SpinRule, Traction
+from analytic.scene import Sliding, SpinRule, Traction
 
 
 def _text(given: object) -> str:
@@ -168,6 +168,7 @@ class FrictionTable(Table):
     coefficient: Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")] | None = None
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
     spin_rule: SpinRule = "balanced"
+    sliding: Sliding = "auto"
 
 
 class EffectsTable(Table):

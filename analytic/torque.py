@@ -25,7 +25,7 @@ from analytic.mixed import MixedContact
 from analytic.race import hysteresis_moment
 from analytic.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
 from analytic.scene import Array, Lubricant, Scene
-from analytic.sliding import Sliding, largest_spin_rise, rolling_power, sliding
+from analytic.sliding import Sliding, full_spin, largest_spin_rise, most_missed, race_sliding, rolling_power
 from analytic.torque_result import Effect, FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.torque_warnings import doubts
 from analytic.traction import CoulombTraction, Traction
@@ -69,12 +69,13 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
                 scene.bearing, balls, lubricant=scene.lubricant, surface=scene.surface, ring_speed=speed
             )
         shared, parts = _lubricated(scene, balls, oiled, choices, speed, parts)
-        slid = sliding(
+        slid = race_sliding(
             balls,
             _tractions(scene, oiled, shared),
             ring_speed=speed,
             spins=choices.on("spin"),
             spin_rule=scene.spin_rule,
+            asked=scene.sliding,
             beside=_sum(parts, speed),
             allowed=scene.tolerance - choices.left_out,
         )
@@ -105,8 +106,8 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
                 "scene": scene.name,
                 "contact_angle": scene.contact_angle.rule,
                 "spin_rule": scene.spin_rule,
-                "loads": "thrust, all balls alike" if balls.alike > 1 else "equilibrium of the ring",
-                "contacts": "Hertz" if not choices.on("finite_geometry") else "Hertz with factors",
+                "loads": "thrust, all balls alike" if balls.rung == "thrust" else "equilibrium of the ring",
+                "contacts": _contacts(choices, correction),
                 "friction": "given coefficient" if oiled is None else "mixed lubrication",
                 "sliding": "none" if slid is None else slid.rung.replace("_", " "),
                 **_versions(),
@@ -176,42 +177,46 @@ def _lubricated(
     speed: Array,
     parts: dict[str, Array],
 ) -> tuple[MixedContact | None, dict[str, Array]]:
-    """Decides asperities to spin. The load shared by oil and asperities; the parts, with less rolling where it lacks oil.
+    """Decides asperities to spin: the load shared by oil and asperities, and the parts, with the rolling that is left.
 
     The least torque that there can be, rolling without spin on oil alone, is what shares are told of.
     """
     rolls, spins = rolling_power(balls), largest_spin_rise(balls)  # m, of each contact
-    force = (
-        np.asarray(scene.friction_coefficient) * balls.load
-        if oiled is None
-        else oiled.least_oil_friction(np.abs(speed)[:, None] * rolls)
-    )
-    floor = balls.total(force * rolls) + _sum(parts, speed)
+    uneven = 1 + most_missed(balls, None if oiled is None else oiled.lubricant)  # true over found by mean stresses
+    if oiled is None:
+        force = spinning = np.asarray(scene.friction_coefficient) * balls.load
+    else:
+        force = oiled.oil_friction(np.abs(speed)[:, None] * rolls)
+        spinning = oiled.oil_friction(np.abs(speed)[:, None] * (rolls + full_spin(balls)))
+    kept = {} if scene.lubricant is None else _kept_of_rolling(scene, scene.lubricant, speed)
+    least = dict(parts)
+    if "rolling" in parts:
+        least["rolling"] = parts["rolling"] * np.prod(list(kept.values()), axis=0)
+    floor = balls.total(force * rolls) + _sum(least, speed)
     rolling = parts.get("rolling", np.zeros_like(floor))
     asperities, boundary = False, np.zeros_like(force)
     if oiled is None:
         choices.settled("asperities", on=False, reason="the friction coefficient is given")
     else:
         boundary = oiled.surface.boundary_friction * balls.load  # N, if asperities carried all
-        touching = oiled.largest_asperity_share() * boundary
+        touching = oiled.largest_asperity_share() * boundary * uneven
         asperities = choices.calls_for("asperities", share=_share(balls.total(touching * (rolls + spins)), floor))
         if asperities:
-            force = force + touching
+            force, spinning = force + touching, spinning + touching
     heating: Array | float = 1.0
     if scene.lubricant is None:
         for name in ("inlet_heating", "starvation"):
             choices.calls_for(name, share=None, lacks="no lubricant is given")
     else:
-        kept = _kept_of_rolling(scene, scene.lubricant, speed)
         loss = (1 - kept["inlet_heating"]) * rolling
         if oiled is not None:
             heated = oiled.heating_factor()
             thinner = (
-                force * (1 / np.maximum(heated, LEAST_FILM) - 1) if scene.lubricant.traction == "eyring_sinh" else 0
+                spinning * (1 / np.maximum(heated, LEAST_FILM) - 1) if scene.lubricant.traction == "eyring_sinh" else 0
             )
             if asperities:
                 thinner = thinner + (oiled.largest_asperity_share(heated) - oiled.largest_asperity_share()) * boundary
-            loss = loss + balls.total(thinner * (rolls + spins))
+            loss = loss + balls.total(uneven * thinner * (rolls + spins))
         if choices.calls_for("inlet_heating", share=_share(loss, floor)):
             heating = heated if oiled is not None else 1.0
             rolling = rolling * kept["inlet_heating"]
@@ -220,7 +225,7 @@ def _lubricated(
         loss = None if starved is None else _share((1 - starved) * rolling, floor)
         if choices.calls_for("starvation", share=loss, lacks=lacks) and starved is not None:
             rolling = rolling * starved
-    rise = force * spins
+    rise = uneven * (spinning * (rolls + spins) - force * rolls)
     least_rise = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
     choices.calls_for("spin", share=_share(balls.total(least_rise[None]), floor))
     shared = None if oiled is None else oiled.shared(asperities=asperities, heating_factor=heating)
@@ -268,6 +273,12 @@ def _watch(scene: Scene, balls: LoadedBalls, choices: Choices, total: Array) -> 
     )
     reason = "not modelled yet; the share is that of a cage that rests on its balls with its whole weight"
     choices.settled("cage", on=False, share=_share(resting, total), reason=reason)
+
+
+def _contacts(choices: Choices, correction: ContactCorrection | None) -> str:
+    if correction is not None:
+        return "Hertz with given factors"
+    return "Hertz, corrected for finite geometry" if choices.on("finite_geometry") else "Hertz"
 
 
 def _with_share(effect: Effect, parts: dict[str, Array], total: Array) -> Effect:

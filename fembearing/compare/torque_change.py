@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from analytic.correction import ContactCorrection, ContactFactors
+from analytic.effects import COMPUTED
 from analytic.finite_geometry import RaceCorrections, thrust_correction
 from analytic.scene import Scene
 from analytic.torque import friction_torque
@@ -100,7 +101,11 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     correction for finite geometry knows every load, and shows the change at each.
     Raises InputError as friction_torque does.
     """
-    hertz, corrected = friction_torque(scene), _corrected(scene, factors(inner), factors(outer))
+    hertz = friction_torque(replace(scene, effects={**scene.effects, "finite_geometry": "off"}))
+    scene = replace(
+        scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in COMPUTED}
+    )
+    corrected = _corrected(scene, factors(inner), factors(outer))
     solved = int(np.argmax(hertz.ball_load))
     expected = _outcome(corrected, solved)
     spread = dict.fromkeys(expected, 0.0)

@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 
 import analytic
 from analytic.correction import ContactCorrection, ContactFactors
+from analytic.effects import EFFECTS
 from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
 from analytic.scene import Bearing, ContactAngle, Operation, Scene, SpinRule
@@ -21,6 +22,8 @@ from analytic.torque_result import FrictionTorque, TorqueParts
 GIVEN = ContactAngle(rule="given", value=0.18)
 SOLVED = ContactAngle(rule="solved", free=0.18)
 PARTS = ("spin", "conformity", "hysteresis")
+SLOW = {"centrifugal": "off", "gyroscopic": "off"}  # a load may be as light as one likes, at any speed
+AS_HERTZ = {"finite_geometry": "off", "spin": "on"}  # the closed forms of text books, whatever the tolerance
 
 
 def operation(*loads: float, speed: float | list[float] = 31.0) -> Operation:
@@ -39,6 +42,7 @@ def scene(bearing_6205: Bearing) -> Scene:
         operation=operation(1000.0),
         friction_coefficient=0.1,
         hysteresis_loss=0.007,
+        effects=AS_HERTZ,
     )
 
 
@@ -84,13 +88,14 @@ def order(scene: Scene, name: str, load: float) -> float:
 
 
 def without(scene: Scene, *names: str) -> Scene:
-    return replace(scene, effects=dict.fromkeys(names, "off"))
+    return replace(scene, effects={**scene.effects, **dict.fromkeys(names, "off")})
 
 
 def test_exponents_as_the_load_vanishes(scene: Scene) -> None:
     """a, b as Q^1/3. Free angle above 0: al stays, Q as Fa. Free angle 0: Q as Fa^3/4, al as Fa^1/4, eps stays."""
-    open_angle = replace(scene, contact_angle=SOLVED)
-    closed = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.0))
+    slow = replace(scene, effects=AS_HERTZ | SLOW)
+    open_angle = replace(slow, contact_angle=SOLVED)
+    closed = replace(slow, contact_angle=ContactAngle(rule="solved", free=0.0))
     load = 1e-9  # N: the next term of the equilibrium is 1e-4 to 1e-6 of the first
     for name, expected in (("spin", 4 / 3), ("hysteresis", 4 / 3)):
         np.testing.assert_allclose(order(open_angle, name, load), expected, atol=1e-4)
@@ -132,6 +137,7 @@ def test_preload_leaves_a_torque_without_thrust(scene: Scene, bearing_6205: Bear
         bearing=replace(bearing_6205, outer=replace(bearing_6205.outer, bottom_radius=tight)),
         contact_angle=ContactAngle(rule="solved"),
         operation=operation(1e-3, 1e-9),
+        effects=AS_HERTZ | SLOW,
     )
     found = friction_torque(preloaded).torque
     assert found.total[1] > 1e-4
@@ -172,6 +178,7 @@ def test_every_scene_gives_finite_numbers(
             friction_coefficient=mu,
             hysteresis_loss=0.006,
             spin_rule=rule,
+            effects=AS_HERTZ | SLOW,
         )
     )
     text = json.dumps(found.to_json(), allow_nan=False)  # raises for a number that is not finite
@@ -249,12 +256,13 @@ def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
     assert found.torque.cage is None
     np.testing.assert_array_equal(found.torque.total, part(found.torque, "spin"))
     told = {effect.name: effect for effect in found.effects}
-    assert list(told) == ["spin", "conformity", "hysteresis", "rolling", "cage"]
+    assert set(told) == set(EFFECTS) - {"elastic_creep", "plasticity", "shoulder"}
     assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "the scene says on")
     assert (told["conformity"].decision, told["conformity"].share) == ("off", None)
     assert "says off" in told["conformity"].reason
     assert "friction.hysteresis_loss" in told["hysteresis"].reason
-    assert (told["rolling"].reason, told["cage"].reason) == ("no lubricant is given", "not modelled yet")
+    assert "no lubricant is given" in told["rolling"].reason
+    assert "no cage is given" in told["cage"].reason
     nothing = friction_torque(without(scene, *PARTS)).torque
     assert nothing.total == 0
 
@@ -273,7 +281,7 @@ def test_without_spin_the_balls_only_roll(scene: Scene) -> None:
 
 def test_shares_are_the_largest_of_the_series(scene: Scene) -> None:
     found = friction_torque(replace(scene, contact_angle=SOLVED, operation=operation(1.0, 40.0, 900.0)))
-    for effect in found.effects[:3]:
+    for effect in (effect for effect in found.effects if effect.name in PARTS):
         assert effect.share == np.max(part(found.torque, effect.name) / found.torque.total)
 
 
@@ -352,9 +360,12 @@ def test_a_doubtful_contact_is_flagged_with_its_numbers(scene: Scene, load: floa
         ({"operation": operation()}, r"operation\.axial_load is empty"),
         ({"operation": operation(0.0)}, "axial_load must be positive"),
         ({"operation": operation(40.0, 1e7), "contact_angle": SOLVED}, "beyond the inner race's shoulder"),
-        ({"effects": {"rolling": "on"}}, r'effects\.rolling = "on" needs the oil'),
+        ({"effects": {"rolling": "on"}}, r'effects\.rolling = "on" cannot be had: no lubricant'),
         ({"effects": {"cage": "on"}}, r'effects\.cage = "on" cannot be had'),
-        ({"effects": {"hysteresis": "on"}, "hysteresis_loss": None}, r"needs friction\.hysteresis_loss"),
+        (
+            {"effects": {"hysteresis": "on"}, "hysteresis_loss": None},
+            r"friction\.hysteresis_loss is not given",
+        ),
         ({"spin_rule": "race_control"}, "spin_rule must be"),
     ],
 )
@@ -364,7 +375,8 @@ def test_what_cannot_be_answered_is_refused(scene: Scene, change: dict, words: s
 
 
 def test_the_builtin_scene_from_its_file() -> None:
-    found = analytic.friction_torque(load_scene(builtin_scene("6205")))
+    scene = load_scene(builtin_scene("6205"))
+    found = analytic.friction_torque(replace(scene, effects={"finite_geometry": "off"}))
     np.testing.assert_allclose(found.torque.race, [39.1e-3] * 5, atol=0.051e-3)  # three digits
     np.testing.assert_allclose(found.contact_angle, [0.3031] * 5, atol=0.5e-4)
 

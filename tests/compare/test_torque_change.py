@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from analytic.finite_geometry import thrust_correction
 from analytic.scenefile import parse_scene
-from analytic.torque import friction_torque
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.uncertainty import Estimate
 
@@ -151,13 +150,14 @@ def test_the_change_carries_the_worse_verdict_of_its_contacts() -> None:
 
 def test_the_correction_for_finite_geometry_knows_every_load() -> None:
     """Its own factors at each load, whatever was solved; at a held angle without spin they act as b^2 and a."""
-    found = change_of_torque(FIXED, inner=solution(), outer=solution()).fitted
+    change = change_of_torque(FIXED, inner=solution(), outer=solution())
+    found = change.fitted
     low, high = found.relative
     assert high < low < 0  # the contact is shorter across, the more so the larger it is
     bearing, load = FIXED.bearing, FIXED.operation.axial_load
     factors = thrust_correction(bearing, FIXED.contact_angle, axial_load=load)
     squares = [np.asarray(side.factors.semi_axis_transverse) ** 2 for side in (factors.inner, factors.outer)]
-    plain, changed = friction_torque(FIXED).torque, found.torque.torque
+    plain, changed = change.hertz.torque, found.torque.torque
     assert plain.conformity is not None
     assert changed.conformity is not None
     ratio = changed.conformity / plain.conformity
