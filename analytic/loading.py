@@ -100,8 +100,8 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
     if centrifugal and ratio[worst] > MOST_CENTRIFUGAL:
         raise InputError(
             f"operation.inner_speed = {operation.inner_speed[worst]:g} rad/s: the centrifugal force of a ball is "
-            f"{ratio[worst]:.3g} times its load under {axial[worst]:g} N of thrust, above {MOST_CENTRIFUGAL:g}: it skids; "
-            "raise the load or lower the speed"
+            f"{ratio[worst]:.3g} times its load under {axial[worst]:g} N of thrust, above {MOST_CENTRIFUGAL:g}, and it "
+            "skids: raise the load or lower the speed"
         )
     gyroscopic = choices.calls_for(
         "gyroscopic",
