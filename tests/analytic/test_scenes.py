@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from analytic.scene import Autocorrelation, ContactAngle
 from analytic.hertz import contact_modulus
+from analytic.scene import Autocorrelation, ContactAngle
 from analytic.scenefile import load_scene
 from analytic.torque import friction_torque
 
