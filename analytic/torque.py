@@ -36,10 +36,13 @@ MODELLED = (*BY_SLIP, "hysteresis", "rolling")
 NOT_MODELLED = ("cage",)
 
 
-def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None) -> FrictionTorque:
+def friction_torque(
+    scene: Scene, *, correction: ContactCorrection | None = None, film_factor: float = 1.0
+) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
     correction : factors on Hertz's contacts; under the rule `solved` they move contact angle and ball load too
+    film_factor : on every film that the formula gives, > 0: what its uncertainty does to the torque
     The equilibrium under thrust, the slip power of both contacts of one ball per unit speed, times the number of balls:
         total = race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
     What slides does so by mixed lubrication where the scene has an oil and a surface, each contact with the coefficient
@@ -76,7 +79,8 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
         if scene.surface is not None:
             roughness = gap_roughness(scene.surface)
             oiled = {
-                race: _lubricated(scene, race, roughness, balls, speed * motion.entrainment_speed) for race in RACES
+                race: _lubricated(scene, race, roughness, balls, speed * motion.entrainment_speed, film_factor)
+                for race in RACES
             }
         slip = _slip(scene, oiled, balls, motion, speed=speed, spins="spin" not in reasons)
         coefficients = {"inner": slip.inner_coefficient, "outer": slip.outer_coefficient}
@@ -178,7 +182,12 @@ def _require_friction(scene: Scene) -> None:
 
 
 def _lubricated(
-    scene: Scene, race: Race, roughness: GapRoughness, balls: ThrustEquilibrium, entrainment_speed: Array
+    scene: Scene,
+    race: Race,
+    roughness: GapRoughness,
+    balls: ThrustEquilibrium,
+    entrainment_speed: Array,
+    film_factor: float,
 ) -> LubricatedRace:
     assert scene.lubricant is not None
     assert scene.surface is not None
@@ -192,6 +201,7 @@ def _lubricated(
         load=balls.ball_load,
         contact=_contact(balls, race),
         entrainment_speed=entrainment_speed,
+        film_factor=film_factor,
     )
 
 

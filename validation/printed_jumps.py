@@ -54,11 +54,18 @@ def printed_jumps(scene: Scene) -> list[Jump]:
         ball_diameter=bearing.ball_diameter,
     )
     # With a hair of spin the outer contact resists rolling; at a given angle nothing else of the scene moves with it.
-    missing = float((bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)[0])
-    derived = friction_torque(replace(scene, microslip="derived")).torque.total[0]
-    printed = found.torque.total[0]
-    jumps.append(Jump(where="bearing, outer ratio 0", quantity="torque", unit="N mm",
-                      printed=(float(printed), float(printed) + missing), derived=(float(derived), float(derived))))  # fmt: skip
+    hair = float((bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)[0])
+    derived = float(friction_torque(replace(scene, microslip="derived")).torque.total[0])
+    printed = float(found.torque.total[0])
+    jumps.append(
+        Jump(
+            where="bearing, outer ratio 0",
+            quantity="torque",
+            unit="N mm",
+            printed=(printed, printed + hair),
+            derived=(derived, derived),
+        )
+    )
     rate = float((motion.spin_difference / motion.inner_rolling_rate)[0])
     surface = deformed_radius(groove_radius=bearing.inner.groove_radius, ball_diameter=bearing.ball_diameter)
     ratio = rate * float(surface) / found.inner.semi_axis_transverse[0]
