@@ -309,7 +309,7 @@ def draw(found: list[Swing], scene: Scene, torque: Array, path: Path) -> None:
     rows = np.arange(len(found))
     low, high = (100 * limit(limit(change.min(), change.max()) for swing in found for change in swing.changes)
                  for limit in (min, max))  # fmt: skip
-    margin = 0.5 * (high - low)  # for the labels
+    margin = 0.55 * (high - low)  # for the labels
     for point, axis in enumerate(axes):
         for row, swing in zip(rows, found, strict=True):
             changes = [100 * change[point] for change in swing.changes]
