@@ -89,7 +89,8 @@ def report(found: list[Comparison], jumps: list[Jump], out: Console) -> None:
         conclusions.add_row(trend.claim, *(f"{words[cell.held]} {cell.detail}".strip() for cell in cells))
     out.print(conclusions)
     out.print(
-        f"Changes are from the slowest to the fastest point: Sq 1 um first, inner race first; flat is {FLAT:.0%}.\n"
+        f"Changes are from the slowest to the fastest point, those at Sq 1 um and of the inner race first. Flat and "
+        f"almost constant mean within {FLAT:.0%}.\n"
     )
     sides = Table("where", "quantity", "as printed", "derived", title="Jumps of equations 2 to 7 as printed")
     for jump in jumps:
