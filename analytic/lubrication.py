@@ -11,6 +11,7 @@ import numpy as np
 from analytic.asperity import softer_hardness
 from analytic.asperity_table import AsperityTable, tabulated_asperities
 from analytic.contact import Race, race_curvatures
+from analytic.errors import require_positive
 from analytic.film import inlet_heating_factor, thermal_loading
 from analytic.hertz import HertzContact, contact_modulus
 from analytic.mixed import MixedContact, mixed_contact
@@ -39,14 +40,18 @@ def lubricated_race(
     load: Array,
     contact: HertzContact,
     entrainment_speed: Array,
+    film_factor: float = 1.0,
 ) -> LubricatedRace:
     """The load shared between oil and asperities, and what they resist sliding with; the arrays broadcast.
 
     roughness : `roughness.gap_roughness` of the surface
+    film_factor : on the film that the formula gives, > 0
     contact_angle : al, rad;  load : Q, N;  contact : Hertz's at that load;  entrainment_speed : u, m/s, any sign
     Sliding adds next to nothing to the heat at the inlet, as a ball slides by less than a hundredth of its rolling.
-    Raises InputError if no hardness is known, and as the formulas do for an oil out of range.
+    Raises InputError if no hardness is known, if film_factor is not positive, and as the formulas do for an oil out of
+    range.
     """
+    require_positive(film_factor=film_factor)
     groove = bearing.inner if race == "inner" else bearing.outer
     modulus = contact_modulus(bearing.ball_material, groove.material)
     along, across = race_curvatures(bearing, race, contact_angle=contact_angle)
@@ -76,7 +81,7 @@ def lubricated_race(
         viscosity=oil.viscosity,
         pressure_viscosity=oil.pressure_viscosity,
         asperities=asperities,
-        heating_factor=heating,
+        heating_factor=film_factor * heating,
     )
     return LubricatedRace(
         shared=shared,

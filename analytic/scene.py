@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["balanced", "inner_control", "outer_control"]
+Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
 
 
@@ -174,6 +175,7 @@ class Scene:
     friction_coefficient: float | None = None  # mu at every race contact, in place of a surface's; None: not given
     hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: not known
     spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races
+    microslip: Microslip = "derived"  # its moments; `as_printed` is the paper's, misprints included
     effects: Mapping[str, Literal["auto", "on", "off"]] = field(default_factory=lambda: MappingProxyType({}))
     warnings: tuple[str, ...] = ()
 

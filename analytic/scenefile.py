@@ -280,6 +280,7 @@ def _friction(given: FrictionTable) -> dict[str, Any]:
         "friction_coefficient": given.coefficient,
         "hysteresis_loss": given.hysteresis_loss,
         "spin_rule": given.spin_rule,
+        "microslip": given.microslip,
     }
 
 

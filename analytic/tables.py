@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from analytic import catalog
 from analytic.quantity import Dimension
-from analytic.scene import SpinRule, Traction
+from analytic.scene import Microslip, SpinRule, Traction
 
 
 def _text(given: object) -> str:
@@ -167,6 +167,7 @@ class FrictionTable(Table):
     coefficient: Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")] | None = None
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
     spin_rule: SpinRule = "balanced"
+    microslip: Microslip = "derived"  # "as_printed" shows what the misprints of the paper's equations 2 to 7 do
 
 
 class EffectsTable(Table):

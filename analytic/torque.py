@@ -12,6 +12,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from analytic.as_printed import as_printed_torque
 from analytic.contact import Race, race_curvatures
 from analytic.correction import ContactCorrection
 from analytic.equilibrium import ThrustEquilibrium, thrust_equilibrium
@@ -35,15 +36,19 @@ MODELLED = (*BY_SLIP, "hysteresis", "rolling")
 NOT_MODELLED = ("cage",)
 
 
-def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None) -> FrictionTorque:
+def friction_torque(
+    scene: Scene, *, correction: ContactCorrection | None = None, film_factor: float = 1.0
+) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
     correction : factors on Hertz's contacts; under the rule `solved` they move contact angle and ball load too
+    film_factor : on every film that the formula gives, > 0: what its uncertainty does to the torque
     The equilibrium under thrust, the slip power of both contacts of one ball per unit speed, times the number of balls:
         total = race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
     What slides does so by mixed lubrication where the scene has an oil and a surface, each contact with the coefficient
     of its mean pressure and mean sliding speed (`analytic.friction`, its first rung). A friction coefficient stands in
     place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
+    With microslip "as_printed" the paper's moments replace the derived ones, at the same spin and coefficients.
     Rolling takes the oil at the inlet's temperature, flooded and not heated by its own shear; factors on contacts reach
     it by angle and ball load alone.
     Raises InputError if the scene gives neither or both, has a radial load or a moment, asks for an effect that is not
@@ -69,16 +74,30 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
     roughness: GapRoughness | None = None
     oiled: Mapping[Race, LubricatedRace] = {}
     coefficients: Mapping[Race, Array] = {}
+    slip: SlipFriction | None = None
     if any(name not in reasons for name in BY_SLIP):
         if scene.surface is not None:
             roughness = gap_roughness(scene.surface)
             oiled = {
-                race: _lubricated(scene, race, roughness, balls, speed * motion.entrainment_speed) for race in RACES
+                race: _lubricated(scene, race, roughness, balls, speed * motion.entrainment_speed, film_factor)
+                for race in RACES
             }
         slip = _slip(scene, oiled, balls, motion, speed=speed, spins="spin" not in reasons)
         coefficients = {"inner": slip.inner_coefficient, "outer": slip.outer_coefficient}
-        parts |= {name: bearing.ball_count * getattr(slip.torque, name) for name in BY_SLIP}
     inner, outer = (_sliding(scene, race, balls, motion, coefficients.get(race, 0.0)) for race in RACES)
+    if slip is not None:
+        by_slip = slip.torque
+        if scene.microslip == "as_printed":
+            by_slip = as_printed_torque(
+                inner,
+                outer,
+                inner_spin_rate=by_slip.inner_spin_rate,
+                outer_spin_rate=by_slip.outer_spin_rate,
+                ball_radius=bearing.ball_radius,
+            )
+        elif scene.microslip != "derived":
+            raise InputError(f'microslip must be "derived" or "as_printed", got {scene.microslip!r}')
+        parts |= {name: bearing.ball_count * getattr(by_slip, name) for name in BY_SLIP}
     if scene.hysteresis_loss is not None and "hysteresis" not in reasons:
         loss = hysteresis_torque(inner, outer, hysteresis_loss=scene.hysteresis_loss)
         parts["hysteresis"] = bearing.ball_count * loss
@@ -119,6 +138,7 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
                 "scene": scene.name,
                 "contact_angle": scene.contact_angle.rule,
                 "spin_rule": scene.spin_rule,
+                "microslip": scene.microslip,
                 "friction": "given coefficient" if scene.surface is None else "mixed lubrication, single coefficient",
                 "contacts": "Hertz" if correction is None else "Hertz with given factors",
                 **_versions(),
@@ -162,7 +182,12 @@ def _require_friction(scene: Scene) -> None:
 
 
 def _lubricated(
-    scene: Scene, race: Race, roughness: GapRoughness, balls: ThrustEquilibrium, entrainment_speed: Array
+    scene: Scene,
+    race: Race,
+    roughness: GapRoughness,
+    balls: ThrustEquilibrium,
+    entrainment_speed: Array,
+    film_factor: float,
 ) -> LubricatedRace:
     assert scene.lubricant is not None
     assert scene.surface is not None
@@ -176,6 +201,7 @@ def _lubricated(
         load=balls.ball_load,
         contact=_contact(balls, race),
         entrainment_speed=entrainment_speed,
+        film_factor=film_factor,
     )
 
 

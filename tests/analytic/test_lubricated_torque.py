@@ -258,3 +258,17 @@ def test_unequal_balls_are_refused(scene: Scene, name: str, words: str) -> None:
 
     with pytest.raises(InputError, match=rf"operation\.{name} {words}.*analytic\.ring_equilibrium"):
         friction_torque(loaded(-70.0))
+
+
+def test_a_factor_on_the_film_reaches_film_and_torque(scene: Scene) -> None:
+    """Smooth, the film is the formula's times the factor; rough, a thinner film leaves asperities more of the load."""
+    smooth = replace(scene, surface=replace(FINISH, rms_roughness=0.0, ball_rms_roughness=0.0))
+    for race in RACES:
+        plain, thick = (getattr(friction_torque(smooth, film_factor=by).film, race) for by in (1.0, 1.37))
+        np.testing.assert_allclose(thick, 1.37 * plain, rtol=1e-12)  # round-off
+    plain, thin = (friction_torque(scene, film_factor=by) for by in (1.0, 0.6))
+    for race in RACES:
+        assert np.all(getattr(thin.asperity_share, race) > getattr(plain.asperity_share, race))
+    assert np.all(thin.torque.total > plain.torque.total)  # a share of load meets 0.11, the oil here far less
+    with pytest.raises(InputError, match="film_factor must be positive"):
+        friction_torque(scene, film_factor=0.0)
