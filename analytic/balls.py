@@ -26,6 +26,7 @@ class LoadedBalls:
 
     rung: Literal["thrust", "ring"]  # by which they were loaded
     alike: int  # balls that each column stands for
+    ball_radius: float  # r, m
     load: Array  # (2, n, m) Q, N, >= 0
     contact_angle: Array  # (2, n, m) al, rad, >= 0 but where both angles are near 0
     contact: HertzContact  # (2, n, m)
@@ -126,6 +127,7 @@ def _balls(
     return LoadedBalls(
         rung=rung,
         alike=alike,
+        ball_radius=bearing.ball_radius,
         load=load,
         contact_angle=angle,
         contact=HertzContact(

@@ -4,13 +4,14 @@ The film is that of the oil at the inlet of the contact, rolling nearly without 
 races, operating points, balls.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from analytic.asperity import softer_hardness
 from analytic.asperity_table import AsperityTable, tabulated_asperities
 from analytic.balls import LoadedBalls
+from analytic.errors import require_positive
 from analytic.film import CentralFilm, central_film, inlet_heating_factor, thermal_loading
 from analytic.mixed import MixedContact, mixed_contact
 from analytic.roughness import GapRoughness, gap_roughness
@@ -30,6 +31,7 @@ class LubricatedRaces:
     tables: tuple[AsperityTable | None, AsperityTable | None]  # of inner and outer; None: smooth
     entrainment_speed: Array  # (n, m) u, m/s
     film: CentralFilm  # (2, n, m) of smooth surfaces, isothermal
+    film_factor: float  # on the formula's, in it
 
     @property
     def area(self) -> Array:
@@ -103,14 +105,25 @@ class LubricatedRaces:
             viscosity=oil.viscosity,
             pressure_viscosity=oil.pressure_viscosity,
             asperities=table,
-            heating_factor=heating_factor,
+            heating_factor=self.film_factor * np.asarray(heating_factor),
         )
 
 
 def lubricated_races(
-    bearing: Bearing, balls: LoadedBalls, *, lubricant: Lubricant, surface: Surface, ring_speed: Array
+    bearing: Bearing,
+    balls: LoadedBalls,
+    *,
+    lubricant: Lubricant,
+    surface: Surface,
+    ring_speed: Array,
+    film_factor: float = 1.0,
 ) -> LubricatedRaces:
-    """ring_speed : w, (n,), rad/s. Raises InputError if no hardness is known, and as the formulas do for their oil."""
+    """Oil and finish between balls and races.
+
+    ring_speed : w, (n,), rad/s;  film_factor : on every film that the formula gives, > 0
+    Raises InputError if no hardness is known, if film_factor is not positive, and as the formulas do for their oil.
+    """
+    require_positive(film_factor=film_factor)
     roughness = gap_roughness(surface)
     tables: list[AsperityTable | None] = [None, None]
     if roughness.rms_roughness > 0:
@@ -140,5 +153,6 @@ def lubricated_races(
         roughness=roughness,
         tables=(tables[0], tables[1]),
         entrainment_speed=speed,
-        film=film,
+        film=replace(film, thickness=film_factor * film.thickness),
+        film_factor=film_factor,
     )

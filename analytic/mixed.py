@@ -56,7 +56,7 @@ def mixed_contact(
     curvature_x to pressure_viscosity, largest_gap : as `film.central_film`, contact_area besides
     contact_area : A_H = pi a b of the smooth contact, m^2, >= 0; not 0 under load
     asperities : of both surfaces together, one table for all contacts; None: smooth
-    heating_factor : what heating of the inlet leaves of the film, 0 to 1
+    heating_factor : on the film, >= 0; what heating of the inlet leaves of it
     s in [0, 1] and h solve
         p_a(h) A_H = s F,  h = heating_factor * film(F (1 - s), E* (1 - s))
     As s grows the film grows and the pressure of the asperities falls: there is one solution. Asperities that carry the

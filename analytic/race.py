@@ -167,8 +167,19 @@ def contact_moments(contact: SlidingContact, *, spin_rate: ArrayLike) -> tuple[A
         load=contact.load,
         semi_axis_transverse=contact.semi_axis_transverse,
         deformed_radius=contact.deformed_radius,
-        spin_to_roll=_spin_to_roll(contact, np.asarray(spin_rate)),
+        spin_to_roll=spin_to_roll_ratio(contact, spin_rate=spin_rate),
     )
+
+
+def spin_to_roll_ratio(contact: SlidingContact, *, spin_rate: ArrayLike) -> Array:
+    """eps = (w_s/w_roll)(R/b) of a contact that spins with w_s/w = spin_rate; its fields and spin_rate broadcast.
+
+    Where the contact is a point it is the largest number if it spins and 0 if it does not.
+    """
+    numerator = np.asarray(spin_rate) * np.asarray(contact.deformed_radius)
+    denominator = np.asarray(contact.rolling_rate) * np.asarray(contact.semi_axis_transverse)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        return np.nan_to_num(numerator / denominator, nan=0.0)
 
 
 def sliding_number(contact: SlidingContact, *, entrainment_speed: ArrayLike, curvature_rolling: ArrayLike) -> Array:
@@ -211,14 +222,6 @@ def hysteresis_torque(inner: SlidingContact, outer: SlidingContact, *, hysteresi
     return np.asarray(torque)
 
 
-def _spin_to_roll(contact: SlidingContact, spin_rate: Array) -> Array:
-    """eps; where the contact is a point, the largest number if it spins and 0 if it does not."""
-    numerator = spin_rate * np.asarray(contact.deformed_radius)
-    denominator = np.asarray(contact.rolling_rate) * np.asarray(contact.semi_axis_transverse)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        return np.nan_to_num(numerator / denominator, nan=0.0)
-
-
 def _balanced_shares(inner: SlidingContact, outer: SlidingContact, difference: Array) -> tuple[Array, Array]:
     """Shares of w_s,i - w_s,o that inner and outer take so that their moments are opposite; they add up to 1.
 
@@ -230,7 +233,7 @@ def _balanced_shares(inner: SlidingContact, outer: SlidingContact, difference: A
             np.asarray(c.friction_coefficient) * np.asarray(c.load) * np.asarray(c.semi_axis_transverse)
             for c in (inner, outer)
         ),
-        *(_spin_to_roll(c, difference) for c in (inner, outer)),
+        *(spin_to_roll_ratio(c, spin_rate=difference) for c in (inner, outer)),
     )
     swap = limit_outer > limit_inner
     limit, limit_other = np.where(swap, limit_outer, limit_inner), np.where(swap, limit_inner, limit_outer)

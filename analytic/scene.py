@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["balanced", "inner_control", "outer_control"]
+Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
 Sliding = Literal["auto", "single_coefficient", "along_axis", "over_ellipse"]
 
@@ -177,6 +178,7 @@ class Scene:
     hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: not known
     spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races
     sliding: Sliding = "auto"  # the rung by which it is integrated over a contact; auto: as the tolerance asks
+    microslip: Microslip = "derived"  # its moments; `as_printed` is the paper's, misprints included
     effects: Mapping[str, Literal["auto", "on", "off"]] = field(default_factory=lambda: MappingProxyType({}))
     warnings: tuple[str, ...] = ()
 

@@ -281,6 +281,7 @@ def _friction(given: FrictionTable) -> dict[str, Any]:
         "hysteresis_loss": given.hysteresis_loss,
         "spin_rule": given.spin_rule,
         "sliding": given.sliding,
+        "microslip": given.microslip,
     }
 
 

@@ -11,10 +11,12 @@ from typing import Literal
 import numpy as np
 from scipy.special import ellipe
 
+from analytic.as_printed import as_printed_torque
 from analytic.balls import LoadedBalls
+from analytic.errors import InputError
 from analytic.friction import RaceContact, Rung, SlipFriction, slip_friction
-from analytic.race import microslip_moments
-from analytic.scene import Array, Lubricant, SpinRule
+from analytic.race import SlidingContact, microslip_moments
+from analytic.scene import Array, Lubricant, Microslip, SpinRule
 from analytic.traction import CoulombTraction, Traction
 
 # Measured against the last rung on 1000 contacts with oil and asperities (validation/benchmarks/friction.py --errors),
@@ -46,6 +48,7 @@ def race_sliding(
     ring_speed: Array,
     spins: bool,
     spin_rule: SpinRule,
+    microslip: Microslip,
     asked: Rung | Literal["auto"],
     beside: Array,
     allowed: Array,
@@ -74,6 +77,10 @@ def race_sliding(
             *races, ring_speed=ring_speed[:, None], spin_difference=difference, spin_rule=spin_rule, rung=rung
         )
 
+    if microslip == "as_printed":
+        return _as_printed(balls, races, on("single_coefficient"))
+    if microslip != "derived":
+        raise InputError(f'microslip must be "derived" or "as_printed", got {microslip!r}')
     rung: Rung = "single_coefficient" if asked == "auto" else asked
     found = on(rung)
     slender, weight = _slenderness(balls), _weight(balls, found)
@@ -94,6 +101,36 @@ def race_sliding(
         coefficient=np.stack([found.inner_coefficient, found.outer_coefficient]),
         rung=rung,
         error=errors[rung],
+    )
+
+
+def _as_printed(balls: LoadedBalls, races: list[RaceContact], found: SlipFriction) -> Sliding:
+    """With the spin and the coefficients of the derived moments; how wrong it is, no rung of its own tells."""
+    coefficients = found.inner_coefficient, found.outer_coefficient
+    inner, outer = (
+        SlidingContact(
+            friction_coefficient=coefficient,
+            load=race.load,
+            semi_axis_rolling=race.semi_axis_rolling,
+            semi_axis_transverse=race.semi_axis_transverse,
+            deformed_radius=race.deformed_radius,
+            rolling_rate=race.rolling_rate,
+        )
+        for race, coefficient in zip(races, coefficients, strict=True)
+    )
+    torque = as_printed_torque(
+        inner,
+        outer,
+        inner_spin_rate=found.torque.inner_spin_rate,
+        outer_spin_rate=found.torque.outer_spin_rate,
+        ball_radius=balls.ball_radius,
+    )
+    return Sliding(
+        spin=balls.total(torque.spin),
+        conformity=balls.total(torque.conformity),
+        coefficient=np.stack(coefficients),
+        rung="single_coefficient",
+        error=np.full(balls.load.shape[1], np.inf),
     )
 
 

@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from analytic import catalog
 from analytic.quantity import Dimension
-from analytic.scene import Sliding, SpinRule, Traction
+from analytic.scene import Microslip, Sliding, SpinRule, Traction
 
 
 def _text(given: object) -> str:
@@ -169,6 +169,7 @@ class FrictionTable(Table):
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
     spin_rule: SpinRule = "balanced"
     sliding: Sliding = "auto"
+    microslip: Microslip = "derived"  # "as_printed" shows what the misprints of the paper's equations 2 to 7 do
 
 
 class EffectsTable(Table):

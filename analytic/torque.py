@@ -36,16 +36,20 @@ LEAST_FILM = 1e-3  # of the isothermal film, at which a bound on heating is larg
 PARTS = (*BY_SLIP, "hysteresis", "rolling")
 
 
-def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None) -> FrictionTorque:
+def friction_torque(
+    scene: Scene, *, correction: ContactCorrection | None = None, film_factor: float = 1.0
+) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
     correction : factors on Hertz's contacts, in place of those of the finite geometry; under the rule `solved` they
         move contact angle and ball loads too
+    film_factor : on every film that the formula gives, > 0: what its uncertainty does to the torque
     The balls are loaded (`analytic.loading`), and each loses power to each race: per unit speed and summed,
         total = race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
     What slides does so by mixed lubrication where the scene has an oil and a surface. A friction coefficient stands in
     place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
     Rolling takes the oil at the inlet's temperature.
+    With microslip "as_printed" the paper's moments replace the derived ones, at the same spin and coefficients.
     What is computed, and how, follows from the scene's tolerance (`analytic.effects`, `analytic.sliding`); the result
     names it all, with the numerical uncertainty that remains.
     Raises InputError if the scene gives neither or both of coefficient and surface, asks for an effect that lacks its
@@ -66,7 +70,12 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
     if conforms or scene.effects.get("spin") != "off":
         if scene.lubricant is not None and scene.surface is not None:
             oiled = lubricated_races(
-                scene.bearing, balls, lubricant=scene.lubricant, surface=scene.surface, ring_speed=speed
+                scene.bearing,
+                balls,
+                lubricant=scene.lubricant,
+                surface=scene.surface,
+                ring_speed=speed,
+                film_factor=film_factor,
             )
         shared, parts = _lubricated(scene, balls, oiled, choices, speed, parts)
         slid = race_sliding(
@@ -75,6 +84,7 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
             ring_speed=speed,
             spins=choices.on("spin"),
             spin_rule=scene.spin_rule,
+            microslip=scene.microslip,
             asked=scene.sliding,
             beside=_sum(parts, speed),
             allowed=scene.tolerance - choices.left_out,
@@ -106,6 +116,7 @@ def friction_torque(scene: Scene, *, correction: ContactCorrection | None = None
                 "scene": scene.name,
                 "contact_angle": scene.contact_angle.rule,
                 "spin_rule": scene.spin_rule,
+                "microslip": scene.microslip,
                 "loads": "thrust, all balls alike" if balls.rung == "thrust" else "equilibrium of the ring",
                 "contacts": _contacts(choices, correction),
                 "friction": "given coefficient" if oiled is None else "mixed lubrication",

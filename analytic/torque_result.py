@@ -4,6 +4,8 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
+import numpy as np
+
 from analytic.scene import Array
 
 
@@ -67,7 +69,7 @@ class FrictionTorque:
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts
-    numerical_uncertainty: Array  # of the total, relative: bounds on what was left out, and on the rung of sliding
+    numerical_uncertainty: Array  # of the total, relative: bounds on what was left out and on the rung of sliding; inf for a variant
     friction_coefficient: FrictionCoefficients
     film: OnRaces  # h, between the mean planes, m; None without a lubrication model
     asperity_share: OnRaces  # s, of the load, 0 to 1; likewise
@@ -102,6 +104,10 @@ class FrictionTorque:
             "film": here(self.film),
             "asperity_share": here(self.asperity_share),
             "contact": {"inner": here(self.inner), "outer": here(self.outer)},
-            "uncertainty": {"numerical": float(self.numerical_uncertainty[index]), "model": None},
+            "uncertainty": {"numerical": _finite(self.numerical_uncertainty[index]), "model": None},
             "cage": dict.fromkeys(cage),
         }
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None

@@ -41,6 +41,12 @@ def doubts(
             f"the friction coefficient {scene.friction_coefficient:g} comes from the scene, not from a lubrication "
             "model"
         )
+    if scene.microslip == "as_printed":
+        warnings.append(
+            'friction.microslip = "as_printed" is no model: equations 2 to 7 as the paper prints them have M_z and M_r '
+            "exchanged without spin and from a spin-to-roll ratio of 1/2 on, equation 2 lacks its factor 0.322, and "
+            'both moments jump there; "derived" has them right'
+        )
     warnings.append("the cage is not modelled yet: the total is too low by it")
     if scene.lubricant is None and scene.effects.get("rolling") != "off":
         warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")

@@ -242,19 +242,18 @@ def mesh(
         raise InputError(f"--out {str(folder)!r}: give a folder for the meshes; it is made if it is missing")
     from dataclasses import asdict
 
-    from fembearing.compare.discrepancy import RECIPES, contact_of, traced_to_load
+    from fembearing.compare.discrepancy import as_meshed, contact_of, recipe_of, traced_to_load
     from fembearing.fem.guess import expected_semi_axes
     from fembearing.mesh.meshfile import write_body
     from fembearing.mesh.pair import pair_mesh
     from fembearing.mesh.quality import mesh_quality
-    from fembearing.mesh.recipe import load_recipe
     from fembearing.mesh.ring import ring_piece
 
-    recipe = load_recipe(RECIPES[geometry.value])
+    recipe = recipe_of(geometry.value, pair=pair.value)
     chosen = recipe.levels[-1] if level is None else level
     if chosen not in recipe.levels:
         raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
-    found = contact_of(given, pair=pair.value, load=force)
+    found = as_meshed(contact_of(given, pair=pair.value, load=force), recipe=recipe)
     with traced_to_load(given, pair=pair.value, load=force):
         expected = expected_semi_axes(found)
         bodies = pair_mesh(found, recipe=recipe, level=chosen, semi_axes=expected)

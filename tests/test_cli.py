@@ -189,6 +189,33 @@ def test_several_loads_make_a_series_with_its_law(command) -> None:
     assert "\N{HORIZONTAL ELLIPSIS}" not in table.out
 
 
+def test_a_series_of_two_loads_says_what_it_assumes(command) -> None:
+    result = command("contact", "--geometry", "hertzian", "--load", "310 N", "--load", "120 N")
+    assert result.status == 0
+    words = " ".join(result.out.split())
+    assert re.search(r"F = K delta\^n: K \S+ GN/m\^1\.\d+, n 1\.\d+ \(power law assumed\) by finite elements", words)
+    assert "two loads fit any power law" in result.err
+
+
+def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -> None:
+    """A narrow groove, whose shoulder the ellipse of 700 N reaches over."""
+    scene = tmp_path / "narrow.toml"
+    scene.write_text(SCENE.replace('catalog = "6205"', 'catalog = "6205"\ninner = { shoulder_half_width = "1.6 mm" }'))
+    for_mesh = ("mesh", str(scene), "--level", "1", "--load", "700 N", "--json", "--out")
+    cells = {}
+    for geometry in ("real", "hertzian"):
+        told = json.loads(command(*for_mesh, str(tmp_path / geometry), "--geometry", geometry).out)
+        cells[geometry] = [part["cells"] for part in told["meshes"].values()]
+    wide = json.loads(command("mesh", "--geometry", "hertzian", *for_mesh[2:], str(tmp_path / "wide")).out)
+    assert cells["hertzian"] == [part["cells"] for part in wide["meshes"].values()]
+    assert max(cells["real"]) > max(cells["hertzian"])  # half of the contact, not a quarter
+    for loads in (["700 N"], ["700 N", "650 N", "610 N"]):
+        arguments = [part for load in loads for part in ("--load", load)]
+        found = json.loads(command("contact", str(scene), "--geometry", "hertzian", *arguments, "--json").out)
+        assert found["verdict"] == "pass"
+        assert not found["warnings"]
+
+
 SCENE = """
 name = "mine"
 tolerance = "4 %"
@@ -212,6 +239,8 @@ coefficient = 0.1
         (["contact", "--load", "nan N"], ["--load", "nan N"]),
         (["contact", "--load", "3 mm"], ["--load", "3 mm", "N"]),
         (["contact", "--load", "3 N", "--load", "-5 N"], ["--load", "-5 N"]),
+        (["contact", "--geometry", "wall", "--load", "3 N", "--load", "5 N"], ["geometry 'wall'", "pocket", "inner"]),
+        (["mesh", "--geometry", "wall", "--out", "m"], ["geometry 'wall'", "pocket", "inner"]),
         (["contact", "--load", "3 N", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),
         (["contact", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),  # plastic long before: no mesh
         (["validate", "heavy.toml"], ["operation.axial_load = 700000 N", "shoulder"]),

@@ -15,14 +15,14 @@ from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
-from analytic.torque_warnings import STATIC_LIMIT
+from fembearing.compare.contact_warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
 from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
-from fembearing.compare.reference import COMPARED, Estimates, Reference, solve_reference
+from fembearing.compare.reference import COMPARED, Estimates, solve_reference
 from fembearing.compare.ring import RingStructure, structure_of_ring
 from fembearing.compare.uncertainty import Estimate
-from fembearing.compare.verdict import Verdict, judge, worst
+from fembearing.compare.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.meshfile import write_body
@@ -32,7 +32,6 @@ from fembearing.mesh.ring import known_ring
 Shape = Geometry | Literal["ring"]  # "ring": the contact as it is really, and apart from it what the ring adds
 RECIPES: dict[Shape, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall", "ring": "race"}
 POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
-EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
 SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes, and stiffness follows from it
 
 
@@ -78,7 +77,7 @@ class ContactSolution:
     @property
     def verdicts(self) -> dict[str, Verdict]:
         return {
-            name: _verdict(part, getattr(self.hertz, name), tolerance=self.tolerance, valid=self.valid)
+            name: verdict_on(getattr(self.hertz, name), part, tolerance=self.tolerance, valid=self.valid)
             for name, part in self.estimates.items()
         }
 
@@ -202,11 +201,9 @@ def solve_contact(
     Raises InputError for a contact that cannot be meshed, ConvergenceError for one that does not settle.
     """
     contact = contact_of(scene, pair=pair, load=load)
-    if geometry == "wall" and pair != "pocket":
-        raise InputError(f"geometry 'wall' is that of a pocket; the {pair} race has 'real' and 'hertzian'")
+    recipe = recipe_of(geometry, pair=pair)
     if geometry == "ring":
         known_ring(contact)
-    recipe = load_recipe(RECIPES[geometry])
     asked = scene.tolerance if tolerance is None else tolerance
     with traced_to_load(scene, pair=pair, load=load):
         found = compare_contact(contact, recipe=recipe, tolerance=asked, accuracy=accuracy, progress=progress)
@@ -218,8 +215,20 @@ def solve_contact(
 
 def with_ring(found: ContactSolution) -> ContactSolution:
     """A solved race contact with what its ring adds. Raises InputError if the ring is not known or cannot be meshed."""
-    recipe = load_recipe(RECIPES["ring"])
+    recipe = recipe_of("ring", pair=found.contact.pair)
     return replace(found, ring=structure_of_ring(found.meshes, found.estimates["approach"], recipe=recipe))
+
+
+def recipe_of(geometry: Shape, *, pair: Pair) -> Recipe:
+    """How a geometry is meshed. Raises InputError for a sheet that would stand for a race."""
+    if geometry == "wall" and pair != "pocket":
+        raise InputError(f"geometry 'wall' is that of a pocket; the {pair} race has 'real' and 'hertzian'")
+    return load_recipe(RECIPES[geometry])
+
+
+def as_meshed(contact: Contact, *, recipe: Recipe) -> Contact:
+    """The contact that a recipe meshes: the half spaces of Hertz have no shoulder."""
+    return replace(contact, shoulder=math.inf) if recipe.geometry == "hertzian" else contact
 
 
 def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contact:
@@ -265,26 +274,32 @@ def compare_contact(
     finer mesh could decide, finer ones follow. A sheet has no verdict; its approach and stiffness settle it.
     """
     start = time.perf_counter()
+    contact = as_meshed(contact, recipe=recipe)
     asked = tolerance if accuracy is None else accuracy
     hertz = hertz_quantities(contact)
     thin = recipe.geometry == "wall"
+    watched = SHOWN_OF_A_SHEET if thin else COMPARED
 
     def is_open(estimates: Estimates) -> bool:
         return not thin and any(
-            could_be_decided(part, getattr(hertz, name), tolerance=tolerance) for name, part in estimates.items()
+            could_be_decided(getattr(hertz, name), part, tolerance=tolerance) for name, part in estimates.items()
         )
 
     found = solve_reference(
-        replace(contact, shoulder=math.inf) if recipe.geometry == "hertzian" else contact,
+        contact,
         recipe=recipe,
         accuracy=asked,
-        watched=SHOWN_OF_A_SHEET if thin else COMPARED,
+        watched=watched,
         is_open=is_open,
         progress=progress,
     )
     meshes, estimates = found.meshes, found.estimates
     overrun = near_shoulder(meshes[-1], contact)
-    warnings = _warnings(contact, found, accuracy=asked, overrun=overrun, thin=thin)
+    warnings = (
+        *((sheet_warning(contact),) if thin else ()),
+        *((shoulder_warning(contact, found),) if overrun else ()),
+        *solve_warnings([(meshes[-1], estimates)], accuracy=asked, watched=watched, thin=thin),
+    )
     corrected, beyond = None, ()
     if recipe.geometry == "real" and contact.pair != "pocket":  # the correction is of ball and race
         corrected, beyond = corrected_hertz(contact, hertz=hertz)
@@ -299,30 +314,7 @@ def compare_contact(
         seconds=time.perf_counter() - start,
         warnings=(*warnings, *beyond),
         corrected=corrected,
-        valid=not thin and not (overrun and recipe.geometry == "real"),
-    )
-
-
-def near_shoulder(mesh: MeshSolution, contact: Contact) -> bool:
-    """Whether a solved contact reaches its shoulder, or nearly: what Hertz is not made for."""
-    return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.shoulder
-
-
-def could_be_decided(part: Estimate, formula: float, *, tolerance: float) -> bool:
-    """Whether a quantity is undecided and a finer mesh could decide it: the far boundary's share it would not lower."""
-    perfect = replace(part, mesh=0.0, settled=True)
-    now, then = (_verdict(each, formula, tolerance=tolerance, valid=True) for each in (part, perfect))
-    return now == "undecided" != then
-
-
-def _verdict(part: Estimate, formula: float, *, tolerance: float, valid: bool) -> Verdict:
-    return judge(
-        discrepancy=formula / part.value - 1,
-        uncertainty=part.total,
-        tolerance=tolerance,
-        settled=part.settled,
-        spread=part.spread,
-        valid=valid,
+        valid=not thin and not overrun,
     )
 
 
@@ -341,55 +333,4 @@ def hertz_quantities(contact: Contact) -> Quantities:
         peak_pressure=float(found.peak_pressure),
         approach=float(found.approach),
         stiffness=float(found.stiffness),
-    )
-
-
-def sheet_warning(contact: Contact) -> str:
-    """Why a sheet is shown and not judged."""
-    assert contact.wall is not None  # or it would not have been meshed
-    return (
-        f"{contact.pair}: the sheet of {contact.wall.thickness * 1e3:.3g} mm bends on its rim, which Hertz's half "
-        "space does not know: compare with the stiffness, do not judge by it"
-    )
-
-
-def _warnings(contact: Contact, reference: Reference, *, accuracy: float, overrun: bool, thin: bool) -> tuple[str, ...]:
-    finest, estimates = reference.meshes[-1], reference.estimates
-    found = []
-    if thin:
-        found.append(sheet_warning(contact))
-    if overrun:
-        found.append(_shoulder_warning(contact, reference))
-    missed = {name: estimates[name].total for name in COMPARED if estimates[name].total > accuracy and not thin}
-    if missed:
-        name = max(missed, key=lambda name: missed[name])
-        found.append(
-            f"{contact.pair}: an uncertainty of {accuracy:.2g} was asked for; that of {name.replace('_', ' ')} is "
-            f"{missed[name]:.2g} on level {finest.level}, {estimates[name].domain:.2g} of it from the block"
-        )
-    unsettled = [name.replace("_", " ") for name, part in estimates.items() if not part.settled]
-    if unsettled:
-        place = f"{contact.pair}, sheet" if thin else contact.pair
-        found.append(f"{place}: the meshes do not settle in {', '.join(unsettled)}")
-    if finest.quantities.peak_pressure > STATIC_LIMIT:
-        found.append(
-            f"{contact.pair}: peak pressure {finest.quantities.peak_pressure:.3g} Pa is above the static limit "
-            f"{STATIC_LIMIT:.2g} Pa of bearing steel: both sides are elastic, the contact is not; lower the load"
-        )
-    return tuple(found)
-
-
-def _shoulder_warning(contact: Contact, reference: Reference) -> str:
-    stands = f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz"
-    remedy = "lower the load or the contact angle"
-    finest = reference.meshes[-1]
-    if finest.shoulder is None:
-        across = finest.quantities.semi_axis_transverse
-        return f"{contact.pair}: the contact reaches {across * 1e3:.3f} mm across, the {stands}; {remedy}"
-    share = reference.shoulder["strip_share"]
-    return (
-        f"{contact.pair}: an ellipse of {finest.semi_axes[1] * 1e3:.3f} mm across is cut off, its {stands}. The tenth "
-        f"of that distance beside it carries {share.value:.2%} of the load. A sharp shoulder, as it is meshed, "
-        "bears a pressure without bound, a real one is rounded: it may exceed the one at the centre, and no number "
-        f"here says by how much; {remedy}"
     )

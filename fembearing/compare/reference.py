@@ -80,7 +80,7 @@ def solve_reference(
 
 
 def estimates_of(meshes: Sequence[MeshSolution]) -> Estimates:
-    """Each quantity from three meshes or more, without what the far boundary does.
+    """Each quantity from two meshes or more, coarse to fine, without what the far boundary does.
 
     A contact cut off at a shoulder ends in pressure without bound: no order is relied on.
     """

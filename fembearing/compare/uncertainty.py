@@ -1,4 +1,4 @@
-"""Value and numerical uncertainty of a quantity computed on three or more meshes.
+"""Value and numerical uncertainty of a quantity computed on two or more meshes.
 
 Sources: P. J. Roache, Verification and Validation in Computational Science and Engineering (1998), for extrapolation
 and the grid-convergence index; I. B. Celik et al., J. Fluids Eng. 130 (2008) 078001, for the observed order at
@@ -58,7 +58,7 @@ class Estimate:
 def estimate(
     values: Sequence[float], cell_sizes: Sequence[float], *, formal_order: float | None, singular: bool = False
 ) -> Estimate:
-    """Value and uncertainty from the last three of `values`.
+    """Value and uncertainty from the last three of `values`, or from two, which show no order and count as settled.
 
     values : on meshes from coarse to fine, any unit
     cell_sizes : representative, falling, same length, any unit
@@ -69,10 +69,12 @@ def estimate(
     Where the last change is not well below the one before, the uncertainty is 3 times the spread of the three, or what
     the observed order leaves where that is more.
     """
-    coarse, middle, fine = values[-3:]
+    *_, middle, fine = values
     change = fine - middle
-    order = observed_order(values[-3:], cell_sizes[-3:])
-    settled = abs(change) < SETTLES * abs(middle - coarse) or change == 0
+    order, settled = None, True
+    if len(values) > 2:
+        order = observed_order(values[-3:], cell_sizes[-3:])
+        settled = abs(change) < SETTLES * abs(middle - values[-3]) or change == 0
     ratio = cell_sizes[-2] / cell_sizes[-1]
     step = change / (ratio ** (formal_order or UNSTEADY) - 1)
     richardson = None

@@ -1,7 +1,10 @@
 """The verdict on one quantity: does the production value stay within the tolerance of the reference?"""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import Literal
+
+from fembearing.compare.uncertainty import Estimate
 
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
 AGREE = 0.1  # meshes that do not settle still agree when they differ by less than this share of the tolerance
@@ -25,6 +28,29 @@ def judge(
     if abs(discrepancy) - uncertainty > tolerance:
         return "fail"
     return "undecided"
+
+
+def verdict_on(formula: float, part: Estimate, *, tolerance: float, valid: bool) -> Verdict:
+    """Of a production value beside what the meshes say.
+
+    formula : in the unit of `part`
+    tolerance, valid : as of `judge`
+    """
+    return judge(
+        discrepancy=formula / part.value - 1,
+        uncertainty=part.total,
+        tolerance=tolerance,
+        settled=part.settled,
+        spread=part.spread,
+        valid=valid,
+    )
+
+
+def could_be_decided(formula: float, part: Estimate, *, tolerance: float) -> bool:
+    """Whether a quantity is undecided and a finer mesh could decide it: the far boundary's share it would not lower."""
+    perfect = replace(part, mesh=0.0, settled=True)
+    now, then = (verdict_on(formula, each, tolerance=tolerance, valid=True) for each in (part, perfect))
+    return now == "undecided" != then
 
 
 def worst(verdicts: Iterable[Verdict]) -> Verdict:

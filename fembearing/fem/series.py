@@ -2,7 +2,8 @@
 
 Condensing two bodies takes nearly all the time of a solution and does not know the load, so loads whose ellipses fit
 one mesh share it: a band. Semi-axes grow about as load^(1/3), which sizes the next band's mesh from the last one's
-ellipse; what was found there is checked, and a band that does not fit its mesh is split.
+ellipse; what was found there is checked, and a band that does not fit its mesh is split. So is one that a shoulder
+divides: a mesh is cut off there or it is not, and each load has the one that its own ellipse asks for.
 """
 
 from collections.abc import Iterable, Sequence
@@ -21,6 +22,7 @@ from fembearing.fem.solution import (
     fitted_solution,
     pressed,
 )
+from fembearing.mesh.footprint import farther_shoulder
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
@@ -31,6 +33,7 @@ NARROWEST, WIDEST = 0.7, 1.3
 SLACK = 0.05
 SMALLER = 0.85  # a mesh for so much of an ellipse that is itself too wide to be meshed
 GOOD_GUESS = 0.03  # how far the ellipse of a band's own load may miss its mesh, in semi-axes
+AT_SHOULDER = 0.01  # and where a shoulder stands that near: as of a single solution, whose mesh is cut off or is not
 
 
 def solve_series(contact: Contact, *, recipe: Recipe, level: int, loads: ArrayLike) -> tuple[MeshSolution, ...]:
@@ -104,30 +107,48 @@ def _solve_band(
     contact: Contact, *, recipe: Recipe, loads: tuple[float, ...], latest: MeshSolution | None
 ) -> tuple[MeshSolution, ...]:
     """On the second level; `latest` is a solution nearby to size the mesh from."""
-    own = replace(contact, load=_load_of_mesh(loads))
+    found = _mesh_of_band(replace(contact, load=_load_of_mesh(loads)), recipe=recipe, latest=latest)
+    series = tuple(_under(found, load) for load in loads)
+    if len(loads) == 1 or all(_fits(part) and _ends_rightly(part) for part in series):
+        return series
+    reached = [sum(part.semi_axes[1] > shoulder for shoulder in _shoulders(contact)) for part in series]
+    before = sum(count == reached[0] for count in reached)
+    split = before if before < len(loads) else len(loads) // 2
+    below = _solve_band(contact, recipe=recipe, loads=loads[:split], latest=found)
+    return below + _solve_band(contact, recipe=recipe, loads=loads[split:], latest=below[-1])
+
+
+def _mesh_of_band(own: Contact, *, recipe: Recipe, latest: MeshSolution | None) -> MeshSolution:
+    """A solution on a mesh for the ellipse of `own`, or for a smaller one where that is too wide to be meshed: what
+    lies a little above the largest mesh still fits it, unless it reaches over a shoulder that this mesh does not know.
+    """
     try:
-        found = _fitted(own, recipe=recipe, latest=latest)
-    except InputError as problem:  # too wide to be meshed: what lies a little above the largest mesh still fits it
-        own = replace(own, load=own.load * SMALLER**3)
+        return _fitted(own, recipe=recipe, latest=latest)
+    except InputError as problem:
         try:
-            found = _fitted(own, recipe=recipe, latest=latest)
+            smaller = _fitted(replace(own, load=own.load * SMALLER**3), recipe=recipe, latest=latest)
         except InputError:
             raise problem from None
-    series = tuple(
-        found if load == own.load else pressed(found.bodies, load=load, expected=_scaled(found, load)) for load in loads
-    )
-    if len(loads) == 1 or all(_fits(part) for part in series):
-        return series
-    half = len(loads) // 2
-    below = _solve_band(contact, recipe=recipe, loads=loads[:half], latest=found)
-    return below + _solve_band(contact, recipe=recipe, loads=loads[half:], latest=below[-1])
+        if not _ends_rightly(_under(smaller, own.load)):
+            raise
+        return smaller
 
 
 def _fitted(contact: Contact, *, recipe: Recipe, latest: MeshSolution | None) -> MeshSolution:
     if latest is None:
         return fitted_solution(contact, recipe=recipe)
-    start = _scaled(latest, contact.load)
-    return fitted_on_level(contact, recipe=recipe, level=recipe.levels[1], start=start, good=GOOD_GUESS)
+    level, start = recipe.levels[1], _scaled(latest, contact.load)
+    found = fitted_on_level(contact, recipe=recipe, level=level, start=start, good=GOOD_GUESS)
+    if _ends_rightly(found):
+        return found
+    return fitted_on_level(contact, recipe=recipe, level=level, start=found.semi_axes, good=AT_SHOULDER)
+
+
+def _under(solution: MeshSolution, load: float) -> MeshSolution:
+    """The same bodies under another load, N."""
+    if load == solution.contact.load:
+        return solution
+    return pressed(solution.bodies, load=load, expected=_scaled(solution, load))
 
 
 def _load_of_mesh(loads: tuple[float, ...]) -> float:
@@ -148,3 +169,17 @@ def _scaled(solution: MeshSolution, load: float) -> tuple[float, float]:
 def _fits(solution: MeshSolution) -> bool:
     ratios = np.divide(solution.semi_axes, solution.pair.semi_axes)
     return bool(ratios.min() > NARROWEST - SLACK and ratios.max() < WIDEST + SLACK)
+
+
+def _shoulders(contact: Contact) -> tuple[float, float]:
+    """How far away they stand at y < 0 and at y > 0, m."""
+    return farther_shoulder(contact), contact.shoulder
+
+
+def _ends_rightly(solution: MeshSolution) -> bool:
+    """Whether the mesh is cut off just at those shoulders that the load's own ellipse reaches."""
+    for room, shoulder in zip(solution.pair.footprint.room, _shoulders(solution.contact), strict=True):
+        beyond = solution.semi_axes[1] / shoulder - 1
+        if beyond <= -AT_SHOULDER if np.isfinite(room) else beyond >= AT_SHOULDER:
+            return False
+    return True

@@ -129,9 +129,15 @@ def print_series(out: Console, series: LoadSeries) -> None:
     out.print(table)
     if series.law is not None:
         law = series.law
+        stiffness, exponent = f"{law.stiffness * 1e-9:.5g} GN/m^{law.exponent:.4f}", f"{law.exponent:.4f}"
+        if law.stiffness_uncertainty is not None:
+            stiffness += f" +- {law.stiffness_uncertainty:.2%}"
+        if law.exponent_uncertainty is None:
+            exponent += " (power law assumed)"
+        else:
+            exponent += f" +- {law.exponent_uncertainty:.4f}"
         out.print(
-            f"F = K delta^n: K {law.stiffness * 1e-9:.5g} GN/m^{law.exponent:.4f} +- {law.stiffness_uncertainty:.2%}, "
-            f"n {law.exponent:.4f} +- {law.exponent_uncertainty:.4f} by finite elements; "
+            f"F = K delta^n: K {stiffness}, n {exponent} by finite elements; "
             f"{series.hertz_stiffness * 1e-9:.5g} GN/m^1.5 and 1.5 by Hertz.",
             highlight=False,
         )

@@ -1,15 +1,27 @@
 """The printed equations beside the corrected ones: which moment has whose name, and by how much both jump."""
 
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from analytic.as_printed import as_printed_moments
+from analytic.as_printed import as_printed_moments, as_printed_torque
 from analytic.errors import InputError
-from analytic.race import microslip_moments
+from analytic.race import SlidingContact, microslip_moments, microslip_torque
+from analytic.scene import Scene
+from analytic.scenefile import load_scene
+from analytic.torque import friction_torque
 
 MU, Q, B, R = 0.083, 470.0, 1.27e-3, 4.05e-3
 LAST = np.nextafter(0.5, 0)
+SCENE = Path(__file__).parents[2] / "validation" / "scenes" / "6205_paper_as_printed.toml"
+
+
+@pytest.fixture
+def scene() -> Scene:
+    return load_scene(SCENE)
 
 
 def printed(eps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
@@ -71,3 +83,91 @@ def test_arguments_broadcast_and_nonsense_is_refused() -> None:
         printed(-0.1)
     with pytest.raises(InputError, match="ball_radius must be positive"):
         as_printed_moments(friction_coefficient=MU, load=Q, semi_axis_transverse=B, ball_radius=0.0, spin_to_roll=0.1)
+
+
+def races(radius: float) -> tuple[SlidingContact, SlidingContact]:
+    inner = SlidingContact(
+        friction_coefficient=0.09, load=470.0, semi_axis_rolling=0.11e-3, semi_axis_transverse=1.02e-3,
+        deformed_radius=radius, rolling_rate=2.9,
+    )  # fmt: skip
+    outer = replace(inner, friction_coefficient=0.07, semi_axis_transverse=0.85e-3, rolling_rate=1.9)
+    return inner, outer
+
+
+def test_where_both_contacts_spin_a_little_the_torque_is_the_derived_one() -> None:
+    """With the ball's radius for the contact surface's, which is all that then differs; signs included."""
+    inner, outer = races(R)
+    derived = microslip_torque(inner, outer, spin_difference=0.17, spin_rule="balanced")
+    found = as_printed_torque(
+        inner, outer, inner_spin_rate=derived.inner_spin_rate, outer_spin_rate=derived.outer_spin_rate, ball_radius=R
+    )
+    for name, expected in vars(derived).items():
+        np.testing.assert_allclose(getattr(found, name), expected, rtol=1e-11, err_msg=name)  # brackets near 1 cancel
+
+
+def test_with_a_race_in_control_the_other_one_alone_resists() -> None:
+    """Equations 10 and 11 with what 2 and 3 say of a contact without spin; M_z and M_r of the other as derived."""
+    inner, outer = races(R)
+    found = as_printed_torque(inner, outer, inner_spin_rate=0.17, outer_spin_rate=0.0, ball_radius=R)
+    spin, roll = microslip_moments(
+        friction_coefficient=0.09, load=470.0, semi_axis_transverse=1.02e-3, deformed_radius=R,
+        spin_to_roll=0.17 / 2.9 * R / 1.02e-3,
+    )  # fmt: skip
+    np.testing.assert_allclose(found.spin, spin * 0.17, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(found.conformity, roll * 2.9, rtol=1e-12)
+    np.testing.assert_allclose(found.outer_spin_moment, 0.07 * 470.0 * 0.85e-3**2 / (4 * R), rtol=1e-14)
+    assert found.outer_rolling_moment == 0
+
+
+def test_the_scene_loses_the_outer_race(scene: Scene) -> None:
+    """Its torque is short of the derived one by the whole conformity of the race that does not spin."""
+    found, derived = (friction_torque(replace(scene, microslip=which)) for which in ("as_printed", "derived"))
+    assert found.provenance["microslip"] == "as_printed"
+    assert derived.provenance["microslip"] == "derived"
+    mu, load, axis = derived.friction_coefficient.outer, derived.ball_load, derived.outer.semi_axis_transverse
+    assert mu is not None
+    balls, r, surface = 9, 7.94e-3 / 2, 2 * 4.21 * 7.94e-3 / (2 * 4.21 + 7.94)  # Table 1
+    whole = 0.0805711989 * mu * load * axis**2 / surface  # of an independent calculation, ten digits
+    rolling_rate = (39.01e-3 / 2 - r * np.cos(0.18)) / (2 * r)
+    assert found.torque.conformity is not None
+    assert derived.torque.conformity is not None
+    assert found.torque.spin is not None
+    assert derived.torque.spin is not None
+    inner = derived.torque.conformity - balls * whole * rolling_rate
+    # What is left is the inner race's, with the ball's radius for the surface's: R = 2 f D/(2 f + 1).
+    np.testing.assert_allclose(found.torque.conformity, inner * (2 * 4.13 * 2 / (2 * 4.13 + 7.94)), rtol=1e-8)
+    np.testing.assert_allclose(found.torque.spin, derived.torque.spin, rtol=1e-12)  # round-off
+
+
+def test_the_scene_jumps_at_full_spin_where_the_derived_torque_does_not(scene: Scene) -> None:
+    """At the load where the inner contact's ratio passes 1/2, printed M_z and M_r trade places."""
+    mu, rate = 0.1, np.sin(0.18) * 2 * 3.97e-3 / (39.01e-3 / 2 + 3.97e-3 * np.cos(0.18))  # w_s/w_roll of the inner
+    needed = rate * 2 * 4.13 * 7.94e-3 / (2 * 4.13 + 7.94) / 0.5  # b, m
+    one = friction_torque(scene)  # b grows as the third root of the load
+    load = 1000.0 * (needed / one.inner.semi_axis_transverse[0]) ** 3
+    near = replace(
+        scene,
+        surface=None,
+        lubricant=None,
+        friction_coefficient=mu,
+        effects={"spin": "on", "finite_geometry": "off"},
+        operation=replace(
+            scene.operation, axial_load=load * np.array([1 - 1e-9, 1 + 1e-9]), inner_speed=np.array([50.0, 50.0]),
+            radial_load=0.0, moment=0.0,
+        ),
+    )  # fmt: skip
+    full, less = friction_torque(near).torque.total
+    jump = 9 * 0.375 * mu * load / (9 * np.sin(0.18)) * needed * (rate_of_rolling := np.sin(0.18) / rate)
+    lost = jump * np.sin(0.18) / rate_of_rolling
+    np.testing.assert_allclose(full - less, jump - lost, rtol=1e-5)  # 2e-9 of load move the rest by sqrt(2e-9) at most
+    smooth = friction_torque(replace(near, microslip="derived")).torque.total
+    np.testing.assert_allclose(smooth[0], smooth[1], rtol=1e-8)
+
+
+def test_the_result_names_the_variant_and_what_is_wrong_with_it(scene: Scene) -> None:
+    warning = next(text for text in friction_torque(scene).warnings if "as_printed" in text)
+    for words in ("M_z and M_r exchanged", "equation 2 lacks its factor 0.322", "jump"):
+        assert words in warning
+    assert not any("as_printed" in text for text in friction_torque(replace(scene, microslip="derived")).warnings)
+    with pytest.raises(InputError, match="microslip must be"):
+        friction_torque(replace(scene, microslip="printed"))  # pyright: ignore[reportArgumentType]

@@ -324,7 +324,10 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
     (changed(BEARING, BEARING + "\ninner = 7"), ("bearing.inner = 7", "not a table", "bottom_radius")),
     (changed(BEARING, BEARING + "\nball_count = 9.0"), ("bearing.ball_count = 9.0", "whole number")),
     (changed(BEARING, BEARING + "\nball_count = 17"), ("bearing.ball_count = 17", "at most 15 fit")),
-    (changed(BEARING, BEARING + '\nball_material = "stel"'), ("bearing.ball_material = 'stel'", "peek, steel")),
+    (
+        changed(BEARING, BEARING + '\nball_material = "stel"'),
+        ("bearing.ball_material = 'stel'", "peek, silicon_nitride, steel"),
+    ),
     (
         changed(
             BEARING,

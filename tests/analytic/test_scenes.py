@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from analytic.scene import Autocorrelation
+from analytic.hertz import contact_modulus
+from analytic.scene import Autocorrelation, ContactAngle
 from analytic.scenefile import load_scene
 from analytic.torque import friction_torque
 
@@ -37,3 +38,24 @@ def test_the_physical_scene() -> None:
     assert found.torque.rolling is not None
     assert np.all(np.diff(found.torque.total) > 0)
     assert found.torque.rolling[-1] > 0.5 * found.torque.total[-1]
+
+
+def test_the_hybrid_scene() -> None:
+    """Its ball has its material's mass; contacts of a stiffer ball are smaller, as Hertz's law of the modulus says."""
+    scene = load_scene(SCENES / "6205_hybrid.toml")
+    assert scene.warnings == ()  # a mass left behind would be one
+    ceramic, steel = scene.bearing.ball_material, scene.bearing.inner.material
+    np.testing.assert_allclose(scene.bearing.ball_mass / 2.04e-3, ceramic.density / 7850, rtol=0.01)  # Table 1 rounds
+    # so that loads are equal, and contacts Hertz's
+    scene = replace(scene, contact_angle=ContactAngle(rule="given", value=0.29), effects={"finite_geometry": "off"})
+    found = friction_torque(scene)
+    of_steel = friction_torque(replace(scene, bearing=replace(scene.bearing, ball_material=steel)))
+    stiffer = contact_modulus(ceramic, steel) / contact_modulus(steel, steel)
+    assert 1.15 < stiffer < 1.25  # by hand, 2 x 310/(310 + 206) but for Poisson's ratios
+    for pair in ("inner", "outer"):
+        ours, theirs = getattr(found, pair), getattr(of_steel, pair)
+        np.testing.assert_allclose(ours.semi_axis_transverse, theirs.semi_axis_transverse * stiffer ** (-1 / 3))
+        np.testing.assert_allclose(ours.peak_pressure, theirs.peak_pressure * stiffer ** (2 / 3))
+    assert found.torque.hysteresis is not None
+    assert of_steel.torque.hysteresis is not None
+    np.testing.assert_allclose(found.torque.hysteresis, of_steel.torque.hysteresis * stiffer ** (-1 / 3))

@@ -83,6 +83,7 @@ def test_the_hertzian_idealisation_has_no_shoulder(contacts: dict[str, Contact])
     found = compare_contact(narrow, recipe=load_recipe("hertzian"), tolerance=0.05)
     assert found.verdict == "pass"
     assert not found.shoulder
+    assert not found.warnings
     assert max(map(abs, found.discrepancy.values())) < 2e-3  # as without a shoulder
 
 

@@ -102,3 +102,14 @@ def test_an_endless_region_moves_the_value_and_counts_apart() -> None:
     moved = replace(found, beyond=0.02, domain=0.01)
     np.testing.assert_allclose(moved.value, 1.02 * 7.3, rtol=1e-12)  # round-off
     np.testing.assert_allclose(moved.total, found.mesh + 0.01, rtol=1e-12)
+
+
+@pytest.mark.parametrize(("formal", "singular"), [(4.0, False), (3.0, False), (None, False), (None, True)])
+def test_two_meshes_say_what_the_last_two_of_settled_ones_do(formal: float | None, singular: bool) -> None:
+    values = sequence(7.3, -0.4, 3.3)
+    three = estimate(values, SIZES, formal_order=formal, singular=singular)
+    two = estimate(values[1:], SIZES[1:], formal_order=formal, singular=singular)
+    assert three.settled
+    assert two.settled
+    assert two.order is None
+    assert (two.value, two.mesh) == (three.value, three.mesh)

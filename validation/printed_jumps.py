@@ -1,0 +1,95 @@
+"""What the paper's equations 2 to 7 do as printed where they pass from one case to the next."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from analytic.as_printed import as_printed_moments
+from analytic.kinematics import ball_kinematics
+from analytic.race import FULL_SPIN, deformed_radius, microslip_moments
+from analytic.scene import Array, Scene
+from analytic.torque import friction_torque
+
+ASIDE = 1e-6  # of a load or a ratio: how far from a jump its two sides are taken
+
+
+@dataclass(frozen=True, kw_only=True)
+class Jump:
+    """What the printed equations do on both sides of a spin-to-roll ratio where the derived ones are continuous; SI."""
+
+    where: str
+    quantity: str
+    unit: str
+    printed: tuple[float, float]  # below and above; at a ratio of 0, at it and above
+    derived: tuple[float, float]
+
+
+def printed_jumps(scene: Scene) -> list[Jump]:
+    """At the scene's first speed: moments of one contact, N m, and the torque of the bearing."""
+    scene = replace(scene, operation=replace(scene.operation, axial_load=scene.operation.axial_load[:1],
+                                             inner_speed=scene.operation.inner_speed[:1],
+                                             radial_load=0.0, moment=0.0))  # fmt: skip
+    found, bearing = friction_torque(scene), scene.bearing
+    outer_coefficient = found.friction_coefficient.outer
+    assert outer_coefficient is not None
+    outer = {
+        "friction_coefficient": outer_coefficient[0],
+        "load": found.ball_load[0],
+        "semi_axis_transverse": found.outer.semi_axis_transverse[0],
+    }
+    surface = deformed_radius(groove_radius=bearing.outer.groove_radius, ball_diameter=bearing.ball_diameter)
+    jumps = []
+    for where, ratios in (
+        ("outer contact, ratio 0", (0.0, ASIDE)),
+        ("outer contact, ratio 1/2", (FULL_SPIN - ASIDE, FULL_SPIN)),
+    ):
+        printed = as_printed_moments(**outer, ball_radius=bearing.ball_radius, spin_to_roll=ratios)
+        derived = microslip_moments(**outer, deformed_radius=surface, spin_to_roll=ratios)
+        for name, ours, theirs in zip(("M_z", "M_r"), derived, printed, strict=True):
+            jumps.append(Jump(where=where, quantity=name, unit="N mm", printed=_pair(theirs), derived=_pair(ours)))
+    motion = ball_kinematics(
+        inner_speed=1.0,
+        inner_angle=found.contact_angle,
+        outer_angle=found.contact_angle,
+        pitch_diameter=bearing.pitch_diameter,
+        ball_diameter=bearing.ball_diameter,
+    )
+    # With a hair of spin the outer contact resists rolling; at a given angle nothing else of the scene moves with it.
+    hair = float((bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)[0])
+    derived = float(friction_torque(replace(scene, microslip="derived")).torque.total[0])
+    printed = float(found.torque.total[0])
+    jumps.append(
+        Jump(
+            where="bearing, outer ratio 0",
+            quantity="torque",
+            unit="N mm",
+            printed=(printed, printed + hair),
+            derived=(derived, derived),
+        )
+    )
+    rate = float((motion.spin_difference / motion.inner_rolling_rate)[0])
+    surface = deformed_radius(groove_radius=bearing.inner.groove_radius, ball_diameter=bearing.ball_diameter)
+    ratio = rate * float(surface) / found.inner.semi_axis_transverse[0]
+    load = float(scene.operation.axial_load[0]) * (ratio / FULL_SPIN) ** 3  # b grows as its third root
+    sides = replace(  # falling load: the ratio rises
+        scene,
+        operation=replace(
+            scene.operation,
+            axial_load=load * np.array([1 + ASIDE, 1 - ASIDE]),
+            inner_speed=np.repeat(scene.operation.inner_speed, 2),
+        ),
+    )
+    jumps.append(
+        Jump(
+            where=f"bearing, inner ratio 1/2 (at {load:.3g} N)",
+            quantity="torque",
+            unit="N mm",
+            printed=_pair(friction_torque(sides).torque.total),
+            derived=_pair(friction_torque(replace(sides, microslip="derived")).torque.total),
+        )
+    )
+    return jumps
+
+
+def _pair(values: Array) -> tuple[float, float]:
+    return float(values[0]), float(values[1])
