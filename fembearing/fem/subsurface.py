@@ -15,7 +15,7 @@ from skfem import Basis, ElementHex2
 
 from analytic.errors import InputError
 from analytic.scene import Material
-from fembearing.fem.condensation import held_stiffness
+from fembearing.fem.condensation import held_stiffness, middle_plane
 from fembearing.fem.elasticity import lame_parameters
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.bodies import BodyMesh
@@ -88,13 +88,23 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
 
 
 def body_displacement(solution: MeshSolution, *, side: Side) -> Array:
-    """Displacement (3, nodes), m, of a body's mesh under the forces and the far field of a solved contact."""
+    """Displacement (3, nodes), m, of a body's mesh under the forces and the far field of a solved contact.
+
+    As `condense` tells it: half a ball moves as seen from its middle plane, which holds it across.
+    """
     pair = solution.pair
     body, material = _body(solution, side)
-    system = held_stiffness(body, material=material, semi_axes=pair.semi_axes)
+    system = held_stiffness(body, material=material, semi_axes=pair.semi_axes, room=pair.footprint.room)
     towards = -pair.normal if side == "upper" else pair.normal
-    # The forces are those on a quarter of the body, the far field is that of the whole load.
-    return system.displacement(system.forces(body.touching, towards) @ solution.force, load=solution.contact.load)
+    push = system.forces(body.touching, towards) @ solution.force
+    if body.pinned:
+        plane = middle_plane(system, body)
+        push = push - float(towards[1] @ solution.force) * plane
+    # The forces are those on the meshed part of the body, the far field is that of the whole load.
+    moved = system.displacement(push, load=solution.contact.load)
+    if body.pinned:
+        moved[1] -= plane @ moved.ravel()[system.free]
+    return moved
 
 
 def _body(solution: MeshSolution, side: Side) -> tuple[BodyMesh, Material]:
