@@ -56,8 +56,8 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
     """
     if solution.pair.footprint.half:
         raise InputError(
-            f"{solution.contact.pair}: a contact cut off at one shoulder has no axis of symmetry to find the greatest "
-            "stress on; lower the load or the contact angle"
+            f"{solution.contact.pair}: no stress below the contact, which is cut off at one shoulder and has no axis "
+            "of symmetry to find the greatest on; lower the load or the contact angle"
         )
     body, material = _body(solution, side)
     displacement = body_displacement(solution, side=side)

@@ -99,12 +99,13 @@ def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
         table.add_column(head, justify="left" if head == "quantity" else "right", no_wrap=True, min_width=10)
     for name, shown in STRESSES.items():
         discrepancy, uncertain = below.discrepancy(name), below.uncertainty[name]
+        is_depth = name.endswith("depth")
         table.add_row(
             shown.heading(),
             f"{below.hertz[name] * shown.factor:.4g}",
             f"{below.fe[name] * shown.factor:.4g}",
-            f"{discrepancy:+.2%} {'*' if abs(discrepancy) > uncertain else ' '}",
-            f"{uncertain:.2%}",
+            f"{'-' if discrepancy is None else f'{discrepancy:+.2%}'} {'*' if below.exceeds(name) else ' '}",
+            f"{uncertain * shown.factor:.2g} {shown.unit}" if is_depth else f"{uncertain / below.fe[name]:.2%}",
         )
     out.print(table)
     out.print()
