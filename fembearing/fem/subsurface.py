@@ -97,13 +97,11 @@ def body_displacement(solution: MeshSolution, *, side: Side) -> Array:
     system = held_stiffness(body, material=material, semi_axes=pair.semi_axes, room=pair.footprint.room)
     towards = -pair.normal if side == "upper" else pair.normal
     push = system.forces(body.touching, towards) @ solution.force
-    if body.pinned:
-        plane = middle_plane(system, body)
-        push = push - float(towards[1] @ solution.force) * plane
+    plane = middle_plane(system, body) if body.pinned else 0 * push
+    across = float(towards[1] @ solution.force)
     # The forces are those on the meshed part of the body, the far field is that of the whole load.
-    moved = system.displacement(push, load=solution.contact.load)
-    if body.pinned:
-        moved[1] -= plane @ moved.ravel()[system.free]
+    moved = system.displacement(push - across * plane, load=solution.contact.load)
+    moved[1] -= plane @ moved.ravel()[system.free]
     return moved
 
 

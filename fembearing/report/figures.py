@@ -24,7 +24,8 @@ def convergence_figure(result: Validation) -> Figure:
     for panel, (name, shown) in zip(panels, QUANTITIES.items(), strict=False):
         for mark, contact in zip(MARKS, result.contacts, strict=False):
             _convergence(panel, contact, name, mark)
-        panel.set(title=shown.name, xscale="log", yscale="log")
+        cut = name == "peak_pressure" and any(contact.shoulder for contact in result.contacts)
+        panel.set(title=f"{shown.name}{', cut off: at y = 0' if cut else ''}", xscale="log", yscale="log")
         panel.grid(alpha=0.3, which="both")
         panel.xaxis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
     panels[3].set_xlabel("unknowns")

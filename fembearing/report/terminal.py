@@ -16,7 +16,7 @@ from fembearing.compare.stiffness_law import LoadSeries
 from fembearing.compare.subsurface import SubsurfaceComparison
 from fembearing.compare.torque_change import TorqueChange
 from fembearing.compare.validation import Validation
-from fembearing.report.wording import AXES, QUANTITIES, STRESSES, ring_line, shoulder_lines, title_of
+from fembearing.report.wording import AXES, QUANTITIES, STRESSES, quantities_of, ring_line, shoulder_lines, title_of
 
 PLAIN: dict[str, Any] = {
     "title_justify": "left",
@@ -50,7 +50,7 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
     for head, width in COLUMNS.items():
         left = head in ("quantity", "verdict")
         table.add_column(head, justify="left" if left else "right", no_wrap=True, min_width=width)
-    for name, shown in QUANTITIES.items():
+    for name, shown in quantities_of(contact).items():
         part, discrepancy = contact.estimates[name], contact.discrepancy[name]
         table.add_row(
             shown.heading(),
