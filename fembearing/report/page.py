@@ -17,7 +17,16 @@ from fembearing.compare.provenance import provenance_of
 from fembearing.compare.validation import Validation
 from fembearing.report.figures import convergence_figure, cost_figure, png
 from fembearing.report.pictures import Picture
-from fembearing.report.wording import AXES, QUANTITIES, place_of, quantities_of, ring_line, shoulder_lines, title_of
+from fembearing.report.wording import (
+    AXES,
+    QUANTITIES,
+    friction_of,
+    place_of,
+    quantities_of,
+    ring_line,
+    shoulder_lines,
+    title_of,
+)
 
 PER_MINUTE = 30 / pi  # rpm in one rad/s
 LONGEST_LIST = 12  # values in a table's cell
@@ -73,6 +82,7 @@ def _scene(scene: Scene, result: Validation) -> dict[str, Any]:
         "loads": _listed(scene.operation.axial_load),
         "speeds": _listed(scene.operation.inner_speed * PER_MINUTE),
         "angle": angle,
+        "friction": friction_of(scene),
         "pocket_load": f"{result.contacts[-1].contact.load:g}",
     }
 

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from analytic.scene import Scene
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.ring import RingStructure
 from fembearing.compare.stiffness_law import LoadSeries
@@ -63,6 +64,17 @@ def title_of(contact: ContactSolution | LoadSeries) -> str:
     place = place_of(contact)
     load = f"{len(contact.points)} loads" if isinstance(contact, LoadSeries) else f"{noun.load:.4g} N"
     return f"{place[0].upper()}{place[1:]}{angle}: {load}"
+
+
+def friction_of(scene: Scene) -> str:
+    """Where the friction of ball on race comes from."""
+    if scene.friction_coefficient is not None:
+        return (
+            f"coefficient {scene.friction_coefficient:g} at each race, given by the scene and by no lubrication model"
+        )
+    if scene.has_friction:
+        return "coefficient of each race by mixed lubrication, from the scene's lubricant and surface"
+    return "neither a coefficient nor both lubricant and surface in the scene: no torque"
 
 
 def shoulder_lines(contact: ContactSolution) -> list[str]:

@@ -9,6 +9,7 @@ from rich.console import Console
 
 from analytic.scene import Contact, Material
 from fembearing.compare import discrepancy as module
+from fembearing.compare.contact_warnings import shoulder_warning
 from fembearing.compare.discrepancy import ContactSolution, compare_contact, hertz_quantities
 from fembearing.compare.progress import silent
 from fembearing.compare.reference import Reference, estimates_of, solve_reference
