@@ -9,6 +9,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -183,7 +184,11 @@ def _one_contact(given: Scene, load: float | None, *, as_json: bool, **which: An
     with _progress() as report:
         result = solve_contact(given, load=load, progress=report, **which)
         report(0.8, f"{result.contact.pair}: stress under the contact")
-        below = None if result.meshes[-1].pair.footprint.half else compare_subsurface(result)
+        below = None
+        try:
+            below = compare_subsurface(result)
+        except InputError as problem:  # half a contact; all else of it is there
+            result = replace(result, warnings=(*result.warnings, str(problem)))
     if as_json:
         _print_json(result.to_json() | {"subsurface": None if below is None else below.to_json()})
     else:

@@ -11,8 +11,9 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from analytic.scenefile import builtin_scene, load_scene
 from fembearing import cli
-from fembearing.compare import cost, hard_cases
+from fembearing.compare import cost, discrepancy, hard_cases
 from fembearing.compare.hard_case import HardCase
 from fembearing.fem import solution
 from fembearing.mesh.recipe import load_recipe
@@ -123,6 +124,20 @@ def test_json_is_alone_on_standard_output(command) -> None:
     )  # 0.300 line, 0.310 circle
     assert result.status == 0
     assert result.err == ""  # no progress where nobody watches
+
+
+def test_half_a_contact_says_that_no_stress_below_it_is_computed(command, monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = load_scene(builtin_scene("6205"))
+    contact = replace(discrepancy.contact_of(scene, pair="inner"), shoulder=0.8e-3)  # the ellipse is 0.93 mm across
+    half = discrepancy.compare_contact(contact, recipe=load_recipe("race"), tolerance=0.5)
+    monkeypatch.setattr(discrepancy, "solve_contact", lambda *_, **__: half)  # solved once, told twice
+    told, printed = (command("contact", *form) for form in (["--json"], []))
+    found = json.loads(told.out)
+    assert found["subsurface"] is None
+    said = [line for line in found["warnings"] if "no stress below the contact" in line]
+    assert len(said) == 1
+    assert printed.err.count(said[0]) == 1
+    assert "Greatest stress" not in printed.out
 
 
 def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> None:

@@ -1,5 +1,6 @@
 """What must be said of a solved contact beside its numbers, a line each: the same under one load and in a series."""
 
+import math
 from collections.abc import Sequence
 
 from analytic.scene import Contact
@@ -37,18 +38,21 @@ def sheet_warning(contact: Contact) -> str:
 
 def shoulder_warning(contact: Contact, reference: Reference) -> str:
     """Of one contact that reaches its shoulder, or nearly."""
-    stands = f"shoulder stands at {contact.shoulder * 1e3:.3f} mm: outside Hertz"
-    remedy = "lower the load or the contact angle"
+    near, remedy = f"{contact.shoulder * 1e3:.3f} mm", "lower the load or the contact angle"
     finest = reference.meshes[-1]
     if finest.shoulder is None:
-        across = finest.quantities.semi_axis_transverse
-        return f"{contact.pair}: the contact reaches {across * 1e3:.3f} mm across, the {stands}; {remedy}"
+        across = f"the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across"
+        return f"{contact.pair}: {across}, the shoulder stands at {near}: outside Hertz; {remedy}"
+    far = finest.pair.footprint.room[0]
+    if math.isinf(far):
+        cut = f"an ellipse of {finest.semi_axes[1] * 1e3:.3f} mm across is cut off, its shoulder stands at {near}"
+    else:
+        cut = f"the contact is cut off on both sides, its shoulders stand at y = -{far * 1e3:.3f} mm and {near}"
     share = reference.shoulder["strip_share"]
     return (
-        f"{contact.pair}: an ellipse of {finest.semi_axes[1] * 1e3:.3f} mm across is cut off, its {stands}. The tenth "
-        f"of that distance beside it carries {share.value:.2%} of the load. A sharp shoulder, as it is meshed, "
-        "bears a pressure without bound, a real one is rounded: it may exceed the one at the centre, and no number "
-        f"here says by how much; {remedy}"
+        f"{contact.pair}: {cut}: outside Hertz. The tenth of {near} beside the nearer one carries {share.value:.2%} of "
+        "the load. A sharp shoulder, as it is meshed, bears a pressure without bound, a real one is rounded: it may "
+        f"exceed the one at the centre, and no number here says by how much; {remedy}"
     )
 
 
@@ -104,8 +108,9 @@ def _plastic(solved: Sequence[Solved]) -> str | None:
     if not over:
         return None
     least = min(over, key=lambda mesh: mesh.contact.load)
+    what = "peak pressure" if least.shoulder is None else "the pressure at y = 0,"
     return (
-        f"{least.contact.pair}: peak pressure {least.quantities.peak_pressure:.3g} Pa at {least.contact.load:g} N is "
+        f"{least.contact.pair}: {what} {least.quantities.peak_pressure:.3g} Pa at {least.contact.load:g} N is "
         f"above the static limit {STATIC_LIMIT:.2g} Pa of bearing steel: both sides are elastic, the contact is not; "
         "lower the load"
     )

@@ -103,7 +103,7 @@ class ContactSolution:
 
     @property
     def shoulders(self) -> tuple[float, ...]:
-        """y of the shoulders that cut the contact off, m."""
+        """y of the shoulders that cut the contact off, m: the nearer one's is above 0, the farther one's below."""
         if not self.shoulder:
             return ()
         below, above = self.meshes[-1].pair.footprint.room
@@ -111,7 +111,7 @@ class ContactSolution:
 
     @property
     def strip_width(self) -> float:
-        """Of the strip beside the shoulder whose load is shown, m."""
+        """Of the strip beside the nearer shoulder whose load is shown, m."""
         return STRIP * self.contact.shoulder
 
     @property
@@ -163,12 +163,12 @@ class ContactSolution:
         }
 
     def _shoulder_json(self) -> dict[str, Any] | None:
-        """What the contact does at a shoulder that cuts it off; uncertainties relative."""
+        """What the contact does at the nearer shoulder that cuts it off, above y = 0; uncertainties relative."""
         if not self.shoulder:
             return None
         return {
-            "distance": self.contact.shoulder,
-            "sides": 1 if self.meshes[-1].pair.footprint.half else 2,
+            "sides": {"above" if y > 0 else "below": abs(y) for y in self.shoulders},  # of y = 0; distances, m
+            "peak_pressure_at": 0.0,  # y, m: what "fe" and "hertz" compare, not the largest, which is at the edge
             "strip_width": self.strip_width,
             "hertz_line_load": self.hertz_line_load,
             **{

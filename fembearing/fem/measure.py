@@ -17,7 +17,7 @@ class Quantities:
 
     semi_axis_rolling: float  # m
     semi_axis_transverse: float  # m
-    peak_pressure: float  # Pa
+    peak_pressure: float  # Pa, at the centre: where a shoulder cuts the contact off, that is not its largest
     approach: float  # m, of the ball's middle plane and the race's far field
     stiffness: float  # N/m^1.5, load over approach^1.5
 
@@ -46,7 +46,10 @@ def semi_axis(position: Array, force: Array, *, centre: float = 0.0) -> float:
 
 
 def uncut_semi_axes(x: Array, y: Array, force: Array) -> tuple[float, float]:
-    """Semi-axes, m, that the far side y <= 0 of a contact shows, where no shoulder cuts it off."""
+    """Semi-axes, m, that the side y <= 0 of a contact shows, away from the nearer shoulder.
+
+    Of the ellipse that nothing cuts off, as long as the farther shoulder does not either; else of what that leaves.
+    """
     beyond = force * np.where(y < 0, 1.0, np.where(y > 0, 0.0, 0.5))
     return semi_axis(x, beyond), semi_axis(y, beyond)
 

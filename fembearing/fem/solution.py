@@ -56,7 +56,7 @@ class MeshSolution:
     level: int
     pair: PairMesh
     quantities: Quantities
-    semi_axes: tuple[float, float]  # m, of the ellipse that a mesh should follow: measured where it is not cut off
+    semi_axes: tuple[float, float]  # m, of the ellipse that a mesh should follow: from y <= 0 where y > 0 is cut off
     shoulder: ShoulderLoad | None  # None where the contact ends before it
     x: Array  # (m,) along rolling, m
     y: Array  # (m,) transverse, m

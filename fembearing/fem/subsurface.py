@@ -15,7 +15,7 @@ from skfem import Basis, ElementHex2
 
 from analytic.errors import InputError
 from analytic.scene import Material
-from fembearing.fem.condensation import held_stiffness
+from fembearing.fem.condensation import held_stiffness, middle_plane
 from fembearing.fem.elasticity import lame_parameters
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.bodies import BodyMesh
@@ -56,8 +56,8 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
     """
     if solution.pair.footprint.half:
         raise InputError(
-            f"{solution.contact.pair}: a contact cut off at one shoulder has no axis of symmetry to find the greatest "
-            "stress on; lower the load or the contact angle"
+            f"{solution.contact.pair}: no stress below the contact, which is cut off at one shoulder and has no axis "
+            "of symmetry to find the greatest on; lower the load or the contact angle"
         )
     body, material = _body(solution, side)
     displacement = body_displacement(solution, side=side)
@@ -88,13 +88,21 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
 
 
 def body_displacement(solution: MeshSolution, *, side: Side) -> Array:
-    """Displacement (3, nodes), m, of a body's mesh under the forces and the far field of a solved contact."""
+    """Displacement (3, nodes), m, of a body's mesh under the forces and the far field of a solved contact.
+
+    As `condense` tells it: half a ball moves as seen from its middle plane, which holds it across.
+    """
     pair = solution.pair
     body, material = _body(solution, side)
-    system = held_stiffness(body, material=material, semi_axes=pair.semi_axes)
+    system = held_stiffness(body, material=material, semi_axes=pair.semi_axes, room=pair.footprint.room)
     towards = -pair.normal if side == "upper" else pair.normal
-    # The forces are those on a quarter of the body, the far field is that of the whole load.
-    return system.displacement(system.forces(body.touching, towards) @ solution.force, load=solution.contact.load)
+    push = system.forces(body.touching, towards) @ solution.force
+    plane = middle_plane(system, body) if body.pinned else 0 * push
+    across = float(towards[1] @ solution.force)
+    # The forces are those on the meshed part of the body, the far field is that of the whole load.
+    moved = system.displacement(push - across * plane, load=solution.contact.load)
+    moved[1] -= plane @ moved.ravel()[system.free]
+    return moved
 
 
 def _body(solution: MeshSolution, side: Side) -> tuple[BodyMesh, Material]:

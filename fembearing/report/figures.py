@@ -14,6 +14,8 @@ from fembearing.report.wording import QUANTITIES, place_of
 
 DOTS = 110  # per inch
 MARKS = "os^D"
+# Where the names of a ladder's rungs stand, points from theirs: the formulas of all pairs nearly coincide.
+BESIDE = ((5, 5, "left"), (5, -11, "left"), (-5, 5, "right"))
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 
 
@@ -24,7 +26,8 @@ def convergence_figure(result: Validation) -> Figure:
     for panel, (name, shown) in zip(panels, QUANTITIES.items(), strict=False):
         for mark, contact in zip(MARKS, result.contacts, strict=False):
             _convergence(panel, contact, name, mark)
-        panel.set(title=shown.name, xscale="log", yscale="log")
+        cut = name == "peak_pressure" and any(contact.shoulder for contact in result.contacts)
+        panel.set(title=f"{shown.name}{', cut off: at y = 0' if cut else ''}", xscale="log", yscale="log")
         panel.grid(alpha=0.3, which="both")
         panel.xaxis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
     panels[3].set_xlabel("unknowns")
@@ -50,7 +53,7 @@ def cost_figure(ladders: list[Ladder], *, tolerance: float) -> Figure:
     """Error of each rung against its median time."""
     figure = Figure(figsize=(11, 4.2), layout="constrained")
     axes = figure.subplots()
-    for mark, ladder in zip(MARKS, ladders, strict=False):
+    for mark, (right, up, side), ladder in zip(MARKS, BESIDE, ladders, strict=False):
         shown = [
             (rung.seconds, 100 * max(rung.error, SAME), rung.name.removeprefix("finite elements, "))
             for rung in ladder.rungs
@@ -59,7 +62,10 @@ def cost_figure(ladders: list[Ladder], *, tolerance: float) -> Figure:
         seconds, errors, names = zip(*shown, strict=True)
         (line,) = axes.plot(seconds, errors, "-" + mark, label=ladder.quantity)
         for place, name in zip(zip(seconds, errors, strict=True), names, strict=True):
-            axes.annotate(name, place, xytext=(5, 5), textcoords="offset points", fontsize=8, color=line.get_color())
+            colour = line.get_color()
+            axes.annotate(
+                name, place, xytext=(right, up), textcoords="offset points", ha=side, fontsize=8, color=colour
+            )
     axes.axhline(100 * tolerance, color="red", linestyle=":", label=f"tolerance {tolerance:.3g}")
     axes.set(xscale="log", yscale="log", xlabel="time, s", ylabel="error, %")
     axes.grid(alpha=0.3, which="both")

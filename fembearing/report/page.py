@@ -17,7 +17,16 @@ from fembearing.compare.provenance import provenance_of
 from fembearing.compare.validation import Validation
 from fembearing.report.figures import convergence_figure, cost_figure, png
 from fembearing.report.pictures import Picture
-from fembearing.report.wording import AXES, QUANTITIES, place_of, ring_line, title_of
+from fembearing.report.wording import (
+    AXES,
+    QUANTITIES,
+    friction_of,
+    place_of,
+    quantities_of,
+    ring_line,
+    shoulder_lines,
+    title_of,
+)
 
 PER_MINUTE = 30 / pi  # rpm in one rad/s
 LONGEST_LIST = 12  # values in a table's cell
@@ -42,6 +51,7 @@ def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str 
         scene=result.scene,
         axes=AXES,
         verdicts=[(title_of(found), _rows(_verdict, found)) for found in result.contacts if found.judged],
+        shoulders=[(place_of(found), line) for found in result.contacts for line in shoulder_lines(found)],
         rings=[(place_of(found), ring_line(found.ring)) for found in result.contacts if found.ring is not None],
         pocket=_pocket(result),
         torque=_torque(result),
@@ -72,6 +82,7 @@ def _scene(scene: Scene, result: Validation) -> dict[str, Any]:
         "loads": _listed(scene.operation.axial_load),
         "speeds": _listed(scene.operation.inner_speed * PER_MINUTE),
         "angle": angle,
+        "friction": friction_of(scene),
         "pocket_load": f"{result.contacts[-1].contact.load:g}",
     }
 
@@ -93,7 +104,7 @@ def _rows(row: Callable[[ContactSolution, str], dict[str, Any]], contact: Contac
 
 
 def _verdict(contact: ContactSolution, name: str) -> dict[str, Any]:
-    shown, part = QUANTITIES[name], contact.estimates[name]
+    shown, part = quantities_of(contact)[name], contact.estimates[name]
     return {
         "quantity": shown.heading(),
         "production": f"{getattr(contact.hertz, name) * shown.factor:.5g}",
@@ -164,7 +175,7 @@ def _torque(result: Validation) -> list[dict[str, Any]]:
 
 
 def _study(contact: ContactSolution, name: str) -> dict[str, Any]:
-    shown, part = QUANTITIES[name], contact.estimates[name]
+    shown, part = quantities_of(contact)[name], contact.estimates[name]
     return {
         "quantity": shown.heading(),
         "values": ", ".join(f"{value * shown.factor:.5g}" for value in part.values),

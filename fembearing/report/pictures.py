@@ -176,7 +176,7 @@ def _shoulder_caption(contact: ContactSolution) -> str:
     if not contact.shoulder:
         return ""
     return (
-        f"{' '.join(shoulder_lines(contact))} The orange line is the shoulder; the black ellipse has the semi-axes of "
+        f"{' '.join(shoulder_lines(contact))} Orange: the shoulder; the black ellipse has the semi-axes of "
         "the load about its centroid. "
     )
 

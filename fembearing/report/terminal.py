@@ -9,6 +9,7 @@ from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
+from analytic.scene import Scene
 from fembearing.compare.cost import Cost
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.hard_case import HardOutcome
@@ -16,7 +17,16 @@ from fembearing.compare.stiffness_law import LoadSeries
 from fembearing.compare.subsurface import SubsurfaceComparison
 from fembearing.compare.torque_change import TorqueChange
 from fembearing.compare.validation import Validation
-from fembearing.report.wording import AXES, QUANTITIES, STRESSES, ring_line, shoulder_lines, title_of
+from fembearing.report.wording import (
+    AXES,
+    QUANTITIES,
+    STRESSES,
+    friction_of,
+    quantities_of,
+    ring_line,
+    shoulder_lines,
+    title_of,
+)
 
 PLAIN: dict[str, Any] = {
     "title_justify": "left",
@@ -34,7 +44,7 @@ def print_validation(out: Console, result: Validation) -> None:
     if len(result.contacts) > 2:
         _print_pocket(out, *result.contacts[2:])
     if result.torque is not None:
-        _print_torque(out, result.torque)
+        _print_torque(out, result.torque, result.scene)
     else:
         out.print(
             "No friction coefficient, lubricant or surface is given, so there is no torque.\n",
@@ -50,7 +60,7 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
     for head, width in COLUMNS.items():
         left = head in ("quantity", "verdict")
         table.add_column(head, justify="left" if left else "right", no_wrap=True, min_width=width)
-    for name, shown in QUANTITIES.items():
+    for name, shown in quantities_of(contact).items():
         part, discrepancy = contact.estimates[name], contact.discrepancy[name]
         table.add_row(
             shown.heading(),
@@ -99,12 +109,13 @@ def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
         table.add_column(head, justify="left" if head == "quantity" else "right", no_wrap=True, min_width=10)
     for name, shown in STRESSES.items():
         discrepancy, uncertain = below.discrepancy(name), below.uncertainty[name]
+        is_depth = name.endswith("depth")
         table.add_row(
             shown.heading(),
             f"{below.hertz[name] * shown.factor:.4g}",
             f"{below.fe[name] * shown.factor:.4g}",
-            f"{discrepancy:+.2%} {'*' if abs(discrepancy) > uncertain else ' '}",
-            f"{uncertain:.2%}",
+            f"{'-' if discrepancy is None else f'{discrepancy:+.2%}'} {'*' if below.exceeds(name) else ' '}",
+            f"{uncertain * shown.factor:.2g} {shown.unit}" if is_depth else f"{uncertain / below.fe[name]:.2%}",
         )
     out.print(table)
     out.print()
@@ -165,7 +176,7 @@ def _print_pocket(out: Console, seat: ContactSolution, sheet: ContactSolution) -
     )
 
 
-def _print_torque(out: Console, change: TorqueChange) -> None:
+def _print_torque(out: Console, change: TorqueChange, scene: Scene) -> None:
     """What an engineer acts on, at the operating point whose contacts were solved."""
     before, after = change.hertz, change.corrected
     point = int(before.ball_load.argmax())  # where the contacts were solved
@@ -174,8 +185,8 @@ def _print_torque(out: Console, change: TorqueChange) -> None:
     out.print(
         f"Race torque with Hertz's contacts {before.torque.total[point] * 1e3:.4g} N mm, with those of FE "
         f"{after.torque.total[point] * 1e3:.4g} N mm: {relative[point]:+.2%} +- {change.uncertainty:.2%} (numerical).\n"
-        f"Contact angle {before.contact_angle[point]:.4f} rad and {after.contact_angle[point]:.4f} rad. The friction "
-        "coefficient is the scene's, not a lubricant's.\n",
+        f"Contact angle {before.contact_angle[point]:.4f} rad and {after.contact_angle[point]:.4f} rad. "
+        f"Friction: {friction_of(scene)}.\n",
         highlight=False,
     )
     fitted = change.fitted

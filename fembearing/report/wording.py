@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from analytic.scene import Scene
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.ring import RingStructure
 from fembearing.compare.stiffness_law import LoadSeries
@@ -25,6 +26,7 @@ QUANTITIES = {
     "peak_pressure": Shown("peak pressure", "GPa", 1e-9),
     "stiffness": Shown("stiffness", "GN/m^1.5", 1e-9),
 }
+AT_THE_CENTRE = QUANTITIES["peak_pressure"]._replace(name="pressure at y = 0")
 STRESSES = {
     "max_shear": Shown("shear", "GPa", 1e-9),
     "max_shear_depth": Shown("its depth", "um", 1e6),
@@ -32,6 +34,11 @@ STRESSES = {
     "max_von_mises_depth": Shown("its depth", "um", 1e6),
 }
 AXES = "a along rolling (x), b transverse (y), load along z"
+
+
+def quantities_of(contact: ContactSolution) -> dict[str, Shown]:
+    """`QUANTITIES`, where a shoulder cuts the contact off with another word: the pressure is largest at its edge."""
+    return QUANTITIES | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else QUANTITIES
 
 
 def place_of(contact: ContactSolution | LoadSeries) -> str:
@@ -59,24 +66,39 @@ def title_of(contact: ContactSolution | LoadSeries) -> str:
     return f"{place[0].upper()}{place[1:]}{angle}: {load}"
 
 
+def friction_of(scene: Scene) -> str:
+    """Where the friction of ball on race comes from."""
+    if scene.friction_coefficient is not None:
+        return (
+            f"coefficient {scene.friction_coefficient:g} at each race, given by the scene and by no lubrication model"
+        )
+    if scene.has_friction:
+        return "coefficient of each race by mixed lubrication, from the scene's lubricant and surface"
+    return "neither a coefficient nor both lubricant and surface in the scene: no torque"
+
+
 def shoulder_lines(contact: ContactSolution) -> list[str]:
     """What a contact cut off at a shoulder does there, a sentence each; none where it ends before."""
     if not contact.shoulder:
         return []
     centroid, share, line = (contact.shoulder[name] for name in ("centroid", "strip_share", "strip_line_load"))
-    room = contact.contact.shoulder * 1e3
+    half, ends = contact.meshes[-1].pair.footprint.half, [f"{y * 1e3:.4g} mm" for y in contact.shoulders]
     found = []
-    if contact.meshes[-1].pair.footprint.half:
+    if len(ends) == 1:
+        where, beside = f"Cut off at the shoulder, y = {ends[0]}, on one side", "the shoulder"
+    else:
+        where, beside = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {ends[1]}"
+    if half:
         found.append(
-            f"Cut off at the shoulder, y = {room:.4g} mm, on one side: half of the contact is meshed, semi-axes are "
-            f"about the load's centroid, at y = {centroid.value * 1e3:.3g} mm (+-{centroid.total:.1%} of that)."
+            f"{where}: half of the contact is meshed, semi-axes are about the load's centroid, at y = "
+            f"{centroid.value * 1e3:.3g} mm (+-{centroid.total:.1%} of that)."
         )
     else:
-        found.append(f"Cut off at both shoulders, y = -{room:.4g} mm and {room:.4g} mm.")
+        found.append(f"{where}.")
     times = line.value / contact.hertz_line_load
     found.append(
-        f"Edge load: the strip of {contact.strip_width * 1e3:.3g} mm beside the shoulder carries {share.value:.2%} of "
+        f"Edge load: the strip of {contact.strip_width * 1e3:.3g} mm beside {beside} carries {share.value:.2%} of "
         f"the load (+-{share.total:.1%} of that), {line.value * 1e-3:.4g} N/mm or {times:.3g} times Hertz's greatest "
-        "line load."
+        "line load. The pressure shown is that at y = 0, not at the edge, where it has no bound."
     )
     return found

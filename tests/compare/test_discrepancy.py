@@ -1,20 +1,26 @@
 """One contact both ways: what is reported against what was solved."""
 
 from dataclasses import replace
+from io import StringIO
 from types import SimpleNamespace
 
 import pytest
+from rich.console import Console
 
 from analytic.scene import Contact, Material
 from fembearing.compare import discrepancy as module
-from fembearing.compare.discrepancy import compare_contact, hertz_quantities
+from fembearing.compare.contact_warnings import shoulder_warning
+from fembearing.compare.discrepancy import ContactSolution, compare_contact, hertz_quantities
 from fembearing.compare.progress import silent
-from fembearing.compare.reference import estimates_of, solve_reference
+from fembearing.compare.reference import Reference, estimates_of, solve_reference
 from fembearing.compare.uncertainty import Estimate
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh import race
 from fembearing.mesh.recipe import load_recipe
+from fembearing.report.terminal import print_contact
 from fembearing.report.wording import shoulder_lines
+
+PARTS = ("meshes", "estimates", "shoulder")  # of a contact's solution that its reference has
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
@@ -39,14 +45,52 @@ def test_the_far_boundary_fades_as_it_is_said_to(
     assert found.domain == pytest.approx(abs(found.beyond) / 2, rel=1e-9)
 
 
-def test_an_ellipse_over_the_shoulder_is_not_judged(contacts: dict[str, Contact]) -> None:
-    narrow = replace(contacts["inner"], shoulder=0.8e-3)  # the semi-axis is 0.93 mm
-    found = compare_contact(narrow, recipe=load_recipe("race"), tolerance=0.9)
+@pytest.fixture(scope="module")
+def cut(contacts: dict[str, Contact]) -> ContactSolution:
+    """At one shoulder: the semi-axis is 0.93 mm."""
+    return compare_contact(replace(contacts["inner"], shoulder=0.8e-3), recipe=load_recipe("race"), tolerance=0.9)
+
+
+def cut_at(found: ContactSolution, *, below: float, half: bool) -> ContactSolution:
+    """The same with a farther shoulder that is reached too."""
+    mesh = found.meshes[-1]
+    footprint = replace(mesh.pair.footprint, room=(below, 0.8e-3), half=half)
+    return replace(found, meshes=(*found.meshes[:-1], replace(mesh, pair=replace(mesh.pair, footprint=footprint))))
+
+
+def test_each_shoulder_that_is_reached_is_told_with_its_side_and_distance(cut: ContactSolution) -> None:
+    unequal, equal = cut_at(cut, below=0.8647e-3, half=True), cut_at(cut, below=0.8e-3, half=False)
+    for found, sides in ((cut, {"above": 0.8e-3}), (unequal, {"below": 0.8647e-3, "above": 0.8e-3})):
+        assert found.to_json()["shoulder"]["sides"] == sides
+    words = " ".join(shoulder_lines(unequal))
+    assert "both shoulders, y = -0.8647 mm and y = 0.8 mm: half of the contact is meshed" in words
+    assert "beside the shoulder at y = 0.8 mm carries" in words
+    assert "one side" not in words
+    assert "both shoulders, y = -0.8 mm and y = 0.8 mm." in " ".join(shoulder_lines(equal))
+    assert "half of" not in " ".join(shoulder_lines(equal))
+    told = shoulder_warning(unequal.contact, Reference(**{part: getattr(unequal, part) for part in PARTS}))
+    assert "cut off on both sides, its shoulders stand at y = -0.865 mm and 0.800 mm" in told
+
+
+def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut: ContactSolution) -> None:
+    """It is that at y = 0; at the shoulder it has no bound."""
+    pressures = cut.meshes[-1].pressure
+    assert pressures.max() > 1.02 * cut.reference.peak_pressure
+    out = StringIO()
+    print_contact(Console(file=out, width=80), cut)
+    assert "peak pressure" not in out.getvalue()
+    assert "pressure at y = 0, GPa" in out.getvalue()
+    assert max(map(len, out.getvalue().splitlines())) <= 80
+    assert "\N{HORIZONTAL ELLIPSIS}" not in out.getvalue()
+    assert cut.to_json()["shoulder"]["peak_pressure_at"] == 0
+
+
+def test_an_ellipse_over_the_shoulder_is_not_judged(cut: ContactSolution) -> None:
+    found, narrow = cut, cut.contact
     assert found.verdict == "outside validity"
     assert "shoulder stands at 0.800 mm" in " ".join(found.warnings)
     assert "half of the contact" in found.rung
     said = found.to_json()["shoulder"]
-    assert (said["distance"], said["sides"]) == (0.8e-3, 1)
     assert found.shoulders == (0.8e-3,)
     assert said["centroid"]["fe"] < 0 < said["centroid"]["uncertainty"]
     # Hertz's line load 3 Q/(4 b) (1 - y^2/b^2) is 0.36 of its greatest in the middle of the strip, the edge's own more

@@ -119,17 +119,26 @@ def test_the_surface_carries_the_pressure(ideal: MeshSolution, real: MeshSolutio
         np.testing.assert_allclose(top, -found.quantities.peak_pressure, rtol=off)
 
 
+CERAMIC = replace(INNER, ball_material=NITRIDE)
+CUT = replace(CERAMIC, shoulder=0.7e-3)  # of an ellipse 1.12 mm across
+
+
 @SIDES
 @pytest.mark.parametrize("solver", ["as installed", "scipy"])
 @pytest.mark.parametrize("recipe", ["hertzian", "race"])
+@pytest.mark.parametrize(
+    "contact", [CERAMIC, CUT, replace(CUT, contact_angle=0.0)], ids=["whole", "cut", "cut on both sides"]
+)
 def test_touching_nodes_move_as_in_the_contact(
-    recipe: str, side: Side, solver: str, monkeypatch: pytest.MonkeyPatch
+    contact: Contact, recipe: str, side: Side, solver: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    found = solve(replace(INNER, ball_material=NITRIDE), recipe, level=1)
+    """Against the condensed body, whose far field is that of the ellipse as far as the shoulders leave it."""
+    found = solve(contact, recipe, level=1)
     body = getattr(found.pair, side)
     towards = -found.pair.normal if side == "upper" else found.pair.normal
     material = material_of(found.contact, side)
-    condensed = condense(body, material=material, force=towards, semi_axes=found.pair.semi_axes)
+    room = found.pair.footprint.room
+    condensed = condense(body, material=material, force=towards, semi_axes=found.pair.semi_axes, room=room)
     if solver == "scipy":
         monkeypatch.setattr(condensation, "PyPardisoSolver", None)
     moved = body_displacement(found, side=side)
@@ -137,7 +146,8 @@ def test_touching_nodes_move_as_in_the_contact(
     along = np.sum(moved[:, body.touching] * towards, axis=0)
     np.testing.assert_allclose(along, expected, rtol=1e-9)  # round-off times the condition, about 1e6
     for axis, plane in enumerate(body.planes):
-        np.testing.assert_allclose(moved[axis, plane], 0.0, atol=1e-20)  # m; the far field's own round-off
+        if not (body.pinned and axis == 1):  # the node that pins half a ball is free to lag behind its middle plane
+            np.testing.assert_allclose(moved[axis, plane], 0.0, atol=1e-20)  # m; the far field's own round-off
     if body.far.size:  # held where the far field puts it: below the load, away from it
         assert (moved[2, body.far] * towards[2, 0] > 0).all()
 

@@ -4,14 +4,19 @@ import base64
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
+from io import StringIO
 from pathlib import Path
 
 import pytest
+from rich.console import Console
 
+from analytic.scenefile import load_scene
 from fembearing.compare.hard_case import HardOutcome
+from fembearing.compare.uncertainty import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.compare.validation import Validation
 from fembearing.report.page import write_page
 from fembearing.report.pictures import draw_pictures
+from fembearing.report.terminal import print_validation
 
 ORDER = (
     "Intended use",
@@ -107,6 +112,31 @@ def test_it_says_what_is_assumed_and_what_is_not_validated(page: Page) -> None:
         "Not run with this report",  # the hard cases
     ):
         assert said in words
+
+
+def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Validation, tmp_path: Path) -> None:
+    oiled = load_scene(Path("validation/scenes/6205_paper_calibrated.toml"))
+    words = " ".join(page_of(replace(checked, scene=oiled), tmp_path).text.split())
+    for said in (
+        "viscosity 0.06 Pa s",
+        "rms roughness 1 um of each, gaussian autocorrelation of 165 um",
+        "by mixed lubrication, from the scene's lubricant and surface",
+        "that is a fit and no prediction",
+    ):
+        assert said in words
+    assert "no torque" not in words
+    assert "does not depend on speed" not in words
+    out = StringIO()
+    print_validation(Console(file=out, width=80), replace(checked, scene=oiled))
+    assert "Friction: coefficient of each race by mixed lubrication" in " ".join(out.getvalue().split())
+
+
+def test_the_page_says_the_rules_of_its_intervals(page: Page) -> None:
+    """In the constants of the code, which may change."""
+    words = " ".join(page.text.split())
+    assert f"what order {UNSTEADY:g} leaves of the last change, plus {LEAST:.2%}".replace("%", " %") in words
+    assert f"three times the last change, plus {LEAST:.2%}. All of them {FINEST:.3%} more".replace("%", " %") in words
+    assert (HALF, CAUTIOUS) == (1 / 2, 3)  # "half the extrapolation's step", "three times"
 
 
 def test_names_from_a_scene_cannot_break_the_page(checked: Validation, tmp_path: Path) -> None:

@@ -10,8 +10,9 @@ import pytest
 from rich.console import Console
 
 from fembearing.compare.ring import RingStructure
+from fembearing.compare.subsurface import NAMES, SubsurfaceComparison
 from fembearing.compare.validation import Validation
-from fembearing.report.terminal import print_validation
+from fembearing.report.terminal import print_subsurface, print_validation
 
 NARROW = 80  # columns, of a pipe
 
@@ -84,6 +85,26 @@ def test_the_ring_is_told_apart_from_the_contact(made: Validation) -> None:
     told = [contact["ring"] for contact in result.to_json()["contacts"]]
     share = {"approach": -0.2125e-6, "share": -0.0407, "uncertainty": pytest.approx(7.8e-9, rel=1e-12)}  # round-off
     assert told == [share, None, None, None]
+
+
+def test_a_stress_has_its_share_and_a_depth_its_length() -> None:
+    """Hertz's von Mises stress is greatest on the surface here: a length is off, no share."""
+    below = SubsurfaceComparison(
+        side="lower",
+        hertz=dict(zip(NAMES, (0.612e9, 75.3e-6, 1.12e9, 0.0), strict=True)),
+        fe=dict(zip(NAMES, (0.6e9, 75e-6, 1.11e9, 3.5e-6), strict=True)),
+        uncertainty=dict(zip(NAMES, (0.003e9, 0.61e-6, 0.0222e9, 1.4e-6), strict=True)),
+    )
+    out = StringIO()
+    print_subsurface(Console(file=out, width=NARROW), below)
+    rows = rows_of(out.getvalue())
+    for row in (
+        ["shear, GPa", "0.612", "0.6", "+2.00% *", "0.50%"],
+        ["its depth, um", "75.3", "75", "+0.40%", "0.61 um"],
+        ["von Mises, GPa", "1.12", "1.11", "+0.90%", "2.00%"],
+        ["its depth, um", "0", "3.5", "- *", "1.4 um"],
+    ):
+        assert row in rows
 
 
 def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:

@@ -1,0 +1,83 @@
+"""How far off are stresses below a contact? python validation/benchmarks/subsurface.py [--contacts 20] [--seed 3000]
+
+Solves random contacts of half spaces, where the closed forms are exact: conformity 0.505 to 0.6 and circles, Poisson
+ratios 0 to 0.4999, unequal materials. Prints for each level of the mesh recipe the errors of the greatest shear and von
+Mises stress, relative, and of their depths, in minor semi-axes; and how often the intervals hold.
+"""
+
+from dataclasses import replace
+from typing import Annotated
+
+import numpy as np
+import typer
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+
+from analytic.scene import Contact
+from analytic.scenefile import builtin_scene, load_scene
+from fembearing.compare.discrepancy import ContactSolution, compare_contact, contact_of
+from fembearing.compare.subsurface import NAMES, compare_subsurface
+from fembearing.fem.solution import solve_on_mesh
+from fembearing.mesh.recipe import load_recipe
+
+LEVELS = (2, 3, 4)
+TOLERANCE = 0.05
+out = Console(width=100)
+
+
+def main(
+    contacts: Annotated[int, typer.Option(help="Random contacts; both bodies of each are looked at.")] = 20,
+    seed: Annotated[int, typer.Option(help="First seed.")] = 3000,
+) -> None:
+    recipe = load_recipe("hertzian")
+    errors = {level: {name: [] for name in NAMES} for level in LEVELS}
+    held = {level: dict.fromkeys(NAMES, 0) for level in LEVELS}
+    for number in track(range(seed, seed + contacts), console=Console(stderr=True)):
+        contact = random_contact(np.random.default_rng(number))
+        found = compare_contact(contact, recipe=recipe, tolerance=TOLERANCE)
+        axes = found.meshes[-1].pair.semi_axes
+        meshes = [solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes) for level in (1, *LEVELS)]
+        for finest, level in enumerate(LEVELS, start=1):
+            look(replace(found, meshes=tuple(meshes[: finest + 1])), errors[level], held[level])
+    table = Table(title=f"{contacts} contacts, seeds {seed} to {seed + contacts - 1}")
+    for head in ("finest level", "quantity", "error, median", "error, worst", "interval holds"):
+        table.add_column(head, justify="left" if head == "quantity" else "right")
+    for level in LEVELS:
+        for name in NAMES:
+            off = np.array(errors[level][name])
+            table.add_row(
+                str(level),
+                name.replace("_", " "),
+                f"{np.median(off):.2%}",
+                f"{off.max():.2%}",
+                f"{held[level][name]} of {off.size}",
+            )
+    out.print(table)
+
+
+def random_contact(rng: np.random.Generator) -> Contact:
+    """The 6205's balls on other grooves, every fourth on a round seat."""
+    pair = "inner" if rng.random() < 0.5 else "outer"
+    contact = contact_of(load_scene(builtin_scene("6205")), pair=pair, load=float(rng.uniform(50.0, 1000.0)))
+    ball, race = (replace(contact.ball_material, poisson_ratio=float(ratio)) for ratio in rng.uniform(0, 0.4999, 2))
+    race = replace(race, youngs_modulus=float(rng.uniform(60e9, 300e9)))
+    contact = replace(contact, ball_material=ball, race_material=race)
+    if rng.random() < 0.25:
+        return replace(contact, groove_radius=1e9, rolling_radius=1e9)
+    return replace(contact, groove_radius=2 * contact.ball_radius * float(rng.uniform(0.505, 0.6)))
+
+
+def look(solution: ContactSolution, errors: dict[str, list[float]], held: dict[str, int]) -> None:
+    """Both bodies; depths in minor semi-axes."""
+    minor = min(solution.hertz.semi_axis_rolling, solution.hertz.semi_axis_transverse)
+    for side in ("upper", "lower"):
+        found = compare_subsurface(solution, side=side)
+        for name in NAMES:
+            scale = minor if "depth" in name else found.hertz[name]
+            errors[name].append(abs(found.fe[name] - found.hertz[name]) / scale)
+            held[name] += not found.exceeds(name)
+
+
+if __name__ == "__main__":
+    typer.run(main)
