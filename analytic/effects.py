@@ -6,11 +6,13 @@ up to less than that half. An effect whose bound would cost as much as itself is
 the whole series, by its worst point.
 """
 
+from dataclasses import dataclass
+from typing import Literal
+
 import numpy as np
 
 from analytic.errors import InputError
 from analytic.scene import Array, Scene
-from analytic.torque_result import Effect
 
 # In the order in which they are decided: the dearest first, so that leaving it out comes first.
 COMPUTED = (
@@ -30,6 +32,16 @@ COMPUTED = (
 WATCHED = ("cage", "elastic_creep", "plasticity", "shoulder")
 EFFECTS = COMPUTED + WATCHED
 SHARE_OF_TOLERANCE = 0.5
+
+
+@dataclass(frozen=True, kw_only=True)
+class Effect:
+    """One physical contribution, decided for the whole series."""
+
+    name: str
+    decision: Literal["on", "off"]
+    share: float | None  # of the total, the largest over the series; None: left out, its size not known
+    reason: str
 
 
 class Choices:

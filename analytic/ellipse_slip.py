@@ -11,6 +11,7 @@ Source: derived here.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -247,6 +248,7 @@ def _forceless_creep(contact: _Contact) -> Array:
     )
 
 
+@cache
 def _unit_gauss(nodes: int) -> tuple[Array, Array]:
     """Gauss-Legendre nodes and weights on 0 to 1."""
     x, weight = np.polynomial.legendre.leggauss(nodes)

@@ -40,28 +40,36 @@ class SingularError(ConvergenceError):
         FembearingError.__init__(self, f"{problem}. {remedy}")
 
 
+# Formulas ask these often, and for few numbers: the smallest and the largest tell, and fail where one is not a number.
+
+
 def require_finite(**values: ArrayLike) -> None:
     """Raise InputError unless every element is a finite number, of any sign."""
     for name, value in values.items():
         array = _real(name, value)
-        _refuse(name, array, np.isfinite(array), "finite")
+        if array.size and not (array.min() > -np.inf and array.max() < np.inf):
+            _refuse(name, array, np.isfinite(array), "finite")
 
 
 def require_positive(**values: ArrayLike) -> None:
     """Raise InputError unless every element is finite and above 0."""
     for name, value in values.items():
         array = _real(name, value)
-        _refuse(name, array, np.isfinite(array) & (array > 0), "positive and finite")
+        if array.size and not (array.min() > 0 and array.max() < np.inf):
+            _refuse(name, array, np.isfinite(array) & (array > 0), "positive and finite")
 
 
 def require_non_negative(**values: ArrayLike) -> None:
     """Raise InputError unless every element is finite and at least 0."""
     for name, value in values.items():
         array = _real(name, value)
-        _refuse(name, array, np.isfinite(array) & (array >= 0), "at least 0 and finite")
+        if array.size and not (array.min() >= 0 and array.max() < np.inf):
+            _refuse(name, array, np.isfinite(array) & (array >= 0), "at least 0 and finite")
 
 
 def _real(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    if type(value) is float or (isinstance(value, np.ndarray) and value.dtype == np.float64):
+        return np.asarray(value)
     if np.iscomplexobj(value):
         raise InputError(f"{name} must be a real number, got a complex one; check how it was computed")
     try:
@@ -71,8 +79,6 @@ def _real(name: str, value: ArrayLike) -> NDArray[np.float64]:
 
 
 def _refuse(name: str, array: NDArray[np.float64], holds: NDArray[np.bool_], limit: str) -> None:
-    if holds.all():
-        return
     where = tuple(int(i) for i in np.argwhere(~holds)[0])
     place = f" at index {list(where)}" if where else ""
     raise InputError(f"{name} must be {limit}, got {float(array[where])!r}{place}; check its sign and its SI unit")

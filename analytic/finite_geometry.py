@@ -31,6 +31,11 @@ from analytic.scene import Array, Bearing, Contact, ContactAngle, Material
 
 OFF_SHOULDER = 1.15  # Hertz's semi-axes b that every solved contact kept from its centre to the shoulder, at least
 SMALL = 0.1  # b/r below which the factors' uncertainty falls with it, as the factors do: a point contact is Hertz's
+BASES = (  # of `shape_bases`
+    *("size", "axis_ratio", "relative_load", "rolling_curvature", "openness", "shoulder_curvature", "log_drift"),
+    *("ball_share", "race_share", "ball_drift", "race_drift", "ball_bulk", "race_bulk"),
+)
+MOST_POWER = 4  # that a term has of one base
 TINIEST = 1e-300  # stands for a size of 0, whose logarithm is multiplied by it
 
 
@@ -84,11 +89,10 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     values = _broadcast(shape)
     covered, warnings = _covered(values, fit["range"])
     with np.errstate(all="ignore"):  # what is not covered may be anything
-        bases = shape_bases(shape)
+        powers = _powers(shape_bases(shape))
         factors, uncertainty = {}, {}
         for name, quantity in fit["quantity"].items():
-            change = sum(term["coefficient"] * monomial(bases, term["powers"]) for term in quantity["terms"])
-            factors[name] = np.where(covered, 1 + change, 1.0)
+            factors[name] = np.where(covered, 1 + _change(name, powers), 1.0)
             half_width = quantity["uncertainty"] * np.minimum(1, values["size"] / SMALL)
             uncertainty[name] = np.where(covered, half_width, np.nan)
     return CorrectedGeometry(
@@ -186,6 +190,33 @@ def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
 def stored_fit() -> dict[str, Any]:
     """The fit with its provenance, as stored."""
     return catalog.entry("corrections", "finite_geometry")
+
+
+def _powers(bases: Mapping[str, Array]) -> Array:
+    """Every base to the powers 0 to MOST_POWER, which the terms pick from: (bases times powers, *shape)."""
+    stacked = np.stack([bases[name] for name in BASES])
+    return np.stack([stacked**power for power in range(MOST_POWER + 1)], axis=1).reshape(-1, *stacked.shape[1:])
+
+
+@cache
+def _picked(name: str) -> tuple[Array, NDArray[np.intp]]:
+    """The terms of one quantity: coefficients (terms,), and which of the powers each multiplies, (factors, terms)."""
+    terms = stored_fit()["quantity"][name]["terms"]
+    places = {base: place for place, base in enumerate(BASES)}
+    picked = np.zeros((max(len(term["powers"]) for term in terms), len(terms)), dtype=np.intp)  # to the power 0: 1
+    for column, term in enumerate(terms):
+        for row, (base, power) in enumerate(term["powers"].items()):
+            picked[row, column] = places[base] * (MOST_POWER + 1) + power
+    return np.array([term["coefficient"] for term in terms]), picked
+
+
+def _change(name: str, powers: Array) -> Array:
+    """Sum of coefficient * (product of powers of bases), at every shape."""
+    coefficients, picked = _picked(name)
+    products = powers[picked[0]]
+    for factor in picked[1:]:
+        products = products * powers[factor]
+    return np.tensordot(coefficients, products, axes=1)
 
 
 def _covered(values: Mapping[str, Array], limits: Mapping[str, Any]) -> tuple[NDArray[np.bool_], tuple[str, ...]]:

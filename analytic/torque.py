@@ -17,7 +17,7 @@ from analytic.balls import LoadedBalls
 from analytic.bounds import cage_rest_torque
 from analytic.catalogue_torque import inlet_shear_factor, replenishment_factor
 from analytic.correction import ContactCorrection
-from analytic.effects import EFFECTS, Choices
+from analytic.effects import EFFECTS, Choices, Effect
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loading import RACES, loaded_balls, points
 from analytic.lubrication import LubricatedRaces, lubricated_races
@@ -26,7 +26,7 @@ from analytic.race import hysteresis_moment
 from analytic.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
 from analytic.scene import Array, Lubricant, Scene
 from analytic.sliding import Sliding, full_spin, largest_spin_rise, most_missed, race_sliding, rolling_power
-from analytic.torque_result import Effect, FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
+from analytic.torque_result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.torque_warnings import doubts
 from analytic.traction import CoulombTraction, Traction
 from analytic.viscosity import inlet_viscosity
@@ -107,6 +107,7 @@ def friction_torque(
         inner=_loaded(balls, 0, at),
         outer=_loaded(balls, 1, at),
         effects=tuple(_with_share(choices.made[name], parts, race) for name in EFFECTS if name in choices.made),
+        sliding="auto" if slid is None else slid.rung,
         warnings=tuple(
             doubts(scene, operation, balls, choices, oiled=oiled, shared=shared, slid=slid, resistance=resistance)
             + warnings
@@ -120,7 +121,7 @@ def friction_torque(
                 "loads": "thrust, all balls alike" if balls.rung == "thrust" else "equilibrium of the ring",
                 "contacts": _contacts(choices, correction),
                 "friction": "given coefficient" if oiled is None else "mixed lubrication",
-                "sliding": "none" if slid is None else slid.rung.replace("_", " "),
+                "sliding": "nothing slides" if slid is None else slid.rung,
                 **_versions(),
             }
         ),

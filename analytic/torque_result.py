@@ -1,12 +1,13 @@
 """What the friction torque of a scene is told with: parts, contacts, effects, warnings, and their JSON."""
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from dataclasses import asdict, dataclass, replace
+from typing import Any
 
 import numpy as np
 
-from analytic.scene import Array
+from analytic.effects import COMPUTED, Effect
+from analytic.scene import Array, Scene, Sliding
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -50,16 +51,6 @@ class LoadedContact:
     approach: Array  # delta, m
 
 
-@dataclass(frozen=True, kw_only=True)
-class Effect:
-    """One physical contribution, decided for the whole series."""
-
-    name: str
-    decision: Literal["on", "off"]
-    share: float | None  # of the total, the largest over the series; None: left out, its size not known
-    reason: str
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FrictionTorque:
     """The friction torque at every operating point of a scene; arrays have the shape (n,)."""
@@ -69,16 +60,24 @@ class FrictionTorque:
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts
-    numerical_uncertainty: Array  # of the total, relative: bounds on what was left out and on the rung of sliding; inf for a variant
+    # Of the total, relative: bounds on what was left out and on the rung of sliding; infinite where none is known.
+    numerical_uncertainty: Array
     friction_coefficient: FrictionCoefficients
     film: OnRaces  # h, between the mean planes, m; None without a lubrication model
     asperity_share: OnRaces  # s, of the load, 0 to 1; likewise
     inner: LoadedContact
     outer: LoadedContact
     effects: tuple[Effect, ...]
+    sliding: Sliding  # the rung that integrated it; auto: nothing slides
     warnings: tuple[str, ...]
     provenance: Mapping[str, str]
     seconds: float  # that the computation took
+    model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.uncertainty
+
+    def settled(self, scene: Scene) -> Scene:
+        """The scene with every effect and rung decided as here, whatever bounds would say of a change of it."""
+        decisions = {effect.name: effect.decision for effect in self.effects if effect.name in COMPUTED}
+        return replace(scene, effects={**scene.effects, **decisions}, sliding=self.sliding)
 
     def to_json(self) -> dict[str, Any]:
         """Plain Python numbers, texts, lists and dicts, all SI; None where a part was left out or is not modelled."""
@@ -94,6 +93,7 @@ class FrictionTorque:
         def here(group: object) -> dict[str, float | None]:
             return {name: None if values is None else float(values[index]) for name, values in vars(group).items()}
 
+        model = None if self.model_uncertainty is None else float(self.model_uncertainty[index])
         cage = ("mean_force", "max_force", "interval", "duration", "state", "signed_moment")
         return {
             "inner_speed": float(self.inner_speed[index]),
@@ -104,7 +104,7 @@ class FrictionTorque:
             "film": here(self.film),
             "asperity_share": here(self.asperity_share),
             "contact": {"inner": here(self.inner), "outer": here(self.outer)},
-            "uncertainty": {"numerical": _finite(self.numerical_uncertainty[index]), "model": None},
+            "uncertainty": {"numerical": _finite(self.numerical_uncertainty[index]), "model": model},
             "cage": dict.fromkeys(cage),
         }
 
