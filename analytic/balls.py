@@ -4,7 +4,7 @@ Under thrust alone all balls are alike and one stands for all; else each has its
 races have an axis of two in front, inner and outer; n operating points and m balls follow.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -86,12 +86,14 @@ def ring_balls(
 ) -> LoadedBalls:
     """Each ball in its own column; the arguments and errors of ring_equilibrium, loads and speed (n,).
 
+    Without radial load and moment all balls are alike, and one column stands for all.
     A ball that is pressed the other way spins the other way and loses the same: its angles are told as if it were not.
     """
+    alike = 1 if np.any(radial_load) or np.any(moment) else bearing.ball_count
     found: RingEquilibrium = ring_equilibrium(
-        bearing,
+        replace(bearing, ball_count=bearing.ball_count // alike),
         contact_angle,
-        axial_load=axial_load,
+        axial_load=np.asarray(axial_load) / alike,
         radial_load_x=radial_load,
         moment_y=moment,
         inner_speed=inner_speed,
@@ -103,7 +105,7 @@ def ring_balls(
     return _balls(
         bearing,
         rung="ring",
-        alike=1,
+        alike=alike,
         load=np.stack([found.inner_load, found.outer_load]),
         angle=np.where(angle.sum(axis=0) < 0, -angle, angle),
         contacts=(found.inner, found.outer),

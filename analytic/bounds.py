@@ -81,6 +81,31 @@ def gyroscopic_ratio(
     return _ratio(moment, held)
 
 
+def gyroscopic_pull(
+    *,
+    ball_mass: ArrayLike,
+    ball_radius: ArrayLike,
+    ball_speed: ArrayLike,
+    cage_speed: ArrayLike,
+    contact_angle: ArrayLike,
+    load: ArrayLike,
+) -> Array:
+    """J w_b w_c cos(al)/(r Q): the axial pull of the friction that holds the gyroscopic moment, over a ball's thrust.
+
+    ball_mass : m_b, kg;  ball_radius : r, m, > 0; J = (2/5) m_b r^2;  ball_speed, cage_speed : w_b, w_c, rad/s
+    contact_angle : al, rad, 0 to pi/2;  load : Q, N; all >= 0
+    The moment J w_b w_c sin(al) takes a force across the groove of that over r, whose axial part cos(al) adds to the
+    thrust Q sin(al). It moves loads and angles; whether the ball slides is `gyroscopic_ratio`.
+    """
+    require_positive(ball_radius=ball_radius)
+    require_non_negative(
+        ball_mass=ball_mass, ball_speed=ball_speed, cage_speed=cage_speed, contact_angle=contact_angle, load=load
+    )
+    inertia = 2 / 5 * np.asarray(ball_mass) * np.asarray(ball_radius) ** 2
+    moment = inertia * np.asarray(ball_speed) * np.asarray(cage_speed)
+    return _ratio(moment * np.cos(contact_angle) / np.asarray(ball_radius), load)
+
+
 def whirl_number(
     *, ball_speed: ArrayLike, ball_radius: ArrayLike, clearance: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY
 ) -> Array:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import numpy as np
 
 from analytic.balls import LoadedBalls, ring_balls, thrust_balls
-from analytic.bounds import centrifugal_ratio, gyroscopic_ratio, load_distribution_ratio
+from analytic.bounds import centrifugal_ratio, gyroscopic_pull, load_distribution_ratio
 from analytic.contact import Race
 from analytic.correction import ContactCorrection
 from analytic.effects import Choices
@@ -22,7 +22,6 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 # Heaviest ball of Z under a radial load Fr without clearance: 4.37 Fr/Z (Stribeck; R. Stribeck, ASME Trans. 29 (1907),
 # not seen: it is the load-distribution integral of point contacts, 1/J_r(0.5) = 4.37).
 STRIBECK = 4.37
-HELD_BY = 0.05  # friction coefficient against a gyroscopic moment: that of an oil film (SKF's mu_EHL)
 # Change of the torque over the centrifugal force's share of the ball load: 4/3 to 5/3 by the outer race's load alone,
 # and the contact angles part (compared with measured shares in tests/analytic/test_effects.py).
 PER_CENTRIFUGAL = 2.0
@@ -105,15 +104,13 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         )
     gyroscopic = choices.calls_for(
         "gyroscopic",
-        share=gyroscopic_ratio(
+        share=gyroscopic_pull(
             ball_mass=bearing.ball_mass,
             ball_radius=bearing.ball_radius,
             ball_speed=ball,
             cage_speed=cage,
             contact_angle=angle,
-            friction_coefficient=HELD_BY,
             load=load,
-            semi_axis_transverse=np.max(thrust.contact.semi_axis_y, axis=(0, 2)) if thrust else bearing.ball_radius,
         ),
         lacks=held,
     )

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from analytic.bounds import cage_rest_torque, centrifugal_ratio, gyroscopic_ratio, whirl_number
+from analytic.bounds import cage_rest_torque, centrifugal_ratio, gyroscopic_pull, gyroscopic_ratio, whirl_number
 from analytic.errors import InputError
 from analytic.kinematics import BallKinematics, ball_kinematics
-from analytic.scene import Bearing
+from analytic.ring import ring_equilibrium
+from analytic.scene import Bearing, ContactAngle
 
 BALL = {"ball_mass": 2.04e-3, "ball_radius": 3.97e-3}
 HELD = {"friction_coefficient": 0.05, "load": 620.63, "semi_axis_transverse": 1.1222e-3}
@@ -112,3 +113,21 @@ def test_nonsense_is_refused() -> None:
         whirl_number(ball_speed=3.0, ball_radius=4e-3, clearance=0.0)
     with pytest.raises(InputError, match="cage_mass must be at least 0"):
         cage_rest_torque(friction_coefficient=0.1, cage_mass=np.nan, ball_rate=2.0, ball_radius=4e-3)
+
+
+def test_the_gyroscopic_pull_is_what_the_ring_feels(bearing_6205: Bearing) -> None:
+    """The races share the friction that holds the moment: the inner one's normal force loses half of the pull."""
+    rule, speed = ContactAngle(rule="solved", free=0.21), 700.0
+    still = ring_equilibrium(bearing_6205, rule, axial_load=310.0)
+    turning = ring_equilibrium(bearing_6205, rule, axial_load=310.0, inner_speed=speed, centrifugal=False)
+    angle, load = float(still.inner_angle[0]), float(still.inner_load[0])
+    moving = ball_kinematics(
+        inner_speed=speed, inner_angle=angle, outer_angle=angle, pitch_diameter=39.01e-3, ball_diameter=7.94e-3
+    )
+    pull = gyroscopic_pull(
+        **BALL, ball_speed=moving.ball_speed, cage_speed=moving.cage_speed, contact_angle=angle, load=load
+    )
+    thrust, before = (found.inner_load[0] * np.sin(found.inner_angle[0]) for found in (turning, still))
+    np.testing.assert_allclose(1 - thrust / before, pull / 2, rtol=2e-3)  # angle and speeds follow by as much
+    with pytest.raises(InputError, match="contact_angle must be at least 0"):
+        gyroscopic_pull(**BALL, ball_speed=3.0, cage_speed=2.0, contact_angle=-0.1, load=5.0)
