@@ -18,6 +18,7 @@ from fembearing.compare.hard_case import HardCase
 from fembearing.fem import solution
 from fembearing.mesh.recipe import load_recipe
 
+COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
 QUANTITIES = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach", "stiffness"}
 
 
@@ -110,8 +111,33 @@ def test_uncertainty_covers_a_finer_solution(command, validated: dict[str, Any])
     assert finer["cost"]["unknowns"] > 2 * coarse["cost"]["unknowns"]
     for name in QUANTITIES:
         assert abs(coarse["fe"][name] / finer["fe"][name] - 1) <= coarse["uncertainty"][name]
-    assert result.status == 1  # Hertz is 1.7 % off in approach: beyond 0.05 %, and said so
-    assert finer["verdict"] == "fail"
+    assert finer["discrepancy"]["approach"] > 0.01
+    assert (finer["accuracy"], finer["tolerance"], finer["verdict"]) == (5e-4, 0.05, "pass")  # the scene's 5 %
+    assert result.status == (0 if max(finer["uncertainty"][name] for name in COMPARED) <= 5e-4 else 3)
+
+
+@pytest.mark.parametrize(("scene_tolerance", "verdict"), [("4 %", "pass"), ("0.5 %", "fail")])
+def test_a_contact_solved_as_asked_is_a_success_whatever_hertz_is_worth(
+    command, tmp_path: Path, scene_tolerance: str, verdict: str
+) -> None:
+    """Hertz is 1.4 % off in approach and 2.3 % in b at this load: a matter of the scene's tolerance alone."""
+    scene = tmp_path / "scene.toml"
+    scene.write_text(SCENE.replace("4 %", scene_tolerance))
+    result = command("contact", str(scene), "--load", "620 N", "--tolerance", "0.3 %", "--json")
+    found = json.loads(result.out)
+    assert max(found["uncertainty"][name] for name in COMPARED) <= found["accuracy"] == 0.003
+    assert 0.01 < max(map(abs, found["discrepancy"].values())) < 0.03
+    assert (found["verdict"], result.status, result.err) == (verdict, 0, "")
+
+
+@pytest.mark.parametrize("loads", [("28 N",), ("28 N", "9 N")])
+def test_a_contact_not_solved_as_asked_ends_with_status_3_and_how_far_it_came(command, loads: tuple[str, ...]) -> None:
+    """A pocket's seat is a cavity: no mesh takes the far boundary's share out of its approach."""
+    given = [part for load in loads for part in ("--load", load)]
+    result = command("contact", "--pair", "pocket", *given, "--tolerance", "0.2 %", "--json")
+    assert json.loads(result.out)["pair"] == "pocket"  # the answer is there, as uncertain as it is
+    assert result.status == 3
+    assert "not solved to 0.002: approach" in result.err
 
 
 def test_json_is_alone_on_standard_output(command) -> None:

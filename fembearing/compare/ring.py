@@ -12,8 +12,8 @@ from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.recipe import Recipe
 
-# The difference of ring and block settles from the first level to the second as the third or fourth power of the
-# cells; a third of that change is left as uncertainty, as if it were the second.
+# The difference of ring and block settles from the first level to the second, with cells half as large, as their third
+# or fourth power; 1/(2^2 - 1) of that change is left as uncertainty, as if it were the second.
 LEFT = 1 / 3
 
 

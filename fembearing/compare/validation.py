@@ -22,7 +22,7 @@ from fembearing.mesh.recipe import Geometry
 # Contacts with the seconds that they took on one machine, for the progress alone.
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
 POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
-HARD_SECONDS = 15.0
+HARD_SECONDS = 30.0
 ENOUGH = 0.2  # uncertainty that is asked of a reference, as a share of the tolerance that it is to judge
 
 

@@ -26,8 +26,9 @@ from fembearing.mesh.footprint import farther_shoulder
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
-# Ellipse over that of its mesh. Between these the approach is off by no more than 0.4 % on a third level (worst seen on
-# idealised contacts); below, too few cells carry it, and from 1.4 on it runs over the nodes that may touch.
+# Ellipse over that of its mesh. Between these the approach is off by no more than 0.41 % on a third level (worst seen
+# on idealised contacts, validation/benchmarks/calibrations.py); below, too few cells carry it, and from 1.4 on it runs
+# over the nodes that may touch.
 NARROWEST, WIDEST = 0.7, 1.3
 # A second level measures an ellipse to 3 %, and the groove's is not quite self-similar: before a band is split, more.
 SLACK = 0.05

@@ -28,7 +28,8 @@ from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
 # How far off, in semi-axes, the mesh may be made on the first and the second level. The first shows a slender ellipse
-# up to a tenth too short; a mesh that is 1 % off changes no quantity by more than its own discretisation error.
+# up to a tenth too short; a mesh that is 1 % off changes no quantity by more than its own discretisation error
+# (validation/benchmarks/calibrations.py).
 GOOD_GUESSES = (0.1, 0.01)
 # A mesh far too large is touched by one node and shows no size, one far too small is touched all over and shows 1.6
 # times its own. Each try mends a factor of 4 or 1.6: these many, a guess 100 times too large or too small.

@@ -9,7 +9,7 @@ import pytest
 from mpmath import mpf
 
 from analytic.errors import ConvergenceError, InputError
-from fembearing.compare import hard_cases
+from fembearing.compare import hard_cases, hard_contacts
 from fembearing.compare.hard_cases import HARD_CASES, HardCase, outcome_of, run_hard_cases
 
 TABLE = {case.name: case for case in HARD_CASES}
@@ -142,6 +142,24 @@ REFERENCES = {
 def test_every_case_is_right(name: str) -> None:
     found = outcome_of(TABLE[name])
     assert found.outcome == ("refused" if TABLE[name].refusal else "right"), found.detail
+
+
+AS_USERS_GET_IT = (
+    *("1e-6 N", "incompressible", "close groove", "far over its shoulder", "past the ball", "static limit"),
+    *("true groove at 1e-6 N", "closest groove", "open groove", "steel on ceramic", "steel on bronze", "steel on PEEK"),
+    *("PEEK out of its groove", "incompressible race", "Poisson ratio 0.5", "no modulus", "no load"),
+)
+
+
+@pytest.mark.parametrize("name", AS_USERS_GET_IT)
+def test_a_contact_goes_the_way_that_users_take(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Through the reference, with its meshes and its accuracy; only what is about a mesh itself goes past it."""
+
+    def turned_away(*_: object, **__: object) -> None:
+        raise ConvergenceError(iterations=3, residual=0.5, tolerance=0.1, problem="the way through the reference")
+
+    monkeypatch.setattr(hard_contacts, "solve_reference", turned_away)
+    assert "the way through the reference" in outcome_of(TABLE[f"contact: {name}"]).detail
 
 
 @pytest.mark.parametrize("name", [name for name, case in TABLE.items() if case.expected is not None])

@@ -1,14 +1,15 @@
 """A contact cut off at one shoulder: against the quarter where nothing is cut, boundary elements, and equilibrium."""
 
+import importlib
 from dataclasses import replace
-from typing import Any
+from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
 from skfem import MeshHex2
 
 from analytic.errors import InputError
-from analytic.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from fembearing.fem.condensation import condense, held_stiffness, middle_plane
 from fembearing.fem.elasticity import stiffness
@@ -23,6 +24,7 @@ from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.pair import PairMesh
 from fembearing.mesh.recipe import load_recipe
 
+BENCHMARKS = Path(__file__).resolve().parents[2] / "validation" / "benchmarks"
 NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 SEMI_AXES = (0.103e-3, 0.939e-3)  # m, on the far side of the contact below
 
@@ -49,42 +51,23 @@ def test_half_of_a_symmetric_contact_is_its_quarter_twice(
     assert half.force.sum() == pytest.approx(2 * quarter.force.sum(), rel=1e-9)
 
 
-def boundary_elements(contact: Contact, *, semi_axes: tuple[float, float], points: int) -> dict[str, float]:
-    """The half space of Tamaas against a paraboloid that ends at the shoulder: its grid ends there."""
-    tamaas: Any = pytest.importorskip("tamaas", reason="its wheels are for Linux on x86-64 only")
-    tamaas.set_log_level(tamaas.LogLevel.error)
-    low, high = -1.2 * semi_axes[1], contact.shoulder
-    sides = [2.4 * semi_axes[0], high - low]
-    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, sides, [points, points])
-    model.E, model.nu = contact_modulus(contact.ball_material, contact.race_material), 0.0  # so that E is E*
-    tamaas.ModelFactory.registerNonPeriodic(model, "half space")
-    middle = (np.arange(points) + 0.5) / points
-    x, y = np.meshgrid((middle - 0.5) * sides[0], low + middle * sides[1], indexing="ij")
-    curvature_x, curvature_y = relative_curvatures(contact)
-    surface = -(float(curvature_x) * x**2 + float(curvature_y) * y**2) / 2
-    solver = tamaas.PolonskyKeerRey(model, surface, 1e-9)  # of the conjugate gradients; at 1e-12 they stagnate
-    solver.setIntegralOperator("half space")
-    solver.solve(contact.load / (sides[0] * sides[1]))
-    model.operators["half space"](model.traction, model.displacement)
-    pressure = np.array(model.traction)
-    total, centroid = pressure.sum(), np.average(y, weights=pressure)
-    beyond = np.append(0.0, np.cumsum(pressure.sum(axis=0))) / total
-    return {
-        "semi_axis_rolling": np.sqrt(5 * np.average(x**2, weights=pressure)),
-        "semi_axis_transverse": np.sqrt(5 * np.average((y - centroid) ** 2, weights=pressure)),
-        "approach": float(np.average(np.array(model.displacement) - surface, weights=pressure)),
-        "centroid": float(centroid),
-        "strip_share": 1 - float(np.interp((1 - STRIP) * high, np.linspace(low, high, points + 1), beyond)),
-    }
+@pytest.fixture
+def calibrations(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """The script that measures the constants; it holds the boundary elements."""
+    pytest.importorskip("tamaas", reason="its wheels are for Linux on x86-64 only")
+    monkeypatch.syspath_prepend(str(BENCHMARKS))
+    return importlib.import_module("calibrations")
 
 
-def test_boundary_elements_agree_on_a_paraboloid_that_ends_at_the_shoulder(contacts: dict[str, Contact]) -> None:
+def test_boundary_elements_agree_on_a_paraboloid_that_ends_at_the_shoulder(
+    contacts: dict[str, Contact], calibrations: ModuleType
+) -> None:
     """Two methods without a line in common, where Hertz's ellipse is 1.7 times as long as the room."""
     contact = replace(contacts["inner"], shoulder=0.55e-3)
     semi_axes = fitted_solution(contact, recipe=load_recipe("hertzian")).pair.semi_axes
     ours = solve_on_mesh(contact, recipe=load_recipe("hertzian"), level=2, semi_axes=semi_axes)
     assert ours.shoulder is not None
-    other = boundary_elements(contact, semi_axes=semi_axes, points=128)
+    other = calibrations.boundary_elements(contact, semi_axes=semi_axes, points=128)
     for name in ("semi_axis_rolling", "semi_axis_transverse", "approach"):
         # the second level is up to 0.4 % off the fourth, 128 points up to 0.15 % off 512
         assert getattr(ours.quantities, name) == pytest.approx(other[name], rel=6e-3), name

@@ -1,0 +1,149 @@
+"""Measured constants of the solver, measured again: python validation/benchmarks/calibrations.py [--contacts 14]
+
+Each line names the constant, its value and what is measured beside it, on random contacts of `coverage.py` as half
+spaces, where Hertz is exact, or beside boundary elements. Those that `coverage.py` itself tries (`HALF`, `FINEST`,
+`UNSTEADY`, `LEAST`) are not repeated; `FADING` is held by tests/compare/test_discrepancy.py.
+"""
+
+from dataclasses import replace
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+from coverage import random_contact
+from rich.console import Console
+from rich.progress import track
+
+from analytic.contact import race_contact
+from analytic.hertz import contact_modulus, relative_curvatures
+from analytic.scene import Contact
+from analytic.scenefile import builtin_scene, load_scene
+from fembearing.compare.discrepancy import hertz_quantities
+from fembearing.compare.reference import COMPARED, FORMAL_ORDERS, STRIP_LEAST
+from fembearing.compare.stiffness_law import OFF_MESH
+from fembearing.compare.uncertainty import FINEST, HALF
+from fembearing.fem.measure import STRIP
+from fembearing.fem.series import NARROWEST, WIDEST
+from fembearing.fem.solution import GOOD_GUESSES, condensed_pair, fitted_solution, pressed, solve_on_mesh
+from fembearing.mesh.recipe import load_recipe
+
+SIZES = np.linspace(0.65, 1.35, 33)  # of an ellipse, over the one that its mesh is made for
+SEED = 3000
+SHOULDERS = (0.4e-3, 0.55e-3, 0.8e-3)  # m, where Hertz's ellipse is 0.95 mm across
+POINTS = 256  # of the boundary elements, each way
+out = Console(width=120, highlight=False)
+
+
+def main(contacts: Annotated[int, typer.Option(help="Random contacts.")] = 14) -> None:
+    chosen = [ideal_contact(seed) for seed in range(SEED, SEED + contacts)]
+    sized = [mesh_size_errors(each) for each in track(chosen, description="sizes", console=Console(stderr=True))]
+    first, shift = np.array([part[0] for part in sized]), np.array([part[1] for part in sized])
+    out.print(
+        f"GOOD_GUESSES {GOOD_GUESSES}: the first level measures an ellipse up to {np.abs(first).max():.1%} off; a mesh "
+        f"that is {GOOD_GUESSES[1]:.0%} off moves a quantity of the third level by at most "
+        f"{np.max(shift[:, 0]):.3%}, {np.max(shift[:, 1]):.1f} times that level's own error where it is most"
+    )
+    beyond, plain = zip(*(off_mesh_errors(each) for each in track(chosen, console=Console(stderr=True))), strict=True)
+    inside = (SIZES >= NARROWEST) & (SIZES <= WIDEST)
+    out.print(
+        f"OFF_MESH {OFF_MESH:.2%}: at {SIZES.size} sizes from {SIZES[0]:g} to {SIZES[-1]:g} of the mesh's, beyond what "
+        f"the levels show, {np.quantile(beyond, 0.95):.2%} in 95 of 100, worst {np.max(beyond):.2%}"
+    )
+    out.print(
+        f"NARROWEST, WIDEST {NARROWEST:g}, {WIDEST:g}: between them the third level's approach is at most "
+        f"{np.abs(np.array(plain)[:, inside]).max():.2%} off, outside {np.abs(np.array(plain)[:, ~inside]).max():.2%}"
+    )
+    try:
+        shares = [strip_shares(room) for room in SHOULDERS]
+    except ModuleNotFoundError as problem:
+        out.print(f"STRIP_LEAST {STRIP_LEAST:.0%}: not measured, {problem.name} is not installed")
+        return
+    off = ", ".join(f"{ours / other - 1:+.1%}" for ours, other in shares)
+    out.print(f"STRIP_LEAST {STRIP_LEAST:.0%}: the third level's strip over that of boundary elements, less one: {off}")
+
+
+def ideal_contact(seed: int) -> Contact:
+    return replace(random_contact(np.random.default_rng(seed)), shoulder=np.inf)
+
+
+def mesh_size_errors(contact: Contact) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Misfit of the first level's semi-axes; the largest change that a mesh 1 % off makes, and over its error."""
+    recipe, exact = load_recipe("hertzian"), vars(hertz_quantities(contact))
+    ellipse = exact["semi_axis_rolling"], exact["semi_axis_transverse"]
+    rough = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=ellipse).semi_axes
+    off = (ellipse[0] * (1 + GOOD_GUESSES[1]), ellipse[1] * (1 + GOOD_GUESSES[1]))
+    made, missed = (
+        vars(solve_on_mesh(contact, recipe=recipe, level=recipe.levels[2], semi_axes=axes).quantities)
+        for axes in (ellipse, off)
+    )
+    change = max(abs(missed[name] / made[name] - 1) for name in COMPARED)
+    error = max(abs(made[name] / exact[name] - 1) for name in COMPARED)
+    return (rough[0] / ellipse[0] - 1, rough[1] / ellipse[1] - 1), (change, change / error)
+
+
+def off_mesh_errors(contact: Contact) -> tuple[np.ndarray, np.ndarray]:
+    """At each of `SIZES`, of the approach: what its interval leaves open of its error, and the third level's error."""
+    recipe, hertz = load_recipe("hertzian"), hertz_quantities(contact)
+    order = FORMAL_ORDERS["approach"]
+    assert order is not None
+    ellipse = hertz.semi_axis_rolling, hertz.semi_axis_transverse
+    middle, fine = (condensed_pair(contact, recipe=recipe, level=n, semi_axes=ellipse) for n in recipe.levels[1:3])
+    beyond, plain = [], []
+    for size in SIZES:
+        load = contact.load * size**3
+        expected = size * ellipse[0], size * ellipse[1]
+        values = [pressed(part, load=load, expected=expected).quantities.approach for part in (middle, fine)]
+        exact = hertz.approach * size**2
+        step = (values[1] - values[0]) / ((fine.level / middle.level) ** order - 1)
+        left = abs((values[1] + step) / exact - 1) - HALF * abs(step) / exact - FINEST
+        beyond.append(max(0.0, left))
+        plain.append(values[1] / exact - 1)
+    return np.array(beyond), np.array(plain)
+
+
+def strip_shares(room: float) -> tuple[float, float]:
+    """Of the load, what the strip beside a shoulder carries: the third level's, and that of boundary elements."""
+    bearing, recipe = load_scene(builtin_scene("6205")).bearing, load_recipe("hertzian")
+    contact = replace(race_contact(bearing, "inner", contact_angle=0.3031, ball_load=372.0), shoulder=room)
+    semi_axes = fitted_solution(contact, recipe=recipe).pair.semi_axes
+    ours = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[2], semi_axes=semi_axes).shoulder
+    assert ours is not None  # the ellipse reaches over
+    return ours.strip_share, boundary_elements(contact, semi_axes=semi_axes, points=POINTS)["strip_share"]
+
+
+def boundary_elements(contact: Contact, *, semi_axes: tuple[float, float], points: int) -> dict[str, float]:
+    """The half space of Tamaas against a paraboloid that ends at the shoulder: its grid ends there.
+
+    Raises ModuleNotFoundError where Tamaas is not installed.
+    """
+    import tamaas as installed
+
+    tamaas: Any = installed  # its stubs know none of this
+    tamaas.set_log_level(tamaas.LogLevel.error)
+    low, high = -1.2 * semi_axes[1], contact.shoulder
+    sides = [2.4 * semi_axes[0], high - low]
+    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, sides, [points, points])
+    model.E, model.nu = contact_modulus(contact.ball_material, contact.race_material), 0.0  # so that E is E*
+    tamaas.ModelFactory.registerNonPeriodic(model, "half space")
+    middle = (np.arange(points) + 0.5) / points
+    x, y = np.meshgrid((middle - 0.5) * sides[0], low + middle * sides[1], indexing="ij")
+    curvature_x, curvature_y = relative_curvatures(contact)
+    surface = -(float(curvature_x) * x**2 + float(curvature_y) * y**2) / 2
+    solver = tamaas.PolonskyKeerRey(model, surface, 1e-9)  # of the conjugate gradients; at 1e-12 they stagnate
+    solver.setIntegralOperator("half space")
+    solver.solve(contact.load / (sides[0] * sides[1]))
+    model.operators["half space"](model.traction, model.displacement)
+    pressure = np.array(model.traction)
+    total, centroid = pressure.sum(), np.average(y, weights=pressure)
+    beyond = np.append(0.0, np.cumsum(pressure.sum(axis=0))) / total
+    return {
+        "semi_axis_rolling": float(np.sqrt(5 * np.average(x**2, weights=pressure))),
+        "semi_axis_transverse": float(np.sqrt(5 * np.average((y - centroid) ** 2, weights=pressure))),
+        "approach": float(np.average(np.array(model.displacement) - surface, weights=pressure)),
+        "centroid": float(centroid),
+        "strip_share": 1 - float(np.interp((1 - STRIP) * high, np.linspace(low, high, points + 1), beyond)),
+    }
+
+
+if __name__ == "__main__":
+    typer.run(main)
