@@ -26,7 +26,7 @@ from analytic.traction import CoulombTraction, Traction
 Rung = Literal["single_coefficient", "along_axis", "over_ellipse"]
 SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
 ROUND_OFF = 4 * np.finfo(np.float64).eps  # of a spin moment, and of the share of spin that balances it
-LAST_STEP = 1e-9  # of the share of spin: the secant steps before it leave less
+LAST_STEP = 1e-6  # of the share of spin: power is least at the balance, and so is wrong by the square of what is left
 BLOCK = 32  # points at a time: a contact has 768 nodes
 
 

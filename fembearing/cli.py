@@ -226,7 +226,7 @@ def _load_series(given: Scene, loads: list[float], *, accuracy: float, as_json: 
     from fembearing.report.terminal import print_series
 
     with _progress() as report:
-        result = solve_load_series(given, loads=loads, tolerance=accuracy, progress=report, **which)
+        result = solve_load_series(given, loads=loads, accuracy=accuracy, progress=report, **which)
     if as_json:
         _print_json(result.to_json())
     else:

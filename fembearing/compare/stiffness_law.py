@@ -133,6 +133,7 @@ def solve_load_series(
     pair: Pair,
     loads: ArrayLike,
     tolerance: float | None = None,
+    accuracy: float | None = None,
     geometry: Shape = "real",
     progress: Progress = silent,
 ) -> LoadSeries:
@@ -140,6 +141,7 @@ def solve_load_series(
 
     loads : (n,) of the ball, N, in any order; the contact angle stays that of the scene's largest load
     tolerance : relative, for the verdict; the scene's unless given
+    accuracy : asked of each approach, relative half-width of its 95 % interval; the tolerance unless given
     geometry : as of `solve_contact`, but for "ring"
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for loads that are none or not positive or a contact that cannot be meshed, ConvergenceError for
@@ -153,18 +155,28 @@ def solve_load_series(
     contact = replace(contact_of(scene, pair=pair, load=largest), load=float(given[0]))
     asked = scene.tolerance if tolerance is None else tolerance
     with traced_to_load(scene, pair=pair, load=largest):
-        found = compare_series(contact, recipe=recipe, loads=given, tolerance=asked, progress=progress)
+        found = compare_series(
+            contact, recipe=recipe, loads=given, tolerance=asked, accuracy=accuracy, progress=progress
+        )
     return replace(found, warnings=(*scene.warnings, *found.warnings))
 
 
 def compare_series(
-    contact: Contact, *, recipe: Recipe, loads: ArrayLike, tolerance: float, progress: Progress = silent
+    contact: Contact,
+    *,
+    recipe: Recipe,
+    loads: ArrayLike,
+    tolerance: float,
+    accuracy: float | None = None,
+    progress: Progress = silent,
 ) -> LoadSeries:
     """Solve `contact` under each of `loads`, (n,) N, on the second and third level of `recipe`.
 
-    tolerance : relative; loads whose approach it leaves too uncertain or undecided are solved again, each on its own
+    tolerance : relative, for the verdict;  accuracy : of each approach, relative; the tolerance unless given
+    Loads whose approach is more uncertain than that, or undecided, are solved again, each on its own.
     """
     start = time.perf_counter()
+    wanted = tolerance if accuracy is None else accuracy
     contact = as_meshed(contact, recipe=recipe)
     given = checked_loads(loads)
     middle, fine = recipe.levels[1:3]
@@ -179,7 +191,9 @@ def compare_series(
         parts[1].contact.load: (parts[1], _approach(*parts), off_mesh_uncertainty(parts[1]))
         for parts in zip(second, third, larger, strict=True)
     }
-    solved |= _refined(solved, recipe=recipe, tolerance=tolerance, progress=part_of(progress, 0.6, 1.0))
+    solved |= _refined(
+        solved, recipe=recipe, tolerance=tolerance, accuracy=wanted, progress=part_of(progress, 0.6, 1.0)
+    )
     third, approaches, crossing = zip(*(solved[load] for load in given.tolist()), strict=True)
     data = LawData.of(given, approaches, crossing)
     law = fit_law(data)
@@ -213,14 +227,14 @@ def compare_series(
         warnings=(
             *((sheet_warning(contact),) if thin else ()),
             *((series_shoulder_warning(contact, load=min(over)),) if over else ()),
-            *solve_warnings(every, accuracy=tolerance, watched=("approach",), thin=thin),
+            *solve_warnings(every, accuracy=wanted, watched=("approach",), thin=thin),
             *((two_loads_warning(contact),) if law is not None and not data.redundant else ()),
         ),
     )
 
 
 def _refined(
-    solved: dict[float, Solved], *, recipe: Recipe, tolerance: float, progress: Progress
+    solved: dict[float, Solved], *, recipe: Recipe, tolerance: float, accuracy: float, progress: Progress
 ) -> dict[float, Solved]:
     """The loads that have to be solved on meshes of their own: their approach is too uncertain, or its verdict open."""
 
@@ -232,13 +246,13 @@ def _refined(
     for number, (load, (solution, part, _)) in enumerate(solved.items()):
         contact = solution.contact
         decided = solution.shoulder is not None or not is_open(part, contact)  # at a shoulder Hertz is not judged
-        if part.mesh <= max(tolerance - part.domain, part.domain / 2) and decided:
+        if part.mesh <= max(accuracy - part.domain, part.domain / 2) and decided:
             continue
         try:
             single = solve_reference(
                 contact,
                 recipe=recipe,
-                accuracy=tolerance,
+                accuracy=accuracy,
                 watched=("approach",),
                 is_open=lambda estimates, contact=contact: is_open(estimates["approach"], contact),
                 progress=part_of(progress, number / len(solved), (number + 1) / len(solved)),

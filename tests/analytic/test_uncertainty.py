@@ -21,7 +21,7 @@ def test_without_a_film_nothing_is_known() -> None:
 
 
 def test_a_thinner_film_by_twice_the_standard_uncertainty_counts() -> None:
-    """In the calibrated scene asperities carry a few per cent of the load at 0.12: the thinner film is the worse one."""
+    """In the calibrated scene asperities carry a few per cent of the load: the thinner film is the worse one."""
     scene = load_scene(SCENES / "6205_paper_calibrated.toml")
     found = with_model_uncertainty(scene, friction_torque(scene))
     thin = friction_torque(scene, film_factor=1 - 2 * FORMULA_UNCERTAINTY)
