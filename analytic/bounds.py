@@ -62,21 +62,9 @@ def gyroscopic_ratio(
     friction_coefficient : mu;  load : Q, N;  semi_axis_transverse : b, m; all >= 0
     """
     require_non_negative(
-        ball_mass=ball_mass,
-        ball_radius=ball_radius,
-        ball_speed=ball_speed,
-        cage_speed=cage_speed,
-        contact_angle=contact_angle,
-        friction_coefficient=friction_coefficient,
-        load=load,
-        semi_axis_transverse=semi_axis_transverse,
+        friction_coefficient=friction_coefficient, load=load, semi_axis_transverse=semi_axis_transverse
     )
-    if np.any(np.asarray(contact_angle) > np.pi / 2):
-        raise InputError(
-            f"contact_angle must be at most pi/2 rad, got {float(np.max(contact_angle))!r}; is it in degrees?"
-        )
-    inertia = 2 / 5 * np.asarray(ball_mass) * np.asarray(ball_radius) ** 2
-    moment = inertia * np.asarray(ball_speed) * np.asarray(cage_speed) * np.sin(np.asarray(contact_angle))
+    moment = _gyroscopic_moment(ball_mass, ball_radius, ball_speed, cage_speed, contact_angle)
     held = 3 / 8 * np.asarray(friction_coefficient) * np.asarray(load) * np.asarray(semi_axis_transverse)
     return _ratio(moment, held)
 
@@ -95,7 +83,7 @@ def gyroscopic_pull(
     ball_mass : m_b, kg;  ball_radius : r, m, > 0; J = (2/5) m_b r^2;  ball_speed, cage_speed : w_b, w_c, rad/s
     contact_angle : al, rad, 0 to pi/2;  load : Q, N; all >= 0
     The moment J w_b w_c sin(al) takes a force across the groove of that over r, whose axial part cos(al) adds to the
-    thrust Q sin(al). It moves loads and angles; whether the ball slides is `gyroscopic_ratio`.
+    thrust Q sin(al). It moves loads and angles; whether the ball slides is `gyroscopic_slip_ratio`.
     """
     require_positive(ball_radius=ball_radius)
     require_non_negative(
@@ -104,6 +92,26 @@ def gyroscopic_pull(
     inertia = 2 / 5 * np.asarray(ball_mass) * np.asarray(ball_radius) ** 2
     moment = inertia * np.asarray(ball_speed) * np.asarray(cage_speed)
     return _ratio(moment * np.cos(contact_angle) / np.asarray(ball_radius), load)
+
+
+def gyroscopic_slip_ratio(
+    *,
+    ball_mass: ArrayLike,
+    ball_radius: ArrayLike,
+    ball_speed: ArrayLike,
+    cage_speed: ArrayLike,
+    contact_angle: ArrayLike,
+    friction_force: ArrayLike,
+) -> Array:
+    """J w_b w_c sin(al)/(r F): gyroscopic moment of a ball over what friction across both grooves can hold.
+
+    friction_force : F, the sum of mu Q over both races, N, >= 0;  the others as in `gyroscopic_ratio`
+    The moment is about the direction of rolling, so that friction across the grooves carries it with the arm r; above 1
+    the ball turns about that axis too. `gyroscopic_ratio`, with the arm 3/8 b of spin, is some ten times as large.
+    """
+    require_non_negative(friction_force=friction_force)
+    moment = _gyroscopic_moment(ball_mass, ball_radius, ball_speed, cage_speed, contact_angle)
+    return _ratio(moment, np.asarray(friction_force) * np.asarray(ball_radius))
 
 
 def whirl_number(
@@ -143,6 +151,25 @@ def cage_rest_torque(
     )
     friction = np.asarray(friction_coefficient) * np.asarray(cage_mass) * np.asarray(gravity)
     return np.asarray(friction * np.asarray(ball_rate) * np.asarray(ball_radius))
+
+
+def _gyroscopic_moment(
+    ball_mass: ArrayLike, ball_radius: ArrayLike, ball_speed: ArrayLike, cage_speed: ArrayLike, contact_angle: ArrayLike
+) -> Array:
+    """J w_b w_c sin(al), N m."""
+    require_non_negative(
+        ball_mass=ball_mass,
+        ball_radius=ball_radius,
+        ball_speed=ball_speed,
+        cage_speed=cage_speed,
+        contact_angle=contact_angle,
+    )
+    if np.any(np.asarray(contact_angle) > np.pi / 2):
+        raise InputError(
+            f"contact_angle must be at most pi/2 rad, got {float(np.max(contact_angle))!r}; is it in degrees?"
+        )
+    inertia = 2 / 5 * np.asarray(ball_mass) * np.asarray(ball_radius) ** 2
+    return inertia * np.asarray(ball_speed) * np.asarray(cage_speed) * np.sin(np.asarray(contact_angle))
 
 
 def _ratio(part: ArrayLike, whole: ArrayLike) -> Array:

@@ -28,9 +28,10 @@ COMPUTED = (
     "hysteresis",
     "rolling",  # against the oil in the inlets
 )
-# Watched by a bound, and warned of; nothing in the model computes them.
+DECLARED = ("seals", "drag")  # torques that the scene tells, in [losses]
+# Watched by a number or a bound, and warned of; nothing in the model computes them (analytic.watched).
 WATCHED = ("cage", "elastic_creep", "plasticity", "shoulder")
-EFFECTS = COMPUTED + WATCHED
+EFFECTS = COMPUTED + DECLARED + WATCHED
 SHARE_OF_TOLERANCE = 0.5
 
 
@@ -48,9 +49,10 @@ class Choices:
     """The decisions for one scene, as they are made."""
 
     def __init__(self, scene: Scene, points: int) -> None:
-        unknown = set(scene.effects) - set(EFFECTS)
+        known = COMPUTED + WATCHED
+        unknown = set(scene.effects) - set(known)
         if unknown:
-            raise InputError(f"effects.{min(unknown)} is not an effect; known: {', '.join(EFFECTS)}")
+            raise InputError(f"effects.{min(unknown)} is not an effect to choose; known: {', '.join(known)}")
         for name in WATCHED:
             if scene.effects.get(name) == "on":
                 raise InputError(f'effects.{name} = "on" cannot be had: not modelled; give "auto" or "off"')

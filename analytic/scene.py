@@ -68,6 +68,7 @@ class Bearing:
     bore_diameter: float | None = None  # m: where the inner ring sits on its shaft
     outside_diameter: float | None = None  # m: where the outer ring sits in its housing
     width: float | None = None  # m, of both rings; None of the three: not known, and no ring's structure
+    static_load_rating: float | None = None  # C0, N, as a catalogue tells it; None: not known
 
     @property
     def ball_radius(self) -> float:
@@ -152,6 +153,14 @@ class Surface:
     boundary_friction: float = 0.12  # mu_b, where asperities touch
 
 
+@dataclass(frozen=True, kw_only=True)
+class Losses:
+    """Torques about the bearing axis that no formula here gives, as the scene tells them; None: not declared."""
+
+    seals: float | None = None  # N m, >= 0
+    drag: float | None = None  # of the oil that balls and cage stir, N m, >= 0
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Operation:
     """The operating points of a series; every array has the same shape (n,)."""
@@ -176,6 +185,7 @@ class Scene:
     surface: Surface | None = None  # None: not known
     friction_coefficient: float | None = None  # mu at every race contact, in place of a surface's; None: not given
     hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: not known
+    losses: Losses = Losses()
     spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races
     sliding: Sliding = "auto"  # the rung by which it is integrated over a contact; auto: as the tolerance asks
     microslip: Microslip = "derived"  # its moments; `as_printed` is the paper's, misprints included

@@ -29,6 +29,7 @@ from analytic.scene import (
     ContactAngle,
     Groove,
     HeightMapFile,
+    Losses,
     Lubricant,
     Material,
     Operation,
@@ -216,6 +217,7 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         bore_diameter=given.bore_diameter,
         outside_diameter=given.outside_diameter,
         width=given.width,
+        static_load_rating=given.static_load_rating,
     )
     angle = ContactAngle(**given.contact_angle.model_dump())
     misfits = list(fit.bearing_misfits(bearing))
@@ -240,6 +242,7 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         lubricant=None if table.lubricant is None else _lubricant(table.lubricant),
         surface=surface,
         **({} if table.friction is None else _friction(table.friction)),
+        losses=Losses(**table.losses.model_dump()),
         effects=MappingProxyType(table.effects.model_dump()),
         warnings=(*fit.doubts(bearing, cage), *_left_out(table.operation)),
     )

@@ -54,6 +54,7 @@ Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1
 Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
 Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
 Temperature = Annotated[float, Dimension(unit="K", low=200, high=600, example='"40 degC"')]
+Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
 Decision = Literal["auto", "on", "off"]
 
 
@@ -100,6 +101,7 @@ class BearingTable(Table):
     bore_diameter: Length | None = None
     outside_diameter: Length | None = None
     width: Length | None = None
+    static_load_rating: Force | None = None  # C0 of a maker's catalogue, for the catalogue band alone
     diametral_clearance: Clearance | None = None  # set by both bottom radii, with their mean kept; negative is preload
     contact_angle: ContactAngleTable = Field(
         description='give { rule = "solved" }, { rule = "solved", free = "0.18 rad" } '
@@ -172,6 +174,11 @@ class FrictionTable(Table):
     microslip: Microslip = "derived"  # "as_printed" shows what the misprints of the paper's equations 2 to 7 do
 
 
+class LossesTable(Table):
+    seals: Loss | None = None  # of both seals together
+    drag: Loss | None = None  # of the oil that balls and cage stir
+
+
 class EffectsTable(Table):
     load_distribution: Decision = "auto"
     centrifugal: Decision = "auto"
@@ -202,4 +209,5 @@ class SceneTable(Table):
     friction: FrictionTable | None = Field(
         default=None, description="give a table [friction], with coefficient where no lubricant is given"
     )
+    losses: LossesTable = Field(default=LossesTable(), description='give a table [losses] of seals = "5 N mm", drag')
     effects: EffectsTable = Field(default=EffectsTable(), description='give a table [effects] of "auto", "on", "off"')

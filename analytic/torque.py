@@ -14,10 +14,9 @@ from types import MappingProxyType
 import numpy as np
 
 from analytic.balls import LoadedBalls
-from analytic.bounds import cage_rest_torque
 from analytic.catalogue_torque import inlet_shear_factor, replenishment_factor
 from analytic.correction import ContactCorrection
-from analytic.effects import EFFECTS, Choices, Effect
+from analytic.effects import DECLARED, EFFECTS, Choices, Effect
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loading import RACES, loaded_balls, points
 from analytic.lubrication import LubricatedRaces, lubricated_races
@@ -30,6 +29,7 @@ from analytic.torque_result import FrictionCoefficients, FrictionTorque, LoadedC
 from analytic.torque_warnings import doubts
 from analytic.traction import CoulombTraction, Traction
 from analytic.viscosity import inlet_viscosity
+from analytic.watched import watch
 
 BY_SLIP = ("spin", "conformity")
 LEAST_FILM = 1e-3  # of the isothermal film, at which a bound on heating is large enough
@@ -45,7 +45,8 @@ def friction_torque(
         move contact angle and ball loads too
     film_factor : on every film that the formula gives, > 0: what its uncertainty does to the torque
     The balls are loaded (`analytic.loading`), and each loses power to each race: per unit speed and summed,
-        total = race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
+        race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
+        total = race + declared, what the scene tells of seals and drag
     What slides does so by mixed lubrication where the scene has an oil and a surface. A friction coefficient stands in
     place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
     Rolling takes the oil at the inlet's temperature.
@@ -91,26 +92,27 @@ def friction_torque(
         )
         parts |= {name: getattr(slid, name) for name in BY_SLIP if choices.on(name)}
     race = _sum(parts, speed)
-    _watch(scene, balls, choices, race)
+    declared = _declared(scene, choices, race)
+    total = race if declared is None else race + declared
+    watched = watch(scene, operation, balls, choices, slid=slid, total=total)
     at = balls.heaviest
     return FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
         contact_angle=balls.contact_angle.mean(axis=0)[at],
         ball_load=balls.load.max(axis=0)[at],
-        torque=TorqueParts(total=race, race=race, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=choices.left_out
-        + (0.0 if slid is None else slid.error * _share(slid.spin + slid.conformity, race)),
+        torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
+        numerical_uncertainty=_share(race, total)
+        * (choices.left_out + (0.0 if slid is None else slid.error * _share(slid.spin + slid.conformity, race))),
         friction_coefficient=FrictionCoefficients(**_on_races(None if slid is None else slid.coefficient, at)),
         film=OnRaces(**_on_races(None if shared is None else shared.film_thickness, at)),
         asperity_share=OnRaces(**_on_races(None if shared is None else shared.asperity_share, at)),
         inner=_loaded(balls, 0, at),
         outer=_loaded(balls, 1, at),
-        effects=tuple(_with_share(choices.made[name], parts, race) for name in EFFECTS if name in choices.made),
+        effects=tuple(_with_share(choices.made[name], parts, total) for name in EFFECTS if name in choices.made),
         sliding="auto" if slid is None else slid.rung,
         warnings=tuple(
-            doubts(scene, operation, balls, choices, oiled=oiled, shared=shared, slid=slid, resistance=resistance)
-            + warnings
+            doubts(scene, choices, watched=watched, oiled=oiled, shared=shared, resistance=resistance) + warnings
         ),
         provenance=MappingProxyType(
             {
@@ -271,20 +273,17 @@ def _tractions(scene: Scene, oiled: LubricatedRaces | None, shared: MixedContact
     return oiled.traction(shared, 0), oiled.traction(shared, 1)
 
 
-def _watch(scene: Scene, balls: LoadedBalls, choices: Choices, total: Array) -> None:
-    """What nothing computes yet: how large it could be."""
-    if scene.cage is None:
-        choices.settled("cage", on=False, reason="no cage is given")
-        return
-    friction = scene.surface.boundary_friction if scene.surface is not None else scene.friction_coefficient
-    resting = cage_rest_torque(
-        friction_coefficient=0.0 if friction is None else friction,
-        cage_mass=scene.cage.mass,
-        ball_rate=balls.motion.ball_speed.max(axis=1),
-        ball_radius=scene.bearing.ball_radius,
-    )
-    reason = "not modelled yet; the share is that of a cage that rests on its balls with its whole weight"
-    choices.settled("cage", on=False, share=_share(resting, total), reason=reason)
+def _declared(scene: Scene, choices: Choices, race: Array) -> Array | None:
+    """(n,) N m, of seals and drag; settles both."""
+    given = {name: getattr(scene.losses, name) for name in DECLARED}
+    known = {name: value for name, value in given.items() if value is not None}
+    require_non_negative(**{f"losses.{name}": value for name, value in known.items()})
+    total = race + sum(known.values(), start=0.0)
+    for name, value in given.items():
+        share = None if value is None else _share(np.full_like(total, value), total)
+        reason = "not declared" if value is None else "declared by the scene"
+        choices.settled(name, on=value is not None, share=share, reason=reason)
+    return np.full_like(race, sum(known.values())) if known else None
 
 
 def _contacts(choices: Choices, correction: ContactCorrection | None) -> str:

@@ -14,13 +14,14 @@ from analytic.scene import Array, Scene, Sliding
 class TorqueParts:
     """N m, each (n,); None where a part was left out or is not modelled."""
 
-    total: Array  # the sum of what was computed
+    total: Array  # the sum of what was computed and declared
     race: Array  # spin + conformity + hysteresis + rolling, as far as computed
     spin: Array | None
     conformity: Array | None
     hysteresis: Array | None
     rolling: Array | None = None
     cage: Array | None = None
+    declared: Array | None = None  # seals and drag, as the scene tells them
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -83,7 +84,10 @@ class FrictionTorque:
         """Plain Python numbers, texts, lists and dicts, all SI; None where a part was left out or is not modelled."""
         return {
             "points": [self._point(index) for index in range(self.inner_speed.size)],
-            "effects": [asdict(effect) for effect in self.effects],
+            "effects": [
+                asdict(effect) | {"share": None if effect.share is None else _finite(effect.share)}
+                for effect in self.effects
+            ],
             "warnings": list(self.warnings),
             "provenance": dict(self.provenance),
             "seconds": self.seconds,

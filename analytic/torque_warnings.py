@@ -4,37 +4,25 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from analytic.balls import LoadedBalls
-from analytic.contact import Race, shoulder_distance
 from analytic.effects import Choices
-from analytic.errors import InputError
 from analytic.lubrication import LubricatedRaces
 from analytic.mixed import MixedContact
-from analytic.race import SlidingContact, sliding_number
 from analytic.rolling import RollingResistance
-from analytic.scene import Operation, Scene
-from analytic.sliding import Sliding
+from analytic.scene import Scene
 
-STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
-LEAST_SLIDING = 3.0  # of the sliding number: below, elastic creep takes a good part of the slip
-RACES: tuple[Race, Race] = ("inner", "outer")
+RACES = ("inner", "outer")
 
 
 def doubts(
     scene: Scene,
-    operation: Operation,
-    balls: LoadedBalls,
     choices: Choices,
     *,
+    watched: list[str],
     oiled: LubricatedRaces | None,
     shared: MixedContact | None,
-    slid: Sliding | None,
     resistance: RollingResistance | None,
 ) -> list[str]:
-    """In the order of their weight; decides on the effects that are only watched.
-
-    Raises InputError for a contact that has left its race.
-    """
+    """Every warning; watched: those of `analytic.watched`."""
     warnings = [*scene.warnings]
     if scene.friction_coefficient is not None:
         warnings.append(
@@ -60,56 +48,7 @@ def doubts(
                 f"rolling on the {name} race is extrapolated: its formula is for slow rolling of contacts that are "
                 "longer across it than along"
             )
-    for race in range(len(RACES)):
-        warnings += _doubts_of_contact(scene, operation, balls, race, slid)
-    warnings += _doubts_of_choices(scene, choices)
-    return warnings
-
-
-def _doubts_of_contact(
-    scene: Scene, operation: Operation, balls: LoadedBalls, race: int, slid: Sliding | None
-) -> Iterator[str]:
-    name, loaded = RACES[race], balls.load[race] > 0
-    angle, b = np.abs(balls.contact_angle[race]), balls.contact.semi_axis_y[race]
-    room = np.where(loaded, shoulder_distance(scene.bearing, name, contact_angle=angle), np.inf)
-    point, ball = np.unravel_index(np.argmin(room), room.shape)
-    if room[point, ball] <= 0:
-        raise InputError(
-            f"operation.axial_load = {operation.axial_load[point]:g} N: the contact moves to {angle[point, ball]:.4f} "
-            f"rad, beyond the {name} race's shoulder: lower the load, reduce the clearance or raise shoulder_half_width"
-        )
-    point, ball = np.unravel_index(np.argmax(b - room), room.shape)
-    if b[point, ball] > room[point, ball]:
-        yield (
-            f"the contact ellipse passes the {name} race's shoulder: semi-axis {b[point, ball]:.4g} m, room "
-            f"{room[point, ball]:.4g} m; the true contact is cut off there and its pressure higher"
-        )
-    peak = float(np.max(balls.contact.peak_pressure[race]))
-    if peak > STATIC_LIMIT:
-        yield (
-            f"peak pressure on the {name} race {peak:.4g} Pa is above the static limit {STATIC_LIMIT:.2g} Pa: the "
-            "contact is no longer elastic"
-        )
-    if slid is None:
-        return
-    creep = sliding_number(
-        SlidingContact(
-            friction_coefficient=slid.coefficient[race],
-            load=balls.load[race],
-            semi_axis_rolling=balls.contact.semi_axis_x[race],
-            semi_axis_transverse=b,
-            deformed_radius=balls.deformed_radius[race],
-            rolling_rate=balls.rolling_rate[race],
-        ),
-        entrainment_speed=balls.motion.entrainment_speed,
-        curvature_rolling=balls.curvature_along[race],
-    )
-    least = float(np.min(creep, where=loaded, initial=np.inf))
-    if least < LEAST_SLIDING:
-        yield (
-            f"the sliding number of the {name} contact is {least:.3g}, below {LEAST_SLIDING:g}: elastic creep takes "
-            "part of the slip, and spin and conformity come out too large"
-        )
+    return [*warnings, *watched, *_doubts_of_choices(scene, choices)]
 
 
 def _doubts_of_choices(scene: Scene, choices: Choices) -> Iterator[str]:

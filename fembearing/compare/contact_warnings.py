@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 from analytic.scene import Contact
-from analytic.torque_warnings import STATIC_LIMIT
+from analytic.watched import STATIC_LIMIT
 from fembearing.compare.reference import Estimates, Reference
 from fembearing.fem.solution import MeshSolution
 

@@ -161,7 +161,7 @@ def _torque(result: Validation) -> list[dict[str, Any]]:
             "parts": {
                 name: f"{part[point] * 1e3:.4g}"
                 for name, part in vars(hertz.torque).items()
-                if part is not None and name != "race"  # which is the total as long as there is no cage
+                if part is not None and name != "race"  # the total less what is declared
             },
             "corrected": f"{corrected.torque.total[point] * 1e3:.4g}" if known else "-",
             "change": f"{relative[point]:+.2%}" if known else "-",

@@ -256,7 +256,7 @@ def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
     assert found.torque.cage is None
     np.testing.assert_array_equal(found.torque.total, part(found.torque, "spin"))
     told = {effect.name: effect for effect in found.effects}
-    assert set(told) == set(EFFECTS) - {"elastic_creep", "plasticity", "shoulder"}
+    assert list(told) == list(EFFECTS)
     assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "the scene says on")
     assert (told["conformity"].decision, told["conformity"].share) == ("off", None)
     assert "says off" in told["conformity"].reason
@@ -289,7 +289,7 @@ DESIGN = {
     "inner_speed": None,
     "axial_load": None,
     "contact_angle": None,
-    "torque": ["total", "race", "spin", "conformity", "hysteresis", "rolling", "cage"],
+    "torque": ["total", "race", "spin", "conformity", "hysteresis", "rolling", "cage", "declared"],
     "friction_coefficient": ["inner", "outer", "pocket"],
     "film": ["inner", "outer"],
     "asperity_share": ["inner", "outer"],
@@ -362,6 +362,7 @@ def test_a_doubtful_contact_is_flagged_with_its_numbers(scene: Scene, load: floa
         ({"operation": operation(40.0, 1e7), "contact_angle": SOLVED}, "beyond the inner race's shoulder"),
         ({"effects": {"rolling": "on"}}, r'effects\.rolling = "on" cannot be had: no lubricant'),
         ({"effects": {"cage": "on"}}, r'effects\.cage = "on" cannot be had'),
+        ({"effects": {"seals": "off"}}, r"effects\.seals is not an effect to choose"),
         (
             {"effects": {"hysteresis": "on"}, "hysteresis_loss": None},
             r"friction\.hysteresis_loss is not given",
