@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.scene import Array
+from analytic.scene import Array, Scene
+from analytic.viscosity import inlet_viscosity
 
 Lubrication = Literal["oil_bath", "grease"]
 STARVATION = {"oil_bath": 3e-8, "grease": 6e-8}  # K_rs
@@ -27,6 +28,31 @@ BOUNDARY_FRICTION = 0.12  # mu_bl
 FILM_FRICTION = 0.05  # mu_EHL, mineral oil
 PALMGREN_VISCOUS = 2.0  # f_0
 PALMGREN_LOAD = (4e-4, 6e-4)  # z of f_1 = z (P_0/C_0)^0.55
+# Series 62, bore to outside diameter, mm: boundary dimensions of ISO 15, as every maker lists them (standard not seen).
+SERIES_62 = {
+    10: 30,
+    12: 32,
+    15: 35,
+    17: 40,
+    20: 47,
+    25: 52,
+    30: 62,
+    35: 72,
+    40: 80,
+    45: 85,
+    50: 90,
+    55: 100,
+    60: 110,
+    65: 120,
+    70: 125,
+    75: 130,
+    80: 140,
+    85: 150,
+    90: 160,
+    95: 170,
+    100: 180,
+}
+SAME_SIZE = 0.05  # mm, many times what makers' tolerances are
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -36,6 +62,46 @@ class CatalogueBand:
     low: Array  # the least of the values
     high: Array  # the largest of them
     values: Mapping[str, Array]  # by name of the model
+
+
+def scene_band(scene: Scene) -> CatalogueBand:
+    """The band at every operating point of a scene, with the oil at its inlet temperature; arrays (n,).
+
+    Raises InputError in one line, the reason for which there is no band: no oil, rating or ring diameter, another
+    series of bearings, a moment or a thrust below 0. That the bearing is a deep-groove one is taken for granted:
+    angular-contact bearings have the same boundary dimensions.
+    """
+    bearing, operation, oil = scene.bearing, scene.operation, scene.lubricant
+    if oil is None:
+        raise InputError("no lubricant is given: add a table [lubricant]")
+    bore, outside, rating = bearing.bore_diameter, bearing.outside_diameter, bearing.static_load_rating
+    for name, value in (("bore_diameter", bore), ("outside_diameter", outside), ("static_load_rating", rating)):
+        if value is None:
+            raise InputError(f"bearing.{name} is not given")
+    assert bore is not None
+    assert outside is not None
+    assert rating is not None
+    of_series = SERIES_62.get(round(1e3 * bore), 0.0)
+    if max(abs(1e3 * bore - round(1e3 * bore)), abs(1e3 * outside - of_series)) > SAME_SIZE:
+        raise InputError(
+            f"bore {1e3 * bore:g} mm and outside diameter {1e3 * outside:g} mm are not of series 62, for which its "
+            "constants are"
+        )
+    if np.any(operation.moment):
+        raise InputError("operation.moment is not 0, and neither model knows moments")
+    axial, radial = np.asarray(operation.axial_load), np.abs(operation.radial_load)
+    if np.any(axial < 0):
+        raise InputError(f"operation.axial_load = {axial.min():g} N is below 0")
+    return catalogue_band(
+        bore_diameter=bore,
+        outside_diameter=outside,
+        static_rating=rating,
+        axial_load=axial,
+        radial_load=radial,
+        ring_speed=np.abs(operation.inner_speed),
+        kinematic_viscosity=inlet_viscosity(oil).viscosity / oil.density,
+        lubrication=oil.supply,
+    )
 
 
 def catalogue_band(

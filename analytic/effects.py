@@ -41,7 +41,9 @@ class Effect:
 
     name: str
     decision: Literal["on", "off"]
-    share: float | None  # of the total, the largest over the series; None: left out, its size not known
+    # Of the total, the largest over the series: that of its part of the torque where it has one, else a bound; infinite
+    # where nothing bounds it, None where that is not known.
+    share: float | None
     reason: str
 
 

@@ -143,7 +143,10 @@ def _watch_creep(balls: LoadedBalls, choices: Choices, slid: Sliding | None) -> 
 
 
 def _gyroscopic_slip(scene: Scene, operation: Operation, balls: LoadedBalls, slid: Sliding | None) -> Iterator[str]:
-    """A ball that friction across the grooves cannot hold."""
+    """A ball that friction across the grooves cannot hold.
+
+    Of balls that both races load, with the tolerance of the heaviest one's load or more: others lose next to nothing.
+    """
     if slid is None:
         return
     speed = np.abs(operation.inner_speed)[:, None]
@@ -155,7 +158,8 @@ def _gyroscopic_slip(scene: Scene, operation: Operation, balls: LoadedBalls, sli
         contact_angle=np.minimum(np.abs(balls.contact_angle.mean(axis=0)), np.pi / 2),
         friction_force=np.sum(slid.coefficient * balls.load, axis=0),
     )
-    ratio = np.where(np.all(balls.load > 0, axis=0), ratio, 0.0)  # a ball in the outer race alone has its own angle
+    pressed = balls.load.min(axis=0)
+    ratio = np.where(pressed > scene.tolerance * pressed.max(axis=1, keepdims=True), ratio, 0.0)
     point, _ = np.unravel_index(np.argmax(ratio), ratio.shape)
     if ratio.max() > 1:
         yield (

@@ -167,6 +167,23 @@ def validate(
     raise typer.Exit(_status(result.verdict))
 
 
+@app.command(epilog='Example: fembearing torque bearing.toml --tolerance "1 %" --json')
+def torque(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJson = False) -> None:
+    """Friction torque of a scene by effect, and which effects were computed or left out, by closed forms."""
+    given = _scene(scene)
+    given = replace(given, tolerance=_tolerance(tolerance, given))
+    from fembearing.compare.scene_torque import torque_of_scene
+    from fembearing.report.torque_tables import print_torque
+
+    result = torque_of_scene(given)
+    if as_json:
+        _print_json(result.to_json())
+    else:
+        print_torque(out, result)
+        _print_warnings(result.found.warnings)
+    raise typer.Exit(DONE if result.within_tolerance else NOT_SOLVED)
+
+
 @app.command(epilog='Example: fembearing contact --pair inner --load "620 N" --tolerance "0.1 %"')
 def contact(
     scene: ScenePath = None,

@@ -12,6 +12,7 @@ from analytic.finite_geometry import RaceCorrections, thrust_correction
 from analytic.scene import Scene
 from analytic.torque import friction_torque
 from analytic.torque_result import FrictionTorque
+from analytic.uncertainty import with_model_uncertainty
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.verdict import Verdict, worst
 
@@ -101,7 +102,8 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     correction for finite geometry knows every load, and shows the change at each.
     Raises InputError as friction_torque does.
     """
-    hertz = friction_torque(replace(scene, effects={**scene.effects, "finite_geometry": "off"}))
+    plain = replace(scene, effects={**scene.effects, "finite_geometry": "off"})
+    hertz = with_model_uncertainty(plain, friction_torque(plain))
     scene = replace(
         scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in COMPUTED}
     )

@@ -10,6 +10,7 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
+from fembearing.compare.catalogue import beside_catalogue
 from fembearing.compare.cost import contact_ladder_of
 from fembearing.compare.discrepancy import ContactSolution, contact_of, solve_contact, with_ring
 from fembearing.compare.hard_cases import HardOutcome, run_hard_cases
@@ -71,7 +72,9 @@ class Validation:
                 for name, part in contact.estimates.items()
             ],
             "torque_change": None if self.torque is None else self.torque.to_json(),
-            "torque": None if self.torque is None else self.torque.hertz.to_json(),
+            "torque": None
+            if self.torque is None
+            else self.torque.hertz.to_json() | {"catalogue_band": beside_catalogue(self.scene).to_json()},
             "tolerance": self.tolerance,
             "contacts": [contact.to_json() for contact in self.contacts],
             "cost": {

@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from numpy import isfinite, pi
+from numpy import isfinite
 
 from analytic.scene import Array, Scene
+from fembearing.compare.catalogue import BesideCatalogue, beside_catalogue
 from fembearing.compare.cost import contact_ladder_of
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.provenance import provenance_of
@@ -19,16 +20,19 @@ from fembearing.report.figures import convergence_figure, cost_figure, png
 from fembearing.report.pictures import Picture
 from fembearing.report.wording import (
     AXES,
+    PER_MINUTE,
     QUANTITIES,
+    SHARES,
     friction_of,
     place_of,
     quantities_of,
     ring_line,
+    share_of,
     shoulder_lines,
     title_of,
+    uncertainty_of,
 )
 
-PER_MINUTE = 30 / pi  # rpm in one rad/s
 LONGEST_LIST = 12  # values in a table's cell
 
 
@@ -45,6 +49,7 @@ def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str 
         trim_blocks=True,
         lstrip_blocks=True,
     )
+    catalogue = beside_catalogue(result.scene)
     ladders = [contact_ladder_of(contact) for contact in result.contacts if contact.judged]
     page = environment.get_template("page.html").render(
         result=result,
@@ -54,7 +59,11 @@ def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str 
         shoulders=[(place_of(found), line) for found in result.contacts for line in shoulder_lines(found)],
         rings=[(place_of(found), ring_line(found.ring)) for found in result.contacts if found.ring is not None],
         pocket=_pocket(result),
-        torque=_torque(result),
+        torque=_torque(result, catalogue),
+        catalogue=catalogue,
+        shares=SHARES,
+        share_of=share_of,
+        uncertainty_of=uncertainty_of,
         meshes=[(place_of(found), _rows(_study, found)) for found in result.contacts],
         convergence=embedded(png(convergence_figure(result))),
         pictures=[(title_of(p.contact), p.caption, embedded(p.file.read_bytes())) for p in pictures],
@@ -145,7 +154,7 @@ def _pocket(result: Validation) -> list[dict[str, Any]]:
     ]
 
 
-def _torque(result: Validation) -> list[dict[str, Any]]:
+def _torque(result: Validation, catalogue: BesideCatalogue) -> list[dict[str, Any]]:
     """One row for each operating point, points in a row that differ in speed alone together; empty without friction."""
     change = result.torque
     if change is None:
@@ -165,6 +174,7 @@ def _torque(result: Validation) -> list[dict[str, Any]]:
             },
             "corrected": f"{corrected.torque.total[point] * 1e3:.4g}" if known else "-",
             "change": f"{relative[point]:+.2%}" if known else "-",
+            "catalogue": _in_band(catalogue, point),
             "fitted": f"{fitted[point]:+.2%}" if isfinite(fitted[point]) else "-",
         }
         for point, known in enumerate(change.is_solved)
@@ -172,6 +182,12 @@ def _torque(result: Validation) -> list[dict[str, Any]]:
     # At a constant coefficient all speeds read the same: one row for each run of them.
     runs = [[point for point, _ in run] for _, run in groupby(enumerate(rows), key=itemgetter(1))]
     return [{**rows[run[0]], "speed": _listed(hertz.inner_speed[run] * PER_MINUTE)} for run in runs]
+
+
+def _in_band(catalogue: BesideCatalogue, point: int) -> str:
+    if catalogue.band is None:
+        return "-"
+    return f"{catalogue.band.low[point] * 1e3:.3g}-{catalogue.band.high[point] * 1e3:.3g}"
 
 
 def _study(contact: ContactSolution, name: str) -> dict[str, Any]:

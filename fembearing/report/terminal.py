@@ -2,10 +2,8 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
-from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
@@ -19,6 +17,7 @@ from fembearing.compare.torque_change import TorqueChange
 from fembearing.compare.validation import Validation
 from fembearing.report.wording import (
     AXES,
+    PLAIN,
     QUANTITIES,
     STRESSES,
     friction_of,
@@ -28,13 +27,6 @@ from fembearing.report.wording import (
     title_of,
 )
 
-PLAIN: dict[str, Any] = {
-    "title_justify": "left",
-    "box": SIMPLE_HEAD,
-    "padding": (0, 1, 0, 0),
-    "pad_edge": False,
-    "show_edge": False,
-}
 COLUMNS = {"quantity": 19, "Hertz": 9, "FE": 9, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
 
 

@@ -1,8 +1,14 @@
 """How results are named to a reader: quantities with their units, contacts with their place."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import numpy as np
+from rich.box import SIMPLE_HEAD
+
+from analytic.effects import DECLARED
+from analytic.film import FORMULA_UNCERTAINTY
 from analytic.scene import Scene
+from analytic.torque_result import Effect, FrictionTorque, TorqueParts
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.ring import RingStructure
 from fembearing.compare.stiffness_law import LoadSeries
@@ -33,6 +39,18 @@ STRESSES = {
     "max_von_mises": Shown("von Mises", "GPa", 1e-9),
     "max_von_mises_depth": Shown("its depth", "um", 1e6),
 }
+PER_MINUTE = 30 / np.pi  # rpm in one rad/s
+PLAIN: dict[str, Any] = {  # a table of a terminal
+    "title_justify": "left",
+    "box": SIMPLE_HEAD,
+    "padding": (0, 1, 0, 0),
+    "pad_edge": False,
+    "show_edge": False,
+}
+SHARES = (
+    "Share: of the total, the largest of all operating points; with <= no part of its own but a bound, on what leaving "
+    "the effect out would change."
+)
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 
@@ -75,6 +93,27 @@ def friction_of(scene: Scene) -> str:
     if scene.has_friction:
         return "coefficient of each race by mixed lubrication, from the scene's lubricant and surface"
     return "neither a coefficient nor both lubricant and surface in the scene: no torque"
+
+
+def share_of(effect: Effect, torque: TorqueParts) -> str:
+    """An effect's largest share of the total; a bound says so."""
+    if effect.share is None:
+        return "not known"
+    if not np.isfinite(effect.share):
+        return "no bound"
+    is_part = getattr(torque, effect.name, None) is not None or effect.name in DECLARED
+    return f"{'' if is_part else '<= '}{100 * effect.share:.3g} %"
+
+
+def uncertainty_of(found: FrictionTorque) -> str:
+    """What is known of the model's uncertainty, in a sentence."""
+    if found.model_uncertainty is None:
+        return "Model uncertainty: not known, as no film is computed, and no measurement was found."
+    return (
+        f"Model uncertainty: the film formula's, {200 * FORMULA_UNCERTAINTY:.0f} % of the film, moves the total by up "
+        f"to {100 * found.model_uncertainty.max():.2g} %; what else the model leaves is not known, as no "
+        "measured torque of such a bearing was found."
+    )
 
 
 def shoulder_lines(contact: ContactSolution) -> list[str]:

@@ -1,6 +1,10 @@
 """Catalogue models: the printed formulas by hand in printed units, their jumps, and how little they agree."""
 
+import functools
 import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import hypothesis.strategies as st
 import numpy as np
@@ -13,9 +17,12 @@ from analytic.catalogue_torque import (
     inlet_shear_factor,
     palmgren_torque,
     replenishment_factor,
+    scene_band,
     skf_torque,
 )
 from analytic.errors import InputError
+from analytic.scene import Operation, Scene
+from analytic.scenefile import load_scene
 
 RINGS = {"bore_diameter": 25e-3, "outside_diameter": 52e-3}
 CASE = {
@@ -151,3 +158,46 @@ def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:
 def test_a_load_factor_below_0_is_refused() -> None:
     with pytest.raises(InputError, match="load_factor must be positive"):
         palmgren(load_factor=-4e-4)
+
+
+def oiled(**changed: Any) -> Scene:
+    scene = load_scene(Path(__file__).parents[2] / "validation" / "scenes" / "6205_physical.toml")
+    return replace(scene, **changed)
+
+
+def test_the_band_of_a_scene_takes_its_oil_and_its_bearing() -> None:
+    """0.06 Pa s at 870 kg/m^3; the 6205's 25 and 52 mm and 7.8 kN typed in again."""
+    series = Operation(
+        axial_load=np.array([1000.0, 620.0]), inner_speed=np.array([-10.5, 47.0]), radial_load=np.array([-370.0, 0.0])
+    )
+    found = scene_band(oiled(operation=series))
+    for name, model in (("SKF", skf), ("Palmgren, z = 0.0006", functools.partial(palmgren, load_factor=6e-4))):
+        extra = {"lubrication": "oil_bath"} if name == "SKF" else {}
+        expected = model(
+            axial_load=[1000.0, 620.0],
+            radial_load=[370.0, 0.0],
+            ring_speed=[10.5, 47.0],
+            kinematic_viscosity=0.06 / 870,
+            **extra,
+        )
+        np.testing.assert_allclose(found.values[name], expected, rtol=1e-13)  # round-off
+    assert np.all(found.low < found.high)
+    oil = oiled().lubricant
+    assert oil is not None
+    hotter = replace(oil, temperature=353.15)  # thinner by the factor exp(0.045 x 40) or so
+    at_500_rpm = [scene_band(of).values["Palmgren, z = 0.0006"][-1] for of in (oiled(lubricant=hotter), oiled())]
+    assert at_500_rpm[0] < at_500_rpm[1]  # SKF's is not: the film breaks down
+
+
+def test_a_scene_without_a_band_says_why() -> None:
+    scene = oiled()
+    for change, words in (
+        ({"lubricant": None}, "no lubricant"),
+        ({"bearing": replace(scene.bearing, static_load_rating=None)}, "static_load_rating is not given"),
+        ({"bearing": replace(scene.bearing, bore_diameter=None)}, "bore_diameter is not given"),
+        ({"bearing": replace(scene.bearing, outside_diameter=62e-3)}, "25 mm and outside diameter 62 mm are not of"),
+        ({"operation": replace(scene.operation, moment=3.0)}, "moment"),
+        ({"operation": replace(scene.operation, axial_load=np.array([-3.0]))}, "-3 N is below 0"),
+    ):
+        with pytest.raises(InputError, match=words):
+            scene_band(oiled(**change))

@@ -33,7 +33,7 @@ def test_declared_losses_are_added_and_listed(scene: Scene) -> None:
     )
     told = {effect.name: effect for effect in both.effects}
     assert (told["seals"].decision, told["seals"].reason) == ("on", "declared by the scene")
-    np.testing.assert_allclose(told["drag"].share, 2e-3 / both.torque.total[0], rtol=1e-13)  # least at the light load
+    assert told["drag"].share == pytest.approx(2e-3 / both.torque.total[0], rel=1e-13)  # least torque at the light load
     assert told["spin"].share == np.max(both.torque.spin / both.torque.total)
     one = friction_torque(replace(scene, losses=Losses(drag=0.0)))
     told = {effect.name: effect for effect in one.effects}
