@@ -14,9 +14,9 @@ from analytic.contact import Race
 from analytic.correction import ContactCorrection
 from analytic.effects import Choices
 from analytic.errors import InputError
-from analytic.finite_geometry import finite_geometry_factors, race_shape
+from analytic.finite_geometry import RaceCorrections, finite_geometry_factors, race_shape
 from analytic.kinematics import ball_kinematics
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Array, Bearing, Operation, Scene
 
 RACES: tuple[Race, Race] = ("inner", "outer")
 # Heaviest ball of Z under a radial load Fr without clearance: 4.37 Fr/Z (Stribeck; R. Stribeck, ASME Trans. 29 (1907),
@@ -52,13 +52,23 @@ def loaded_balls(
         return balls, []
     # Not iterated: corrected contacts move loads and angles by less than a hundredth, and the factors, within 0.06 of
     # 1, follow the load's power 1/3 to 2/3, so by less than 1e-4 more.
+    found = corrections_of(scene.bearing, balls)
+    return solve(found.correction), list(found.warnings)
+
+
+def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
+    """For the finite geometry of both races, at their loads and angles; (n,) under thrust, else (n, m).
+
+    A contact without load has no place on its race, and its factors are 1.
+    """
     each = (..., 0) if balls.rung == "thrust" else ...  # what a solution takes an element of a factor for
-    found = {
-        race: finite_geometry_factors(race_shape(scene.bearing, race, contact_angle=angle[each], ball_load=load[each]))
+    inner, outer = (
+        finite_geometry_factors(
+            race_shape(bearing, race, contact_angle=np.where(load > 0, angle, 0.0)[each], ball_load=load[each])
+        )
         for race, angle, load in zip(RACES, np.abs(balls.contact_angle), balls.load, strict=True)
-    }
-    warnings = [f"{race}: {warning}" for race, side in found.items() for warning in side.warnings]
-    return solve(ContactCorrection(**{race: side.factors for race, side in found.items()})), warnings
+    )
+    return RaceCorrections(inner=inner, outer=outer)
 
 
 def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[ContactCorrection | None], LoadedBalls]:

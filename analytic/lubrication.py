@@ -58,7 +58,7 @@ class LubricatedRaces:
         share = np.zeros(self.balls.load.shape)
         for race, table in enumerate(self.tables):
             if table is not None:
-                with np.errstate(divide="ignore", over="ignore"):  # without load there is nothing to share
+                with np.errstate(all="ignore"):  # without load there is nothing to share
                     log_share = table.log_pressure((self.film.thickness * heating_factor)[race])
                     log_share = log_share + np.log(self.area[race] / self.balls.load[race])
                 share[race] = np.exp(np.minimum(np.nan_to_num(log_share, nan=-np.inf), 0.0))

@@ -244,7 +244,7 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         **({} if table.friction is None else _friction(table.friction)),
         losses=Losses(**table.losses.model_dump()),
         effects=MappingProxyType(table.effects.model_dump()),
-        warnings=(*fit.doubts(bearing, cage), *_left_out(table.operation)),
+        warnings=tuple(fit.doubts(bearing, cage)),
     )
     return scene, misfits
 
@@ -292,13 +292,6 @@ def _operation(given: OperationTable) -> Operation:
     series = given.model_dump()
     values = np.broadcast_arrays(*(np.array(value) for value in series.values()))
     return Operation(**{key: _frozen(value) for key, value in zip(series, values, strict=True)})
-
-
-def _left_out(given: OperationTable) -> Iterator[str]:
-    """Warnings: loads that the contacts do not know yet, and that the friction torque refuses."""
-    for key in ("radial_load", "moment"):
-        if any(getattr(given, key)):
-            yield f"operation.{key} is known to analytic.ring alone: angle and contacts are those of thrust"
 
 
 def _frozen(values: Array) -> Array:

@@ -117,7 +117,8 @@ def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Prog
     progress(0.0, "formulas")
     contacts = contact_of(scene, pair="inner"), contact_of(scene, pair="outer")
     ladders = [hertz_ladder(contacts, tolerance=asked)]
-    if scene.contact_angle.rule == "solved":
+    is_thrust = not (np.any(scene.operation.radial_load) or np.any(scene.operation.moment))
+    if scene.contact_angle.rule == "solved" and is_thrust:
         ladders.append(angle_ladder(scene, tolerance=asked))
     recipe = load_recipe(RECIPES["real"])
     ladders.append(contact_ladder(contacts[0], recipe=recipe, tolerance=asked, progress=progress))

@@ -10,13 +10,13 @@ from typing import Any, Literal
 
 import numpy as np
 
-from analytic.contact import pocket_contact, race_contact
-from analytic.equilibrium import thrust_equilibrium
-from analytic.errors import InputError
+from analytic.contact import pocket_contact
+from analytic.errors import InputError, require_non_negative
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
 from fembearing.compare.contact_warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
 from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
+from fembearing.compare.heaviest import heaviest_contact
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import peak_memory
 from fembearing.compare.reference import COMPARED, Estimates, solve_reference
@@ -232,7 +232,7 @@ def as_meshed(contact: Contact, *, recipe: Recipe) -> Contact:
 
 
 def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contact:
-    """The contact of a scene that carries most: at its operating point of largest ball load, or at `load`, N.
+    """The contact of a scene that carries most: of its heaviest ball at any operating point, or at `load`, N.
 
     Raises InputError for the pocket of a scene without a cage.
     """
@@ -240,15 +240,11 @@ def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contac
         if scene.cage is None:
             raise InputError("the scene has no [cage], so there is no pocket: add an empty [cage] for the catalog's")
         return pocket_contact(scene.bearing, scene.cage, load=POCKET_LOAD if load is None else load)
-    balls = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=scene.operation.axial_load)
-    point = int(np.argmax(balls.ball_load))
+    if load is not None:
+        require_non_negative(ball_load=load)
     with traced_to_load(scene, pair=pair, load=load):
-        return race_contact(
-            scene.bearing,
-            pair,
-            contact_angle=float(balls.contact_angle[point]),
-            ball_load=float(balls.ball_load[point]) if load is None else load,
-        )
+        contact = heaviest_contact(scene, pair)
+    return contact if load is None else replace(contact, load=load)
 
 
 @contextmanager
@@ -259,6 +255,9 @@ def traced_to_load(scene: Scene, *, pair: Pair, load: float | None) -> Iterator[
     except InputError as problem:
         if load is None and pair != "pocket":
             cause = f"operation.axial_load = {scene.operation.axial_load.max():g} N"
+            for name, unit in (("radial_load", "N"), ("moment", "N m")):
+                largest = np.max(np.abs(getattr(scene.operation, name)))
+                cause += f", operation.{name} = {largest:g} {unit}" if largest else ""
         else:
             cause = f"load = {POCKET_LOAD if load is None else load:g} N"
         raise InputError(f"{cause}: {problem}") from problem

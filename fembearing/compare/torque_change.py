@@ -8,12 +8,14 @@ import numpy as np
 
 from analytic.correction import ContactCorrection, ContactFactors
 from analytic.effects import COMPUTED
-from analytic.finite_geometry import RaceCorrections, thrust_correction
+from analytic.finite_geometry import RaceCorrections
+from analytic.loading import corrections_of
 from analytic.scene import Scene
 from analytic.torque import friction_torque
 from analytic.torque_result import FrictionTorque
 from analytic.uncertainty import with_model_uncertainty
 from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.heaviest import balls_of
 from fembearing.compare.verdict import Verdict, worst
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
@@ -98,8 +100,9 @@ class TorqueChange:
 def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolution) -> TorqueChange:
     """Race torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
 
-    The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone. The
-    correction for finite geometry knows every load, and shows the change at each.
+    The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone. Where
+    balls are loaded unequally those of the heaviest stand for all, too much for the lighter ones. The correction for
+    finite geometry knows every load and every ball, and shows the change at each operating point.
     Raises InputError as friction_torque does.
     """
     plain = replace(scene, effects={**scene.effects, "finite_geometry": "off"})
@@ -136,14 +139,15 @@ def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:
 
 
 def _fitted(scene: Scene, hertz: FrictionTorque) -> FittedChange:
-    found = thrust_correction(scene.bearing, scene.contact_angle, axial_load=hertz.axial_load)
+    balls = balls_of(scene)
+    found = corrections_of(scene.bearing, balls)
     torque = friction_torque(scene, correction=found.correction)
     spread = np.zeros_like(hertz.ball_load)
     for name in FACTORS:
         for correction in _moved(found, name):
             moved = friction_torque(scene, correction=correction)
             spread += np.abs(_change(moved.torque.total, torque.torque.total))
-    covered = found.inner.covered & found.outer.covered
+    covered = np.reshape(found.inner.covered & found.outer.covered, (hertz.ball_load.size, -1)).all(axis=1)
     return FittedChange(
         torque=torque,
         relative=np.where(covered, _change(torque.torque.total, hertz.torque.total), np.nan),

@@ -7,8 +7,8 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from numpy import isfinite
 
 from analytic.scene import Array, Scene
 from fembearing.compare.catalogue import BesideCatalogue, beside_catalogue
@@ -89,6 +89,14 @@ def _scene(scene: Scene, result: Validation) -> dict[str, Any]:
     return {
         "materials": list(dict.fromkeys(materials)),
         "loads": _listed(scene.operation.axial_load),
+        "sideways": [
+            (name, f"{_listed(np.atleast_1d(values))} {unit}")
+            for name, values, unit in (
+                ("radial load", scene.operation.radial_load, "N"),
+                ("moment", scene.operation.moment, "N m"),
+            )
+            if np.any(values)
+        ],
         "speeds": _listed(scene.operation.inner_speed * PER_MINUTE),
         "angle": angle,
         "friction": friction_of(scene),
@@ -175,7 +183,7 @@ def _torque(result: Validation, catalogue: BesideCatalogue) -> list[dict[str, An
             "corrected": f"{corrected.torque.total[point] * 1e3:.4g}" if known else "-",
             "change": f"{relative[point]:+.2%}" if known else "-",
             "catalogue": _in_band(catalogue, point),
-            "fitted": f"{fitted[point]:+.2%}" if isfinite(fitted[point]) else "-",
+            "fitted": f"{fitted[point]:+.2%}" if np.isfinite(fitted[point]) else "-",
         }
         for point, known in enumerate(change.is_solved)
     ]

@@ -5,8 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
-from analytic.hertz import contact_modulus
+from analytic.catalogue_torque import scene_band
+from analytic.contact import race_curvatures
+from analytic.hertz import contact_modulus, hertz_contact
 from analytic.scene import Autocorrelation, ContactAngle
 from analytic.scenefile import load_scene
 from analytic.torque import friction_torque
@@ -59,3 +62,54 @@ def test_the_hybrid_scene() -> None:
     assert found.torque.hysteresis is not None
     assert of_steel.torque.hysteresis is not None
     np.testing.assert_allclose(found.torque.hysteresis, of_steel.torque.hysteresis * stiffer ** (-1 / 3))
+
+
+def test_the_radial_scene() -> None:
+    """The heaviest ball of rings that shift by d: sum of K (d cos psi - P_d/2)^1.5 cos psi over 9 balls is the load.
+
+    The thrust, left out here, tilts the ring and brings the heaviest ball 4 % more.
+    """
+    scene = load_scene(SCENES / "6205_radial.toml")
+    found = friction_torque(scene)
+    bearing, azimuth = scene.bearing, 2 * np.pi * np.arange(9) / 9
+    approach = 0.0  # of both contacts under 1 N
+    for race in ("inner", "outer"):
+        along, across = race_curvatures(bearing, race, contact_angle=0.0)
+        modulus = contact_modulus(bearing.ball_material, bearing.inner.material)
+        approach += float(hertz_contact(curvature_x=along, curvature_y=across, load=1.0, modulus=modulus).approach)
+
+    def loads(shift: float) -> np.ndarray:
+        return np.maximum((shift * np.cos(azimuth) - 10e-6) / approach, 0.0) ** 1.5
+
+    shift = brentq(lambda shift: loads(shift) @ np.cos(azimuth) - 1500.0, 10e-6, 1e-3)
+    np.testing.assert_allclose(found.ball_load, loads(shift).max(), rtol=0.05)  # thrust adds 4 %: see below
+    light = replace(scene, operation=replace(scene.operation, axial_load=np.full(3, 1.0)))
+    alone = friction_torque(replace(light, effects={"finite_geometry": "off"}))
+    np.testing.assert_allclose(alone.ball_load, loads(shift).max(), rtol=2e-3)  # 1 N tilts by sqrt(1/1500)
+    np.testing.assert_allclose(found.inner.load, found.outer.load, rtol=1e-9)  # of that ball, centrifugal force is out
+    decisions = {effect.name: effect.decision for effect in found.effects}
+    assert (decisions["load_distribution"], decisions["centrifugal"], decisions["seals"]) == ("on", "off", "on")
+    np.testing.assert_allclose(found.torque.total - found.torque.race, 5e-3, rtol=1e-9)
+    band = scene_band(scene)
+    assert np.all((found.torque.race > band.low / 2) & (found.torque.race < band.high))  # the order of magnitude
+
+
+def test_the_high_speed_scene() -> None:
+    """F_c = m (d_m/2) (w R_i/d_m)^2 by hand at 0.2909 rad, R_i = 19.505 - 3.97 cos(0.2909) = 15.702 mm: 1.767, 7.070,
+    15.907 N; along the mean of both normals the outer race carries its share more."""
+    scene = load_scene(SCENES / "6205_high_speed.toml")
+    found = friction_torque(scene)
+    decisions = {effect.name: effect.decision for effect in found.effects}
+    assert (decisions["load_distribution"], decisions["centrifugal"], decisions["gyroscopic"]) == ("off", "on", "on")
+    more = np.array([1.767, 7.070, 15.907]) * np.cos(found.contact_angle)
+    np.testing.assert_allclose(found.outer.load - found.inner.load, more, rtol=2e-3)  # the angle differs by 0.0015
+    axial = 9 * found.inner.load * np.sin(found.contact_angle)
+    # Below 400 N by the half of F_c that the mean angle leaves, and by what friction of the gyroscopic moment carries.
+    np.testing.assert_allclose(axial, 400.0, rtol=0.08)
+    assert np.all(np.diff(found.torque.total) > 0)
+    assert not any("gyroscopic moment" in warning for warning in found.warnings)
+    still = friction_torque(replace(scene, effects={"centrifugal": "off", "gyroscopic": "off"}))
+    np.testing.assert_allclose(found.torque.total, still.torque.total, rtol=0.25)  # the bound that called for it
+    assert any("could be" in warning for warning in still.warnings)
+    band = scene_band(scene)
+    assert np.all((found.torque.race > band.low / 2) & (found.torque.race < band.high))
