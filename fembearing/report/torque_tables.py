@@ -30,7 +30,7 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     )
     _print_contacts(out, found, points)
     _print_effects(out, found)
-    rungs = [f"{name} by {found.provenance[name]}" for name in ("loads", "contacts", "sliding")]
+    rungs = [f"{name} by {found.provenance[name]}".replace("_", " ") for name in ("loads", "contacts", "sliding")]
     out.print(f"Rungs: {'; '.join(rungs)}. Friction: {friction_of(result.scene)}.\n", highlight=False, markup=False)
     reached = float(np.max(found.numerical_uncertainty, initial=0.0))
     out.print(
