@@ -1,11 +1,11 @@
 """The friction torque as tables for a terminal or a pipe of 80 characters."""
 
 import numpy as np
+from numpy.typing import NDArray
 from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from analytic.scene import Array
 from analytic.torque_result import FrictionTorque
 from fembearing.compare.scene_torque import SceneTorque
 from fembearing.report.wording import PER_MINUTE, PLAIN, SHARES, friction_of, share_of, uncertainty_of
@@ -16,7 +16,7 @@ HEADS = {"spin": "spin", "conformity": "conf.", "hysteresis": "hyst.", "rolling"
 
 def print_torque(out: Console, result: SceneTorque) -> None:
     found, count = result.found, result.found.inner_speed.size
-    points = np.unique(np.linspace(0, count - 1, min(count, MOST_POINTS)).round().astype(int))
+    points = np.unique(np.linspace(0, count - 1, min(count, MOST_POINTS)).round().astype(np.intp))
     _print_parts(out, result, points)
     if points.size < count:
         out.print(f"{points.size} of {count} operating points; --json has all of them.", highlight=False)
@@ -40,7 +40,7 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     )
 
 
-def _print_parts(out: Console, result: SceneTorque, points: Array) -> None:
+def _print_parts(out: Console, result: SceneTorque, points: NDArray[np.intp]) -> None:
     found, operation, band = result.found, result.scene.operation, result.catalogue.band
     shape = found.inner_speed.shape
     loads = {
@@ -76,7 +76,7 @@ def _print_parts(out: Console, result: SceneTorque, points: Array) -> None:
     out.print(table)
 
 
-def _print_contacts(out: Console, found: FrictionTorque, points: Array) -> None:
+def _print_contacts(out: Console, found: FrictionTorque, points: NDArray[np.intp]) -> None:
     """Of the ball that presses hardest, on both races."""
     heads = ["#", "race", "load, N", "p0, GPa", "a, mm", "b, mm"]
     coefficients, films, shares = found.friction_coefficient, found.film, found.asperity_share
@@ -111,8 +111,8 @@ def _print_contacts(out: Console, found: FrictionTorque, points: Array) -> None:
 
 def _print_effects(out: Console, found: FrictionTorque) -> None:
     table = Table(title="Effects", **PLAIN)
-    for head, justify in (("effect", "left"), ("", "left"), ("share", "right")):
-        table.add_column(head, justify=justify, no_wrap=True)
+    for head in ("effect", "", "share"):
+        table.add_column(head, justify="right" if head == "share" else "left", no_wrap=True)
     table.add_column("reason")
     for effect in found.effects:
         table.add_row(effect.name, effect.decision, share_of(effect, found.torque), escape(effect.reason))

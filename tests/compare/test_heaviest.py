@@ -7,6 +7,7 @@ import pytest
 
 from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
+from analytic.loading import RACES
 from analytic.ring import ring_equilibrium
 from analytic.scene import ContactAngle, Operation, Scene
 from analytic.scenefile import builtin_scene, load_scene
@@ -40,15 +41,13 @@ def test_under_thrust_it_is_any_ball(scene: Scene) -> None:
 def test_under_a_radial_load_it_is_the_heaviest_of_the_ring(scene: Scene) -> None:
     ring = ring_equilibrium(scene.bearing, scene.contact_angle, axial_load=210.0, radial_load_x=1500.0, moment_y=1.3)
     heaviest = int(np.argmax(ring.inner_load))
-    for pair, load, angle in (
-        ("inner", ring.inner_load, ring.inner_angle),
-        ("outer", ring.outer_load, ring.outer_angle),
-    ):
-        found = contact_of(scene, pair=pair)
+    loads, angles = (ring.inner_load, ring.outer_load), (ring.inner_angle, ring.outer_angle)
+    for race, load, angle in zip(RACES, loads, angles, strict=True):
+        found = contact_of(scene, pair=race)
         # centrifugal and gyroscopic effects, left out here, are below 1e-3 of this load
         np.testing.assert_allclose(found.load, load[heaviest], rtol=1e-3)
         np.testing.assert_allclose(found.contact_angle, abs(angle[heaviest]), rtol=1e-2)
-    assert found.load > 5 * thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=210.0).ball_load
+        assert found.load > 5 * thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=210.0).ball_load
 
 
 def test_at_speed_each_race_has_its_own_load_and_angle(scene: Scene) -> None:
