@@ -70,7 +70,7 @@ def _print_parts(out: Console, result: SceneTorque, points: NDArray[np.intp]) ->
             *(f"{values[point]:.4g}" for values in varying.values()),
             *(f"{values[point] * 1e3:.3g}" for values in parts.values()),
             f"{found.torque.total[point] * 1e3:.4g}",
-            _percent(found.numerical_uncertainty[point]),
+            _percent(float(found.numerical_uncertainty[point])),
             *(() if band is None else (f"{band.low[point] * 1e3:.3g}-{band.high[point] * 1e3:.3g}",)),
         )
     out.print(table)
