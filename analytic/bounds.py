@@ -44,31 +44,6 @@ def centrifugal_ratio(
     return _ratio(force, load)
 
 
-def gyroscopic_ratio(
-    *,
-    ball_mass: ArrayLike,
-    ball_radius: ArrayLike,
-    ball_speed: ArrayLike,
-    cage_speed: ArrayLike,
-    contact_angle: ArrayLike,
-    friction_coefficient: ArrayLike,
-    load: ArrayLike,
-    semi_axis_transverse: ArrayLike,
-) -> Array:
-    """J w_b w_c sin(al)/[(3/8) mu Q b]: gyroscopic moment of a ball over what spin friction at one race can hold.
-
-    ball_mass : m_b, kg;  ball_radius : r, m; J = (2/5) m_b r^2;  ball_speed, cage_speed : w_b, w_c, rad/s
-    contact_angle : al, the angle of w_b to the bearing axis, rad, 0 to pi/2
-    friction_coefficient : mu;  load : Q, N;  semi_axis_transverse : b, m; all >= 0
-    """
-    require_non_negative(
-        friction_coefficient=friction_coefficient, load=load, semi_axis_transverse=semi_axis_transverse
-    )
-    moment = _gyroscopic_moment(ball_mass, ball_radius, ball_speed, cage_speed, contact_angle)
-    held = 3 / 8 * np.asarray(friction_coefficient) * np.asarray(load) * np.asarray(semi_axis_transverse)
-    return _ratio(moment, held)
-
-
 def gyroscopic_pull(
     *,
     ball_mass: ArrayLike,
@@ -105,9 +80,11 @@ def gyroscopic_slip_ratio(
 ) -> Array:
     """J w_b w_c sin(al)/(r F): gyroscopic moment of a ball over what friction across both grooves can hold.
 
-    friction_force : F, the sum of mu Q over both races, N, >= 0;  the others as in `gyroscopic_ratio`
+    ball_mass : m_b, kg;  ball_radius : r, m; J = (2/5) m_b r^2;  ball_speed, cage_speed : w_b, w_c, rad/s
+    contact_angle : al, the angle of w_b to the bearing axis, rad, 0 to pi/2
+    friction_force : F, the sum of mu Q over both races, N; all >= 0
     The moment is about the direction of rolling, so that friction across the grooves carries it with the arm r; above 1
-    the ball turns about that axis too. `gyroscopic_ratio`, with the arm 3/8 b of spin, is some ten times as large.
+    the ball turns about that axis too. With the arm 3/8 b of spin's friction it would be some ten times as large.
     """
     require_non_negative(friction_force=friction_force)
     moment = _gyroscopic_moment(ball_mass, ball_radius, ball_speed, cage_speed, contact_angle)
