@@ -12,7 +12,7 @@ from analytic.scene import Bearing, ContactAngle
 
 BALL = {"ball_mass": 2.04e-3, "ball_radius": 3.97e-3}
 LOAD = 620.63  # N, at mu = 0.05 and b = 1.1222 mm
-# What the numbers computed elsewhere hold the moment with: a long contact in full spin, as a force at the ball's radius.
+# What the numbers computed elsewhere hold the moment with: a long contact in full spin, as a force at the radius r.
 HELD = {"friction_force": 0.375 * 0.05 * LOAD * 1.1222 / 3.97}
 
 
