@@ -76,9 +76,10 @@ def main(
 ) -> None:
     shown = Console(width=150)
     rows = [*imports(repeats)]
-    for name, scene in scenes().items():
-        rows.append(one_point(name, scene, repeats))
-        rows += series(name, scene, points, longest, repeats)
+    with ProcessPoolExecutor(PROCESSES, mp_context=get_context("spawn")) as pool:
+        for name, scene in scenes().items():
+            rows.append(one_point(name, scene, repeats))
+            rows += series(name, scene, points, longest, repeats, pool)
     rows.append(hertz(contacts, repeats))
     for count in (1, ring_points):
         rows += ring(count, longest, repeats)
@@ -124,7 +125,7 @@ def one_point(name: str, scene: Scene, repeats: int) -> Row:
     )
 
 
-def series(name: str, scene: Scene, points: int, longest: float, repeats: int) -> list[Row]:
+def series(name: str, scene: Scene, points: int, longest: float, repeats: int, pool: ProcessPoolExecutor) -> list[Row]:
     random = np.random.default_rng(SEED)
     load, speed = random.uniform(100, 2000, points), random.uniform(10, 300, points)
 
@@ -137,9 +138,8 @@ def series(name: str, scene: Scene, points: int, longest: float, repeats: int) -
     what, limit = f"{points} thrust points", 2 * points / 100_000
     found = totals(long)
     rows = [Row(what=what, scene=name, seconds=timed(lambda: totals(long), repeats), rungs=found[1], effects=found[2])]
-    with ProcessPoolExecutor(PROCESSES, mp_context=get_context("spawn")) as pool:
-        halves = list(pool.map(totals, parts))  # not timed: processes start and import
-        seconds = timed(lambda: list(pool.map(totals, parts)), repeats)
+    halves = list(pool.map(totals, parts))  # not timed: processes start and import
+    seconds = timed(lambda: list(pool.map(totals, parts)), repeats)
     both = [" and ".join(dict.fromkeys(half[part] for half in halves)) for part in (1, 2)]
     return [
         *rows,
