@@ -58,7 +58,7 @@ def main(
     scenes: Annotated[int, typer.Option(help="Of --errors.")] = 500,
     seed: Annotated[int, typer.Option(help="Of --errors, the first; each scene has one of its own.")] = 40000,
 ) -> None:
-    out = Console(width=120)
+    out = Console(width=140)
     if errors:
         bounds(scenes, seed, out)
     else:
