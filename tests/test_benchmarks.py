@@ -29,10 +29,20 @@ def rows(path: Path) -> list[dict[str, str]]:
 
 
 @pytest.fixture(scope="module")
-def random_scenes() -> Iterator[ModuleType]:
+def benchmarks() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(BENCHMARKS)
-        yield importlib.import_module("random_scenes")
+        yield
+
+
+@pytest.fixture(scope="module")
+def random_scenes(benchmarks: None) -> ModuleType:  # noqa: ARG001
+    return importlib.import_module("random_scenes")
+
+
+@pytest.fixture(scope="module")
+def ladder(benchmarks: None) -> ModuleType:  # noqa: ARG001
+    return importlib.import_module("friction")
 
 
 def test_torque_is_timed(tmp_path: Path) -> None:
@@ -60,6 +70,13 @@ def test_auto_is_compared_with_everything_on(tmp_path: Path) -> None:
 
 def test_errors_of_cheap_rungs_are_listed() -> None:
     assert "3 scenes of two contacts, seeds 40000 to 40002" in run("friction.py", "--errors", "--scenes", "3")
+
+
+@pytest.mark.parametrize("seed", [416, 1573, 648, 1156])
+def test_the_bound_on_cheap_rungs_holds_in_the_worst_scenes(ladder: ModuleType, seed: int) -> None:
+    """Of 1500: just below full spin, under constant stress; oil that stiffens with the third power of the pressure."""
+    for trial in ladder.rungs_of(seed):
+        assert abs(trial.missed) <= trial.bound, trial
 
 
 def test_a_random_scene_comes_again_from_its_seed(random_scenes: ModuleType) -> None:
