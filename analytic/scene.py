@@ -5,6 +5,7 @@ Axes of a contact: z along the load, x along rolling, y transverse (along the gr
 profile), origin at the contact's centre. A radius is positive where the body is convex.
 """
 
+import copyreg
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
@@ -19,6 +20,14 @@ SpinRule = Literal["balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
 Sliding = Literal["auto", "single_coefficient", "along_axis", "over_ellipse"]
+
+
+def read_only(mapping: Mapping) -> MappingProxyType:
+    return MappingProxyType(mapping)
+
+
+# A scene goes to other processes and its result comes back: read-only mappings cannot on their own.
+copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))
 
 
 @dataclass(frozen=True, kw_only=True)

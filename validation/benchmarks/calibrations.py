@@ -10,7 +10,6 @@ from typing import Annotated, Any
 
 import numpy as np
 import typer
-from coverage import random_contact
 from rich.console import Console
 from rich.progress import track
 
@@ -18,6 +17,7 @@ from analytic.contact import race_contact
 from analytic.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from analytic.scenefile import builtin_scene, load_scene
+from coverage import random_contact
 from fembearing.compare.discrepancy import hertz_quantities
 from fembearing.compare.reference import COMPARED, FORMAL_ORDERS, STRIP_LEAST
 from fembearing.compare.stiffness_law import OFF_MESH

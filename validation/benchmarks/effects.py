@@ -1,0 +1,203 @@
+"""Does leaving out keep to the tolerance? python validation/benchmarks/effects.py [--scenes 300] [--seed 30000]
+
+Random scenes over load, speed, angle, grooves, roughness, viscosity, traction, radial load and spin rule are computed
+with every effect on and sliding integrated over the ellipse, and then as `auto` decides at tolerances of 10, 1 and
+0.1 %. For each tolerance: how far auto is off, how often the numerical uncertainty that it states holds that, how much
+faster it is (processor time, warm), by which rungs, and what it left out. A scene that the model refuses is named and
+counted. Model against model: this verifies decisions, not physics. Prints tables and writes effects.csv and effects.png
+into the folder (validation/reports).
+"""
+
+import os
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
+os.environ.setdefault("MKL_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import csv
+import time
+from collections import Counter
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Annotated, Literal
+
+import matplotlib as mpl
+import numpy as np
+import typer
+from matplotlib.figure import Figure
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+
+from analytic import friction_torque
+from analytic.effects import COMPUTED
+from analytic.errors import FembearingError
+from analytic.scene import Scene
+from analytic.torque_result import FrictionTorque
+from machine import machine, versions
+from random_scenes import random_scene
+
+mpl.use("agg")
+
+TOLERANCES = (0.1, 0.01, 0.001)
+SPREAD = 1.8  # of the points in the figure
+OF_OIL = ("rolling", "inlet_heating", "starvation")
+REPORTS = Path(__file__).parents[1] / "reports"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Trial:
+    """One scene at one tolerance."""
+
+    seed: int
+    tolerance: float
+    difference: float  # of the total from that with everything on, over the latter
+    uncertainty: float  # as auto states it, over its own total
+    seconds: float
+    full_seconds: float
+    loads: str
+    sliding: str
+    left_out: tuple[str, ...]
+
+    @property
+    def holds(self) -> bool:
+        return abs(self.difference) <= self.uncertainty * (1 + self.difference)
+
+    @property
+    def speed_up(self) -> float:
+        return self.full_seconds / self.seconds
+
+
+def main(
+    scenes: Annotated[int, typer.Option(help="Random scenes.")] = 300,
+    seed: Annotated[int, typer.Option(help="First seed; each scene has one of its own.")] = 30000,
+    out: Annotated[Path, typer.Option(help="Folder for effects.csv and effects.png.")] = REPORTS,
+) -> None:
+    shown, trials = Console(width=130), []
+    refused: dict[int, str] = {}
+    for number in track(range(seed, seed + scenes), console=Console(stderr=True)):
+        try:
+            trials += compare(random_scene(np.random.default_rng(number)), number)
+        except FembearingError as problem:
+            refused[number] = str(problem)
+    last = seed + scenes - 1
+    shown.print(f"{machine()}; {versions('fembearing', 'numpy', 'scipy')}")
+    shown.print(f"{scenes} scenes, seeds {seed} to {last}; {len(refused)} refused")
+    for number, problem in refused.items():
+        shown.print(f"  seed {number}: {problem}")
+    if not trials:
+        return
+    show(trials, shown)
+    out.mkdir(parents=True, exist_ok=True)
+    write(trials, out / "effects.csv", title=f"seeds {seed} to {last}, {len(refused)} refused")
+    draw(trials, out / "effects.png")
+
+
+def compare(scene: Scene, seed: int) -> list[Trial]:
+    full, full_seconds = timed(everything_on(scene))
+    trials = []
+    for tolerance in TOLERANCES:
+        found, seconds = timed(replace(scene, tolerance=tolerance))
+        trials.append(
+            Trial(
+                seed=seed,
+                tolerance=tolerance,
+                difference=float(found.torque.total[0] / full.torque.total[0] - 1),
+                uncertainty=float(found.numerical_uncertainty[0]),
+                seconds=seconds,
+                full_seconds=full_seconds,
+                loads=found.provenance["loads"],
+                sliding=found.provenance["sliding"].replace("_", " "),
+                left_out=tuple(
+                    effect.name for effect in found.effects if effect.name in COMPUTED and effect.decision == "off"
+                ),
+            )
+        )
+    return trials
+
+
+def everything_on(scene: Scene) -> Scene:
+    """What the scene has no oil for stays out: it cannot be had, and auto has none of it either."""
+    effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on")
+    if scene.lubricant is None:
+        effects |= dict.fromkeys(OF_OIL, "auto")
+    return replace(scene, effects=effects, sliding="over_ellipse")
+
+
+def timed(scene: Scene) -> tuple[FrictionTorque, float]:
+    """The least processor time of two warm calls."""
+    found, seconds = friction_torque(scene), []
+    for _ in range(2):
+        started = time.process_time()
+        friction_torque(scene)
+        seconds.append(time.process_time() - started)
+    return found, min(seconds)
+
+
+def show(trials: list[Trial], out: Console) -> None:
+    heads = ("asked", "off by: largest", "median", "over asked", "uncertainty holds", "stated, median")
+    table = Table(*heads, "faster, median", "least to greatest", "over asked at seeds")
+    for tolerance in TOLERANCES:
+        found = [trial for trial in trials if trial.tolerance == tolerance]
+        off = np.abs([trial.difference for trial in found])
+        faster = np.array([trial.speed_up for trial in found])
+        beyond = [str(trial.seed) for trial in found if abs(trial.difference) > tolerance]
+        table.add_row(
+            *(f"{tolerance:.1%}", f"{off.max():.3%}", f"{np.median(off):.3%}", f"{len(beyond)} of {len(found)}"),
+            f"{sum(trial.holds for trial in found)} of {len(found)}",
+            f"{np.median([trial.uncertainty for trial in found]):.3%}",
+            *(f"{np.median(faster):.1f}", f"{faster.min():.2f} to {faster.max():.1f}", ", ".join(beyond)),
+        )
+    out.print(table)
+    for tolerance in TOLERANCES:
+        found = [trial for trial in trials if trial.tolerance == tolerance]
+        out.print(f"at {tolerance:.1%}", style="bold")
+        for name in ("loads", "sliding"):
+            out.print(f"  {name}: {counted(Counter(getattr(trial, name) for trial in found))}")
+        out.print(f"  left out: {counted(Counter(name for trial in found for name in trial.left_out))}")
+
+
+def counted(names: Counter[str]) -> str:
+    return ", ".join(f"{name.replace('_', ' ')} {count}" for name, count in names.most_common())
+
+
+def write(trials: list[Trial], path: Path, *, title: str) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        file.write(f"# {machine()}; {versions('fembearing', 'numpy', 'scipy')}; {title}\n")
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(
+            (*("seed", "tolerance", "difference", "numerical_uncertainty", "holds", "speed_up"),
+             *("loads", "sliding", "left_out"))
+        )  # fmt: skip
+        for trial in trials:
+            numbers = (f"{value:.4g}" for value in (trial.difference, trial.uncertainty))
+            writer.writerow(
+                (*(trial.seed, trial.tolerance, *numbers, trial.holds, f"{trial.speed_up:.2f}"),
+                 *(trial.loads, trial.sliding, " ".join(trial.left_out)))
+            )  # fmt: skip
+
+
+def draw(trials: list[Trial], path: Path) -> None:
+    figure = Figure(figsize=(9.0, 4.2), layout="constrained")
+    errors, speeds = figure.subplots(1, 2)
+    marks = {"single coefficient": "o", "along axis": "s", "over ellipse": "^", "none": "x"}
+    jitter = np.random.default_rng(0)
+    for sliding, mark in marks.items():
+        some = [trial for trial in trials if trial.sliding == sliding]
+        if not some:
+            continue
+        beside = np.array([trial.tolerance for trial in some]) * SPREAD ** jitter.uniform(-1, 1, len(some))
+        off = np.maximum(np.abs([trial.difference for trial in some]), 1e-9)
+        errors.loglog(beside, off, mark, ms=3, alpha=0.5, mew=0, label=sliding)
+        speeds.loglog(beside, [trial.speed_up for trial in some], mark, ms=3, alpha=0.5, mew=0, label=sliding)
+    asked = np.array(TOLERANCES)
+    errors.hlines(asked, asked / SPREAD, asked * SPREAD, "k", lw=0.8, label="what is asked")
+    errors.set(xlabel="asked tolerance, spread for the eye", ylabel="difference from everything on", ylim=(1e-9, 1))
+    errors.legend(frameon=False, fontsize=8)
+    speeds.axhline(1, color="k", lw=0.8)
+    speeds.set(xlabel="asked tolerance, spread for the eye", ylabel="times faster than everything on")
+    figure.savefig(path, dpi=130, metadata={"Software": None})
+
+
+if __name__ == "__main__":
+    typer.run(main)
