@@ -25,7 +25,11 @@ STRIBECK = 4.37
 HELD_BY = 0.05  # friction coefficient against a gyroscopic moment: that of an oil film (SKF's mu_EHL)
 # Change of the torque over the centrifugal force's share of the ball load: 4/3 to 5/3 by the outer race's load alone,
 # and the contact angles part (compared with measured shares in tests/analytic/test_effects.py).
-PER_CENTRIFUGAL = 2.0
+PER_CENTRIFUGAL = 2.5
+# Balls that the load leaves free are pressed on the outer race by that force alone and roll against the oil there, as
+# the semi-axis, the cube root of the force; over the cube root of the share. None is free below a load distribution
+# of 0.6 at angles that stay (eps = 1 of the load-distribution integrals), of UNLOADS with those that follow.
+PER_FREE_BALL, UNLOADS = 8.0, 0.3
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner; a bearing asks
 # for a hundredth of that at least to roll, and the equilibrium of the ring settles to some 6000.
 MOST_CENTRIFUGAL = 1000.0
@@ -73,7 +77,9 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         thrust = thrust_balls(bearing, scene.contact_angle, axial_load=axial)
         angle, load = np.max(thrust.contact_angle, axis=(0, 2)), np.max(thrust.load, axis=(0, 2))
     else:
-        angle, load = np.zeros_like(axial), STRIBECK * (radial + moment / bearing.pitch_diameter) / bearing.ball_count
+        # Of no point more than its heaviest ball has; a moment may bring balls to any angle.
+        load = (STRIBECK * (radial + moment / bearing.pitch_diameter) + np.abs(axial)) / bearing.ball_count
+        angle = np.where(moment > 0, np.pi / 2, 0.0)
     share = load_distribution_ratio(
         axial_load=axial, radial_load=radial, moment=moment, contact_angle=angle, pitch_diameter=bearing.pitch_diameter
     )
@@ -95,7 +101,9 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
     ratio = centrifugal_ratio(
         ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=cage, load=load
     )
-    centrifugal = choices.calls_for("centrifugal", share=PER_CENTRIFUGAL * ratio, lacks=held)
+    rolls = scene.lubricant is not None and scene.effects.get("rolling") != "off"
+    free = PER_FREE_BALL * np.cbrt(ratio) * (rolls & distributed & (share > UNLOADS))
+    centrifugal = choices.calls_for("centrifugal", share=PER_CENTRIFUGAL * ratio + free, lacks=held)
     worst = int(np.argmax(ratio))
     if centrifugal and ratio[worst] > MOST_CENTRIFUGAL:
         raise InputError(
@@ -114,7 +122,8 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
             friction_coefficient=HELD_BY,
             load=load,
             semi_axis_transverse=np.max(thrust.contact.semi_axis_y, axis=(0, 2)) if thrust else bearing.ball_radius,
-        ),
+        )
+        + free * np.sin(angle),  # a moment that is held by friction turns the force on a free ball by that at most
         lacks=held,
     )
     if thrust is not None and not (distributed or centrifugal or gyroscopic):
