@@ -417,5 +417,5 @@ def test_balls_that_skid_are_refused_with_their_speed(scene: Scene) -> None:
     light = Operation(axial_load=np.array([900.0, 0.001]), inner_speed=np.array([100.0, 2000.0]))
     refused(
         replace(scene, operation=light),
-        r"inner_speed = 2000 rad/s: the centrifugal force .* times its load under 0\.001 N .* above 1000.*raise the load",
+        r"inner_speed = 2000 rad/s: the centrifugal force .* times its load under 0\.001 N .* above 1000.*raise",
     )
