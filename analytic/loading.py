@@ -22,9 +22,15 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 # Heaviest ball of Z under a radial load Fr without clearance: 4.37 Fr/Z (Stribeck; R. Stribeck, ASME Trans. 29 (1907),
 # not seen: it is the load-distribution integral of point contacts, 1/J_r(0.5) = 4.37).
 STRIBECK = 4.37
+# Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
+PER_DISTRIBUTION = 1.25
 # Change of the torque over the centrifugal force's share of the ball load: 4/3 to 5/3 by the outer race's load alone,
-# and the contact angles part (compared with measured shares in tests/analytic/test_effects.py).
-PER_CENTRIFUGAL = 2.0
+# and the contact angles part: 4.0 at most (compared with measured shares in tests/analytic/test_effects.py).
+PER_CENTRIFUGAL = 4.5
+# Balls that the load leaves free are pressed on the outer race by that force alone and roll against the oil there, as
+# the semi-axis, the cube root of the force; over the cube root of the share. None is free below a load distribution
+# of 0.6 at angles that stay (eps = 1 of the load-distribution integrals), of UNLOADS with those that follow.
+PER_FREE_BALL, UNLOADS = 8.0, 0.3
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner; a bearing asks
 # for a hundredth of that at least to roll, and the equilibrium of the ring settles to some 6000.
 MOST_CENTRIFUGAL = 1000.0
@@ -82,12 +88,14 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         thrust = thrust_balls(bearing, scene.contact_angle, axial_load=axial)
         angle, load = np.max(thrust.contact_angle, axis=(0, 2)), np.max(thrust.load, axis=(0, 2))
     else:
-        angle, load = np.zeros_like(axial), STRIBECK * (radial + moment / bearing.pitch_diameter) / bearing.ball_count
+        # Of no point more than its heaviest ball has; a moment may bring balls to any angle.
+        load = (STRIBECK * (radial + moment / bearing.pitch_diameter) + np.abs(axial)) / bearing.ball_count
+        angle = np.where(moment > 0, np.pi / 2, 0.0)
     share = load_distribution_ratio(
         axial_load=axial, radial_load=radial, moment=moment, contact_angle=angle, pitch_diameter=bearing.pitch_diameter
     )
     share = np.where(axial > 0, share, np.inf) if unequal else share
-    distributed = choices.calls_for("load_distribution", share=share, lacks=held)
+    distributed = choices.calls_for("load_distribution", share=PER_DISTRIBUTION * share, lacks=held)
     if not distributed and (thrust is None or (given and np.any(share > scene.tolerance))):
         raise InputError(
             f"operation.radial_load and operation.moment are up to {share.max():.3g} of what thrust does, and "
@@ -104,7 +112,9 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
     ratio = centrifugal_ratio(
         ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=cage, load=load
     )
-    centrifugal = choices.calls_for("centrifugal", share=PER_CENTRIFUGAL * ratio, lacks=held)
+    rolls = scene.lubricant is not None and scene.effects.get("rolling") != "off"
+    free = PER_FREE_BALL * np.cbrt(ratio) * (rolls & distributed & (share > UNLOADS))
+    centrifugal = choices.calls_for("centrifugal", share=PER_CENTRIFUGAL * ratio + free, lacks=held)
     worst = int(np.argmax(ratio))
     if centrifugal and ratio[worst] > MOST_CENTRIFUGAL:
         raise InputError(
@@ -121,7 +131,8 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
             cage_speed=cage,
             contact_angle=angle,
             load=load,
-        ),
+        )
+        + free * np.sin(angle),  # a moment that is held by friction turns the force on a free ball by that at most
         lacks=held,
     )
     if thrust is not None and not (distributed or centrifugal or gyroscopic):
@@ -153,7 +164,9 @@ def points(scene: Scene) -> Operation:
     """The scene's operation with every array (n,). Raises InputError if there is no point or shapes do not fit."""
     names = ("axial_load", "inner_speed", "radial_load", "moment")
     try:
-        arrays: list[Array] = np.broadcast_arrays(*(np.atleast_1d(getattr(scene.operation, name)) for name in names))
+        arrays: tuple[Array, ...] = np.broadcast_arrays(
+            *(np.atleast_1d(getattr(scene.operation, name)) for name in names)
+        )
     except ValueError as problem:
         raise InputError("the arrays of operation have shapes that do not fit: give equal lengths") from problem
     if arrays[0].size == 0:

@@ -64,10 +64,21 @@ class LubricatedRaces:
                 share[race] = np.exp(np.minimum(np.nan_to_num(log_share, nan=-np.inf), 0.0))
         return np.where(self.film.thickness > 0, share, 1.0)
 
-    def oil_friction(self, slip_speed: Array) -> Array:
-        """(2, n, m) tau A_H of smooth surfaces at their mean pressure and slip_speed, N."""
+    def largest_asperity_area(self, heating_factor: Array | float = 1.0) -> Array:
+        """A_a/A_H at the film of smooth surfaces, likewise."""
+        film = self.film.thickness * heating_factor
+        touched = [
+            np.zeros(height.shape) if table is None else table.area_fraction(height)
+            for table, height in zip(self.tables, film, strict=True)
+        ]
+        return np.where(self.film.thickness > 0, np.stack(touched), 1.0)
+
+    def oil_friction(self, slip_speed: Array, *, borne: Array | float = 1.0) -> Array:
+        """(2, n, m) tau A_H of smooth surfaces at slip_speed and their mean pressure, of which oil has `borne`, N."""
         mean = np.divide(self.balls.load, self.area, out=np.zeros_like(self.area), where=self.area > 0)
-        stress = oil_shear_stress(self.lubricant, pressure=mean, speed=slip_speed, film_thickness=self.film.thickness)
+        stress = oil_shear_stress(
+            self.lubricant, pressure=borne * mean, speed=slip_speed, film_thickness=self.film.thickness
+        )
         return stress * self.area
 
     def shared(self, *, asperities: bool, heating_factor: Array | float) -> MixedContact:

@@ -206,11 +206,12 @@ class _Ring:
         *,
         inner_angle: Array,
         outer_angle: Array,
-        inner_share: Array | float,
+        shares: tuple[Array | float, Array | float],
     ) -> _Held:
         """Contact stiffness, inertia and friction of balls at their angles, (n, Z).
 
-        rows : of all operating points, those at hand;  inner_share : Q_i/(Q_i + Q_o)
+        rows : of all operating points, those at hand
+        shares : Q_i and Q_o over Q_i + Q_o; both 0 where nothing presses and friction cannot be
         """
         bearing = self.bearing
         inner, outer = unit_contacts(
@@ -239,7 +240,7 @@ class _Ring:
         centrifugal = self.centrifugal * bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2
         inertia = self.gyroscopic * bearing.ball_mass * bearing.ball_diameter**2 / 10
         moment = inertia * motion.ball_speed * motion.cage_speed * np.sin((inner_angle + outer_angle) / 2)
-        friction = moment / bearing.ball_radius * inner_share, moment / bearing.ball_radius * (1 - inner_share)
+        friction = moment / bearing.ball_radius * shares[0], moment / bearing.ball_radius * shares[1]
         at_inner = friction[0][..., None] * np.stack([-np.sin(inner_angle), np.cos(inner_angle)], axis=-1)
         at_outer = friction[1][..., None] * np.stack([np.sin(outer_angle), -np.cos(outer_angle)], axis=-1)
         return _Held(
@@ -294,7 +295,7 @@ class _Ring:
 def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tuple[_State, Array]:
     """Rounds of Newton's method, each holding what the angles of the last one give, until one has nothing to do."""
     angles, active = np.full((len(load), ring.bearing.ball_count), angle), np.arange(len(load))
-    held = ring.held(load, speed, active, inner_angle=angles, outer_angle=angles, inner_share=0.0)
+    held = ring.held(load, speed, active, inner_angle=angles, outer_angle=angles, shares=(0.0, 0.0))
     found, steps = _settled(ring, ring.at(_start(ring, load, held), held))
     for _ in range(MOST_ROUNDS):
         balls = part_of(found.balls, active)
@@ -305,7 +306,10 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
             active,
             inner_angle=balls.inner_angle,
             outer_angle=balls.outer_angle,
-            inner_share=np.divide(balls.inner_load, both, out=np.zeros_like(both), where=both > 0),
+            shares=(
+                np.divide(balls.inner_load, both, out=np.zeros_like(both), where=both > 0),
+                np.divide(balls.outer_load, both, out=np.zeros_like(both), where=both > 0),
+            ),
         )
         again, more = _settled(ring, ring.at(found.place[active], held))
         # A ball that floats, or is wedged, follows its forces without the ring's notice.

@@ -19,6 +19,7 @@ Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
+Decision = Literal["auto", "on", "off"]
 Sliding = Literal["auto", "single_coefficient", "along_axis", "over_ellipse"]
 
 
@@ -198,7 +199,7 @@ class Scene:
     spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races
     sliding: Sliding = "auto"  # the rung by which it is integrated over a contact; auto: as the tolerance asks
     microslip: Microslip = "derived"  # its moments; `as_printed` is the paper's, misprints included
-    effects: Mapping[str, Literal["auto", "on", "off"]] = field(default_factory=lambda: MappingProxyType({}))
+    effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
     warnings: tuple[str, ...] = ()
 
     @property

@@ -87,7 +87,7 @@ def race_sliding(
     rung: Rung = "single_coefficient" if asked == "auto" else asked
     found = on(rung)
     slender, weight = _slenderness(balls), _weight(balls, found)
-    errors = {
+    errors: dict[Rung, Array] = {
         "single_coefficient": _relative(slender + _missed(races, found), weight),
         "along_axis": _relative(slender, weight),
         "over_ellipse": np.full(ring_speed.shape, QUADRATURE),
@@ -95,8 +95,7 @@ def race_sliding(
     if asked == "auto":
         whole = balls.total(found.torque.spin + found.torque.conformity)
         part = np.divide(whole, whole + beside, out=np.zeros_like(whole), where=whole > 0)
-        good = [name for name in RUNGS if np.all(errors[name] * part <= allowed)]
-        rung = good[0] if good else "over_ellipse"
+        rung = next((name for name in RUNGS if np.all(errors[name] * part <= allowed)), RUNGS[-1])
         found = found if rung == "single_coefficient" else on(rung)
     return Sliding(
         spin=balls.total(found.torque.spin),

@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from analytic import catalog
 from analytic.quantity import Dimension
-from analytic.scene import Microslip, Sliding, SpinRule, Traction
+from analytic.scene import Decision, Microslip, Sliding, SpinRule, Traction
 
 
 def _text(given: object) -> str:
@@ -55,7 +55,6 @@ Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2
 Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
 Temperature = Annotated[float, Dimension(unit="K", low=200, high=600, example='"40 degC"')]
 Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
-Decision = Literal["auto", "on", "off"]
 
 
 class Table(BaseModel):

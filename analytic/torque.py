@@ -32,7 +32,7 @@ from analytic.viscosity import inlet_viscosity
 from analytic.watched import watch
 
 BY_SLIP = ("spin", "conformity")
-LEAST_FILM = 1e-3  # of the isothermal film, at which a bound on heating is large enough
+LEAST_FILM = 1e-3  # of the isothermal film, or of smooth surfaces' oil: a bound by less is large enough
 PARTS = (*BY_SLIP, "hysteresis", "rolling")
 
 
@@ -197,25 +197,38 @@ def _lubricated(
     """
     rolls, spins = rolling_power(balls), largest_spin_rise(balls)  # m, of each contact
     uneven = 1 + most_missed(balls, None if oiled is None else oiled.lubricant)  # true over found by mean stresses
+    slips = [np.abs(speed)[:, None] * lever for lever in (rolls, rolls + full_spin(balls))]  # least and most, m/s
     if oiled is None:
         force = spinning = np.asarray(scene.friction_coefficient) * balls.load
     else:
-        force = oiled.oil_friction(np.abs(speed)[:, None] * rolls)
-        spinning = oiled.oil_friction(np.abs(speed)[:, None] * (rolls + full_spin(balls)))
+        force, spinning = (oiled.oil_friction(slip) for slip in slips)
     kept = {} if scene.lubricant is None else _kept_of_rolling(scene, scene.lubricant, speed)
     least = dict(parts)
     if "rolling" in parts:
         least["rolling"] = parts["rolling"] * np.prod(list(kept.values()), axis=0)
     floor = balls.total(force * rolls) + _sum(least, speed)
     rolling = parts.get("rolling", np.zeros_like(floor))
-    asperities, boundary = False, np.zeros_like(force)
+    asperities, boundary, heated = False, np.zeros_like(force), np.ones_like(force)
     if oiled is None:
         choices.settled("asperities", on=False, reason="the friction coefficient is given")
     else:
         boundary = oiled.surface.boundary_friction * balls.load  # N, if asperities carried all
-        touching = oiled.largest_asperity_share() * boundary * uneven
-        asperities = choices.calls_for("asperities", share=_share(balls.total(touching * (rolls + spins)), floor))
+        heated = oiled.heating_factor()
+        # Whether the film is thinned by heat is decided below: asperities are bounded as if it were.
+        thinned = 1.0 if scene.effects.get("inlet_heating") == "off" else heated
+        share = oiled.largest_asperity_share(thinned)
+        touching = share * boundary * uneven
+        # Oil that bears less is less viscous by far, and shears beside what touches; its film is hardly thicker.
+        left = np.maximum(1 - share - oiled.largest_asperity_area(thinned), 0.0)
+        thin = [
+            oil - left * oiled.oil_friction(slip, borne=1 - share)
+            for oil, slip in zip((force, spinning), slips, strict=True)
+        ]
+        relieved = np.maximum(*thin) * uneven / np.maximum(thinned, LEAST_FILM)
+        most = np.maximum(touching, relieved) * (rolls + spins)
+        asperities = choices.calls_for("asperities", share=_share(balls.total(most), floor))
         if asperities:
+            floor = floor - balls.total(np.minimum(relieved / uneven, (1 - LEAST_FILM) * force) * rolls)
             force, spinning = force + touching, spinning + touching
     heating: Array | float = 1.0
     if scene.lubricant is None:
@@ -223,8 +236,8 @@ def _lubricated(
             choices.calls_for(name, share=None, lacks="no lubricant is given")
     else:
         loss = (1 - kept["inlet_heating"]) * rolling
+        thinner = np.zeros_like(force)
         if oiled is not None:
-            heated = oiled.heating_factor()
             thinner = (
                 spinning * (1 / np.maximum(heated, LEAST_FILM) - 1) if scene.lubricant.traction == "eyring_sinh" else 0
             )
@@ -233,6 +246,7 @@ def _lubricated(
             loss = loss + balls.total(uneven * thinner * (rolls + spins))
         if choices.calls_for("inlet_heating", share=_share(loss, floor)):
             heating = heated if oiled is not None else 1.0
+            spinning = spinning + thinner
             rolling = rolling * kept["inlet_heating"]
         starved = kept.get("starvation")
         lacks = "bearing.bore_diameter and bearing.outside_diameter are not given" if starved is None else None

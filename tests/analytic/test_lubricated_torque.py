@@ -13,7 +13,7 @@ from analytic.errors import InputError
 from analytic.film import central_film, inlet_heating_factor
 from analytic.hertz import contact_modulus
 from analytic.roughness import gap_roughness
-from analytic.scene import Autocorrelation, Bearing, ContactAngle, Lubricant, Operation, Scene, Surface
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Lubricant, Operation, Scene, Surface
 from analytic.scenefile import builtin_scene, parse_scene
 from analytic.torque import RACES, friction_torque
 
@@ -37,7 +37,7 @@ FINISH = Surface(
     boundary_friction=0.11,
 )
 # What the tests below compute beside it; inlet heating and starvation act on rolling by factors of their own.
-PLAIN = {"asperities": "on", "inlet_heating": "on", "spin": "on", "finite_geometry": "off"}
+PLAIN: dict[str, Decision] = {"asperities": "on", "inlet_heating": "on", "spin": "on", "finite_geometry": "off"}
 PLAIN |= dict.fromkeys(("starvation", "centrifugal", "gyroscopic"), "off")
 SPEEDS = np.array([3.7, 21.0, 640.0])
 

@@ -14,7 +14,7 @@ from analytic.correction import ContactCorrection, ContactFactors
 from analytic.effects import EFFECTS
 from analytic.equilibrium import thrust_equilibrium
 from analytic.errors import InputError
-from analytic.scene import Bearing, ContactAngle, Operation, Scene, SpinRule
+from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene, SpinRule
 from analytic.scenefile import builtin_scene, load_scene, parse_scene
 from analytic.torque import friction_torque
 from analytic.torque_result import FrictionTorque, TorqueParts
@@ -22,8 +22,14 @@ from analytic.torque_result import FrictionTorque, TorqueParts
 GIVEN = ContactAngle(rule="given", value=0.18)
 SOLVED = ContactAngle(rule="solved", free=0.18)
 PARTS = ("spin", "conformity", "hysteresis")
-SLOW = {"centrifugal": "off", "gyroscopic": "off"}  # a load may be as light as one likes, at any speed
-AS_HERTZ = {"finite_geometry": "off", "spin": "on"}  # the closed forms of text books, whatever the tolerance
+SLOW: dict[str, Decision] = {
+    "centrifugal": "off",
+    "gyroscopic": "off",
+}  # a load may be as light as one likes, at any speed
+AS_HERTZ: dict[str, Decision] = {
+    "finite_geometry": "off",
+    "spin": "on",
+}  # the closed forms of text books, whatever the tolerance
 
 
 def operation(*loads: float, speed: float | list[float] = 31.0) -> Operation:

@@ -62,7 +62,7 @@ def test_pressure_thickens_less_than_barus_and_heat_thins() -> None:
 def test_the_oil_at_the_inlet() -> None:
     """Viscosity and both slopes at another temperature, against differences of the formula there."""
     oil = Lubricant(
-        **OIL, temperature=347.0, thermal_conductivity=0.13, density=860.0, eyring_stress=5e6,
+        **OIL, supply="grease", temperature=347.0, thermal_conductivity=0.13, density=860.0, eyring_stress=5e6,
         limiting_shear=0.07, traction="eyring_sinh",
     )  # fmt: skip
     found = inlet_viscosity(oil)
