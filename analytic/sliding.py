@@ -26,7 +26,6 @@ from analytic.traction import CoulombTraction, Traction
 EVEN_STRESS, KINK, STEEP, VISCOUS = 0.18, 0.17, 0.05, 0.62
 MOST_UNEVEN = 0.72  # of the true power, missed at mean stresses by sinh traction on any contact: 0.69 is the most found
 BELOW_FULL_SPIN = 1.15  # of E(m) - 1: 1.11 is the most that was found there, at any shape and by contacts together
-RUNGS: tuple[Rung, ...] = ("single_coefficient", "along_axis", "over_ellipse")
 QUADRATURE = 1e-4  # of the last rung: its nodes leave 1e-5, its balance of spin less
 LEAST_FOUND = 0.05  # of the true power, that a rung is taken to find: below, its error is large enough
 SPREAD = 0.02  # relative step of the differences that give the exponents
@@ -95,7 +94,8 @@ def race_sliding(
     if asked == "auto":
         whole = balls.total(found.torque.spin + found.torque.conformity)
         part = np.divide(whole, whole + beside, out=np.zeros_like(whole), where=whole > 0)
-        rung = next((name for name in RUNGS if np.all(errors[name] * part <= allowed)), RUNGS[-1])
+        good: list[Rung] = [name for name in errors if np.all(errors[name] * part <= allowed)]  # cheapest first
+        rung = good[0] if good else "over_ellipse"
         found = found if rung == "single_coefficient" else on(rung)
     return Sliding(
         spin=balls.total(found.torque.spin),

@@ -379,7 +379,7 @@ WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
         ({"effects": {"inlet_heating": "on"}, **WITHOUT}, r"inlet_heating.*no lubricant"),
         ({"effects": {"starvation": "on"}, **WITHOUT}, r"starvation.*no lubricant"),
         ({"effects": {"shoulder": "on"}}, 'shoulder = "on" cannot be had: not modelled; give "auto" or "off"'),
-        ({"effects": {"spinning": "on"}}, "effects.spinning is not an effect; known: .*spin, "),
+        ({"effects": {"spinning": "on"}}, "effects.spinning is not an effect to choose; known: .*spin, "),
     ],
 )
 def test_an_effect_that_cannot_be_had_is_refused_in_one_line(scene: Scene, change: Any, words: str) -> None:

@@ -86,9 +86,9 @@ def test_the_radial_scene() -> None:
     light = replace(scene, operation=replace(scene.operation, axial_load=np.full(3, 1.0)))
     alone = friction_torque(replace(light, effects={"finite_geometry": "off"}))
     np.testing.assert_allclose(alone.ball_load, loads(shift).max(), rtol=2e-3)  # 1 N tilts by sqrt(1/1500)
-    np.testing.assert_allclose(found.inner.load, found.outer.load, rtol=1e-9)  # of that ball, centrifugal force is out
+    np.testing.assert_allclose(found.inner.load, found.outer.load, rtol=5e-4)  # of that ball: 0.28 N at 1500 rpm
     decisions = {effect.name: effect.decision for effect in found.effects}
-    assert (decisions["load_distribution"], decisions["centrifugal"], decisions["seals"]) == ("on", "off", "on")
+    assert (decisions["load_distribution"], decisions["centrifugal"], decisions["seals"]) == ("on", "on", "on")
     np.testing.assert_allclose(found.torque.total - found.torque.race, 5e-3, rtol=1e-9)
     band = scene_band(scene)
     assert np.all((found.torque.race > band.low / 2) & (found.torque.race < band.high))  # the order of magnitude
