@@ -247,6 +247,14 @@ def test_balls_without_load_add_nothing(oiled: Scene, rung: str) -> None:
     np.testing.assert_allclose(friction_torque(three).torque.total, found.torque.total, rtol=1e-8)
 
 
+@pytest.mark.parametrize("speed", [0.5, 30.0])
+def test_balls_without_load_have_no_friction_to_move_them(scene: Scene, speed: float) -> None:
+    """A gyroscopic moment alone, of balls that nothing presses: they stay where they are, and the ring settles."""
+    alone = replace(scene, operation=operation(0.0, 50.0, speed), effects={**ALL, "centrifugal": "off"})
+    still = replace(alone, effects={**ALL, "centrifugal": "off", "gyroscopic": "off"})
+    np.testing.assert_allclose(torque(alone), torque(still), rtol=1e-6)  # angles, and so moments, are 0
+
+
 def test_pure_radial_load_spreads_as_the_cosine(scene: Scene) -> None:
     """Without clearance delta_j = delta cos(psi), Q as delta^1.5: the heaviest has Fr/sum cos^2.5, near 4.37 Fr/Z."""
     closed = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.0), operation=operation(0.0, 730.0, 3.0))

@@ -332,6 +332,30 @@ def test_balls_that_the_load_leaves_free_roll_on_the_outer_race_by_centrifugal_f
     assert decided(found)["centrifugal"] == "on"
 
 
+def test_a_moment_loads_balls_unequally_by_no_more_than_its_bound(
+    bearing: Bearing, scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The largest change that was found beside its bound, and a radial load."""
+    operation = Operation(
+        axial_load=np.array([218.0, 139.0]),
+        inner_speed=np.array([0.32, 1.23]),
+        radial_load=np.array([0.0, 190.0]),
+        moment=np.array([1.16, 0.0]),
+    )
+    wide = drawn(bearing, np.random.default_rng(1), points=2).bearing
+    asked = replace(
+        scene,
+        bearing=wide,
+        contact_angle=ContactAngle(rule="solved", free=0.43),
+        operation=operation,
+        spin_rule="inner_control",
+        effects=EVERYTHING,
+    )
+    measured, bound = shares(asked, monkeypatch, ("load_distribution",))["load_distribution"]
+    assert np.all(measured > 0.1)
+    assert np.all(measured <= bound)
+
+
 def test_thrust_and_radial_load_in_one_series_do_not_skid(scene: Scene) -> None:
     """Of the first point radial load alone would be no load."""
     both = Operation(
