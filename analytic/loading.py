@@ -88,9 +88,9 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         thrust = thrust_balls(bearing, scene.contact_angle, axial_load=axial)
         angle, load = np.max(thrust.contact_angle, axis=(0, 2)), np.max(thrust.load, axis=(0, 2))
     else:
-        # Of no point more than its heaviest ball has; a moment may bring balls to any angle.
+        # Of no point more than its heaviest ball has.
         load = (STRIBECK * (radial + moment / bearing.pitch_diameter) + np.abs(axial)) / bearing.ball_count
-        angle = np.where(moment > 0, np.pi / 2, 0.0)
+        angle = np.zeros_like(axial)
     share = load_distribution_ratio(
         axial_load=axial, radial_load=radial, moment=moment, contact_angle=angle, pitch_diameter=bearing.pitch_diameter
     )
@@ -132,7 +132,8 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
             contact_angle=angle,
             load=load,
         )
-        + free * np.sin(angle),  # a moment that is held by friction turns the force on a free ball by that at most
+        # Friction that holds the moment turns the force on a free ball; a moment on the ring may bring it to any angle.
+        + free * np.where((moment > 0) & (thrust is None), 1.0, np.sin(angle)),
         lacks=held,
     )
     if thrust is not None and not (distributed or centrifugal or gyroscopic):
