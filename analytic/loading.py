@@ -30,7 +30,7 @@ PER_CENTRIFUGAL = 4.5
 # Balls that the load leaves free are pressed on the outer race by that force alone and roll against the oil there, as
 # the semi-axis, the cube root of the force; over the cube root of the share. None is free below a load distribution
 # of 0.6 at angles that stay (eps = 1 of the load-distribution integrals), of UNLOADS with those that follow.
-PER_FREE_BALL, UNLOADS = 8.0, 0.3
+PER_FREE_BALL, UNLOADS = 10.0, 0.3
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner; a bearing asks
 # for a hundredth of that at least to roll, and the equilibrium of the ring settles to some 6000.
 MOST_CENTRIFUGAL = 1000.0

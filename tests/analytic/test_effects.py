@@ -294,7 +294,7 @@ def test_no_effect_is_larger_than_its_bound(bearing: Bearing, seed: int, monkeyp
         assert np.all(measured <= bound + NOISE), name
 
 
-# Scenes in which bounds that looked only at the size of the load once fell short, from some thousand drawn ones.
+# Scenes in which bounds that looked only at the size of the load once fell short, found among drawn ones.
 LIGHTLY_TOUCHING = {"viscosity": 5.54e-3, "eyring_stress": 3.97e6}  # asperities take 9 % of the area, 0.1 % of the load
 
 
