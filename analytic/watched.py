@@ -9,7 +9,7 @@ import numpy as np
 
 from analytic.balls import LoadedBalls
 from analytic.bounds import cage_rest_torque, gyroscopic_slip_ratio, whirl_number
-from analytic.contact import Race, shoulder_distance
+from analytic.contact import Race, pocket_contact, shoulder_distance
 from analytic.effects import Choices
 from analytic.errors import InputError
 from analytic.race import SlidingContact, sliding_number
@@ -50,10 +50,11 @@ def _watch_cage(scene: Scene, operation: Operation, balls: LoadedBalls, choices:
         ball_rate=rate,
         ball_radius=radius,
     )
+    pocket = pocket_contact(scene.bearing, scene.cage, load=0.0)  # refuses one without room
     whirl = whirl_number(
         ball_speed=rate * np.abs(operation.inner_speed),
         ball_radius=radius,
-        clearance=scene.cage.pocket_diameter - scene.bearing.ball_diameter,
+        clearance=2 * (pocket.groove_radius - pocket.ball_radius),
     )
     choices.settled(
         "cage",

@@ -5,13 +5,15 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.race import microslip_moments
-from analytic.scene import Bearing, ContactAngle, SpinRule
+from analytic.scene import Bearing, ContactAngle, Decision, SpinRule
 from analytic.scenefile import builtin_scene, load_scene, parse_scene
 from analytic.torque import friction_torque
 from fembearing.compare.hard_case import HardCase
 from fembearing.compare.hard_contacts import ROUND_OFF, exponent, with_clearance
 
 VANISHING = (1e-6, "the next term, the square of a change of angle below 1e-4, and less")
+# The limits are those of the text books' forms, at loads that no speed would leave to them.
+AS_HERTZ: dict[str, Decision] = {"spin": "on", "finite_geometry": "off", "centrifugal": "off", "gyroscopic": "off"}
 SCENE = """
 name = "a scene with a mistake"
 tolerance = "5 %"
@@ -68,6 +70,7 @@ def torque(
         operation=replace(scene.operation, axial_load=np.array([load]), inner_speed=np.array([speed])),
         friction_coefficient=friction_coefficient,
         spin_rule=rule,
+        effects=AS_HERTZ,
     )
     return float(getattr(friction_torque(asked).torque, part)[0])
 
