@@ -52,11 +52,11 @@ def test_torque_is_timed(tmp_path: Path) -> None:
     assert {row["what"] for row in found} >= {
         "import analytic",
         "1 thrust point",
-        "6 thrust points",
+        "6 thrust points to 150 rad/s",
         "50 Hertz contacts",
     }
     assert all(float(row["median_s"]) > 0 for row in found)
-    assert {row["processes"] for row in found if row["what"] == "6 thrust points"} == {"1", "2"}
+    assert {row["processes"] for row in found if row["what"] == "6 thrust points to 300 rad/s"} == {"1", "2"}
     assert (tmp_path / "torque_benchmark.csv").read_text("utf-8").startswith("# ")  # machine and versions
 
 
