@@ -33,6 +33,7 @@ DECLARED = ("seals", "drag")  # torques that the scene tells, in [losses]
 WATCHED = ("cage", "elastic_creep", "plasticity", "shoulder")
 EFFECTS = COMPUTED + DECLARED + WATCHED
 SHARE_OF_TOLERANCE = 0.5
+UNKNOWN = "; how much it would add is not computed"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -77,11 +78,16 @@ class Choices:
                 raise InputError(f'effects.{name} = "on" cannot be had: {lacks}')
             return self._decided(name, on=False, share=worst, reason=lacks + size)
         if asked == "off":
-            return self._decided(name, on=False, share=worst, reason="the scene says off" + size)
+            return self._decided(
+                name,
+                on=False,
+                share=worst,
+                reason="the scene says off" + (size or "; how much it would add is not computed"),
+            )
         if asked == "on":
             return self._decided(name, on=True, share=worst, reason="the scene says on")
         if share is None or worst is None:
-            return self._decided(name, on=True, share=None, reason="always computed: a bound would cost as much")
+            return self._decided(name, on=True, share=None, reason="always computed: no cheaper bound is known")
         largest = float(np.max(self.left_out + share, initial=0.0))
         if largest <= self.budget:
             self.left_out = self.left_out + share

@@ -13,6 +13,7 @@ from analytic.bounds import centrifugal_ratio, gyroscopic_pull, load_distributio
 from analytic.contact import Race
 from analytic.correction import ContactCorrection
 from analytic.effects import Choices
+from analytic.equilibrium import play_and_free_angle
 from analytic.errors import InputError
 from analytic.finite_geometry import RaceCorrections, finite_geometry_factors, race_shape
 from analytic.kinematics import ball_kinematics
@@ -30,7 +31,7 @@ PER_CENTRIFUGAL = 4.5
 # Balls that the load leaves free are pressed on the outer race by that force alone and roll against the oil there, as
 # the semi-axis, the cube root of the force; over the cube root of the share. None is free below a load distribution
 # of 0.6 at angles that stay (eps = 1 of the load-distribution integrals), of UNLOADS with those that follow.
-PER_FREE_BALL, UNLOADS = 10.0, 0.3
+PER_FREE_BALL, UNLOADS = 10.0, 0.15
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner; a bearing asks
 # for a hundredth of that at least to roll, and the equilibrium of the ring settles to some 6000.
 MOST_CENTRIFUGAL = 1000.0
@@ -54,7 +55,10 @@ def loaded_balls(
         choices.settled("finite_geometry", on=True, reason="the factors on the contacts come with the call")
         return balls, []
     size = np.max(balls.contact.semi_axis_y, axis=(0, 2)) / scene.bearing.ball_radius
-    if not choices.calls_for("finite_geometry", share=PER_SIZE_SQUARED * size**2):
+    # Where balls are loaded unequally or by a preload, a stiffer contact moves loads and angles: no bound is known.
+    preloaded = scene.contact_angle.rule == "solved" and play_and_free_angle(scene.bearing, scene.contact_angle)[0] < 0
+    bounded = not preloaded and not choices.on("load_distribution")
+    if not choices.calls_for("finite_geometry", share=PER_SIZE_SQUARED * size**2 if bounded else None):
         return balls, []
     # Not iterated: corrected contacts move loads and angles by less than a hundredth, and the factors, within 0.06 of
     # 1, follow the load's power 1/3 to 2/3, so by less than 1e-4 more.
@@ -88,9 +92,9 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         thrust = thrust_balls(bearing, scene.contact_angle, axial_load=axial)
         angle, load = np.max(thrust.contact_angle, axis=(0, 2)), np.max(thrust.load, axis=(0, 2))
     else:
-        # Of no point more than its heaviest ball has.
-        load = (STRIBECK * (radial + moment / bearing.pitch_diameter) + np.abs(axial)) / bearing.ball_count
-        angle = np.zeros_like(axial)
+        angle, load = np.zeros_like(axial), np.abs(axial) / bearing.ball_count
+    # What the heaviest ball has, about: thrust may be next to nothing beside the rest.
+    load = load + STRIBECK * (radial + moment / bearing.pitch_diameter) / bearing.ball_count
     share = load_distribution_ratio(
         axial_load=axial, radial_load=radial, moment=moment, contact_angle=angle, pitch_diameter=bearing.pitch_diameter
     )

@@ -182,6 +182,12 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
     if len(set(lengths.values())) > 1:
         counts = " and ".join(f"operation.{key} has {count}" for key, count in lengths.items())
         yield f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
+    loads = table.operation
+    if len(set(lengths.values())) <= 1 and any(
+        not any(point) for point in np.broadcast(loads.axial_load, loads.radial_load, loads.moment)
+    ):
+        problem = "leaves a point without any load; give thrust, 1e-15 N at least, or a radial load or a moment with it"
+        yield _complaint(document, "operation.axial_load", problem)
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"
     if table.friction is not None and table.friction.coefficient is None and table.lubricant is None:

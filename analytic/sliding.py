@@ -26,6 +26,7 @@ from analytic.traction import CoulombTraction, Traction
 EVEN_STRESS, KINK, STEEP, VISCOUS = 0.18, 0.17, 0.05, 0.62
 MOST_UNEVEN = 0.72  # of the true power, missed at mean stresses by sinh traction on any contact: 0.69 is the most found
 BELOW_FULL_SPIN = 1.15  # of E(m) - 1: 1.11 is the most that was found there, at any shape and by contacts together
+RUNGS: tuple[Rung, ...] = ("single_coefficient", "along_axis", "over_ellipse")
 QUADRATURE = 1e-4  # of the last rung: its nodes leave 1e-5, its balance of spin less
 LEAST_FOUND = 0.05  # of the true power, that a rung is taken to find: below, its error is large enough
 SPREAD = 0.02  # relative step of the differences that give the exponents
@@ -49,6 +50,7 @@ def race_sliding(
     *,
     ring_speed: Array,
     spins: bool,
+    conforms: bool,
     spin_rule: SpinRule,
     microslip: Microslip,
     asked: Rung | Literal["auto"],
@@ -58,7 +60,8 @@ def race_sliding(
     """Of all balls at each operating point.
 
     traction : of inner and outer race, its numbers (n, m);  ring_speed : w, (n,), rad/s
-    spins : whether balls spin at all;  asked : the rung, or auto for the cheapest that is good enough
+    spins : whether balls spin at all;  conforms : whether conformity counts
+    asked : the rung, or auto for the cheapest that is good enough
     beside : (n,) torque of other effects, N m;  allowed : (n,) error of the whole that is left to the rung, relative
     """
     races = [
@@ -83,26 +86,26 @@ def race_sliding(
         return _as_printed(balls, races, on("single_coefficient"))
     if microslip != "derived":
         raise InputError(f'microslip must be "derived" or "as_printed", got {microslip!r}')
-    rung: Rung = "single_coefficient" if asked == "auto" else asked
+    cheapest_first = RUNGS if asked == "auto" else (asked,)
+    for rung in cheapest_first[:-1]:
+        found = on(rung)
+        error = _error(balls, races, found, rung)
+        counted = balls.total(found.torque.spin * spins + found.torque.conformity * conforms)
+        part = np.divide(counted, counted + beside, out=np.zeros_like(counted), where=counted > 0)
+        if np.all(error * part <= allowed):
+            return _sliding(balls, found, rung, error)
+    rung = cheapest_first[-1]
     found = on(rung)
-    slender, weight = _slenderness(balls), _weight(balls, found)
-    errors: dict[Rung, Array] = {
-        "single_coefficient": _relative(slender + _missed(races, found), weight),
-        "along_axis": _relative(slender, weight),
-        "over_ellipse": np.full(ring_speed.shape, QUADRATURE),
-    }
-    if asked == "auto":
-        whole = balls.total(found.torque.spin + found.torque.conformity)
-        part = np.divide(whole, whole + beside, out=np.zeros_like(whole), where=whole > 0)
-        good: list[Rung] = [name for name in errors if np.all(errors[name] * part <= allowed)]  # cheapest first
-        rung = good[0] if good else "over_ellipse"
-        found = found if rung == "single_coefficient" else on(rung)
+    return _sliding(balls, found, rung, _error(balls, races, found, rung))
+
+
+def _sliding(balls: LoadedBalls, found: SlipFriction, rung: Rung, error: Array) -> Sliding:
     return Sliding(
         spin=balls.total(found.torque.spin),
         conformity=balls.total(found.torque.conformity),
         coefficient=np.stack([found.inner_coefficient, found.outer_coefficient]),
         rung=rung,
-        error=errors[rung],
+        error=error,
     )
 
 
@@ -181,6 +184,16 @@ def _weight(balls: LoadedBalls, found: SlipFriction) -> Array:
     )
     whole = np.sum(power, axis=(0, 2), keepdims=True)
     return np.divide(power, whole, out=np.zeros_like(power), where=whole > 0)
+
+
+def _error(balls: LoadedBalls, races: list[RaceContact], found: SlipFriction, rung: Rung) -> Array:
+    """(n,) bound on what the rung misses, of what it found."""
+    if rung == "over_ellipse":
+        return np.full(balls.load.shape[1], QUADRATURE)
+    missed = _slenderness(balls)
+    if rung == "single_coefficient":
+        missed = missed + _missed(races, found)
+    return _relative(missed, _weight(balls, found))
 
 
 def _relative(missed: Array, weight: Array) -> Array:

@@ -46,6 +46,7 @@ Gap = Annotated[float, Dimension(unit="m", low=1e-9, high=10, example='"0.2 mm"'
 Mass = Annotated[float, Dimension(unit="kg", low=1e-12, high=1e4, example='"2.04 g"')]
 Angle = Annotated[float, Dimension(unit="rad", low=0, high=1.5, example='"0.18 rad"')]
 Force = Annotated[float, Dimension(unit="N", low=1e-15, high=1e12, example='"1000 N"')]
+Thrust = Annotated[float, Dimension(unit="N", low=0, high=1e12, example='"1000 N"')]
 Side = Annotated[float, Dimension(unit="N", low=-1e12, high=1e12, example='"500 N"')]
 Moment = Annotated[float, Dimension(unit="N m", low=-1e12, high=1e12, example='"2 N m"')]
 Clearance = Annotated[float, Dimension(unit="m", low=-1, high=1, example='"10 um"')]
@@ -119,7 +120,7 @@ class CageTable(Table):
 
 
 class OperationTable(Table):
-    axial_load: Annotated[list[Force], BeforeValidator(_series)] = Field(description='give for example "1000 N"')
+    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = Field(description='give for example "1000 N"')
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
     radial_load: Annotated[list[Side], BeforeValidator(_series)] = [0.0]
     moment: Annotated[list[Moment], BeforeValidator(_series)] = [0.0]

@@ -84,6 +84,7 @@ def friction_torque(
             _tractions(scene, oiled, shared),
             ring_speed=speed,
             spins=choices.on("spin"),
+            conforms=choices.on("conformity"),
             spin_rule=scene.spin_rule,
             microslip=scene.microslip,
             asked=scene.sliding,
@@ -102,10 +103,9 @@ def friction_torque(
         contact_angle=balls.contact_angle.mean(axis=0)[at],
         ball_load=balls.load.max(axis=0)[at],
         torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=_share(race, total)
-        * (choices.left_out + (0.0 if slid is None else slid.error * _share(slid.spin + slid.conformity, race))),
+        numerical_uncertainty=_uncertainty(choices, slid, parts, race=race, total=total),
         friction_coefficient=FrictionCoefficients(**_on_races(None if slid is None else slid.coefficient, at)),
-        film=OnRaces(**_on_races(None if shared is None else shared.film_thickness, at)),
+        film=OnRaces(**_on_races(None if shared is None else np.maximum(shared.film_thickness, 0.0), at)),
         asperity_share=OnRaces(**_on_races(None if shared is None else shared.asperity_share, at)),
         inner=_loaded(balls, 0, at),
         outer=_loaded(balls, 1, at),
@@ -304,6 +304,17 @@ def _contacts(choices: Choices, correction: ContactCorrection | None) -> str:
     if correction is not None:
         return "Hertz with given factors"
     return "Hertz, corrected for finite geometry" if choices.on("finite_geometry") else "Hertz"
+
+
+def _uncertainty(
+    choices: Choices, slid: Sliding | None, parts: dict[str, Array], *, race: Array, total: Array
+) -> Array:
+    """(n,) of the total: bounds on what auto left out of the race's torque, and what the rung of sliding misses."""
+    if slid is None:
+        return choices.left_out * _share(race, total)
+    slipping = _sum({name: part for name, part in parts.items() if name in BY_SLIP}, race)
+    missed = np.where(np.isinf(slid.error), np.inf, np.nan_to_num(slid.error) * slipping)
+    return choices.left_out * _share(race, total) + np.where(np.isinf(missed), np.inf, _share(missed, total))
 
 
 def _with_share(effect: Effect, parts: dict[str, Array], total: Array) -> Effect:

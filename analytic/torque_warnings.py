@@ -12,6 +12,8 @@ from analytic.scene import Scene
 
 RACES = ("inner", "outer")
 
+MOLECULE = 1e-9  # m, of an oil, its size
+
 
 def doubts(
     scene: Scene,
@@ -67,6 +69,13 @@ def _doubts_of_film(shared: MixedContact, race: int) -> Iterator[str]:
         yield (
             f"at standstill the {name} contact has no film and asperities carry all of the load: slow running need not "
             "come to the same, as it may leave a share to the oil"
+        )
+    film = shared.film_thickness[race]
+    thin = (film < MOLECULE) & ~np.broadcast_to(shared.without_film, shared.film_thickness.shape)[race]
+    if np.any(thin):
+        yield (
+            f"the film on the {name} race is down to {film[thin].min():.2g} m, less than a molecule of about "
+            f"{MOLECULE:g} m: no formula for oil holds there, and boundary friction is likelier"
         )
     if np.any(shared.outside_range[race]):
         yield f"the film on the {name} race is extrapolated: its ellipse is not of a shape that was fitted"

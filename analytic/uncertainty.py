@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from analytic.correction import ContactCorrection
 from analytic.film import FORMULA_UNCERTAINTY
 from analytic.scene import Scene
 from analytic.torque import friction_torque
@@ -12,10 +13,12 @@ from analytic.torque_result import FrictionTorque
 COVERAGE = 2.0  # standard uncertainties to a half-width of 95 %
 
 
-def with_model_uncertainty(scene: Scene, found: FrictionTorque) -> FrictionTorque:
+def with_model_uncertainty(
+    scene: Scene, found: FrictionTorque, *, correction: ContactCorrection | None = None
+) -> FrictionTorque:
     """The torque of a scene with the part of its uncertainty that measurements of films give.
 
-    found : friction_torque(scene), computed in full at the film that the formula gives
+    found : friction_torque(scene, correction=correction), at the film that the formula gives
     The torque is computed again, by the same effects and rungs, with every film thicker and thinner by twice the
     formula's standard uncertainty of 11 % against measured films (`validation/film.py`); the larger change counts.
     Without a film nothing is known. What the other formulas miss of the truth - rolling, asperities, traction, the oil
@@ -26,8 +29,8 @@ def with_model_uncertainty(scene: Scene, found: FrictionTorque) -> FrictionTorqu
     same = found.settled(scene)
     total = found.torque.total
     changes = [
-        np.abs(friction_torque(same, film_factor=1 + sign * COVERAGE * FORMULA_UNCERTAINTY).torque.total - total)
-        for sign in (-1, 1)
+        np.abs(friction_torque(same, correction=correction, film_factor=factor).torque.total - total)
+        for factor in (1 - COVERAGE * FORMULA_UNCERTAINTY, 1 + COVERAGE * FORMULA_UNCERTAINTY)
     ]
     largest = np.maximum(*changes)
     return replace(found, model_uncertainty=np.divide(largest, total, out=np.zeros_like(total), where=total > 0))

@@ -261,7 +261,7 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
     (changed('"700 N"', '"700 mm"'), ("operation.axial_load = '700 mm'", "unit like N")),
     (changed('"700 N"', '"700 newtonn"'), ("operation.axial_load", "'newtonn'", '"1000 N"')),
     (changed('"700 N"', '"0,7 N"'), ("operation.axial_load = '0,7 N'", "decimal point")),
-    (changed('"700 N"', '"-700 N"'), ("operation.axial_load = '-700 N'", "out of range", "1e-15 to 1e+12 N")),
+    (changed('"700 N"', '"-700 N"'), ("operation.axial_load = '-700 N'", "out of range", "0 to 1e+12 N")),
     (changed('"700 N"', '"nan N"'), ("operation.axial_load = 'nan N'", '"1000 N"')),
     (changed('"700 N"', '"1e9999 N"'), ("operation.axial_load = '1e9999 N'", "finite")),
     (changed('"700 N"', '"9**9**9**9 N"'), ("operation.axial_load = '9**9**9**9 N'", '"1000 N"')),

@@ -3,7 +3,7 @@
 Wall times, medians with the least and the greatest: the import in fresh interpreters; one thrust point, warm, and long
 series of random thrust points (100 to 2000 N, from 10 rad/s to where inertia of the balls is left out and to where it
 is not, as the worst point decides) on one and on two processes, for three ways in which balls rub; exact Hertz
-contacts; the equilibrium of the ring and the torque on it. With each the rungs that the tolerance of 5 % chose. A series
+contacts; the equilibrium of the ring and the torque on it; with each the rungs chosen at a tolerance of 5 %. A series
 that would take too long is cut, and told with the points that are left. Prints a table and writes torque_benchmark.csv
 into the folder (validation/reports). Times are the machine's: let nothing else run.
 """
