@@ -106,4 +106,5 @@ def test_factors_stay_where_the_film_is_moved() -> None:
         friction_torque(found.settled(scene), correction=identity, film_factor=by).torque.total for by in (0.78, 1.22)
     ]
     expected = np.max(np.abs(np.array(moved) / found.torque.total - 1), axis=0)
+    assert found.model_uncertainty is not None
     np.testing.assert_allclose(found.model_uncertainty, expected, rtol=1e-9)  # round-off
