@@ -29,14 +29,15 @@ PER_DISTRIBUTION = 1.25
 # and the contact angles part: 4.0 at most (compared with measured shares in tests/analytic/test_effects.py).
 PER_CENTRIFUGAL = 4.5
 # Balls that the load leaves free are pressed on the outer race by that force alone and roll against the oil there, as
-# the semi-axis, the cube root of the force; over the cube root of the share. None is free below a load distribution
-# of 0.6 at angles that stay (eps = 1 of the load-distribution integrals), of UNLOADS with those that follow.
+# the semi-axis, the cube root of the force: 8.4 times the cube root of the share at most, of the scenes drawn. None is
+# free below a load distribution of 0.6 at angles that stay (eps = 1 of the load-distribution integrals); under a light
+# moment, whose angles follow, some are from 0.25 on (tests/analytic/test_light_loads.py).
 PER_FREE_BALL, UNLOADS = 10.0, 0.15
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner; a bearing asks
 # for a hundredth of that at least to roll, and the equilibrium of the ring settles to some 6000.
 MOST_CENTRIFUGAL = 1000.0
-# Change of the torque over (b/r)^2 by the finite geometry of the contacts: the largest that the stored correction gives
-# over the bearings and loads of its fit, rounded up (tests/analytic/test_effects.py).
+# Change of the torque over (b/r)^2 by the finite geometry of contacts under thrust: 0.48 at most, of grooves, loads and
+# angles drawn (tests/analytic/test_effects.py compares a few).
 PER_SIZE_SQUARED = 0.5
 
 

@@ -10,10 +10,12 @@ from scipy.optimize import brentq, minimize
 
 from analytic.balls import LoadedBalls, ring_balls
 from analytic.errors import InputError
+from analytic.friction import Rung
 from analytic.scene import (
     Autocorrelation,
     Bearing,
     ContactAngle,
+    Decision,
     Groove,
     Lubricant,
     Material,
@@ -234,9 +236,10 @@ def oiled(scene: Scene) -> Scene:
 
 
 @pytest.mark.parametrize("rung", ["single_coefficient", "along_axis", "over_ellipse"])
-def test_balls_without_load_add_nothing(oiled: Scene, rung: str) -> None:
+def test_balls_without_load_add_nothing(oiled: Scene, rung: Rung) -> None:
     """One ball of nine hangs in the clearance: the torque is that of a bearing whose other balls are not there."""
-    alone = replace(oiled, sliding=rung, effects={**oiled.effects, "centrifugal": "off", "gyroscopic": "off"})  # type: ignore[arg-type]
+    still: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off"}
+    alone = replace(oiled, sliding=rung, effects={**oiled.effects, **still})
     aside = replace(alone, operation=operation(0.0, 30.0, 40.0))
     found = friction_torque(aside)
     for values in (found.torque.total, found.ball_load, found.film.inner, found.asperity_share.outer):
