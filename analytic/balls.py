@@ -4,7 +4,7 @@ Under thrust alone all balls are alike and one stands for all; else each has its
 races have an axis of two in front, inner and outer; n operating points and m balls follow.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -16,8 +16,9 @@ from analytic.equilibrium import thrust_equilibrium
 from analytic.hertz import HertzContact, contact_modulus
 from analytic.kinematics import BallKinematics, ball_kinematics
 from analytic.race import deformed_radius
-from analytic.ring import RingEquilibrium, ring_equilibrium
+from analytic.ring import ring_equilibrium
 from analytic.scene import Array, Bearing, ContactAngle
+from analytic.thrust_at_speed import thrust_at_speed
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -72,6 +73,36 @@ def thrust_balls(
     )
 
 
+def thrust_balls_at_speed(
+    bearing: Bearing,
+    contact_angle: ContactAngle,
+    *,
+    axial_load: ArrayLike,
+    inner_speed: ArrayLike,
+    centrifugal: bool,
+    gyroscopic: bool,
+    correction: ContactCorrection | None = None,
+) -> LoadedBalls:
+    """The same with the balls' inertia; the arguments and errors of thrust_at_speed, load and speed (n,)."""
+    found = thrust_at_speed(
+        bearing,
+        contact_angle,
+        axial_load=axial_load,
+        inner_speed=inner_speed,
+        centrifugal=centrifugal,
+        gyroscopic=gyroscopic,
+        correction=correction,
+    )
+    return _balls(
+        bearing,
+        rung="thrust",
+        alike=bearing.ball_count,
+        load=np.stack([found.inner_load, found.outer_load])[..., None],
+        angle=np.stack([found.inner_angle, found.outer_angle])[..., None],
+        contacts=(found.inner, found.outer),
+    )
+
+
 def ring_balls(
     bearing: Bearing,
     contact_angle: ContactAngle,
@@ -86,14 +117,12 @@ def ring_balls(
 ) -> LoadedBalls:
     """Each ball in its own column; the arguments and errors of ring_equilibrium, loads and speed (n,).
 
-    Without radial load and moment all balls are alike, and one column stands for all.
     A ball that is pressed the other way spins the other way and loses the same: its angles are told as if it were not.
     """
-    alike = 1 if np.any(radial_load) or np.any(moment) else bearing.ball_count
-    found: RingEquilibrium = ring_equilibrium(
-        replace(bearing, ball_count=bearing.ball_count // alike),
+    found = ring_equilibrium(
+        bearing,
         contact_angle,
-        axial_load=np.asarray(axial_load) / alike,
+        axial_load=axial_load,
         radial_load_x=radial_load,
         moment_y=moment,
         inner_speed=inner_speed,
@@ -105,7 +134,7 @@ def ring_balls(
     return _balls(
         bearing,
         rung="ring",
-        alike=alike,
+        alike=1,
         load=np.stack([found.inner_load, found.outer_load]),
         angle=np.where(angle.sum(axis=0) < 0, -angle, angle),
         contacts=(found.inner, found.outer),

@@ -1,14 +1,14 @@
 """From the loads on the bearing to its loaded balls, by the cheapest rung that the scene calls for.
 
-Thrust alone loads all balls alike, in closed form but for the angle; radial load, moment, centrifugal force and
-gyroscopic moment take the equilibrium of the ring. Contacts are Hertz's, or corrected for their finite geometry.
+Thrust alone loads all balls alike, in closed form but for the angle, at speed too; radial load and moment take the
+equilibrium of the ring. Contacts are Hertz's, or corrected for their finite geometry.
 """
 
 from collections.abc import Callable
 
 import numpy as np
 
-from analytic.balls import LoadedBalls, ring_balls, thrust_balls
+from analytic.balls import LoadedBalls, ring_balls, thrust_balls, thrust_balls_at_speed
 from analytic.bounds import centrifugal_ratio, gyroscopic_pull, load_distribution_ratio
 from analytic.contact import Race
 from analytic.correction import ContactCorrection
@@ -141,9 +141,19 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         + free * np.where((moment > 0) & (thrust is None), 1.0, np.sin(angle)),
         lacks=held,
     )
-    if thrust is not None and not (distributed or centrifugal or gyroscopic):
+    if thrust is not None and not (distributed and unequal):
 
         def under_thrust(correction: ContactCorrection | None) -> LoadedBalls:
+            if centrifugal or gyroscopic:
+                return thrust_balls_at_speed(
+                    bearing,
+                    scene.contact_angle,
+                    axial_load=axial,
+                    inner_speed=operation.inner_speed,
+                    centrifugal=centrifugal,
+                    gyroscopic=gyroscopic,
+                    correction=correction,
+                )
             if correction is None:
                 return thrust
             return thrust_balls(bearing, scene.contact_angle, axial_load=axial, correction=correction)

@@ -105,13 +105,14 @@ def test_balls_that_are_alike_take_no_ring(scene: Scene, how: str, monkeypatch: 
     found = friction_torque(asked)
     assert [decided(found)[name] for name in names] == ["off"] * 3
     assert len(ring) == 0
+    at_speed = Calls(monkeypatch, analytic.balls, "thrust_at_speed")
     for name in names:
         friction_torque(replace(asked, effects={**dict.fromkeys(names, "off"), name: "on", "finite_geometry": "off"}))
-        loads = {"load_distribution": 0.3}.get(name, 0.0)
-        assert ring.arguments[-1]["radial_load_x"] == pytest.approx(loads, abs=0)
-        assert ring.arguments[-1]["centrifugal"] == (name == "centrifugal")
-        assert ring.arguments[-1]["gyroscopic"] == (name == "gyroscopic")
-    assert len(ring) == 3
+        called = ring if name == "load_distribution" else at_speed
+        assert called.arguments[-1]["centrifugal"] == (name == "centrifugal")
+        assert called.arguments[-1]["gyroscopic"] == (name == "gyroscopic")
+    assert (len(ring), len(at_speed)) == (1, 2)
+    assert ring.arguments[-1]["radial_load_x"] == pytest.approx(0.3, abs=0)
 
 
 @pytest.mark.parametrize("how", ["auto", "off"])
