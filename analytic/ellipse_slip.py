@@ -16,8 +16,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.bracket import bracketed_root, with_secant_slopes
 from analytic.errors import (
-    ConvergenceError,
     InputError,
     require_finite,
     require_non_negative,
@@ -29,8 +29,7 @@ Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; a
 # Net force left over, of all the friction there is: round-off of the sum of a thousand nodes.
 BALANCED = 1e-14
 NARROWEST = 4 * np.finfo(np.float64).eps  # bracket of c, of the largest speed
-MOST_STEPS = 100  # each at least halves the bracket; 3 to 9 are usual
-NODES = 16  # along each side of a panel: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
+NODES = (16, 16)  # across and along rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -40,6 +39,7 @@ class SlipMoments:
     spin_moment: Array  # N m, with the sign of the spin
     rolling_moment: Array  # N m
     slip_power: Array  # W: spin moment times w_s + rolling moment times w_roll
+    unit_power: Array  # W: what a friction coefficient of 1 would lose at the same sliding of every point
     creep_speed: Array  # c, m/s
 
 
@@ -52,7 +52,7 @@ def slip_over_ellipse(
     deformed_radius: ArrayLike,
     rolling_rate: ArrayLike,
     spin_rate: ArrayLike,
-    nodes: int = NODES,
+    nodes: tuple[int, int] = NODES,
 ) -> SlipMoments:
     """Moments of one contact from sliding in both directions at every point of it; the numbers broadcast.
 
@@ -62,7 +62,7 @@ def slip_over_ellipse(
     peak_pressure : p0, Pa, >= 0;  semi_axis_rolling, semi_axis_transverse : a, b, m, > 0;  deformed_radius : R, m, > 0
     rolling_rate : w_roll, rad/s, >= 0;  spin_rate : w_s, rad/s, any sign. If traction does not ask for the speed,
         both may be per unit ring speed; creep speed and slip power are then, too
-    nodes : along each side of three panels, whose sides are where v_x = 0; the points and nodes are 3 nodes^2 a contact
+    nodes : of each of three panels, whose sides are where v_x = 0, across rolling and along it
         M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
     Raises InputError for an argument of the wrong sign or not finite, ConvergenceError if no c is found.
     """
@@ -83,7 +83,7 @@ def slip_along_axis(
     deformed_radius: ArrayLike,
     rolling_rate: ArrayLike,
     spin_rate: ArrayLike,
-    nodes: int = NODES,
+    nodes: tuple[int, int] = NODES,
 ) -> SlipMoments:
     """The same with v_y = 0, of a contact much longer across rolling than along it; arguments as `slip_over_ellipse`.
 
@@ -98,14 +98,28 @@ def slip_along_axis(
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Sums:
-    """Over the contact at one c, each (*points,)."""
+class _Sliding:
+    """A contact at one c; arrays over the points and its nodes, (*points, across, along) or 1 for either of the last.
 
-    force: Array  # N, along rolling
-    friction: Array  # N, of all points whatever their direction
-    spin: Array
-    rolling: Array
-    power: Array
+    x, y in units of a and b; its fields are even in x, so that the sums over x > 0 stand for both halves.
+    """
+
+    x: Array
+    y: Array
+    slide: Array  # v_x, m/s
+    turn: Array  # |v_y| at x = a, m/s
+    speed: Array  # |v|, m/s
+    unit: Array  # p dA, N
+    friction: Array  # tau dA, N
+
+    @property
+    def pull(self) -> Array:
+        """tau v_x/|v| dA over v_x, N s/m."""
+        return np.divide(self.friction, self.speed, out=np.zeros_like(self.friction), where=self.speed > 0)
+
+
+def _sum(of_nodes: Array) -> Array:
+    return np.sum(of_nodes, axis=(-2, -1))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -119,39 +133,36 @@ class _Contact:
     roll: Array  # w_roll b^2/(2 R), m/s
     spin: Array  # |w_s| b, m/s
     sideways: bool
-    nodes: int
+    nodes: tuple[int, int]
 
-    def sums(self, creep: Array) -> _Sums:
-        """All that friction adds up to; creep (*points, 1)."""
+    def at(self, creep: Array) -> _Sliding:
+        """Sliding and friction at every node; creep (*points, 1)."""
         y, y_weight = self._across_nodes(creep)
-        slide = (self.roll * y + self.spin) * y - creep
-        half = np.sqrt((1 - y) * (1 + y))  # of the contact along rolling, in units of a
-        turn = self.spin * self.along / self.across * half * self.sideways  # |v_y| at its rim
-        # |v| = sqrt(slide^2 + (turn x)^2) is nearly sharp at x = 0 where slide is small: with x ~ sinh(z t) it is not.
-        least = 1e-200 * np.where(self.roll + self.spin > 0, self.roll + self.spin, 1.0)
-        steep = np.maximum(turn / np.maximum(np.abs(slide), least), 1e-8)[..., None]  # at 1e-8 sinh is its argument
-        tau, weight = _unit_gauss(self.nodes)
-        t, t_weight = tau * (2 - tau), 2 * (1 - tau) * weight  # the pressure's root at the rim becomes smooth
-        z = np.arcsinh(steep)
-        x = np.exp(z * (t - 1)) * np.expm1(-2 * z * t) / np.expm1(-2 * z)
-        area = 2 * z * np.hypot(1 / steep, x) * t_weight * (y_weight * half * self.along * self.across)[..., None]
-        speed = np.hypot(slide[..., None], turn[..., None] * x)
-        pressure = (self.pressure * half)[..., None] * np.sqrt((1 - x) * (1 + x))
-
+        slide = ((self.roll * y + self.spin) * y - creep)[..., None]
+        half = np.sqrt((1 - y) * (1 + y))[..., None]  # of the contact along rolling, in units of a
+        turn = (self.spin * self.along / self.across)[..., None] * self.sideways
+        tau, weight = _unit_gauss(self.nodes[1])
+        x, x_weight = tau * (2 - tau), 2 * (1 - tau) * weight  # the pressure's root at the rim becomes smooth
+        if self.sideways:
+            # |v| = sqrt(slide^2 + (turn x)^2) is nearly sharp at x = 0 where slide is small: with x ~ sinh(z t) not.
+            least = 1e-200 * np.where(self.roll + self.spin > 0, self.roll + self.spin, 1.0)[..., None]
+            steep = np.maximum(turn * half / np.maximum(np.abs(slide), least), 1e-8)  # at 1e-8 sinh is its argument
+            z = np.arcsinh(steep)
+            x, t = np.exp(z * (x - 1)) * np.expm1(-2 * z * x) / np.expm1(-2 * z), x_weight
+            x_weight = z * np.hypot(1 / steep, x) * t
+        area = 2 * (y_weight * self.along * self.across)[..., None] * half * x_weight
+        speed = np.hypot(slide, turn * half * x)
+        pressure = self.pressure[..., None] * half * np.sqrt((1 - x) * (1 + x))
         flat = (*speed.shape[:-2], -1)
-        friction = self.traction(pressure.reshape(flat), speed.reshape(flat)) * area.reshape(flat)
-        x, y, slide, speed = (
-            np.broadcast_to(v, area.shape).reshape(flat) for v in (x, y[..., None], slide[..., None], speed)
-        )
-        pull = np.divide(friction, speed, out=np.zeros_like(speed), where=speed > 0)
-        sideways = np.broadcast_to((turn * half)[..., None], area.shape).reshape(flat)  # v_y x = -turn half x^2, over a
-        along, across = self.along, self.across
-        return _Sums(
-            force=np.sum(pull * slide, axis=-1),
-            friction=np.sum(friction, axis=-1),
-            spin=np.sum(pull * (slide * y * across + sideways * x**2 * along), axis=-1),
-            rolling=np.sum(pull * slide * y**2, axis=-1),
-            power=np.sum(friction * speed, axis=-1),
+        stress = self.traction(pressure.reshape(flat), speed.reshape(flat)).reshape(speed.shape)
+        return _Sliding(
+            x=x * half,
+            y=y[..., None],
+            slide=slide,
+            turn=turn,
+            speed=speed,
+            unit=pressure * area,
+            friction=stress * area,
         )
 
     def _across_nodes(self, creep: Array) -> tuple[Array, Array]:
@@ -161,7 +172,7 @@ class _Contact:
         far = np.divide(-(self.spin + root), 2 * self.roll, out=np.full_like(root, -1.0), where=self.roll > 0)
         one = np.ones_like(root)
         edges = np.clip(np.concatenate([-one, far, near, one], axis=-1), -1, 1)
-        t, weight = _unit_gauss(self.nodes)
+        t, weight = _unit_gauss(self.nodes[0])
         step, slope = t**3 * (10 - 15 * t + 6 * t**2), 30 * t**2 * (1 - t) ** 2
         length = np.diff(edges, axis=-1)[..., None]
         flat = (*root.shape[:-1], -1)
@@ -177,7 +188,7 @@ def _slip(
     rolling_rate: ArrayLike,
     spin_rate: ArrayLike,
     *,
-    nodes: int,
+    nodes: tuple[int, int],
     sideways: bool,
 ) -> SlipMoments:
     require_non_negative(peak_pressure=peak_pressure, rolling_rate=rolling_rate)
@@ -207,41 +218,34 @@ def _slip(
         nodes=nodes,
     )
     creep = _forceless_creep(contact)
-    sums = contact.sums(creep)
+    at = contact.at(creep)
+    pull, along, across = at.pull, along[..., None], across[..., None]
     return SlipMoments(
-        spin_moment=np.sign(arrays[5]) * sums.spin,
-        rolling_moment=sums.rolling * arrays[2] ** 2 / (2 * arrays[3]),
-        slip_power=sums.power,
+        spin_moment=np.sign(arrays[5]) * _sum(pull * (at.slide * at.y * across + at.turn * at.x**2 * along)),
+        rolling_moment=_sum(pull * at.slide * at.y**2) * arrays[2] ** 2 / (2 * arrays[3]),
+        slip_power=_sum(at.friction * at.speed),
+        unit_power=_sum(at.unit * at.speed),
         creep_speed=creep[..., 0],
     )
 
 
 def _forceless_creep(contact: _Contact) -> Array:
-    """c of no net force, by Ridders' method: between the c that turn all friction one way and all the other way."""
+    """c of no net force, (*points, 1): between the c that turn all friction one way and all the other way."""
     roll, spin = contact.roll, contact.spin
     vertex = -np.divide(spin, 2 * roll, out=np.ones_like(spin), where=spin < 2 * roll)
     low, high = (roll * vertex + spin) * vertex, roll + spin
-    f_low, f_high = (contact.sums(end).force[..., None] for end in (low, high))
-    creep, settled, scale = low, np.zeros(low.shape, dtype=bool), high
-    for _ in range(MOST_STEPS):
-        middle = (low + high) / 2
-        f_middle = contact.sums(middle).force[..., None]
-        root = np.sqrt(f_middle**2 - f_low * f_high)
-        bent = np.divide(f_middle, root, out=np.zeros_like(root), where=root > 0)
-        creep = np.where(settled, creep, np.clip(middle + (middle - low) * bent, low, high))
-        sums = contact.sums(creep)
-        force = sums.force[..., None]
-        settled |= (np.abs(force) <= BALANCED * sums.friction[..., None]) | (high - low <= NARROWEST * scale)
-        if np.all(settled):
-            return creep
-        for c, f in ((middle, f_middle), (creep, force)):
-            below, above = (f >= 0) & (c >= low), (f <= 0) & (c <= high)
-            low, f_low = np.where(below, c, low), np.where(below, f, f_low)
-            high, f_high = np.where(above, c, high), np.where(above, f, f_high)
-    raise ConvergenceError(
-        iterations=MOST_STEPS,
-        residual=float(np.max((high - low) / np.where(scale > 0, scale, 1.0))),
-        tolerance=float(NARROWEST),
+
+    def rising(creep: Array) -> Array:
+        at = contact.at(creep)
+        force = _sum(at.pull * at.slide)
+        return np.where(np.abs(force) <= BALANCED * _sum(at.friction), 0.0, -force)[..., None]
+
+    return bracketed_root(
+        with_secant_slopes(rising, first_slope=np.zeros_like(low)),
+        start=(low + high) / 2,
+        low=low,
+        high=high,
+        relative=float(NARROWEST),
         unit="of the slip speed",
         problem="the balance of friction along rolling",
         remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",

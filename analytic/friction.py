@@ -11,17 +11,18 @@ sees sliding speeds of |w| times as much.
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import partial
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from analytic.bracket import bracketed_root, with_secant_slopes
-from analytic.ellipse_slip import SlipMoments, slip_along_axis, slip_over_ellipse
+from analytic.ellipse_slip import NODES, SlipMoments, slip_along_axis, slip_over_ellipse
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.race import MicroslipTorque, SlidingContact, contact_moments, microslip_torque
 from analytic.scene import Array, Lubricant, SpinRule
-from analytic.traction import CoulombTraction, Traction
+from analytic.traction import Traction
 
 Rung = Literal["single_coefficient", "along_axis", "over_ellipse"]
 SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
@@ -54,15 +55,19 @@ class RaceContact:
         """A_H = pi a b, m^2."""
         return np.pi * np.asarray(self.semi_axis_rolling) * np.asarray(self.semi_axis_transverse)
 
+    def at(self, points: NDArray[np.intp] | slice, shape: tuple[int, ...]) -> "RaceContact":
+        """Those of the contacts, of the given shape, that the first index chooses."""
+        return _mapped(self, lambda value: np.broadcast_to(value, shape)[points])
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SlipFriction:
     """Friction of one ball by slip on both races; arrays of one shape."""
 
     torque: MicroslipTorque  # with moments and spin rates
-    inner_coefficient: Array  # of the Coulomb friction that would lose the same power at the same rates; 0 without load
+    inner_coefficient: Array  # of the Coulomb friction that would lose the same power at the same sliding; 0 unloaded
     outer_coefficient: Array
-    inner_slip_speed: Array  # m/s, the mean that the pressure weighs: what Coulomb friction loses over mu F
+    inner_slip_speed: Array  # m/s, the mean that the pressure weighs
     outer_slip_speed: Array
 
 
@@ -74,12 +79,13 @@ def slip_friction(
     spin_difference: ArrayLike,
     spin_rule: SpinRule,
     rung: Rung,
+    nodes: tuple[int, int] = NODES,
 ) -> SlipFriction:
     """Torque of one ball from its slip on both races; all fields, ring_speed and spin_difference broadcast.
 
     ring_speed : w, inner less outer, rad/s, any sign; at 0 the law of traction is asked for its limit
     spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) where the contact angles are equal
-    spin_rule : as `race.microslip_torque`
+    spin_rule : as `race.microslip_torque`;  nodes : of a contact that is integrated, as `ellipse_slip`
     On the first rung each contact has the force of its law at the mean speed
         |v| = |w| [w_roll M_roll + w_s M_spin]/(mu Q)
     that goes with its share of spin. Its moment grows with that share on every rung, so that there is one balance.
@@ -96,10 +102,19 @@ def slip_friction(
     if rung == "single_coefficient":
         columns = _single_coefficient(inner, outer, speed, difference, spin_rule)
     elif rung in SLIP:
-        races = [_mapped(race, lambda value: np.broadcast_to(value, shape).ravel()) for race in (inner, outer)]
+        inner_race, outer_race = (
+            _mapped(race, lambda value: np.broadcast_to(value, shape).ravel()) for race in (inner, outer)
+        )
+        slip = partial(SLIP[rung], nodes=nodes)
         speed, difference = speed.ravel(), difference.ravel()
         blocks = [
-            _integrated(_at(races[0], part), _at(races[1], part), speed[part], difference[part], spin_rule, SLIP[rung])
+            _integrated(
+                (inner_race.at(part, speed.shape), outer_race.at(part, speed.shape)),
+                speed[part],
+                difference[part],
+                spin_rule,
+                slip,
+            )
             for part in np.array_split(np.arange(speed.size), max(1, -(-speed.size // BLOCK)))
         ]
         columns = tuple(np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
@@ -208,51 +223,51 @@ def _sliding(race: RaceContact, force: ArrayLike) -> SlidingContact:
 
 
 def _integrated(
-    inner: RaceContact,
-    outer: RaceContact,
+    races: tuple[RaceContact, RaceContact],
     speed: Array,
     difference: Array,
     spin_rule: SpinRule,
     slip: Callable[..., SlipMoments],
 ) -> Columns:
-    def spin_moments(share: Array) -> tuple[Array, Array]:
-        return (
-            _moments(inner, share * difference, speed, slip).spin_moment,
-            _moments(outer, (share - 1) * difference, speed, slip).spin_moment,
-        )
+    """By nodes of every contact; all numbers (n,). Both races go in one call: most callers have few points."""
+    n = speed.size
 
-    def column(race: RaceContact, rate: Array) -> Columns:
-        found = _moments(race, rate, speed, slip)
-        unit = _moments(replace(race, traction=CoulombTraction(friction_coefficient=1.0)), rate, speed, slip).slip_power
-        return (
-            *(rate, found.spin_moment, found.rolling_moment, _over(found.slip_power, unit)),
-            speed * _over(unit, race.load),
+    def both(name: str) -> Array:
+        return np.concatenate([getattr(race, name) for race in races])
+
+    loaded, load = both("load") > 0, both("load")  # a contact without load is a point and has no friction
+    along, across = (np.where(loaded, both(f"semi_axis_{name}"), 1.0) for name in ("rolling", "transverse"))
+    laws = [_mapped(race.traction, lambda value: np.asarray(value)[..., None]) for race in races]
+    fast = speed[:, None]
+
+    def traction(pressure: Array, slide: Array) -> Array:
+        halves = zip(laws, (slice(n), slice(n, None)), strict=True)
+        return np.concatenate([law.stress(pressure[half], fast * slide[half]) for law, half in halves])
+
+    def moments(share: Array) -> SlipMoments:
+        found = slip(
+            traction=traction,
+            peak_pressure=1.5 * load / (np.pi * along * across),
+            semi_axis_rolling=along,
+            semi_axis_transverse=across,
+            deformed_radius=both("deformed_radius"),
+            rolling_rate=both("rolling_rate"),
+            spin_rate=np.concatenate([share * difference, (share - 1) * difference]),
         )
+        return SlipMoments(**{name: loaded * value for name, value in vars(found).items()})
+
+    def spin_moments(share: Array) -> tuple[Array, Array]:
+        spin = moments(share).spin_moment
+        return spin[:n], spin[n:]
 
     share = _inner_share(spin_rule, spin_moments, speed.shape)
-    return *column(inner, share * difference), *column(outer, (share - 1) * difference)
-
-
-def _moments(race: RaceContact, spin_rate: Array, speed: Array, slip: Callable[..., SlipMoments]) -> SlipMoments:
-    """Of contacts (n,); power and rates per unit w. A contact without load, a point, has none."""
-    loaded = np.asarray(race.load) > 0
-    along, across = (np.where(loaded, axis, 1.0) for axis in (race.semi_axis_rolling, race.semi_axis_transverse))
-    traction, fast = _mapped(race.traction, lambda value: np.asarray(value)[..., None]), speed[:, None]
-    found = slip(
-        traction=lambda pressure, slide: traction.stress(pressure, fast * slide),
-        peak_pressure=1.5 * np.asarray(race.load) / (np.pi * along * across),
-        semi_axis_rolling=along,
-        semi_axis_transverse=across,
-        deformed_radius=race.deformed_radius,
-        rolling_rate=race.rolling_rate,
-        spin_rate=spin_rate,
+    found = moments(share)
+    rate = np.concatenate([share * difference, (share - 1) * difference])
+    columns = (
+        *(rate, found.spin_moment, found.rolling_moment, _over(found.slip_power, found.unit_power)),
+        np.concatenate([speed, speed]) * _over(found.unit_power, load),
     )
-    return SlipMoments(
-        spin_moment=loaded * found.spin_moment,
-        rolling_moment=loaded * found.rolling_moment,
-        slip_power=loaded * found.slip_power,
-        creep_speed=loaded * found.creep_speed,
-    )
+    return *(column[:n] for column in columns), *(column[n:] for column in columns)
 
 
 def _over(numerator: Array, denominator: ArrayLike) -> Array:
@@ -284,7 +299,3 @@ def _mapped(noun: Any, change: Callable[[Any], Array]) -> Any:
             if not isinstance(value, Lubricant)
         },
     )
-
-
-def _at(race: RaceContact, index: NDArray[np.intp]) -> RaceContact:
-    return _mapped(race, lambda value: value[index])

@@ -10,13 +10,16 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.special import ellipe
 
 from analytic.as_printed import as_printed_torque
 from analytic.balls import LoadedBalls
+from analytic.ellipse_slip import NODES
 from analytic.errors import InputError
 from analytic.friction import RaceContact, Rung, SlipFriction, slip_friction
 from analytic.race import SlidingContact, microslip_moments
+from analytic.sampled import sampled_series
 from analytic.scene import Array, Lubricant, Microslip, SpinRule
 from analytic.traction import CoulombTraction, Traction
 
@@ -26,11 +29,31 @@ from analytic.traction import CoulombTraction, Traction
 EVEN_STRESS, KINK, STEEP, VISCOUS = 0.18, 0.17, 0.05, 0.62
 MOST_UNEVEN = 0.72  # of the true power, missed at mean stresses by sinh traction on any contact: 0.69 is the most found
 BELOW_FULL_SPIN = 1.15  # of E(m) - 1: 1.11 is the most that was found there, at any shape and by contacts together
-RUNGS: tuple[Rung, ...] = ("single_coefficient", "along_axis", "over_ellipse")
-QUADRATURE = 1e-4  # of the last rung: its nodes leave 1e-5, its balance of spin less
+SERIES = 1000  # points, from which on a sample of them is worth its while
 LEAST_FOUND = 0.05  # of the true power, that a rung is taken to find: below, its error is large enough
 SPREAD = 0.02  # relative step of the differences that give the exponents
 SPIN_STIFFNESS = 0.9163  # d(M_spin/mu Q b)/d eps at eps = 0, the largest; see analytic.race
+
+
+@dataclass(frozen=True, kw_only=True)
+class Way:
+    """A rung with the nodes of its quadrature, and what these miss of the power, measured against 48 by 48.
+
+    By 400 scenes with oil and asperities (validation/benchmarks/friction.py --nodes).
+    """
+
+    rung: Rung
+    nodes: tuple[int, int] = NODES
+    kinked: float = 0.0  # where the stress stops following the speed at the limiting stress
+    smooth: float = 0.0  # where it does not ask for the speed
+
+
+WAYS = (  # from cheap to accurate
+    Way(rung="single_coefficient"),
+    Way(rung="along_axis", nodes=(12, 8), kinked=4e-3, smooth=1e-5),
+    Way(rung="over_ellipse", nodes=(12, 8), kinked=4e-3, smooth=1e-5),
+    Way(rung="over_ellipse", nodes=(24, 24), kinked=6e-4, smooth=1e-8),
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -42,6 +65,7 @@ class Sliding:
     coefficient: Array  # (2, n, m)
     rung: Rung
     error: Array  # (n,) bound on what the rung misses, of spin + conformity
+    computed: int | None = None  # points at which it was; the others are interpolated. None: at all
 
 
 def race_sliding(
@@ -64,7 +88,7 @@ def race_sliding(
     asked : the rung, or auto for the cheapest that is good enough
     beside : (n,) torque of other effects, N m;  allowed : (n,) error of the whole that is left to the rung, relative
     """
-    races = [
+    races = (
         RaceContact(
             traction=law,
             load=balls.load[race],
@@ -74,43 +98,129 @@ def race_sliding(
             rolling_rate=balls.rolling_rate[race],
         )
         for race, law in enumerate(traction)
-    ]
-    difference = np.abs(balls.motion.spin_difference) if spins else np.zeros_like(balls.motion.spin_difference)
-
-    def on(rung: Rung) -> SlipFriction:
-        return slip_friction(
-            *races, ring_speed=ring_speed[:, None], spin_difference=difference, spin_rule=spin_rule, rung=rung
-        )
-
+    )
+    sliders = _Sliders(balls=balls, races=tuple(races), ring_speed=ring_speed, spins=spins, spin_rule=spin_rule)
+    cheap = sliders.slide(WAYS[0])
     if microslip == "as_printed":
-        return _as_printed(balls, races, on("single_coefficient"))
+        return _as_printed(sliders, cheap)
     if microslip != "derived":
         raise InputError(f'microslip must be "derived" or "as_printed", got {microslip!r}')
-    cheapest_first = RUNGS if asked == "auto" else (asked,)
-    for rung in cheapest_first[:-1]:
-        found = on(rung)
-        error = _error(balls, races, found, rung)
-        counted = balls.total(found.torque.spin * spins + found.torque.conformity * conforms)
-        part = np.divide(counted, counted + beside, out=np.zeros_like(counted), where=counted > 0)
-        if np.all(error * part <= allowed):
-            return _sliding(balls, found, rung, error)
-    rung = cheapest_first[-1]
-    found = on(rung)
-    return _sliding(balls, found, rung, _error(balls, races, found, rung))
+    counted = balls.total(cheap.torque.spin * spins + cheap.torque.conformity * conforms)
+    allowed = allowed / np.divide(counted, counted + beside, out=np.zeros_like(counted), where=counted > 0)
+    *cheaper, last = [way for way in WAYS if asked in ("auto", way.rung)]
+    for way in cheaper:
+        if np.any(
+            sliders.error(way, cheap) > allowed
+        ):  # as foretold by the cheapest: how power is spread changes little
+            continue
+        found = sliders.result(way, cheap, allowed)
+        if np.all(found.error <= allowed):
+            return found
+    return sliders.result(last, cheap, allowed)
 
 
-def _sliding(balls: LoadedBalls, found: SlipFriction, rung: Rung, error: Array) -> Sliding:
-    return Sliding(
-        spin=balls.total(found.torque.spin),
-        conformity=balls.total(found.torque.conformity),
-        coefficient=np.stack([found.inner_coefficient, found.outer_coefficient]),
-        rung=rung,
-        error=error,
-    )
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Sliders:
+    """All contacts of all balls at n operating points."""
+
+    balls: LoadedBalls
+    races: tuple[RaceContact, ...]
+    ring_speed: Array
+    spins: bool
+    spin_rule: SpinRule
+
+    def slide(self, way: Way, points: NDArray[np.intp] | slice = slice(None)) -> SlipFriction:
+        shape = self.balls.load.shape[1:]
+        difference = np.abs(self.balls.motion.spin_difference) if self.spins else np.zeros(shape)
+        return slip_friction(
+            *(race.at(points, shape) for race in self.races),
+            ring_speed=self.ring_speed[points, None],
+            spin_difference=difference[points],
+            spin_rule=self.spin_rule,
+            rung=way.rung,
+            nodes=way.nodes,
+        )
+
+    def error(self, way: Way, found: SlipFriction) -> Array:
+        """(n,) bound on what the way misses, of what it finds; power is spread over the contacts as it was found."""
+        smooth = not any(race.traction.asks_speed for race in self.races)
+        missed = np.full_like(self.balls.load, way.smooth if smooth else way.kinked)
+        if way.rung != "over_ellipse":
+            missed = missed + _slenderness(self.balls)
+        if way.rung == "single_coefficient":
+            missed = missed + _missed(self.races, found)
+        return _relative(missed, _weight(self.balls, found))
+
+    def result(self, way: Way, cheap: SlipFriction, allowed: Array) -> Sliding:
+        """By a way, at all points or at a sample of them."""
+        if way is WAYS[0]:
+            return self._told(way, cheap)
+        moving = self.ring_speed != 0
+        if self.balls.load.shape[2] == 1 and np.count_nonzero(moving) >= SERIES:
+            found = self._sampled(way, cheap, np.flatnonzero(moving), allowed)
+            if found is not None:
+                return found
+        return self._told(way, self.slide(way))
+
+    def _told(self, way: Way, found: SlipFriction) -> Sliding:
+        return Sliding(
+            spin=self.balls.total(found.torque.spin),
+            conformity=self.balls.total(found.torque.conformity),
+            coefficient=np.stack([found.inner_coefficient, found.outer_coefficient]),
+            rung=way.rung,
+            error=self.error(way, found),
+        )
+
+    def _sampled(self, way: Way, cheap: SlipFriction, moving: NDArray[np.intp], allowed: Array) -> Sliding | None:
+        """Under thrust all balls are alike, and how far the ways are apart follows from load and speed alone."""
+        base = _quantities(cheap)
+        whole = base[:, :2].sum(axis=1)
+        if not (np.all(whole > 0) and np.all(base[:, 2:] > 0)):
+            return None
+        scale = np.stack([whole, whole, base[:, 2], base[:, 3]], axis=1)
+
+        def evaluate(points: NDArray[np.intp]) -> Array:
+            at = moving[points]
+            return (_quantities(self.slide(way, at)) - base[at]) / scale[at]
+
+        def missed(found: Array, true: Array, points: NDArray[np.intp]) -> Array:
+            before = (base[:, :2] / scale[:, :2])[moving[points]]
+            return np.abs(np.sum((found - true)[:, :2], axis=1) / np.sum(before + true[:, :2], axis=1))
+
+        error = self.error(way, cheap)
+        series = sampled_series(
+            evaluate,
+            np.log(np.stack([self.balls.load[0, moving, 0], np.abs(self.ring_speed[moving])], axis=1)),
+            missed=missed,
+            allowed=float(np.min(allowed - error)),
+        )
+        if series is None:
+            return None
+        found = base.copy()
+        found[moving] += scale[moving] * series.values
+        standing = np.flatnonzero(self.ring_speed == 0)
+        if standing.size:
+            found[standing] = _quantities(self.slide(way, standing))
+        return Sliding(
+            spin=self.balls.alike * found[:, 0],
+            conformity=self.balls.alike * found[:, 1],
+            coefficient=found[:, 2:].T[..., None],
+            rung=way.rung,
+            error=error + series.error,
+            computed=series.at.size + standing.size,
+        )
 
 
-def _as_printed(balls: LoadedBalls, races: list[RaceContact], found: SlipFriction) -> Sliding:
+def _quantities(found: SlipFriction) -> Array:
+    """(n, 4) of balls alike: spin and conformity torque, coefficients."""
+    torque = found.torque
+    columns = (torque.spin, torque.conformity, found.inner_coefficient, found.outer_coefficient)
+    return np.concatenate(columns, axis=1)
+
+
+def _as_printed(sliders: _Sliders, found: SlipFriction) -> Sliding:
     """With the spin and the coefficients of the derived moments; how wrong it is, no rung of its own tells."""
+    balls = sliders.balls
     coefficients = found.inner_coefficient, found.outer_coefficient
     inner, outer = (
         SlidingContact(
@@ -121,7 +231,7 @@ def _as_printed(balls: LoadedBalls, races: list[RaceContact], found: SlipFrictio
             deformed_radius=race.deformed_radius,
             rolling_rate=race.rolling_rate,
         )
-        for race, coefficient in zip(races, coefficients, strict=True)
+        for race, coefficient in zip(sliders.races, coefficients, strict=True)
     )
     torque = as_printed_torque(
         inner,
@@ -186,22 +296,12 @@ def _weight(balls: LoadedBalls, found: SlipFriction) -> Array:
     return np.divide(power, whole, out=np.zeros_like(power), where=whole > 0)
 
 
-def _error(balls: LoadedBalls, races: list[RaceContact], found: SlipFriction, rung: Rung) -> Array:
-    """(n,) bound on what the rung misses, of what it found."""
-    if rung == "over_ellipse":
-        return np.full(balls.load.shape[1], QUADRATURE)
-    missed = _slenderness(balls)
-    if rung == "single_coefficient":
-        missed = missed + _missed(races, found)
-    return _relative(missed, _weight(balls, found))
-
-
 def _relative(missed: Array, weight: Array) -> Array:
     """(n,) what all contacts miss of their true power, told of what was found, which may be too small by it."""
     return np.sum(weight * missed / np.maximum(1 - missed, LEAST_FOUND), axis=(0, 2))
 
 
-def _missed(races: list[RaceContact], found: SlipFriction) -> Array:
+def _missed(races: tuple[RaceContact, ...], found: SlipFriction) -> Array:
     """(2, n, m) of the true power, what one coefficient misses on each contact."""
     slips = (found.inner_slip_speed, found.outer_slip_speed)
     return np.stack([_missed_by_one(race, slip) for race, slip in zip(races, slips, strict=True)])

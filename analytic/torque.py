@@ -123,7 +123,7 @@ def friction_torque(
                 "loads": "thrust, all balls alike" if balls.rung == "thrust" else "equilibrium of the ring",
                 "contacts": _contacts(choices, correction),
                 "friction": "given coefficient" if oiled is None else "mixed lubrication",
-                "sliding": "nothing slides" if slid is None else slid.rung,
+                "sliding": _slid_by(slid, speed.size),
                 **_versions(),
             }
         ),
@@ -298,6 +298,12 @@ def _declared(scene: Scene, choices: Choices, race: Array) -> Array | None:
         reason = "not declared" if value is None else "declared by the scene"
         choices.settled(name, on=value is not None, share=share, reason=reason)
     return np.full_like(race, sum(known.values())) if known else None
+
+
+def _slid_by(slid: Sliding | None, points: int) -> str:
+    if slid is None:
+        return "nothing slides"
+    return slid.rung if slid.computed is None else f"{slid.rung} at {slid.computed} of {points} points"
 
 
 def _contacts(choices: Choices, correction: ContactCorrection | None) -> str:

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.scene import Array, Lubricant
-from analytic.viscosity import roelands_viscosity
+from analytic.viscosity import viscosity_under_pressure
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -71,9 +71,7 @@ class MixedTraction:
     def stress(self, pressure: Array, speed: Array) -> Array:
         """mu_b s p + tau (1 - A_a/A_H), Pa; pressure p >= 0, Pa, and speed |v|, m/s, broadcast with the fields."""
         share = np.asarray(self.asperity_share)
-        oil = oil_shear_stress(
-            self.lubricant, pressure=(1 - share) * pressure, speed=speed, film_thickness=self.film_thickness
-        )
+        oil = _oil_shear(self.lubricant, (1 - share) * pressure, np.asarray(self.film_thickness))(speed)
         return np.asarray(self.boundary_friction) * share * pressure + oil * (1 - np.asarray(self.area_fraction))
 
     def force(self, *, load: ArrayLike, area: ArrayLike) -> Callable[[Array], Array]:
@@ -105,7 +103,7 @@ def oil_shear_stress(
     keeps them, never falls with |v| and has only a kink; any smooth passage would invent a lower stress between them.
     Shear heating within the film is left out: it lowers tau where sliding is fast.
     """
-    require_non_negative(speed=speed)
+    require_non_negative(pressure=pressure, speed=speed)
     try:
         return _oil_shear(lubricant, np.asarray(pressure), np.asarray(film_thickness))(np.asarray(speed))
     except ValueError as problem:
@@ -115,24 +113,16 @@ def oil_shear_stress(
 
 
 def _oil_shear(lubricant: Lubricant, pressure: Array, film_thickness: Array) -> Callable[[Array], Array]:
-    """oil_shear_stress as a function of the speed; the viscosity is computed once."""
+    """oil_shear_stress as a function of the speed; the viscosity is computed once, pressure and speed not checked."""
     require_positive(eyring_stress=lubricant.eyring_stress)
-    require_non_negative(pressure=pressure, limiting_shear=lubricant.limiting_shear)
+    require_non_negative(limiting_shear=lubricant.limiting_shear)
     eyring = lubricant.eyring_stress
     if lubricant.traction == "eyring_constant":
         return lambda speed: np.full(np.broadcast(pressure, speed, film_thickness).shape, eyring)
     if lubricant.traction != "eyring_sinh":
         raise InputError(f'traction must be "eyring_sinh" or "eyring_constant", got {lubricant.traction!r}')
-    viscosity = roelands_viscosity(
-        pressure=pressure,
-        temperature=lubricant.temperature,
-        viscosity=lubricant.viscosity,
-        pressure_viscosity=lubricant.pressure_viscosity,
-        reference_temperature=lubricant.reference_temperature,
-        viscosity_temperature=lubricant.viscosity_temperature,
-    )
     film, limit = np.maximum(film_thickness, 0.0), lubricant.limiting_shear * pressure
-    fluidity = viscosity / eyring
+    fluidity = viscosity_under_pressure(lubricant)(pressure) / eyring
 
     def shear(speed: Array) -> Array:
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # solid oil or no film: the limit holds

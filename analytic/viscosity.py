@@ -6,7 +6,9 @@ from measured oils above some 0.5 GPa; beyond 1 GPa, where races work, it is unp
 Source: C. J. A. Roelands, thesis, Delft (1966) (not seen).
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -55,10 +57,24 @@ def roelands_viscosity(
     )
     require_non_negative(pressure_viscosity=pressure_viscosity)
     exponent = np.asarray(pressure_viscosity) * POLE_PRESSURE / log_factor
-    # expm1: where pressure and heating are slight, the factor keeps its digits.
-    growth = log_factor * np.expm1(exponent * np.log1p(np.asarray(pressure) / POLE_PRESSURE) + shift)
-    with np.errstate(over="ignore"):  # an oil of a large Z under very large pressure: no flow
-        return np.asarray(viscosity) * np.exp(growth)
+    return np.asarray(viscosity) * _thickening(np.asarray(pressure), log_factor, exponent, shift)
+
+
+@lru_cache(maxsize=64)
+def viscosity_under_pressure(lubricant: Lubricant) -> Callable[[Array], Array]:
+    """roelands_viscosity at the lubricant's temperature as a function of the pressure alone, Pa, which is not checked.
+
+    What does not depend on the pressure is computed once: an integral over a contact asks for thousands of pressures.
+    """
+    log_factor, shift = _thermal(
+        temperature=lubricant.temperature,
+        viscosity=lubricant.viscosity,
+        reference_temperature=lubricant.reference_temperature,
+        viscosity_temperature=lubricant.viscosity_temperature,
+    )
+    require_non_negative(pressure_viscosity=lubricant.pressure_viscosity)
+    exponent = lubricant.pressure_viscosity * POLE_PRESSURE / log_factor
+    return lambda pressure: lubricant.viscosity * _thickening(pressure, log_factor, exponent, shift)
 
 
 def inlet_viscosity(lubricant: Lubricant) -> InletViscosity:
@@ -79,6 +95,14 @@ def inlet_viscosity(lubricant: Lubricant) -> InletViscosity:
         pressure_viscosity=lubricant.pressure_viscosity * cooling,
         viscosity_temperature=lubricant.viscosity_temperature * cooling * distances,
     )
+
+
+def _thickening(pressure: Array, log_factor: Array, exponent: Array | float, shift: Array) -> Array:
+    """eta/eta_0 = exp(G ((1 + 5.1e-9 p)^Z [(T - 138)/(T_0 - 138)]^-S - 1))."""
+    # expm1: where pressure and heating are slight, the factor keeps its digits.
+    growth = log_factor * np.expm1(exponent * np.log1p(pressure / POLE_PRESSURE) + shift)
+    with np.errstate(over="ignore"):  # an oil of a large Z under very large pressure: no flow
+        return np.exp(growth)
 
 
 def _thermal(

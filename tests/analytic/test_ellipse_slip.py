@@ -62,7 +62,9 @@ def test_a_long_ellipse_is_a_line(eps: float) -> None:
         friction_coefficient=MU, load=Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps
     ) / np.array([MU * Q * B, MU * Q * B**2 / R])
     gaps = [
-        np.abs(scaled(slip_over_ellipse(traction=coulomb, spin_rate=spin_of(eps), nodes=32, **contact(k))) - expected)
+        np.abs(
+            scaled(slip_over_ellipse(traction=coulomb, spin_rate=spin_of(eps), nodes=(32, 32), **contact(k))) - expected
+        )
         for k in (1e2, 1e3, 1e4)
     ]
     np.testing.assert_allclose(gaps[2], 0, atol=3e-5)  # falls with a/b where a line of pure rolling nears the end
@@ -86,7 +88,7 @@ def test_along_the_axis_coulomb_friction_is_that_of_race(k: float, eps: float) -
 def test_a_brute_sum_over_the_ellipse_agrees(k: float, eps: float) -> None:
     """Midpoints of two million squares of the rectangle around the contact, at the c that was found."""
     spin, values = spin_of(eps), contact(k)
-    found = slip_over_ellipse(traction=coulomb, spin_rate=spin, nodes=32, **values)
+    found = slip_over_ellipse(traction=coulomb, spin_rate=spin, nodes=(32, 32), **values)
     a = values["semi_axis_rolling"]
     x, y = (np.arange(count) * 2.0 / count - 1 + 1 / count for count in (1000, 2000))
     x, y = a * x, B * y[:, None]
@@ -151,10 +153,10 @@ def test_the_moments_are_the_slopes_of_the_power(slip, eps: float) -> None:
 
     def power(spin: float, roll: float) -> float:
         values = contact(3.0, rolling_rate=roll)
-        return float(slip(traction=coulomb, spin_rate=spin, nodes=32, **values).slip_power)
+        return float(slip(traction=coulomb, spin_rate=spin, nodes=(32, 32), **values).slip_power)
 
     spin = spin_of(eps)
-    found = slip(traction=coulomb, spin_rate=spin, nodes=32, **contact(3.0))
+    found = slip(traction=coulomb, spin_rate=spin, nodes=(32, 32), **contact(3.0))
     slope = (power(spin + step * ROLL, ROLL) - power(spin - step * ROLL, ROLL)) / (2 * step * ROLL)
     np.testing.assert_allclose(found.spin_moment, slope, rtol=1e-4)  # the step squared, and quadrature over the step
     slope = (power(spin, ROLL * (1 + step)) - power(spin, ROLL * (1 - step))) / (2 * step * ROLL)
@@ -165,7 +167,7 @@ def test_the_moments_are_the_slopes_of_the_power(slip, eps: float) -> None:
 def test_more_nodes_converge_and_the_default_is_enough(k: float) -> None:
     spin = np.array([spin_of(eps) for eps in (0.0, *SPINS)])
     results = [
-        scaled(slip_over_ellipse(traction=coulomb, spin_rate=spin, nodes=nodes, **contact(k)))
+        scaled(slip_over_ellipse(traction=coulomb, spin_rate=spin, nodes=(nodes, nodes), **contact(k)))
         for nodes in (8, 16, 32, 48)
     ]
     coarse, default, fine = (np.abs(result - results[-1]).max() for result in results[:-1])
@@ -183,7 +185,7 @@ def test_the_spin_moment_is_odd_and_the_rolling_moment_even() -> None:
 def test_a_contact_that_neither_rolls_nor_spins_rests() -> None:
     for slip in ALL:
         found = slip(traction=coulomb, spin_rate=0.0, **contact(3.0, rolling_rate=0.0))
-        assert [float(value) for value in vars(found).values()] == [0.0] * 4
+        assert [float(value) for value in vars(found).values()] == [0.0] * 5
         unloaded = slip(traction=coulomb, spin_rate=2.0, **contact(3.0, peak_pressure=0.0))
         assert unloaded.spin_moment == unloaded.rolling_moment == unloaded.slip_power == 0
 
@@ -215,7 +217,7 @@ def test_points_broadcast_and_the_traction_may_have_numbers_of_its_own() -> None
         ({"semi_axis_rolling": 0.0}, "semi_axis_rolling must be positive"),
         ({"rolling_rate": -2.0}, "rolling_rate must be at least 0"),
         ({"spin_rate": np.nan}, "spin_rate must be finite"),
-        ({"nodes": 0}, "nodes must be positive"),
+        ({"nodes": (0, 7)}, "nodes must be positive"),
         ({"peak_pressure": np.ones(3), "spin_rate": np.ones(2)}, "give equal lengths"),
     ],
 )
