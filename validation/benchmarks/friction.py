@@ -1,16 +1,19 @@
-"""The friction ladder: python validation/benchmarks/friction.py [--errors] [--scenes 500] [--seed 40000]
+"""The friction ladder: python validation/benchmarks/friction.py [--errors | --nodes] [--scenes 500] [--seed 40000]
 
 Prints the race torque of a 6205 under 1000 N thrust at a given contact angle of 0.18 rad, without hysteresis, by the
 three rungs of `analytic.friction`, with what the cheaper ones miss and the processor time of each, and the time that
 the load shared by film and asperities takes. With --errors, what the two cheaper rungs miss in random scenes of oil and
 finish, two contacts each, beside the bound of `analytic.sliding` by which `auto` chooses: the constants there hold as
-far as that bound does. Model against model: nothing here is measured. Times are the machine's.
+far as that bound does. With --nodes, what the nodes of the dearer rungs leave in such scenes, beside the bound on it.
+Model against model: nothing here is measured. Times are the machine's.
 """
 
 import time
+from collections import defaultdict
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Annotated, Literal
+from unittest.mock import patch
 
 import numpy as np
 import typer
@@ -28,8 +31,9 @@ from analytic.kinematics import ball_kinematics
 from analytic.mixed import mixed_contact
 from analytic.race import deformed_radius
 from analytic.roughness import spectral_moments
-from analytic.scene import Autocorrelation, ContactAngle, Lubricant
+from analytic.scene import Autocorrelation, ContactAngle, Lubricant, Scene
 from analytic.scenefile import builtin_scene
+from analytic.sliding import WAYS, Way
 from analytic.summits import mccool_summits
 from analytic.traction import MixedTraction
 from random_scenes import of_oil_and_finish, thrust_scene
@@ -37,6 +41,8 @@ from random_scenes import of_oil_and_finish, thrust_scene
 RUNGS: tuple[Rung, ...] = ("single_coefficient", "along_axis", "over_ellipse")
 LAWS: tuple[Literal["eyring_constant", "eyring_sinh"], ...] = ("eyring_constant", "eyring_sinh")
 BOUNDS = (0.0, 0.01, 0.03, 0.1, 0.25, 0.5, 1.0, np.inf)  # by which scenes are told apart
+MANY = (48, 48)  # nodes that stand for no error
+STRICT = 1e-6  # tolerance that asks for the most nodes
 ANGLE, LOAD, HARDNESS = 0.18, 1000.0, 7.8e9  # rad, N, Pa
 LENGTH = 150e-6  # m, of the gaussian autocorrelation
 OIL = Lubricant(
@@ -55,12 +61,15 @@ OIL = Lubricant(
 
 def main(
     errors: Annotated[bool, typer.Option("--errors", help="What cheap rungs miss in random scenes.")] = False,
-    scenes: Annotated[int, typer.Option(help="Of --errors.")] = 500,
-    seed: Annotated[int, typer.Option(help="Of --errors, the first; each scene has one of its own.")] = 40000,
+    nodes: Annotated[bool, typer.Option("--nodes", help="What nodes leave in random scenes.")] = False,
+    scenes: Annotated[int, typer.Option(help="Random ones.")] = 500,
+    seed: Annotated[int, typer.Option(help="The first; each scene has one of its own.")] = 40000,
 ) -> None:
     out = Console(width=140)
     if errors:
         bounds(scenes, seed, out)
+    elif nodes:
+        quadratures(range(seed, seed + scenes), out)
     else:
         ladder(out)
         time_sharing(out)
@@ -218,13 +227,17 @@ def bounds(scenes: int, first: int, out: Console) -> None:
     out.print(table)
 
 
-def rungs_of(seed: int) -> list[Trial]:
-    """Of a random scene under thrust, in which nothing but sliding costs torque or leaves an uncertainty."""
+def sliding_scene(seed: int) -> Scene:
+    """A random scene under thrust, in which nothing but sliding costs torque or leaves an uncertainty."""
     rng = np.random.default_rng(seed)
-    scene = thrust_scene(rng, **of_oil_and_finish(rng))
     effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "off")
     effects |= dict.fromkeys(("spin", "conformity", "asperities"), "on")
-    found = {rung: friction_torque(replace(scene, effects=effects, sliding=rung)) for rung in RUNGS}
+    return replace(thrust_scene(rng, **of_oil_and_finish(rng)), effects=effects, tolerance=STRICT)
+
+
+def rungs_of(seed: int) -> list[Trial]:
+    scene = sliding_scene(seed)
+    found = {rung: friction_torque(replace(scene, sliding=rung)) for rung in RUNGS}
     true = found["over_ellipse"].torque.total[0]
     assert scene.lubricant is not None
     return [
@@ -237,6 +250,30 @@ def rungs_of(seed: int) -> list[Trial]:
         )
         for rung in RUNGS[:-1]
     ]
+
+
+def quadratures(seeds: range, out: Console) -> None:
+    """The dearer ways of `analytic.sliding`, of the torque by sliding, against many nodes on the same rung."""
+    missed: dict[tuple[str, Way], list[float]] = defaultdict(list)
+    for seed in track(seeds, console=Console(stderr=True)):
+        scene = sliding_scene(seed)
+        assert scene.lubricant is not None
+        for way in WAYS[1:]:
+            found, true = (torque_by(replace(way, nodes=nodes), scene) for nodes in (way.nodes, MANY))
+            missed[scene.lubricant.traction, way].append(abs(found / true - 1))
+    table = Table("traction", "rung", "nodes", "scenes", "median", "98 of 100", "most", "bound")
+    for (traction, way), some in missed.items():
+        bound = way.smooth if traction == "eyring_constant" else way.kinked
+        table.add_row(
+            *(traction, way.rung, "{} by {}".format(*way.nodes), str(len(some))),
+            *(f"{value:.1e}" for value in (*np.quantile(some, [0.5, 0.98, 1.0]), bound)),
+        )
+    out.print(table)
+
+
+def torque_by(way: Way, scene: Scene) -> float:
+    with patch("analytic.sliding.WAYS", (WAYS[0], way)):
+        return float(friction_torque(replace(scene, sliding=way.rung)).torque.total[0])
 
 
 if __name__ == "__main__":
