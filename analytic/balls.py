@@ -18,7 +18,7 @@ from analytic.kinematics import BallKinematics, ball_kinematics
 from analytic.race import deformed_radius
 from analytic.ring import ring_equilibrium
 from analytic.scene import Array, Bearing, ContactAngle
-from analytic.thrust_at_speed import thrust_at_speed
+from analytic.thrust_inertia import thrust_at_speed
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

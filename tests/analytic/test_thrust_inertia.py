@@ -13,7 +13,7 @@ from analytic.errors import ConvergenceError, InputError
 from analytic.kinematics import ball_kinematics
 from analytic.ring import ring_equilibrium
 from analytic.scene import Bearing, ContactAngle
-from analytic.thrust_at_speed import ThrustAtSpeed, thrust_at_speed
+from analytic.thrust_inertia import ThrustAtSpeed, thrust_at_speed
 
 SOLVED = ContactAngle(rule="solved")
 FIELDS = "inner_load", "outer_load", "inner_angle", "outer_angle"
