@@ -19,6 +19,8 @@ from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.fem.measure import Quantities
 
+pytest.register_assert_rewrite("tests.report.picture_reader")  # its checks tell what they found
+
 LOOSE = 0.9  # tolerance: no finer mesh is called for
 
 
