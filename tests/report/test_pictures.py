@@ -33,10 +33,8 @@ DIES = (sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SI
 
 
 @pytest.fixture(scope="module")
-def drawn(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Picture]:
-    found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
-    assert trouble is None
-    return {picture.file.stem: picture for picture in found}
+def drawn(pictures: list[Picture]) -> dict[str, Picture]:
+    return {picture.file.stem: picture for picture in pictures}
 
 
 @pytest.fixture(scope="module")
