@@ -19,6 +19,7 @@ from analytic.errors import InputError
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
 from analytic.torque_result import FrictionTorque
+from analytic.torque_warnings import doubts
 from tests.analytic.specimens import idling
 
 
@@ -246,3 +247,31 @@ def test_balls_that_skid_are_refused_with_their_speed(scene: Scene) -> None:
         replace(scene, operation=light),
         r"inner_speed = 2000 rad/s: the centrifugal force .* times its load under 0\.001 N .* above 1000.*raise",
     )
+
+
+@pytest.mark.parametrize(
+    ("share", "words"),
+    [(0.31, "could be 0.31 of the torque"), (17.2, "could exceed the torque"), (np.inf, "nothing bounds it")],
+)
+def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, words: str) -> None:
+    """Where it calls for the effect, and in the warning where the scene leaves the effect out all the same."""
+    choices = Choices(replace(scene, effects={"spin": "off"}), 2)
+    choices.calls_for("centrifugal", share=np.array([share, 0.02]))
+    choices.calls_for("spin", share=np.array([share, 0.02]))
+    called, left = choices.made["centrifugal"], choices.made["spin"]
+    assert called.reason == (f"{words}, more than 0.15 leaves" if share < 1 else words)  # half of the tolerance
+    assert (left.decision, left.share, left.reason) == ("off", share, "the scene says off")
+    told = doubts(scene, choices, watched=[], oiled=None, shared=None, resistance=None)
+    beyond = ", more than the tolerance" if share < 1 else ""
+    assert f"spin is left out and {words}{beyond}: the scene says off" in told
+
+
+def test_a_contact_beyond_its_shoulder_is_told_with_what_moved_it(scene: Scene) -> None:
+    """At 300 000 rpm centrifugal force parts the contact angles; under a heavy load they move together."""
+    fast = Operation(axial_load=np.array([300.0, 1000.0]), inner_speed=np.array([50.0, 31416.0]))
+    wide = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.3))
+    refused(replace(wide, operation=fast, effects={"centrifugal": "on"}), "1000 N: .* lower the speed of 31416 rad/s")
+    heavy = Operation(axial_load=np.array([1e7]), inner_speed=np.array([50.0]))
+    for how in ("on", "off"):
+        asked = replace(wide, operation=heavy, effects=dict.fromkeys(("centrifugal", "gyroscopic"), how))
+        refused(asked, "inner race's shoulder: lower the load")

@@ -313,7 +313,12 @@ def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bea
         (SOLVED, {"inner_speed": [3.0, float("inf")]}, ("inner_speed", "inf", "index [1]")),
         (ContactAngle(rule="given", value=0.18), {}, ("rule 'given'", "'solved'")),
         (ContactAngle(rule="solved", free=18.0), {}, ("free", "18.0", "degrees")),
-        (SOLVED, {"radial_load_x": 1e9}, ("out of its groove", "pi/2")),
+        (SOLVED, {"radial_load_x": 1e9}, ("the load drives", "out of its groove", "pi/2", "lower the load")),
+        (
+            SOLVED,
+            {"inner_speed": [70.0, 1e5]},
+            ("the speed, 1e+05 rad/s, drives", "out of its groove", "lower the speed"),
+        ),
     ],
 )
 def test_what_cannot_be_is_refused(
