@@ -100,10 +100,7 @@ def test_an_effect_that_the_scene_says_off_is_told_as_deliberate() -> None:
     assert f"centrifugal off <= {100 * centrifugal.share:.0f} % the scene says off" in said
     assert said.count("What the scene says off is left out on purpose: no uncertainty of the torque counts it.") == 1
     assert "load_distribution on no bound nothing bounds it" in said
-    assert any(
-        "centrifugal is left out and could exceed the torque: the scene says off" in warning
-        for warning in found.found.warnings
-    )
+    assert "centrifugal is left out and could exceed the torque: the scene says off" in found.found.warnings
 
 
 def test_a_long_series_is_shown_in_part() -> None:
