@@ -285,6 +285,8 @@ def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float
     step = 1e-5
     beyond, before = (asymptotes.log_film(share + d)[0] for d in (step, -step))
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), atol=1e-8)  # round-off of 1e-14 over the step
+    full = replace(asymptotes, room=log_h - 0.1)
+    assert full.log_film(share) == (full.room, 0.0)  # it cannot grow
 
 
 @pytest.mark.parametrize(
