@@ -33,7 +33,6 @@ DECLARED = ("seals", "drag")  # torques that the scene tells, in [losses]
 WATCHED = ("cage", "elastic_creep", "plasticity", "shoulder")
 EFFECTS = COMPUTED + DECLARED + WATCHED
 SHARE_OF_TOLERANCE = 0.5
-UNKNOWN = "; how much it would add is not computed"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,6 +45,13 @@ class Effect:
     # where nothing bounds it, None where that is not known.
     share: float | None
     reason: str
+
+
+def size_of(share: float) -> str:
+    """How large an effect can be whose bound is this share of the torque, in words."""
+    if np.isinf(share):
+        return "nothing bounds it"
+    return "could exceed the torque" if share > 1 else f"could be {share:.2g} of the torque"
 
 
 class Choices:
@@ -72,18 +78,13 @@ class Choices:
         Raises InputError if the scene wants it on and lacks what it takes.
         """
         asked, worst = self.asked.get(name, "auto"), None if share is None else float(np.max(share, initial=0.0))
-        size = "" if worst is None else f"; at most {worst:.2g} of the torque"
         if lacks is not None:
             if asked == "on":
                 raise InputError(f'effects.{name} = "on" cannot be had: {lacks}')
-            return self._decided(name, on=False, share=worst, reason=lacks + size)
+            return self._decided(name, on=False, share=worst, reason=lacks)
         if asked == "off":
-            return self._decided(
-                name,
-                on=False,
-                share=worst,
-                reason="the scene says off" + (size or "; how much it would add is not computed"),
-            )
+            unknown = "; how much it would add is not computed" if worst is None else ""
+            return self._decided(name, on=False, share=worst, reason=f"the scene says off{unknown}")
         if asked == "on":
             return self._decided(name, on=True, share=worst, reason="the scene says on")
         if share is None or worst is None:
@@ -93,10 +94,10 @@ class Choices:
             self.left_out = self.left_out + share
             reason = f"at most {worst:.2g} of the torque, within what {self.budget:.2g} leaves"
             return self._decided(name, on=False, share=worst, reason=reason)
-        before = float(np.max(self.left_out, initial=0.0))
-        reason = f"could be {worst:.2g} of the torque, more than {self.budget:.2g} leaves"
-        if before > 0:
-            reason += f" with {before:.2g} already left out"
+        reason, before = size_of(worst), float(np.max(self.left_out, initial=0.0))
+        if worst <= 1:
+            reason += f", more than {self.budget:.2g} leaves"
+            reason += f" with {before:.2g} already left out" if before > 0 else ""
         return self._decided(name, on=True, share=worst, reason=reason)
 
     def settled(self, name: str, *, on: bool, reason: str, share: Array | None = None) -> None:

@@ -36,18 +36,26 @@ class CentralFilm:
 class FilmAsymptotes:
     """Logarithms of the films in m that central_film joins, and of the ratio that says how; fields broadcast."""
 
-    ellipticity: Array  # lambda
     rigid: Array  # of H_RI
     elastic: Array  # of H_EI
     unloaded: Array  # of H_00
     piezoviscous: Array  # of H_RP and H_EP together
     elastic_ratio: Array  # ln(H_EI/H_EP)
+    room: Array  # of what bodies and surroundings leave the oil: no film is thicker
+    ellipticity: Array  # lambda itself
+
+    @property
+    def outside_range(self) -> NDArray[np.bool_]:
+        """Where the ellipticity is outside FITTED_ELLIPTICITY."""
+        lowest, highest = FITTED_ELLIPTICITY
+        return (self.ellipticity < lowest) | (self.ellipticity > highest)
 
     def log_film(self, log_remaining: Array | float) -> tuple[Array, Array]:
         """ln h and its derivative by log_remaining = ln(1 - s_a), where asperities carry the share s_a of the load.
 
         The oil's film is that of F (1 - s_a) and E* (1 - s_a): W stays, U grows as 1/(1 - s_a), so that in metres the
-        isoviscous asymptotes grow as powers of it (-2, -0.6 and -1/2) and the piezoviscous ones stay as they are.
+        isoviscous asymptotes grow as powers of it (-2, -0.6 and -1/2) and the piezoviscous ones stay as they are. A
+        film that fills the room grows no more.
         """
         rigid = 1.5 * (self.rigid - 2 * log_remaining)
         elastic, unloaded = -4 * self.elastic + 2.4 * log_remaining, -4 * self.unloaded + 2 * log_remaining
@@ -64,7 +72,7 @@ class FilmAsymptotes:
             # s changes too: ds = 1.08 ratio fading per unit of log_remaining
             mixture = weight * (isoviscous - film) + (1 - weight) * (self.piezoviscous - film)
             slope = weight * slope + np.where(fading > 0, 1.08 * ratio * fading / s * mixture, 0.0)
-        return film, slope
+        return np.minimum(film, self.room), np.where(film < self.room, slope, 0.0)
 
 
 def central_film(
@@ -105,24 +113,16 @@ def central_film(
         entrainment_speed=entrainment_speed,
         viscosity=viscosity,
         pressure_viscosity=pressure_viscosity,
+        largest_gap=largest_gap,
     )
-    room = 1 / (np.asarray(curvature_x, dtype=np.float64) + np.asarray(curvature_y, dtype=np.float64))
-    if largest_gap is not None:
-        require_positive(largest_gap=largest_gap)
-        room = np.minimum(room, largest_gap)
-    try:
-        log_h, room = np.broadcast_arrays(asymptotes.log_film(0.0)[0], np.log(room))
-    except ValueError as problem:
-        raise InputError(
-            "the arguments of a film have shapes that do not fit together: give equal lengths"
-        ) from problem
-    lowest, highest = FITTED_ELLIPTICITY
-    ellipticity = np.broadcast_to(asymptotes.ellipticity, log_h.shape)
+    log_film, room, ellipticity, outside_range = np.broadcast_arrays(
+        asymptotes.log_film(0.0)[0], asymptotes.room, asymptotes.ellipticity, asymptotes.outside_range
+    )
     return CentralFilm(
-        thickness=np.exp(np.minimum(log_h, room)),
+        thickness=np.exp(log_film),
         ellipticity=ellipticity,
-        capped=log_h > room,
-        outside_range=(ellipticity < lowest) | (ellipticity > highest),
+        capped=log_film >= room,
+        outside_range=outside_range,
     )
 
 
@@ -135,6 +135,7 @@ def film_asymptotes(
     entrainment_speed: ArrayLike,
     viscosity: ArrayLike,
     pressure_viscosity: ArrayLike,
+    largest_gap: ArrayLike | None = None,
 ) -> FilmAsymptotes:
     """What the film of central_film joins, in logarithms; arguments and errors as there.
 
@@ -143,6 +144,8 @@ def film_asymptotes(
     require_positive(curvature_x=curvature_x, curvature_y=curvature_y, modulus=modulus, viscosity=viscosity)
     require_non_negative(load=load, pressure_viscosity=pressure_viscosity)
     require_finite(entrainment_speed=entrainment_speed)
+    if largest_gap is not None:
+        require_positive(largest_gap=largest_gap)
     along, across = np.asarray(curvature_x, dtype=np.float64), np.asarray(curvature_y, dtype=np.float64)
     stiff = 2 * np.asarray(modulus, dtype=np.float64)
     speed = 2 * np.abs(np.asarray(entrainment_speed, dtype=np.float64))
@@ -166,14 +169,19 @@ def film_asymptotes(
         with np.errstate(invalid="ignore"):  # inf - inf with neither load nor piezoviscosity: H_EP is then not needed
             log_ep_loaded = np.where(log_l == -np.inf, -np.inf, log_ep - log_m / 12)
         piezoviscous = -np.logaddexp(-8 * log_rp, -8 * log_ep_loaded) / 8
+        room = -np.log(along + across)
+        if largest_gap is not None:
+            room = np.minimum(room, np.log(largest_gap))
+        np.broadcast_shapes(room.shape, log_m.shape, log_l.shape)  # raises here what would not fit later
         return FilmAsymptotes(
-            ellipticity=ellipticity,
             rigid=np.where(moving, scale + log_ri, -np.inf),
             elastic=np.where(moving, scale + log_ei - 2 / 15 * log_m, -np.inf),
             unloaded=np.where(moving, scale + np.log(1.8) - log_ratio, -np.inf),
             piezoviscous=np.where(moving, scale + piezoviscous, -np.inf),
             # H_EI/H_EP in one piece: without load both are infinite, without piezoviscosity H_EP is 0.
             elastic_ratio=log_ei - log_ep - (2 / 15 - 1 / 12) * log_m,
+            room=room,
+            ellipticity=ellipticity,
         )
     except ValueError as problem:
         raise InputError(

@@ -5,7 +5,7 @@ E* (1 - s), and the asperities carry s at the thickness of that film.
 Source: K. L. Johnson, J. A. Greenwood and S. Y. Poon, Wear 19 (1972) 91-108 (not seen).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,8 +13,8 @@ from scipy.special import expit
 
 from analytic.asperity_table import AsperityTable
 from analytic.bracket import bracketed_root
-from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.film import FITTED_ELLIPTICITY, FilmAsymptotes, film_asymptotes
+from analytic.errors import InputError, require_non_negative
+from analytic.film import FilmAsymptotes, film_asymptotes
 from analytic.scene import Array
 
 # Of ln(s/(1 - s)), where Newton's quadratic steps leave far less; the asperities' table is good to 1e-8.
@@ -74,18 +74,17 @@ def mixed_contact(
         entrainment_speed=entrainment_speed,
         viscosity=viscosity,
         pressure_viscosity=pressure_viscosity,
+        largest_gap=largest_gap,
     )
-    log_room = -np.log(np.asarray(curvature_x, dtype=np.float64) + np.asarray(curvature_y, dtype=np.float64))
-    if largest_gap is not None:
-        require_positive(largest_gap=largest_gap)
-        log_room = np.minimum(log_room, np.log(largest_gap))
     force, area = np.asarray(load, dtype=np.float64), np.asarray(contact_area, dtype=np.float64)
     try:
         with np.errstate(divide="ignore", invalid="ignore"):  # without load nobody asks for the softness
             log_heating, log_softness = np.log(heating_factor), np.log(area) - np.log(force)
-            films = (asymptotes.rigid, asymptotes.elastic, asymptotes.unloaded, asymptotes.piezoviscous)
-            heated = (np.where(log_heating == -np.inf, -np.inf, log_heating + film) for film in films)
-            parts = (*heated, asymptotes.elastic_ratio, asymptotes.ellipticity, log_room, log_softness, force)
+            thinned = {
+                name: np.where(log_heating == -np.inf, -np.inf, log_heating + getattr(asymptotes, name))
+                for name in ("rigid", "elastic", "unloaded", "piezoviscous")
+            }
+        parts = (*vars(replace(asymptotes, **thinned)).values(), log_softness, force)
         shape = np.broadcast(*parts).shape
         numbers = np.empty((len(parts), *shape))
         for row, part in enumerate(parts):
@@ -94,33 +93,33 @@ def mixed_contact(
         raise InputError(
             "the arguments of a mixed contact have shapes that do not fit together: give equal lengths"
         ) from problem
-    if np.any(np.isneginf(numbers[7])):  # ln 0 less the ln of a load
+    if np.any(np.isneginf(numbers[-2])):  # ln 0 less the ln of a load
         raise InputError("contact_area is 0 under load: give pi a b of the smooth contact")
     flat = numbers.reshape(len(parts), -1)
     found = [_shared(flat[:, start : start + BLOCK], asperities) for start in range(0, max(flat.shape[1], 1), BLOCK)]
     share, height, touched = (np.concatenate(rows).reshape(shape) for rows in zip(*found, strict=True))
-    without_film = np.isneginf(numbers[0])
-    lowest, highest = FITTED_ELLIPTICITY
+    film, *_ = _given(numbers)
+    without_film = np.isneginf(film.rigid)
     return MixedContact(
         asperity_share=share,
         film_thickness=height,
         area_fraction=touched,
         asperity_load=share * force,
-        capped=~without_film & (height >= np.exp(numbers[6])),
-        outside_range=(numbers[5] < lowest) | (numbers[5] > highest),
+        capped=~without_film & (height >= np.exp(film.room)),
+        outside_range=film.outside_range,
         without_film=without_film,
     )
 
 
 def _shared(numbers: Array, asperities: AsperityTable | None) -> tuple[Array, Array, Array]:
     """Share, film thickness and area fraction of the contacts in the columns of numbers."""
-    film, (log_room, log_softness, load) = _film(numbers), numbers[6:]
-    log_alone, loaded = np.minimum(film.log_film(0.0)[0], log_room), load > 0
+    film, log_softness, load = _given(numbers)
+    log_alone, loaded = film.log_film(0.0)[0], load > 0
     dry = np.isneginf(log_alone)
     if asperities is None:
         return np.where(dry & loaded, 1.0, 0.0), np.exp(log_alone), np.where(dry, 1.0, 0.0)
     least = asperities.separation(np.where(loaded, -log_softness, 0.0))[0]  # h if asperities carry all
-    carried = loaded & (dry | (least >= np.exp(log_room)))
+    carried = loaded & (dry | (least >= np.exp(film.room)))
     share, height = np.where(carried, 1.0, 0.0), np.where(carried, least, np.exp(log_alone))
     sharing = loaded & ~carried
     if sharing.any():
@@ -128,16 +127,11 @@ def _shared(numbers: Array, asperities: AsperityTable | None) -> tuple[Array, Ar
     return share, height, asperities.area_fraction(height)
 
 
-def _film(numbers: Array) -> FilmAsymptotes:
-    rigid, elastic, unloaded, piezoviscous, elastic_ratio, ellipticity = numbers[:6]
-    return FilmAsymptotes(
-        rigid=rigid,
-        elastic=elastic,
-        unloaded=unloaded,
-        piezoviscous=piezoviscous,
-        elastic_ratio=elastic_ratio,
-        ellipticity=ellipticity,
-    )
+def _given(numbers: Array) -> tuple[FilmAsymptotes, Array, Array]:
+    """The film, ln(A_H/F) and F that are in the rows of numbers."""
+    *film, log_softness, load = numbers
+    names = (field.name for field in fields(FilmAsymptotes))
+    return FilmAsymptotes(**dict(zip(names, film, strict=True))), log_softness, load
 
 
 def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: AsperityTable) -> tuple[Array, Array]:
@@ -146,23 +140,19 @@ def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: Asperi
     Over z = ln(s/(1 - s)), which keeps the digits of s and 1 - s, asinh(h/sigma_s) of both is nearly a straight line,
     one rising and one falling. log_alone: ln h without asperities; least: h without oil, m: they bound h from below.
     """
-    film, (log_room, log_softness, _) = _film(numbers), numbers[6:]
+    film, log_softness, _ = _given(numbers)
     deviation = asperities.summits.height_deviation
-
-    def log_thickness(log_remaining: Array) -> tuple[Array, Array]:
-        log_h, slope = film.log_film(log_remaining)
-        return np.minimum(log_h, log_room), np.where(log_h < log_room, slope, 0.0)
 
     def excess(z: Array) -> tuple[Array, Array]:
         log_share, log_remaining = -np.logaddexp(0.0, -z), -np.logaddexp(0.0, z)
-        log_h, slope = log_thickness(log_remaining)
+        log_h, slope = film.log_film(log_remaining)
         needed, needed_slope = asperities.separation(log_share - log_softness)
         h = np.exp(log_h)
         rising = -np.exp(log_share) * slope * h / np.hypot(deviation, h)
         falling = np.exp(log_remaining) * needed_slope / np.hypot(deviation, needed)
         return np.arcsinh(h / deviation) - np.arcsinh(needed / deviation), rising - falling
 
-    thick = np.minimum(log_alone + np.log(4), log_room)  # no film under half of the load or more is thicker
+    thick = np.minimum(log_alone + np.log(4), film.room)  # no film under half of the load or more is thicker
     log_share = asperities.log_pressure(np.exp(np.stack([log_alone, thick]))) + log_softness
     low = np.minimum(log_share[1], 0.0) - 1e-6  # the table's inverse is good to 1e-8
     # ln(1/(1 - s)) at which the oil's film is as thick as asperities need that carry all.
@@ -186,4 +176,4 @@ def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: Asperi
         problem="the load shared by film and asperities",
         remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
     )
-    return expit(z), np.exp(log_thickness(-np.logaddexp(0.0, z))[0])
+    return expit(z), np.exp(film.log_film(-np.logaddexp(0.0, z))[0])

@@ -126,10 +126,15 @@ def ring_equilibrium(
         )
     found, steps = _equilibrium(ring, load, speed, angle=free or 0.0)
     balls, held = found.balls, found.held
-    worst = np.max(np.where(balls.inner_load > 0, np.abs(balls.inner_angle), 0.0), initial=0.0)
-    if worst > np.pi / 2:
+    angle = np.where(balls.inner_load > 0, np.abs(balls.inner_angle), 0.0)
+    if np.any(angle > np.pi / 2):
+        point, ball = np.unravel_index(np.argmax(angle), angle.shape)
+        # The ball's inertia parts its angles: without it the contact would be about between them.
+        parted = angle[point, ball] + np.abs(balls.outer_angle[point, ball]) < np.pi
+        cause = f"the speed, {speed[point]:.5g} rad/s," if parted else "the load"
         raise InputError(
-            f"the load drives a ball {worst:.3f} rad out of its groove, past pi/2: no contact bears it, lower the load"
+            f"{cause} drives a ball {angle[point, ball]:.3f} rad out of its groove, past pi/2: no contact bears it, "
+            f"lower the {'speed' if parted else 'load'}"
         )
     inner, outer = (
         loaded_contact(contact, load=load)

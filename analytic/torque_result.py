@@ -61,7 +61,7 @@ class FrictionTorque:
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts
-    # Of the total, relative: bounds on what was left out and on the rung of sliding; infinite where none is known.
+    # Of the total, relative: bounds on what auto left out and on the rung of sliding; infinite where none is known.
     numerical_uncertainty: Array
     friction_coefficient: FrictionCoefficients
     film: OnRaces  # h, between the mean planes, m; None without a lubrication model

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from analytic.effects import Choices
+from analytic.effects import Choices, size_of
 from analytic.lubrication import LubricatedRaces
 from analytic.mixed import MixedContact
 from analytic.rolling import RollingResistance
@@ -57,10 +57,8 @@ def _doubts_of_choices(scene: Scene, choices: Choices) -> Iterator[str]:
     """Effects that are left out for another reason than their size, and could be larger than the tolerance."""
     for effect in choices.made.values():
         if effect.decision == "off" and effect.share is not None and effect.share > scene.tolerance:
-            yield (
-                f"{effect.name} is left out and could be {effect.share:.2g} of the torque, more than the tolerance: "
-                f"{effect.reason}"
-            )
+            beyond = ", more than the tolerance" if effect.share <= 1 else ""
+            yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"
 
 
 def _doubts_of_film(shared: MixedContact, race: int) -> Iterator[str]:

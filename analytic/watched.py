@@ -78,10 +78,14 @@ def _watch_shoulder(scene: Scene, operation: Operation, balls: LoadedBalls, choi
     for index, name in enumerate(RACES):
         point, ball = np.unravel_index(np.argmin(room[index]), room[index].shape)
         if room[index, point, ball] <= 0:
+            angles = np.abs(balls.contact_angle[:, point, ball])
+            # The ball's inertia parts its angles: without it the contact would be about between them.
+            parted = shoulder_distance(scene.bearing, name, contact_angle=angles.mean()) > 0
+            speed = f"the speed of {operation.inner_speed[point]:.5g} rad/s, whose centrifugal force moves it there"
             raise InputError(
-                f"{_loads(operation, int(point))}: the contact moves to "
-                f"{abs(balls.contact_angle[index, point, ball]):.4f} rad, beyond the {name} race's shoulder: lower the "
-                "load, reduce the clearance or raise shoulder_half_width"
+                f"{_loads(operation, int(point))}: the contact moves to {angles[index]:.4f} rad, beyond the {name} "
+                f"race's shoulder: lower {speed if parted else 'the load'}, reduce the clearance or raise "
+                "shoulder_half_width"
             )
         worst = np.unravel_index(np.argmin(room[index] - b[index]), room[index].shape)
         axis, space = b[index][worst], room[index][worst]

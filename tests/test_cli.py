@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 
 import pytest
 
-from analytic.scenefile import builtin_scene, load_scene
 from fembearing import cli
 from fembearing.compare import cost, discrepancy, hard_cases
 from fembearing.compare.hard_case import HardCase
@@ -152,11 +151,10 @@ def test_json_is_alone_on_standard_output(command) -> None:
     assert result.err == ""  # no progress where nobody watches
 
 
-def test_half_a_contact_says_that_no_stress_below_it_is_computed(command, monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = load_scene(builtin_scene("6205"))
-    contact = replace(discrepancy.contact_of(scene, pair="inner"), shoulder=0.8e-3)  # the ellipse is 0.93 mm across
-    half = discrepancy.compare_contact(contact, recipe=load_recipe("race"), tolerance=0.5)
-    monkeypatch.setattr(discrepancy, "solve_contact", lambda *_, **__: half)  # solved once, told twice
+def test_half_a_contact_says_that_no_stress_below_it_is_computed(
+    command, cut_contact: discrepancy.ContactSolution, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(discrepancy, "solve_contact", lambda *_, **__: cut_contact)
     told, printed = (command("contact", *form) for form in (["--json"], []))
     found = json.loads(told.out)
     assert found["subsurface"] is None

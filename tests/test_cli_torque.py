@@ -87,6 +87,22 @@ def test_without_oil_the_band_is_left_out_with_a_word() -> None:
     assert "catalogue" not in said.splitlines()[1]
 
 
+def test_an_effect_that_the_scene_says_off_is_told_as_deliberate() -> None:
+    """Centrifugal force of balls that thrust does not hold: more than the torque, on purpose, and in no uncertainty."""
+    text = OILED.replace('["900 N", "400 N"]', '"0 N"\nradial_load = "100 N"').replace("2000 rpm", "30000 rpm")
+    off = parse_scene(text + '[effects]\ncentrifugal = "off"\n', origin="here")
+    said = " ".join(printed(text + '[effects]\ncentrifugal = "off"\n').split())
+    found = torque_of_scene(off)
+    centrifugal = next(effect for effect in found.found.effects if effect.name == "centrifugal")
+    assert centrifugal.share is not None
+    assert centrifugal.share > 10
+    assert found.within_tolerance
+    assert f"centrifugal off <= {100 * centrifugal.share:.0f} % the scene says off" in said
+    assert said.count("What the scene says off is left out on purpose: no uncertainty of the torque counts it.") == 1
+    assert "load_distribution on no bound nothing bounds it" in said
+    assert "centrifugal is left out and could exceed the torque: the scene says off" in found.found.warnings
+
+
 def test_a_long_series_is_shown_in_part() -> None:
     many = ", ".join(f'"{100 + speed} rpm"' for speed in range(40))
     text = OILED.replace('["500 rpm", "2000 rpm"]', f"[{many}]").replace('["900 N", "400 N"]', '"900 N"')

@@ -49,7 +49,8 @@ PLAIN: dict[str, Any] = {  # a table of a terminal
 }
 SHARES = (
     "Share: of the total, the largest of all operating points; with <= no part of its own but a bound, on what leaving "
-    "the effect out would change."
+    "the effect out would change. What the scene says off is left out on purpose: no uncertainty of the torque counts "
+    "it."
 )
 AXES = "a along rolling (x), b transverse (y), load along z"
 
@@ -102,7 +103,7 @@ def share_of(effect: Effect, torque: TorqueParts) -> str:
     if not np.isfinite(effect.share):
         return "no bound"
     is_part = getattr(torque, effect.name, None) is not None or effect.name in DECLARED
-    return f"{'' if is_part else '<= '}{100 * effect.share:.3g} %"
+    return f"{'' if is_part else '<= '}{100 * effect.share:{'.0f' if effect.share > 1 else '.3g'}} %"
 
 
 def uncertainty_of(found: FrictionTorque) -> str:

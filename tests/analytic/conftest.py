@@ -17,4 +17,6 @@ def bearing_6205() -> Bearing:
         ball_material=steel,
         inner=Groove(bottom_radius=15.53e-3, groove_radius=4.13e-3, shoulder_half_width=3.1e-3, material=steel),
         outer=Groove(bottom_radius=23.48e-3, groove_radius=4.21e-3, shoulder_half_width=3.1e-3, material=steel),
+        bore_diameter=25e-3,
+        outside_diameter=52e-3,
     )

@@ -11,19 +11,9 @@ from scipy.optimize import brentq, minimize
 from analytic.balls import LoadedBalls, ring_balls
 from analytic.errors import InputError
 from analytic.friction import Rung
-from analytic.scene import (
-    Autocorrelation,
-    Bearing,
-    ContactAngle,
-    Decision,
-    Groove,
-    Lubricant,
-    Material,
-    Operation,
-    Scene,
-    Surface,
-)
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Groove, Material, Operation, Scene
 from analytic.torque import friction_torque
+from tests.analytic.specimens import FINISH, OIL
 
 MU = 0.083
 FREE = 0.23
@@ -200,33 +190,11 @@ def test_few_balls_carry_their_part_of_the_thrust(scene: Scene, count: int) -> N
         torque(few)
 
 
-OIL = Lubricant(
-    viscosity=0.043,
-    pressure_viscosity=1.9e-8,
-    viscosity_temperature=0.04,
-    reference_temperature=313.15,
-    temperature=313.15,
-    thermal_conductivity=0.13,
-    density=865.0,
-    eyring_stress=4.7e6,
-    limiting_shear=0.06,
-    traction="eyring_sinh",
-)
-FINISH = Surface(
-    rms_roughness=0.21e-6,
-    autocorrelation=Autocorrelation(kind="gaussian", length=43e-6, spacing=2e-6),
-    hardness=7.3e9,
-    boundary_friction=0.11,
-)
-
-
 @pytest.fixture(scope="module")
 def oiled(scene: Scene) -> Scene:
-    rings = replace(scene.bearing, bore_diameter=25e-3, outside_diameter=52e-3)
     more = dict.fromkeys(("asperities", "inlet_heating", "starvation", "hysteresis", "rolling"), "on")
     return replace(
         scene,
-        bearing=rings,
         friction_coefficient=None,
         lubricant=OIL,
         surface=FINISH,

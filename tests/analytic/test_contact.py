@@ -100,7 +100,7 @@ def test_a_contact_off_the_groove_is_refused(
 
 
 def test_the_ring_behind_a_groove_is_known_with_its_seat_and_width(bearing_6205) -> None:
-    sized = replace(bearing_6205, bore_diameter=25e-3, outside_diameter=52e-3, width=15e-3)
+    sized = replace(bearing_6205, width=15e-3)
     inner, outer = (race_contact(sized, race, contact_angle=0.2, ball_load=55.0).ring for race in ("inner", "outer"))
     assert inner == Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_width=3.1e-3)
     assert outer == Ring(bottom_radius=23.48e-3, seat_radius=26e-3, width=15e-3, shoulder_half_width=3.1e-3)

@@ -1,4 +1,4 @@
-"""Which effects run: their code is counted, their bounds meet measured shares, and auto meets everything on."""
+"""Which effects run: the code of those left out is counted, and what cannot be had is refused."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,53 +14,18 @@ import analytic.lubrication
 import analytic.ring
 import analytic.torque
 from analytic.asperity_table import AsperityTable
-from analytic.effects import COMPUTED, Choices
+from analytic.effects import Choices
 from analytic.errors import InputError
-from analytic.scene import Autocorrelation, Bearing, ContactAngle, Lubricant, Operation, Scene, Surface
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
 from analytic.torque_result import FrictionTorque
-
-OIL = Lubricant(
-    viscosity=0.043,
-    pressure_viscosity=1.9e-8,
-    viscosity_temperature=0.04,
-    reference_temperature=313.15,
-    temperature=313.15,
-    thermal_conductivity=0.13,
-    density=865.0,
-    eyring_stress=4.7e6,
-    limiting_shear=0.06,
-    traction="eyring_sinh",
-)
-FINISH = Surface(
-    rms_roughness=0.21e-6,
-    autocorrelation=Autocorrelation(kind="gaussian", length=43e-6, spacing=2e-6),
-    hardness=7.3e9,
-    boundary_friction=0.11,
-)
-EVERYTHING: dict[str, Any] = dict.fromkeys(COMPUTED, "on")
-BOUNDED = COMPUTED[: COMPUTED.index("spin") + 1]
+from analytic.torque_warnings import doubts
+from tests.analytic.specimens import idling
 
 
 @pytest.fixture(scope="module")
-def bearing(bearing_6205: Bearing) -> Bearing:
-    return replace(bearing_6205, bore_diameter=25e-3, outside_diameter=52e-3)
-
-
-@pytest.fixture(scope="module")
-def scene(bearing: Bearing) -> Scene:
-    """Light, slow and smooth enough that auto leaves out all that it may."""
-    return Scene(
-        name="effects",
-        tolerance=0.3,
-        bearing=bearing,
-        contact_angle=ContactAngle(rule="solved", free=0.02),
-        operation=Operation(axial_load=np.array([60.0, 45.0]), inner_speed=np.array([1.7, 2.3])),
-        lubricant=OIL,
-        surface=replace(FINISH, rms_roughness=1e-9),
-        hysteresis_loss=0.006,
-        spin_rule="balanced",
-    )
+def scene(bearing_6205: Bearing) -> Scene:
+    return idling(bearing_6205)
 
 
 class Calls:
@@ -82,15 +47,6 @@ class Calls:
 
 def decided(found: FrictionTorque) -> dict[str, str]:
     return {effect.name: effect.decision for effect in found.effects}
-
-
-def without(scene: Scene, *names: str) -> Scene:
-    return replace(scene, effects={**scene.effects, **dict.fromkeys(names, "off")})
-
-
-def alone(scene: Scene, name: str) -> Scene:
-    """With one effect to decide: it alone may use what the tolerance leaves."""
-    return replace(scene, effects={**EVERYTHING, name: "auto"})
 
 
 def loaded_aside(scene: Scene, radial_load: float) -> Scene:
@@ -226,137 +182,6 @@ def test_auto_spends_its_half_of_the_tolerance_on_all_effects_together(scene: Sc
     assert "0.041 already left out" in choices.made["finite_geometry"].reason
 
 
-def drawn(bearing: Bearing, random: np.random.Generator, points: int) -> Scene:
-    """A plain steel bearing like the 6205, run in one of many ways."""
-    inner, outer = random.uniform(0.508, 0.55, 2) * bearing.ball_diameter
-    load = 10 ** random.uniform(1.5, 3.3, points)
-    radial = load * 10 ** random.uniform(-3, 0.3, points) * (random.random() < 0.5)
-    speed = 10 ** random.uniform(-0.5, 3.3, points)
-    rule = ("balanced", "inner_control", "outer_control")[random.integers(3)]
-    oil = replace(
-        OIL,
-        viscosity=10 ** random.uniform(-2.3, -0.7),
-        eyring_stress=10 ** random.uniform(6, 7),
-        traction=("eyring_sinh", "eyring_constant")[random.integers(2)],
-    )
-    finish = replace(FINISH, rms_roughness=10 ** random.uniform(-8, -6))
-    dry = random.random() < 0.25
-    effects: dict[str, Any] = EVERYTHING | ({"asperities": "auto"} if dry else {})
-    return Scene(
-        name="drawn",
-        tolerance=1e-5,
-        bearing=replace(
-            bearing,
-            inner=replace(bearing.inner, groove_radius=inner, shoulder_half_width=3.6e-3),
-            outer=replace(bearing.outer, groove_radius=outer, shoulder_half_width=3.6e-3),
-        ),
-        contact_angle=ContactAngle(rule="solved", free=random.uniform(0.05, 0.45)),
-        operation=Operation(axial_load=load, inner_speed=speed, radial_load=radial),
-        lubricant=oil,
-        surface=None if dry else finish,
-        friction_coefficient=10 ** random.uniform(-2.3, -0.9) if dry else None,
-        hysteresis_loss=0.007,
-        spin_rule=rule,
-        sliding="single_coefficient",
-        effects=effects,
-    )
-
-
-def shares(
-    scene: Scene, monkeypatch: pytest.MonkeyPatch, names: tuple[str, ...] = BOUNDED
-) -> dict[str, tuple[np.ndarray, np.ndarray]]:
-    """Of each effect: the change of the torque where it alone is off, over the torque, and its bound, (n,)."""
-    told: dict[str, np.ndarray] = {}
-    original = Choices.calls_for
-
-    def remembered(self: Choices, name: str, *, share: np.ndarray | None, lacks: str | None = None) -> bool:
-        if share is not None:
-            told[name] = share
-        return original(self, name, share=share, lacks=lacks)
-
-    with monkeypatch.context() as patch:
-        patch.setattr(Choices, "calls_for", remembered)
-        whole = friction_torque(scene).torque.total
-    measured = {
-        name: np.abs(friction_torque(without(scene, name)).torque.total / whole - 1) for name in told if name in names
-    }
-    return {name: (measured[name], told[name]) for name in measured}
-
-
-# Of the change: both torques come from contact angles and shares of load solved to 1e-9 or better.
-NOISE = 1e-8
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_no_effect_is_larger_than_its_bound(bearing: Bearing, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Changes are of the torque with everything on, bounds of the least that there can be."""
-    scene = drawn(bearing, np.random.default_rng(seed), points=4)
-    for name, (measured, bound) in shares(scene, monkeypatch).items():
-        assert np.all(measured <= bound + NOISE), name
-
-
-# Scenes in which bounds that looked only at the size of the load once fell short, found among drawn ones.
-LIGHTLY_TOUCHING = {"viscosity": 5.54e-3, "eyring_stress": 3.97e6}  # asperities take 9 % of the area, 0.1 % of the load
-
-
-def test_asperities_that_touch_lightly_take_area_from_the_oil(
-    bearing: Bearing, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    scene = replace(
-        drawn(bearing, np.random.default_rng(3), points=1),
-        contact_angle=ContactAngle(rule="solved", free=0.1),
-        operation=Operation(axial_load=np.array([1530.0, 1320.0]), inner_speed=np.array([18.7, 2.7])),
-        lubricant=replace(OIL, **LIGHTLY_TOUCHING),
-        surface=replace(
-            FINISH, rms_roughness=13e-9, autocorrelation=Autocorrelation(kind="gaussian", length=165e-6, spacing=8e-6)
-        ),
-        friction_coefficient=None,
-        effects=EVERYTHING,
-    )
-    measured, bound = shares(scene, monkeypatch, ("asperities",))["asperities"]
-    assert np.all(measured > 0.03)
-    assert np.all(measured <= bound)
-
-
-def test_balls_that_the_load_leaves_free_roll_on_the_outer_race_by_centrifugal_force(
-    scene: Scene, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    aside = Operation(
-        axial_load=np.array([0.0, 0.0]), inner_speed=np.array([30.0, 4.1]), radial_load=np.array([50.0, 140.0])
-    )
-    measured, bound = shares(replace(scene, operation=aside, effects=EVERYTHING), monkeypatch, ("centrifugal",))[
-        "centrifugal"
-    ]
-    assert np.all(measured > 0.01)  # a 1e-4th of the load
-    assert np.all(measured <= bound)
-    found = friction_torque(replace(scene, operation=aside, tolerance=0.05))
-    assert decided(found)["centrifugal"] == "on"
-
-
-def test_a_moment_loads_balls_unequally_by_no_more_than_its_bound(
-    bearing: Bearing, scene: Scene, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The largest change that was found beside its bound, and a radial load."""
-    operation = Operation(
-        axial_load=np.array([218.0, 139.0]),
-        inner_speed=np.array([0.32, 1.23]),
-        radial_load=np.array([0.0, 190.0]),
-        moment=np.array([1.16, 0.0]),
-    )
-    wide = drawn(bearing, np.random.default_rng(1), points=2).bearing
-    asked = replace(
-        scene,
-        bearing=wide,
-        contact_angle=ContactAngle(rule="solved", free=0.43),
-        operation=operation,
-        spin_rule="inner_control",
-        effects=EVERYTHING,
-    )
-    measured, bound = shares(asked, monkeypatch, ("load_distribution",))["load_distribution"]
-    assert np.all(measured > 0.1)
-    assert np.all(measured <= bound)
-
-
 def test_thrust_and_radial_load_in_one_series_do_not_skid(scene: Scene) -> None:
     """Of the first point radial load alone would be no load."""
     both = Operation(
@@ -369,28 +194,6 @@ def test_thrust_and_radial_load_in_one_series_do_not_skid(scene: Scene) -> None:
         )
         alone = friction_torque(replace(scene, operation=points, effects={"load_distribution": "on"})).torque.total
         np.testing.assert_allclose(series[index], alone[0], rtol=0.3)  # the tolerance
-
-
-@pytest.mark.parametrize("seed", range(20, 26))
-def test_auto_meets_everything_on(bearing: Bearing, seed: int) -> None:
-    scene = replace(drawn(bearing, np.random.default_rng(seed), points=1), sliding="over_ellipse")
-    exact = friction_torque(scene).torque.total
-    for tolerance in (0.1, 0.01, 0.001):
-        found = friction_torque(replace(scene, effects={}, sliding="auto", tolerance=tolerance))
-        error = np.abs(found.torque.total / exact - 1)
-        assert np.all(error < tolerance)
-        assert np.all(error <= found.numerical_uncertainty)
-
-
-@pytest.mark.parametrize("rung", ["single_coefficient", "along_axis"])
-@pytest.mark.parametrize("seed", range(40, 44))
-def test_a_rung_misses_no_more_than_it_says(bearing: Bearing, seed: int, rung: Any) -> None:
-    drawn_scene = drawn(bearing, np.random.default_rng(seed), points=6)
-    still = replace(drawn_scene.operation, radial_load=0.0)
-    plain = without(replace(drawn_scene, operation=still), *COMPUTED[:4], "hysteresis", "rolling")
-    exact = friction_torque(replace(plain, sliding="over_ellipse")).torque.total
-    found = friction_torque(replace(plain, sliding=rung))
-    assert np.all(np.abs(found.torque.total / exact - 1) <= found.numerical_uncertainty)
 
 
 WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
@@ -444,3 +247,31 @@ def test_balls_that_skid_are_refused_with_their_speed(scene: Scene) -> None:
         replace(scene, operation=light),
         r"inner_speed = 2000 rad/s: the centrifugal force .* times its load under 0\.001 N .* above 1000.*raise",
     )
+
+
+@pytest.mark.parametrize(
+    ("share", "words"),
+    [(0.31, "could be 0.31 of the torque"), (17.2, "could exceed the torque"), (np.inf, "nothing bounds it")],
+)
+def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, words: str) -> None:
+    """Where it calls for the effect, and in the warning where the scene leaves the effect out all the same."""
+    choices = Choices(replace(scene, effects={"spin": "off"}), 2)
+    choices.calls_for("centrifugal", share=np.array([share, 0.02]))
+    choices.calls_for("spin", share=np.array([share, 0.02]))
+    called, left = choices.made["centrifugal"], choices.made["spin"]
+    assert called.reason == (f"{words}, more than 0.15 leaves" if share < 1 else words)  # half of the tolerance
+    assert (left.decision, left.share, left.reason) == ("off", share, "the scene says off")
+    told = doubts(scene, choices, watched=[], oiled=None, shared=None, resistance=None)
+    beyond = ", more than the tolerance" if share < 1 else ""
+    assert f"spin is left out and {words}{beyond}: the scene says off" in told
+
+
+def test_a_contact_beyond_its_shoulder_is_told_with_what_moved_it(scene: Scene) -> None:
+    """At 300 000 rpm centrifugal force parts the contact angles; under a heavy load they move together."""
+    fast = Operation(axial_load=np.array([300.0, 1000.0]), inner_speed=np.array([50.0, 31416.0]))
+    wide = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.3))
+    refused(replace(wide, operation=fast, effects={"centrifugal": "on"}), "1000 N: .* lower the speed of 31416 rad/s")
+    heavy = Operation(axial_load=np.array([1e7]), inner_speed=np.array([50.0]))
+    for how in ("on", "off"):
+        asked = replace(wide, operation=heavy, effects=dict.fromkeys(("centrifugal", "gyroscopic"), how))
+        refused(asked, "inner race's shoulder: lower the load")

@@ -13,29 +13,13 @@ from analytic.errors import InputError
 from analytic.film import central_film, inlet_heating_factor
 from analytic.hertz import contact_modulus
 from analytic.roughness import gap_roughness
-from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Lubricant, Operation, Scene, Surface
+from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
 from analytic.scenefile import builtin_scene, parse_scene
 from analytic.torque import RACES, friction_torque
+from tests.analytic import specimens
 
-OIL = Lubricant(
-    viscosity=0.043,
-    pressure_viscosity=1.9e-8,
-    viscosity_temperature=0.04,
-    reference_temperature=313.15,
-    temperature=313.15,
-    thermal_conductivity=0.13,
-    density=865.0,
-    eyring_stress=4.7e6,
-    limiting_shear=0.06,
-    traction="eyring_constant",
-)
-FINISH = Surface(
-    rms_roughness=0.31e-6,
-    ball_rms_roughness=0.13e-6,
-    autocorrelation=Autocorrelation(kind="gaussian", length=43e-6, spacing=2e-6),
-    hardness=7.3e9,
-    boundary_friction=0.11,
-)
+OIL = replace(specimens.OIL, traction="eyring_constant")
+FINISH = replace(specimens.FINISH, rms_roughness=0.31e-6, ball_rms_roughness=0.13e-6)
 # What the tests below compute beside it; inlet heating and starvation act on rolling by factors of their own.
 PLAIN: dict[str, Decision] = {"asperities": "on", "inlet_heating": "on", "spin": "on", "finite_geometry": "off"}
 PLAIN |= dict.fromkeys(("starvation", "centrifugal", "gyroscopic"), "off")

@@ -1,5 +1,7 @@
 """The shared load against a root in 40 digits, both equations it solves, its limits, and units."""
 
+from dataclasses import replace
+
 import hypothesis.strategies as st
 import mpmath
 import numpy as np
@@ -275,13 +277,16 @@ def test_physics_does_not_depend_on_the_units(metre: float, pascal: float, secon
 def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float, speed: float, load: float) -> None:
     given = CONTACT | OIL | {"load": load, "entrainment_speed": speed}
     left = np.exp(share)
-    reduced = film_asymptotes(**(given | {"load": load * left, "modulus": E * left}))
-    asymptotes = film_asymptotes(**given)
+    softer = given | {"load": load * left, "modulus": E * left}
+    # Room without end, or what fills it would hide the rest.
+    reduced, asymptotes = (replace(film_asymptotes(**each), room=np.inf) for each in (softer, given))
     log_h, slope = asymptotes.log_film(share)
     np.testing.assert_allclose(log_h, reduced.log_film(0.0)[0], atol=1e-12)  # round-off of logarithms up to 100
     step = 1e-5
     beyond, before = (asymptotes.log_film(share + d)[0] for d in (step, -step))
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), atol=1e-8)  # round-off of 1e-14 over the step
+    full = replace(asymptotes, room=log_h - 0.1)
+    assert full.log_film(share) == (full.room, 0.0)  # it cannot grow
 
 
 @pytest.mark.parametrize(

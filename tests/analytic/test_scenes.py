@@ -110,6 +110,6 @@ def test_the_high_speed_scene() -> None:
     assert not any("gyroscopic moment" in warning for warning in found.warnings)
     still = friction_torque(replace(scene, effects={"centrifugal": "off", "gyroscopic": "off"}))
     np.testing.assert_allclose(found.torque.total, still.torque.total, rtol=0.25)  # the bound that called for it
-    assert any("could be" in warning for warning in still.warnings)
+    assert any("centrifugal is left out and could be" in warning for warning in still.warnings)
     band = scene_band(scene)
     assert np.all((found.torque.race > band.low / 2) & (found.torque.race < band.high))

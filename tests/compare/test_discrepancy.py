@@ -45,12 +45,6 @@ def test_the_far_boundary_fades_as_it_is_said_to(
     assert found.domain == pytest.approx(abs(found.beyond) / 2, rel=1e-9)
 
 
-@pytest.fixture(scope="module")
-def cut(contacts: dict[str, Contact]) -> ContactSolution:
-    """At one shoulder: the semi-axis is 0.93 mm."""
-    return compare_contact(replace(contacts["inner"], shoulder=0.8e-3), recipe=load_recipe("race"), tolerance=0.9)
-
-
 def cut_at(found: ContactSolution, *, below: float, half: bool) -> ContactSolution:
     """The same with a farther shoulder that is reached too."""
     mesh = found.meshes[-1]
@@ -58,9 +52,9 @@ def cut_at(found: ContactSolution, *, below: float, half: bool) -> ContactSoluti
     return replace(found, meshes=(*found.meshes[:-1], replace(mesh, pair=replace(mesh.pair, footprint=footprint))))
 
 
-def test_each_shoulder_that_is_reached_is_told_with_its_side_and_distance(cut: ContactSolution) -> None:
-    unequal, equal = cut_at(cut, below=0.8647e-3, half=True), cut_at(cut, below=0.8e-3, half=False)
-    for found, sides in ((cut, {"above": 0.8e-3}), (unequal, {"below": 0.8647e-3, "above": 0.8e-3})):
+def test_each_shoulder_that_is_reached_is_told_with_its_side_and_distance(cut_contact: ContactSolution) -> None:
+    unequal, equal = cut_at(cut_contact, below=0.8647e-3, half=True), cut_at(cut_contact, below=0.8e-3, half=False)
+    for found, sides in ((cut_contact, {"above": 0.8e-3}), (unequal, {"below": 0.8647e-3, "above": 0.8e-3})):
         assert found.to_json()["shoulder"]["sides"] == sides
     words = " ".join(shoulder_lines(unequal))
     assert "both shoulders, y = -0.8647 mm and y = 0.8 mm: half of the contact is meshed" in words
@@ -72,21 +66,21 @@ def test_each_shoulder_that_is_reached_is_told_with_its_side_and_distance(cut: C
     assert "cut off on both sides, its shoulders stand at y = -0.865 mm and 0.800 mm" in told
 
 
-def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut: ContactSolution) -> None:
+def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut_contact: ContactSolution) -> None:
     """It is that at y = 0; at the shoulder it has no bound."""
-    pressures = cut.meshes[-1].pressure
-    assert pressures.max() > 1.02 * cut.reference.peak_pressure
+    pressures = cut_contact.meshes[-1].pressure
+    assert pressures.max() > 1.02 * cut_contact.reference.peak_pressure
     out = StringIO()
-    print_contact(Console(file=out, width=80), cut)
+    print_contact(Console(file=out, width=80), cut_contact)
     assert "peak pressure" not in out.getvalue()
     assert "pressure at y = 0, GPa" in out.getvalue()
     assert max(map(len, out.getvalue().splitlines())) <= 80
     assert "\N{HORIZONTAL ELLIPSIS}" not in out.getvalue()
-    assert cut.to_json()["shoulder"]["peak_pressure_at"] == 0
+    assert cut_contact.to_json()["shoulder"]["peak_pressure_at"] == 0
 
 
-def test_an_ellipse_over_the_shoulder_is_not_judged(cut: ContactSolution) -> None:
-    found, narrow = cut, cut.contact
+def test_an_ellipse_over_the_shoulder_is_not_judged(cut_contact: ContactSolution) -> None:
+    found, narrow = cut_contact, cut_contact.contact
     assert found.verdict == "outside validity"
     assert "shoulder stands at 0.800 mm" in " ".join(found.warnings)
     assert "half of the contact" in found.rung

@@ -18,6 +18,9 @@ from fembearing.compare.torque_change import FittedChange, TorqueChange
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.fem.measure import Quantities
+from fembearing.report.pictures import Picture, draw_pictures
+
+pytest.register_assert_rewrite("tests.report.picture_reader")  # its checks tell what they found
 
 LOOSE = 0.9  # tolerance: no finer mesh is called for
 
@@ -25,6 +28,14 @@ LOOSE = 0.9  # tolerance: no finer mesh is called for
 @pytest.fixture(scope="session")
 def checked() -> Validation:
     return check_scene(load_scene(builtin_scene("6205")), tolerance=LOOSE)
+
+
+@pytest.fixture(scope="session")
+def pictures(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> list[Picture]:
+    """Of its contacts, drawn by VTK."""
+    found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
+    assert trouble is None
+    return found
 
 
 class Given(NamedTuple):

@@ -1,0 +1,114 @@
+"""What tests of the torque run: an oil, a finish, a thrust, and scenes drawn at random."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from analytic.effects import COMPUTED
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Lubricant, Operation, Scene, Surface
+from analytic.torque_result import TorqueParts
+
+OIL = Lubricant(
+    viscosity=0.043,
+    pressure_viscosity=1.9e-8,
+    viscosity_temperature=0.04,
+    reference_temperature=313.15,
+    temperature=313.15,
+    thermal_conductivity=0.13,
+    density=865.0,
+    eyring_stress=4.7e6,
+    limiting_shear=0.06,
+    traction="eyring_sinh",
+)
+FINISH = Surface(
+    rms_roughness=0.21e-6,
+    autocorrelation=Autocorrelation(kind="gaussian", length=43e-6, spacing=2e-6),
+    hardness=7.3e9,
+    boundary_friction=0.11,
+)
+DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque where there is no oil
+# The closed forms of text books, whatever the tolerance.
+AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
+EVERYTHING: dict[str, Any] = dict.fromkeys(COMPUTED, "on")
+
+
+def thrust(*loads: float, speed: float | list[float] = 31.0) -> Operation:
+    """N and rad/s; a speed for each load, or one for all."""
+    load, speeds = np.broadcast_arrays(np.array(loads), np.array(speed, dtype=float))
+    return Operation(axial_load=load, inner_speed=speeds)
+
+
+def without(scene: Scene, *names: str) -> Scene:
+    return replace(scene, effects={**scene.effects, **dict.fromkeys(names, "off")})
+
+
+def drawn(bearing: Bearing, random: np.random.Generator, points: int) -> Scene:
+    """A plain steel bearing like the 6205, run in one of many ways."""
+    inner, outer = random.uniform(0.508, 0.55, 2) * bearing.ball_diameter
+    load = 10 ** random.uniform(1.5, 3.3, points)
+    radial = load * 10 ** random.uniform(-3, 0.3, points) * (random.random() < 0.5)
+    speed = 10 ** random.uniform(-0.5, 3.3, points)
+    rule = ("balanced", "inner_control", "outer_control")[random.integers(3)]
+    oil = replace(
+        OIL,
+        viscosity=10 ** random.uniform(-2.3, -0.7),
+        eyring_stress=10 ** random.uniform(6, 7),
+        traction=("eyring_sinh", "eyring_constant")[random.integers(2)],
+    )
+    finish = replace(FINISH, rms_roughness=10 ** random.uniform(-8, -6))
+    dry = random.random() < 0.25
+    effects: dict[str, Any] = EVERYTHING | ({"asperities": "auto"} if dry else {})
+    return Scene(
+        name="drawn",
+        tolerance=1e-5,
+        bearing=replace(
+            bearing,
+            inner=replace(bearing.inner, groove_radius=inner, shoulder_half_width=3.6e-3),
+            outer=replace(bearing.outer, groove_radius=outer, shoulder_half_width=3.6e-3),
+        ),
+        contact_angle=ContactAngle(rule="solved", free=random.uniform(0.05, 0.45)),
+        operation=Operation(axial_load=load, inner_speed=speed, radial_load=radial),
+        lubricant=oil,
+        surface=None if dry else finish,
+        friction_coefficient=10 ** random.uniform(-2.3, -0.9) if dry else None,
+        hysteresis_loss=0.007,
+        spin_rule=rule,
+        sliding="single_coefficient",
+        effects=effects,
+    )
+
+
+def idling(bearing: Bearing) -> Scene:
+    """Light, slow and smooth enough that auto leaves out all that it may."""
+    return Scene(
+        name="effects",
+        tolerance=0.3,
+        bearing=bearing,
+        contact_angle=ContactAngle(rule="solved", free=0.02),
+        operation=Operation(axial_load=np.array([60.0, 45.0]), inner_speed=np.array([1.7, 2.3])),
+        lubricant=OIL,
+        surface=replace(FINISH, rms_roughness=1e-9),
+        hysteresis_loss=0.006,
+        spin_rule="balanced",
+    )
+
+
+def dry(bearing: Bearing) -> Scene:
+    """1000 N at 0.18 rad held fixed, mu = 0.1, alpha' = 0.007."""
+    return Scene(
+        name="test",
+        tolerance=0.05,
+        bearing=bearing,
+        contact_angle=ContactAngle(rule="given", value=0.18),
+        operation=thrust(1000.0),
+        friction_coefficient=0.1,
+        hysteresis_loss=0.007,
+        effects=AS_HERTZ,
+    )
+
+
+def part(found: TorqueParts, name: str) -> np.ndarray:
+    values = getattr(found, name)
+    assert values is not None
+    return values
