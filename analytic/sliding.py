@@ -26,8 +26,10 @@ from analytic.traction import CoulombTraction, Traction
 # Measured against the last rung on 1500 scenes with oil and asperities (validation/benchmarks/friction.py --errors), of
 # the true power: what is missed at a stress that does not follow the pressure, where it may stop doing so within the
 # contact (the kink at the limiting stress), per power of the pressure above 1, where it is proportional to the speed.
-EVEN_STRESS, KINK, STEEP, VISCOUS = 0.18, 0.17, 0.05, 0.62
-MOST_UNEVEN = 0.72  # of the true power, missed at mean stresses by sinh traction on any contact: 0.69 is the most found
+EVEN_STRESS, KINK, STEEP, VISCOUS = 0.182, 0.17, 0.05, 0.62
+# Of the true power, missed at mean stresses by sinh traction on any contact: 0.87 is the most found, at a few N in thin
+# oil that pressure thickens steeply; 0.69 on the scenes of the benchmark.
+MOST_UNEVEN = 0.9
 BELOW_FULL_SPIN = 1.15  # of E(m) - 1: 1.11 is the most that was found there, at any shape and by contacts together
 SERIES = 1000  # points, from which on a sample of them is worth its while
 LEAST_FOUND = 0.05  # of the true power, that a rung is taken to find: below, its error is large enough

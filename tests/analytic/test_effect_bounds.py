@@ -128,7 +128,6 @@ def test_oil_that_its_own_heat_thins_lets_spin_cost_more(scene: Scene, monkeypat
     assert np.all(measured <= bound)
 
 
-@pytest.mark.xfail(reason="mean stresses miss more there than analytic.sliding.MOST_UNEVEN", strict=True)
 def test_spin_of_light_balls_in_thin_oil_that_pressure_thickens_steeply(
     bearing_6205: Bearing, scene: Scene, monkeypatch: pytest.MonkeyPatch
 ) -> None:
