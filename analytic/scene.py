@@ -20,6 +20,9 @@ SpinRule = Literal["balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
 Decision = Literal["auto", "on", "off"]
+PocketAxis = Literal["axial", "radial"]
+CageStart = Literal["rest", "ramp", "sudden", "whirl"]
+CageGravity = Literal["across", "along", "off"]
 Sliding = Literal["auto", "single_coefficient", "along_axis", "over_ellipse"]
 
 
@@ -54,14 +57,37 @@ class Groove:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Land:
+    """The ring whose shoulders guide the cage, where its rims reach them before its pockets reach the balls."""
+
+    ring: Literal["inner", "outer"]
+    clearance: float  # on the diameter, m
+    width: float  # of the cage, from rim to rim, m
+
+
+@dataclass(frozen=True, kw_only=True)
 class Cage:
-    """The ball cage: a sheet with a spherical pocket around each ball."""
+    """The ball cage: a sheet with a spherical pocket around each ball, and how it moves.
+
+    The fields from `restitution` on ask nothing of a cage that rests on its balls; one that moves needs `start`.
+    """
 
     pocket_diameter: float  # D_p, m
     pocket_depth: float  # k, m
     wall_thickness: float  # m
     mass: float  # kg
     material: Material
+    pocket_axis: PocketAxis = "axial"  # the line of both half-shells' centres: how a stamped cage is put together
+    pocket_stiffness: float | None = None  # K_pb, N/m^1.5, of finite elements or a test; None: Hertz's
+    friction_coefficient: float | None = None  # of ball on pocket; None: as the races'
+    restitution: float = 0.8  # share of its speed that an impact keeps; assumed
+    start: CageStart | None = None  # from where the motion begins; None: no motion is asked for
+    seeds: int = 4  # motions from slightly different beginnings
+    duration: float = 0.2  # measured of each, s
+    gravity: CageGravity = "across"  # to the axis: down, against the first ball's quarter turn
+    drag: float = 0.0  # torque over speed with which the oil around brakes the cage, N m s
+    ball_lead: float = 0.0  # how far balls lead on one side of the bearing and lag on the other, m
+    land: Land | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
