@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from analytic.cage import DrivenCage, whirl_speed
 from analytic.errors import FembearingError, InputError, require_non_negative, require_positive
@@ -178,9 +179,7 @@ class CageMotion:
     @property
     def orientation(self) -> Array:
         """(3, 3): columns are the cage's own axes in the fixed frame."""
-        a, (b, c, d) = self._state[6], self._state[7:10]
-        cross = np.array([[0, -d, c], [d, 0, -b], [-c, b, 0]])
-        return np.eye(3) + 2 * a * cross + 2 * cross @ cross
+        return Rotation.from_quat(self._state[6:10], scalar_first=True).as_matrix()
 
     @property
     def angular_velocity(self) -> Array:
@@ -211,37 +210,46 @@ class CageMotion:
     def _place(self, begin: CageStart) -> None:
         cage, turning = self.cage, np.array([0.0, 0.0, self.cage.orbit_speed])
         pull = np.linalg.norm(cage.gravity)
+        middle = np.array([-cage.ball_lead / 2, 0.0, 0.0])  # from where balls that lead and lag are all equally far
+        self._state[:3] = middle
         if begin == "whirl":
-            self._state[0] = self._free_way(np.array([1.0, 0.0, 0.0]))
+            outward = np.array([1.0, 0.0, 0.0])
+            distance = self._free_way(middle, outward)
+            self._state[:3] += distance * outward
             circling = cage.orbit_speed + whirl_speed(
                 ball_speed=cage.ball_speed,
                 ball_radius=cage.ball_radius,
                 contact_angle=cage.contact_angle,
-                room=self._state[0],
+                room=distance,
             )
-            self.launch(velocity=np.array([0.0, circling * self._state[0], 0.0]), angular_velocity=turning)
+            self.launch(velocity=np.array([0.0, circling * distance, 0.0]), angular_velocity=turning)
         elif begin != "sudden":
             if pull > 0:
                 # Friction of the turning balls holds it off the vertical; at standstill it swings from there.
-                down = _turned(
-                    np.array(cage.gravity) / pull, np.arctan(cage.friction_coefficient) * np.sign(cage.ball_speed)
-                )
+                leaning = np.arctan(cage.friction_coefficient) * np.sign(cage.ball_speed)
+                down = Rotation.from_rotvec([0.0, 0.0, leaning]).apply(np.array(cage.gravity) / pull)
                 sag = (cage.mass * pull / cage.ball_count / cage.stiffness) ** (2 / 3)
-                self._state[:3] = down * (self._free_way(down) + sag)
+                self._state[:3] += down * (self._free_way(middle, down) + sag)
             if begin == "rest":
                 self.launch(velocity=np.zeros(3), angular_velocity=turning)
 
-    def _free_way(self, direction: Array) -> float:
-        """How far the cage goes from the middle before a ball stops it, or the land, m; direction (3,), of length 1."""
+    def _free_way(self, middle: Array, direction: Array) -> float:
+        """How far the cage goes from there before a ball stops it, or the land, m; direction (3,), of length 1."""
         cage = self.cage
-        axes = np.array([[0.0, 0.0, 1.0]])
+        home = np.arctan2(self._azimuth[:, 1], self._azimuth[:, 0])
+        led = home + cage.ball_lead / cage.pitch_radius * np.sin(home)
+        balls = np.stack([np.cos(led) - np.cos(home), np.sin(led) - np.sin(home), 0 * led], axis=1)
+        axes = np.broadcast_to([0.0, 0.0, 1.0], balls.shape)
         if cage.pocket_axis == "radial":
-            axes = np.column_stack([self._azimuth, np.zeros(cage.ball_count)])
-        off = cage.centre_offset * np.abs(axes @ direction)
-        ways = np.sqrt(off**2 + cage.room**2 - cage.centre_offset**2) - off
-        if cage.land is not None and np.hypot(*direction[:2]) > 0:
-            ways = np.append(ways, cage.land.room / np.hypot(*direction[:2]))
-        return float(ways.min())
+            axes = np.column_stack([self._azimuth, 0 * home])
+        offset = cage.pitch_radius * balls - middle
+        offsets = np.concatenate([offset + side * cage.centre_offset * axes for side in (1, -1)])
+        ahead = offsets @ direction
+        way = float(np.min(ahead + np.sqrt(ahead**2 + cage.room**2 - np.sum(offsets**2, axis=1))))
+        sideways = np.hypot(*direction[:2])
+        if cage.land is not None and sideways > 0:
+            way = min(way, cage.land.room / sideways)
+        return way
 
     def _go(self, tally: Array, steps: int, now: NDArray[np.float64]) -> None:
         done = self._advance(self._law, self._azimuth, self._state, self._touch, now, tally, self.step, steps)
@@ -249,9 +257,3 @@ class CageMotion:
             raise MotionError(
                 time=self.time, place=self.centre, speed=float(np.linalg.norm(self.velocity)), step=self.step
             )
-
-
-def _turned(vector: Array, angle: float) -> Array:
-    """(3,) about z."""
-    x, y, z = vector
-    return np.array([x * np.cos(angle) - y * np.sin(angle), x * np.sin(angle) + y * np.cos(angle), z])

@@ -28,10 +28,13 @@ COMPUTED = (
     "hysteresis",
     "rolling",  # against the oil in the inlets
 )
+# Decided after the races (analytic.cage_torque): the cage that slides on balls that carry it, and its motion, where it
+# does not just rest.
+OF_CAGE = ("cage", "cage_dynamics")
 DECLARED = ("seals", "drag")  # torques that the scene tells, in [losses]
 # Watched by a number or a bound, and warned of; nothing in the model computes them (analytic.watched).
-WATCHED = ("cage", "elastic_creep", "plasticity", "shoulder")
-EFFECTS = COMPUTED + DECLARED + WATCHED
+WATCHED = ("elastic_creep", "plasticity", "shoulder")
+EFFECTS = COMPUTED + OF_CAGE + DECLARED + WATCHED
 SHARE_OF_TOLERANCE = 0.5
 
 
@@ -58,7 +61,7 @@ class Choices:
     """The decisions for one scene, as they are made."""
 
     def __init__(self, scene: Scene, points: int) -> None:
-        known = COMPUTED + WATCHED
+        known = COMPUTED + OF_CAGE + WATCHED
         unknown = set(scene.effects) - set(known)
         if unknown:
             raise InputError(f"effects.{min(unknown)} is not an effect to choose; known: {', '.join(known)}")

@@ -29,6 +29,7 @@ from analytic.scene import (
     ContactAngle,
     Groove,
     HeightMapFile,
+    Land,
     Losses,
     Lubricant,
     Material,
@@ -200,8 +201,9 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
             yield "surface.autocorrelation goes with rms_roughness, and with it alone: a height map has its own"
         if surface.height_map is not None and Path(surface.height_map.path).suffix.lower() not in HEIGHT_MAPS:
             yield _complaint(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
-    if cage is None and table.effects.cage == "on":
-        yield _complaint(document, "effects.cage", "needs a table [cage]; give one, or leave the effect out")
+    for name, asked in (("cage", table.effects.cage), ("cage_dynamics", table.effects.cage_dynamics)):
+        if cage is None and asked == "on":
+            yield _complaint(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
 
 
 def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]]]:
@@ -261,12 +263,24 @@ def _groove(given: GrooveTable) -> Groove:
 
 def _cage(given: CageTable, bearing: Bearing) -> Cage:
     diameter = given.pocket_diameter or bearing.ball_diameter + (given.pocket_clearance or 0.0)
+    approach = given.pocket_approach
     return Cage(
         pocket_diameter=diameter,
         pocket_depth=diameter / 2 if given.pocket_depth is None else given.pocket_depth,
         wall_thickness=given.wall_thickness,
         mass=given.mass,
         material=_material(given.material),
+        pocket_axis=given.pocket_axis,
+        pocket_stiffness=None if approach is None else approach.load / approach.approach**1.5,
+        friction_coefficient=given.friction_coefficient,
+        restitution=given.restitution,
+        start=given.start,
+        seeds=given.seeds,
+        duration=given.duration,
+        gravity=given.gravity,
+        drag=given.drag,
+        ball_lead=given.ball_lead,
+        land=None if given.land is None else Land(**given.land.model_dump()),
     )
 
 

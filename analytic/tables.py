@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from analytic import catalog
 from analytic.quantity import Dimension
-from analytic.scene import Decision, Microslip, Sliding, SpinRule, Traction
+from analytic.scene import CageGravity, CageStart, Decision, Microslip, PocketAxis, Sliding, SpinRule, Traction
 
 
 def _text(given: object) -> str:
@@ -21,6 +21,12 @@ def _text(given: object) -> str:
 def _count(given: object) -> int:
     if isinstance(given, bool) or not isinstance(given, int) or not 1 <= given <= 1000:
         raise ValueError("is not a count; give a whole number from 1 to 1000, for example 9")
+    return given
+
+
+def _seeds(given: object) -> int:
+    if isinstance(given, bool) or not isinstance(given, int) or not 2 <= given <= 1000:
+        raise ValueError("is not a number of seeds; give a whole number from 2 to 1000, for example 4")
     return given
 
 
@@ -55,6 +61,7 @@ Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1
 Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
 Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
 Temperature = Annotated[float, Dimension(unit="K", low=200, high=600, example='"40 degC"')]
+Friction = Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
 Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
 
 
@@ -109,6 +116,17 @@ class BearingTable(Table):
     )
 
 
+class LandTable(Table):
+    ring: Literal["inner", "outer"] = Field(description='give "inner" or "outer"')
+    clearance: Gap  # on the diameter
+    width: Length  # of the cage
+
+
+class PocketApproachTable(Table):
+    load: Force
+    approach: Gap
+
+
 class CageTable(Table):
     variant: Text | None = None  # of the catalog's cage
     pocket_clearance: Gap | None = None  # pocket diameter minus ball diameter
@@ -117,6 +135,23 @@ class CageTable(Table):
     wall_thickness: Length
     mass: Mass
     material: MaterialEntry
+    pocket_axis: PocketAxis = "axial"
+    pocket_approach: PocketApproachTable | None = Field(
+        default=None,
+        description='give what a test or finite elements found, { load = "28 N", approach = "0.883 um" }; it takes the '
+        "place of Hertz's stiffness",
+    )
+    friction_coefficient: Friction | None = None
+    restitution: Annotated[float, Dimension(unit="", low=0.05, high=1, example="0.8")] = 0.8
+    start: CageStart | None = Field(default=None, description='give "rest", "ramp", "sudden" or "whirl"')
+    seeds: Annotated[int, BeforeValidator(_seeds), Field(description="give a whole number, for example 4")] = 4
+    duration: Annotated[float, Dimension(unit="s", low=1e-4, high=1e3, example='"0.2 s"')] = 0.2
+    gravity: CageGravity = "across"
+    drag: Annotated[float, Dimension(unit="N*m*s", low=0, high=1, example='"1e-6 N m s"')] = 0.0
+    ball_lead: Annotated[float, Dimension(unit="m", low=-0.1, high=0.1, example='"0.05 mm"')] = 0.0
+    land: LandTable | None = Field(
+        default=None, description='give { ring = "outer", clearance = "0.3 mm", width = "10 mm" }'
+    )
 
 
 class OperationTable(Table):
@@ -167,7 +202,7 @@ class SurfaceTable(Table):
 
 class FrictionTable(Table):
     # Of every race contact, in place of the one that lubricant and surface give.
-    coefficient: Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")] | None = None
+    coefficient: Friction | None = None
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
     spin_rule: SpinRule = "balanced"
     sliding: Sliding = "auto"
@@ -192,6 +227,7 @@ class EffectsTable(Table):
     hysteresis: Decision = "auto"
     rolling: Decision = "auto"
     cage: Decision = "auto"
+    cage_dynamics: Decision = "auto"
 
 
 class SceneTable(Table):

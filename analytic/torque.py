@@ -14,6 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from analytic.balls import LoadedBalls
+from analytic.cage_torque import cage_friction
 from analytic.catalogue_torque import inlet_shear_factor, replenishment_factor
 from analytic.correction import ContactCorrection
 from analytic.effects import DECLARED, EFFECTS, Choices, Effect
@@ -33,7 +34,7 @@ from analytic.watched import watch
 
 BY_SLIP = ("spin", "conformity")
 LEAST_FILM = 1e-3  # of the isothermal film, or of smooth surfaces' oil: a bound by less is large enough
-PARTS = (*BY_SLIP, "hysteresis", "rolling")
+PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
 
 
 def friction_torque(
@@ -94,8 +95,12 @@ def friction_torque(
         parts |= {name: getattr(slid, name) for name in BY_SLIP if choices.on(name)}
     race = _sum(parts, speed)
     declared = _declared(scene, choices, race)
-    total = race if declared is None else race + declared
-    watched = watch(scene, operation, balls, choices, slid=slid, total=total)
+    cage = cage_friction(scene, balls, operation, choices, race=race)
+    total = race + (0.0 if declared is None else declared) + (0.0 if cage is None else cage.torque)
+    if cage is not None:
+        parts["cage"] = cage.torque
+        warnings = warnings + list(cage.warnings)
+    watched = watch(scene, operation, balls, choices, slid=slid)
     at = balls.heaviest
     return FrictionTorque(
         inner_speed=speed,
@@ -103,8 +108,13 @@ def friction_torque(
         contact_angle=balls.contact_angle.mean(axis=0)[at],
         ball_load=balls.load.max(axis=0)[at],
         torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=_uncertainty(choices, slid, parts, race=race, total=total),
-        friction_coefficient=FrictionCoefficients(**_on_races(None if slid is None else slid.coefficient, at)),
+        numerical_uncertainty=_uncertainty(choices, slid, parts, race=race, total=total)
+        + (0.0 if cage is None else _share(cage.half_interval, total)),
+        friction_coefficient=FrictionCoefficients(
+            **_on_races(None if slid is None else slid.coefficient, at),
+            pocket=None if cage is None else cage.friction_coefficient,
+        ),
+        cage=cage,
         film=OnRaces(**_on_races(None if shared is None else np.maximum(shared.film_thickness, 0.0), at)),
         asperity_share=OnRaces(**_on_races(None if shared is None else shared.asperity_share, at)),
         inner=_loaded(balls, 0, at),
@@ -124,6 +134,7 @@ def friction_torque(
                 "contacts": _contacts(choices, correction),
                 "friction": "given coefficient" if oiled is None else "mixed lubrication",
                 "sliding": _slid_by(slid, speed.size),
+                "cage": "left out" if cage is None else cage.provenance,
                 **_versions(),
             }
         ),

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from analytic.effects import COMPUTED, Effect
+from analytic.cage_torque import CAGE_KEYS, CagePart
+from analytic.effects import COMPUTED, OF_CAGE, Effect
 from analytic.scene import Array, Scene, Sliding
 
 
@@ -20,7 +21,7 @@ class TorqueParts:
     conformity: Array | None
     hysteresis: Array | None
     rolling: Array | None = None
-    cage: Array | None = None
+    cage: Array | None = None  # sliding on balls and land, and drag
     declared: Array | None = None  # seals and drag, as the scene tells them
 
 
@@ -73,11 +74,12 @@ class FrictionTorque:
     warnings: tuple[str, ...]
     provenance: Mapping[str, str]
     seconds: float  # that the computation took
+    cage: CagePart | None = None  # what its torque comes from; None: left out
     model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.uncertainty
 
     def settled(self, scene: Scene) -> Scene:
         """The scene with every effect and rung decided as here, whatever bounds would say of a change of it."""
-        decisions = {effect.name: effect.decision for effect in self.effects if effect.name in COMPUTED}
+        decisions = {effect.name: effect.decision for effect in self.effects if effect.name in COMPUTED + OF_CAGE}
         return replace(scene, effects={**scene.effects, **decisions}, sliding=self.sliding)
 
     def to_json(self) -> dict[str, Any]:
@@ -98,7 +100,6 @@ class FrictionTorque:
             return {name: None if values is None else float(values[index]) for name, values in vars(group).items()}
 
         model = None if self.model_uncertainty is None else float(self.model_uncertainty[index])
-        cage = ("mean_force", "max_force", "interval", "duration", "state", "signed_moment")
         return {
             "inner_speed": float(self.inner_speed[index]),
             "axial_load": float(self.axial_load[index]),
@@ -109,7 +110,7 @@ class FrictionTorque:
             "asperity_share": here(self.asperity_share),
             "contact": {"inner": here(self.inner), "outer": here(self.outer)},
             "uncertainty": {"numerical": _finite(self.numerical_uncertainty[index]), "model": model},
-            "cage": dict.fromkeys(cage),
+            "cage": dict.fromkeys(CAGE_KEYS) if self.cage is None else self.cage.at(index),
         }
 
 

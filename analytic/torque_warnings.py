@@ -37,7 +37,8 @@ def doubts(
             "exchanged without spin and from a spin-to-roll ratio of 1/2 on, equation 2 lacks its factor 0.322, and "
             'both moments jump there; "derived" has them right'
         )
-    warnings.append("the cage is not modelled yet: the total is too low by it")
+    if scene.cage is None:
+        warnings.append("the total is without a cage: add a table [cage]")
     if scene.lubricant is None and scene.effects.get("rolling") != "off":
         warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")
     if oiled is not None:

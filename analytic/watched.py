@@ -8,12 +8,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from analytic.balls import LoadedBalls
-from analytic.bounds import cage_rest_torque, gyroscopic_slip_ratio, whirl_number
-from analytic.contact import Race, pocket_contact, shoulder_distance
+from analytic.bounds import gyroscopic_slip_ratio
+from analytic.contact import Race, shoulder_distance
 from analytic.effects import Choices
 from analytic.errors import InputError
 from analytic.race import SlidingContact, sliding_number
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Operation, Scene
 from analytic.sliding import Sliding
 
 STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
@@ -22,47 +22,19 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 
 
 def watch(
-    scene: Scene, operation: Operation, balls: LoadedBalls, choices: Choices, *, slid: Sliding | None, total: Array
+    scene: Scene, operation: Operation, balls: LoadedBalls, choices: Choices, *, slid: Sliding | None
 ) -> list[str]:
     """Settle every effect of `effects.WATCHED` with its number as the reason; return the warnings.
 
-    operation : every array (n,);  total : torque, (n,), N m
+    operation : every array (n,)
     Raises InputError for a contact that has left its race.
     """
-    _watch_cage(scene, operation, balls, choices, total)
     return [
         *_watch_shoulder(scene, operation, balls, choices),
         *_watch_pressure(balls, choices),
         *_watch_creep(balls, choices, slid),
         *_gyroscopic_slip(scene, operation, balls, slid),
     ]
-
-
-def _watch_cage(scene: Scene, operation: Operation, balls: LoadedBalls, choices: Choices, total: Array) -> None:
-    if scene.cage is None:
-        choices.settled("cage", on=False, reason="no cage is given")
-        return
-    friction = scene.surface.boundary_friction if scene.surface is not None else scene.friction_coefficient
-    rate, radius = balls.motion.ball_speed.max(axis=1), scene.bearing.ball_radius
-    resting = cage_rest_torque(
-        friction_coefficient=0.0 if friction is None else friction,
-        cage_mass=scene.cage.mass,
-        ball_rate=rate,
-        ball_radius=radius,
-    )
-    pocket = pocket_contact(scene.bearing, scene.cage, load=0.0)  # refuses one without room
-    whirl = whirl_number(
-        ball_speed=rate * np.abs(operation.inner_speed),
-        ball_radius=radius,
-        clearance=2 * (pocket.groove_radius - pocket.ball_radius),
-    )
-    choices.settled(
-        "cage",
-        on=False,
-        share=np.divide(resting, total, out=np.zeros_like(total), where=total > 0),
-        reason="not modelled yet; the share is that of a cage that rests on its balls with its whole weight; from a "
-        f"whirl number of 1 on it can do more: here up to {whirl.max():.3g}",
-    )
 
 
 def _watch_shoulder(scene: Scene, operation: Operation, balls: LoadedBalls, choices: Choices) -> Iterator[str]:

@@ -41,7 +41,7 @@ axial_load = ["12 kgf", "1e-12 N"]
 inner_speed = ["-200 rpm", "0 rpm"]
 [cage]
 pocket_diameter = "6.3 mm"
-pocket_depth = "2.9 mm"
+pocket_depth = "3.1 mm"
 wall_thickness = "0.7 mm"
 mass = "3 g"
 material = "peek"

@@ -111,7 +111,7 @@ def thrown(cage: DrivenCage, **kwargs: Any) -> CageMotion:
 def test_motion_is_that_of_a_library_solver(change: dict[str, Any]) -> None:
     """Without impact losses, whose memory of each impact no library's solver has. Some impacts, then they part."""
     cage = replace(CAGE, restitution=1.0, **change)
-    duration, errors = 0.9e-3, []
+    duration, errors = 0.6e-3, []
     exact = by_library(cage, thrown(cage), duration)
     for steps in (40, 80):
         motion = thrown(cage, steps_per_contact=steps)

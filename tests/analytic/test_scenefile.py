@@ -40,7 +40,7 @@ def test_units_become_si() -> None:
     np.testing.assert_allclose(found.operation.axial_load, [12 * 9.80665, 1e-12], rtol=1e-15)
     np.testing.assert_allclose(found.operation.inner_speed, [-200 * np.pi / 30, 0], rtol=1e-15)
     assert found.cage is not None
-    assert (found.cage.pocket_diameter, found.cage.pocket_depth) == (6.3e-3, 2.9e-3)
+    assert (found.cage.pocket_diameter, found.cage.pocket_depth) == (6.3e-3, 3.1e-3)
     assert found.effects["spin"] == "off"
     assert found.effects["rolling"] == "auto"
     assert found.friction_coefficient is None

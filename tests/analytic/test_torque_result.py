@@ -86,7 +86,7 @@ def test_the_result_says_where_its_friction_comes_from(scene: Scene) -> None:
     found = friction_torque(replace(scene, warnings=("a doubt",)))
     assert found.warnings[0] == "a doubt"
     assert any("friction coefficient 0.1 comes from the scene" in warning for warning in found.warnings)
-    assert any("cage is not modelled" in warning for warning in found.warnings)
+    assert any("without a cage" in warning for warning in found.warnings)
     assert any("rolling needs [lubricant]" in warning for warning in found.warnings)
     assert len(found.warnings) == 4  # nothing else is doubtful here
 

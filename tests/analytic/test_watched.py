@@ -59,9 +59,6 @@ def test_every_watched_effect_is_listed_with_its_number(scene: Scene) -> None:
     number, limit = numbers_in(reason_of(found, "elastic_creep"))
     np.testing.assert_allclose(number, 6.459 * 0.3 ** (1 / 3), rtol=5e-3)  # three digits
     assert limit == 3
-    # (w_b r)^2/(g nabla) at 500 rpm, with w_b r = w R_i R_o/d_m by hand: 52.36 x 15.599 x 23.411/39.01 mm/s
-    whirl = numbers_in(reason_of(found, "cage"))[-1]
-    np.testing.assert_allclose(whirl, 0.49016**2 / (9.80665 * 0.1e-3), rtol=5e-3)  # three digits
     words = " ".join(found.warnings)
     for word in ("static limit", "sliding number", "shoulder", "gyroscopic"):
         assert word not in words

@@ -1,0 +1,103 @@
+"""What a moving cage comes to: regimes by their closed forms, intervals by their meaning, the same numbers again."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.cage import DrivenCage, rest_torque
+from analytic.cage_statistics import measured_motion
+from analytic.errors import InputError
+
+W = 52.36  # rad/s: 500 rpm
+RATE = 15.599 * 23.411 / (39.01 * 3.97)
+CAGE = DrivenCage(
+    mass=6.58e-3,
+    ball_count=9,
+    ball_radius=3.97e-3,
+    pitch_radius=19.505e-3,
+    room=0.1e-3,
+    stiffness=6.0e10,
+    restitution=0.8,
+    friction_coefficient=0.1,
+    orbit_speed=W * 15.599 / 39.01,
+    ball_speed=W * RATE,
+    contact_angle=0.18,
+    ring_speed=W,
+)
+
+
+def test_rest_and_whirl_are_both_there_and_the_start_decides() -> None:
+    resting = measured_motion(CAGE, start="rest", seeds=2, duration=0.04)
+    whirling = measured_motion(CAGE, start="whirl", seeds=2, duration=0.04)
+    assert (resting.state, whirling.state) == ("rest", "whirl")
+    assert resting.other is not None
+    assert whirling.other is not None
+    assert (resting.other.start, resting.other.state) == ("whirl", "whirl")
+    assert (whirling.other.start, whirling.other.state) == ("rest", "rest")
+    np.testing.assert_allclose(resting.other.torque, whirling.torque, rtol=0.02)
+    closed = rest_torque(
+        friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
+    )
+    np.testing.assert_allclose([resting.torque, whirling.other.torque], closed, rtol=0.02)
+    assert abs(resting.signed_moment) < 1e-2 * resting.torque
+
+
+def test_a_cage_that_cannot_whirl_has_one_steady_motion() -> None:
+    """A whirl number of 0.5: thrown round, it falls back on its balls."""
+    slow = np.sqrt(0.5 * 9.80665 * CAGE.room) / 3.97e-3
+    cage = replace(CAGE, ball_speed=slow, orbit_speed=slow / RATE * 0.4, ring_speed=slow / RATE)
+    found = measured_motion(cage, start="sudden", seeds=2, duration=0.3)
+    assert (found.state, found.other) == ("rest", None)
+
+
+def test_balls_that_lead_and_lag_shake_a_whirling_cage() -> None:
+    """Neither rest nor whirl; what it costs, seeds and the step agree on."""
+    cage = replace(CAGE, ball_lead=0.06e-3)
+    found = measured_motion(cage, start="whirl", seeds=3, duration=0.05)
+    assert found.state == "irregular"
+    low, high = found.torque_interval
+    assert low < found.torque < high
+    assert high - low < 0.06 * found.torque  # within 3 % of the mean
+    assert found.max_force_interval[0] <= found.max_force <= found.max_force_interval[1] <= found.largest_force
+    finer = measured_motion(cage, start="whirl", seeds=2, duration=0.05, steps_per_contact=80)
+    np.testing.assert_allclose(finer.torque, found.torque, rtol=0.03)
+
+
+def test_seeds_that_part_are_told() -> None:
+    """Balls that lead so far stop some whirling cages and not others."""
+    found = measured_motion(replace(CAGE, ball_lead=0.1e-3), start="sudden", seeds=3, duration=0.05)
+    assert found.state == "mixed"
+    assert found.torque_interval[1] - found.torque_interval[0] > found.torque
+
+
+def test_the_same_question_has_the_same_answer() -> None:
+    asked: dict[str, Any] = {"start": "sudden", "seeds": 2, "duration": 5e-3}
+    first = measured_motion(CAGE, **asked)
+    measured_motion.cache_clear()
+    assert measured_motion(CAGE, **asked) == first
+    assert first.duration == 0.01
+    assert first.block == 5e-4
+
+
+def test_drag_brakes_the_cage_and_the_balls_push_it() -> None:
+    """The moment of the balls about the axis is what the drag takes: it averages to nothing without."""
+    cage = replace(CAGE, drag=2e-6)
+    found = measured_motion(cage, start="rest", seeds=2, duration=0.05)
+    np.testing.assert_allclose(found.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
+    np.testing.assert_allclose(found.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
+    assert found.torque > found.drag_torque
+
+
+@pytest.mark.parametrize(
+    ("change", "options", "words"),
+    [
+        ({"ring_speed": 0.0}, {"seeds": 3}, "magnitude of ring_speed must be positive"),
+        ({}, {"seeds": 1}, "seeds must be at least 2, got 1"),
+        ({}, {"duration": 0.0}, "duration must be positive"),
+    ],
+)
+def test_what_cannot_be_is_refused(change: dict[str, Any], options: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        measured_motion(replace(CAGE, **change), start="rest", **options)
