@@ -47,7 +47,7 @@ def friction_torque(
     film_factor : on every film that the formula gives, > 0: what its uncertainty does to the torque
     The balls are loaded (`analytic.loading`), and each loses power to each race: per unit speed and summed,
         race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
-        total = race + declared, what the scene tells of seals and drag
+        total = race + cage (`analytic.cage_torque`) + declared, what the scene tells of seals and drag
     What slides does so by mixed lubrication where the scene has an oil and a surface. A friction coefficient stands in
     place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
     Rolling takes the oil at the inlet's temperature.
@@ -94,9 +94,10 @@ def friction_torque(
         )
         parts |= {name: getattr(slid, name) for name in BY_SLIP if choices.on(name)}
     race = _sum(parts, speed)
-    declared = _declared(scene, choices, race)
     cage = cage_friction(scene, balls, operation, choices, race=race)
-    total = race + (0.0 if declared is None else declared) + (0.0 if cage is None else cage.torque)
+    computed = race if cage is None else race + cage.torque
+    declared = _declared(scene, choices, computed)
+    total = computed if declared is None else computed + declared
     if cage is not None:
         parts["cage"] = cage.torque
         warnings = warnings + list(cage.warnings)
@@ -298,17 +299,17 @@ def _tractions(scene: Scene, oiled: LubricatedRaces | None, shared: MixedContact
     return oiled.traction(shared, 0), oiled.traction(shared, 1)
 
 
-def _declared(scene: Scene, choices: Choices, race: Array) -> Array | None:
+def _declared(scene: Scene, choices: Choices, computed: Array) -> Array | None:
     """(n,) N m, of seals and drag; settles both."""
     given = {name: getattr(scene.losses, name) for name in DECLARED}
     known = {name: value for name, value in given.items() if value is not None}
     require_non_negative(**{f"losses.{name}": value for name, value in known.items()})
-    total = race + sum(known.values(), start=0.0)
+    total = computed + sum(known.values(), start=0.0)
     for name, value in given.items():
         share = None if value is None else _share(np.full_like(total, value), total)
         reason = "not declared" if value is None else "declared by the scene"
         choices.settled(name, on=value is not None, share=share, reason=reason)
-    return np.full_like(race, sum(known.values())) if known else None
+    return np.full_like(computed, sum(known.values())) if known else None
 
 
 def _slid_by(slid: Sliding | None, points: int) -> str:

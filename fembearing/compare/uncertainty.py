@@ -12,7 +12,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 # Chosen on random contacts whose exact answer is Hertz, seeds 0 to 59, 1000 to 1099, 5000 to 5019 and 7000 to 7099 of
-# validation/benchmarks/coverage.py, which tries them on others.
+# validation/benchmarks/intervals.py, which tries them on others.
 HALF = 0.5
 FINEST = 8e-5  # relative: nothing closer is claimed; what all meshes share does not show in their difference
 UNSTEADY = 3.0  # order granted to a quantity that has no steady one, without moving its value

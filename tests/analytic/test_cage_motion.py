@@ -319,3 +319,29 @@ def test_what_cannot_be_is_refused(options: dict[str, Any], words: str) -> None:
 def test_no_compiler_is_loaded_before_the_first_motion() -> None:
     show = "import sys, analytic, analytic.torque, analytic.cage_motion; print('numba' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", show], capture_output=True, check=True, text=True).stdout == "False\n"
+
+
+@pytest.mark.parametrize(("outside", "speed"), [(False, 50.0), (True, -40.0)])
+def test_a_turning_land_takes_the_cage_along(outside: bool, speed: float) -> None:
+    """A cage at standstill that hangs on its land, clear of its balls: mu m g times the land's radius turns it."""
+    land = LandGuidance(radius=17e-3, room=0.05e-3, outside=outside, speed=speed, half_width=5e-3)
+    cage = replace(CAGE, land=land, room=1e-3, orbit_speed=0.0, ball_speed=0.0)
+    motion = CageMotion(cage, begin="rest")
+    motion.advance(1e-3)  # of its swing of 14 ms, in which friction also pushes it aside
+    turned = 0.1 * cage.mass * 9.80665 * 17e-3 * np.sign(speed) / cage.inertia[0] * motion.time
+    np.testing.assert_allclose(motion.angular_velocity[2], turned, rtol=0.05)
+
+
+def test_drag_takes_what_a_free_cage_loses() -> None:
+    """In free flight, long enough to lose a tenth and too short to reach a ball."""
+    cage = replace(CAGE, drag=0.1, gravity=NOWHERE, axial_inertia=3e-6, friction_coefficient=0.0)
+    motion = CageMotion(cage, begin="sudden")
+    motion.launch(velocity=np.array([0.11, -0.07, 0.05]), angular_velocity=np.array([0.0, 0.0, 1.7]))
+    before, velocity = motion.kinetic_energy, motion.velocity
+    passed = motion.advance(2e-6)
+    assert passed.max_force == 0
+    np.testing.assert_allclose(
+        before - motion.kinetic_energy, passed.drag_power * passed.duration, rtol=0.02
+    )  # one-sided sum
+    decay = np.exp(-0.1 / cage.pitch_radius**2 / cage.mass * passed.duration)
+    np.testing.assert_allclose(motion.velocity, velocity * decay, rtol=2e-3)  # second order in the step

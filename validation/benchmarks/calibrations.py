@@ -1,7 +1,7 @@
 """Measured constants of the solver, measured again: python validation/benchmarks/calibrations.py [--contacts 14]
 
-Each line names the constant, its value and what is measured beside it, on random contacts of `coverage.py` as half
-spaces, where Hertz is exact, or beside boundary elements. Those that `coverage.py` itself tries (`HALF`, `FINEST`,
+Each line names the constant, its value and what is measured beside it, on random contacts of `intervals.py` as half
+spaces, where Hertz is exact, or beside boundary elements. Those that `intervals.py` itself tries (`HALF`, `FINEST`,
 `UNSTEADY`, `LEAST`) are not repeated; `FADING` is held by tests/compare/test_discrepancy.py.
 """
 
@@ -17,7 +17,6 @@ from analytic.contact import race_contact
 from analytic.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from analytic.scenefile import builtin_scene, load_scene
-from coverage import random_contact
 from fembearing.compare.discrepancy import hertz_quantities
 from fembearing.compare.reference import COMPARED, FORMAL_ORDERS, STRIP_LEAST
 from fembearing.compare.stiffness_law import OFF_MESH
@@ -26,6 +25,7 @@ from fembearing.fem.measure import STRIP
 from fembearing.fem.series import NARROWEST, WIDEST
 from fembearing.fem.solution import GOOD_GUESSES, condensed_pair, fitted_solution, pressed, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
+from intervals import random_contact
 
 SIZES = np.linspace(0.65, 1.35, 33)  # of an ellipse, over the one that its mesh is made for
 SEED = 3000

@@ -1,4 +1,4 @@
-"""Do the intervals hold? python validation/benchmarks/coverage.py [--ideal 100] [--real 40] [--seed 8000] [--jobs 1]
+"""Do the intervals hold? python validation/benchmarks/intervals.py [--ideal 100] [--real 40] [--seed 8000] [--jobs 1]
 
 Solves random contacts to each of two asked accuracies and compares the four quantities with their true values: on the
 Hertzian idealisation Hertz's, exactly; on true shapes those of `converged`, another mesh of other proportions. Prints

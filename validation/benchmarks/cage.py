@@ -1,0 +1,181 @@
+"""Price and accuracy of the cage's motion: python validation/benchmarks/cage.py [--repeats 5] [--duration 0.2]
+
+A 6205 at 500 rpm with 0.2 mm of pocket clearance. Prints the processor time of one step, warm, on one core; the energy
+that a cage without losses gains or loses over fifty bounces, by the step; how far the torque and the largest force of
+single seeds spread; how torque and force settle with the step; and both closed forms beside the motion.
+"""
+
+import argparse
+import os
+import time
+from dataclasses import replace
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+
+from analytic.cage import DrivenCage, rest_torque, whirl_force, whirl_speed, whirl_torque
+from analytic.cage_motion import STEPS_PER_CONTACT, CageMotion
+from analytic.cage_statistics import measured_motion
+from analytic.cage_torque import driven_cage
+from analytic.kinematics import ball_kinematics
+from analytic.scene import CageStart
+from analytic.scenefile import builtin_scene, load_scene
+from machine import machine, versions
+
+SPEED = 500 * np.pi / 30  # rad/s
+ANGLE = 0.18  # rad
+STARTS: tuple[CageStart, ...] = ("rest", "whirl", "sudden")
+out = Console(width=110)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--repeats", type=int, default=5, help="of each timing; the least counts")
+    parser.add_argument("--duration", type=float, default=0.2, help="measured of each seed, s")
+    parser.add_argument("--bounces", type=int, default=50)
+    asked = parser.parse_args()
+    out.print(f"{machine()}; {versions('numba', 'numpy')}")
+    cage = example()
+    prices(cage, repeats=asked.repeats, duration=asked.duration)
+    energy(cage, bounces=asked.bounces)
+    spread(cage, duration=asked.duration)
+    steps(cage, duration=asked.duration)
+    closed_forms(cage, duration=asked.duration)
+
+
+def example() -> DrivenCage:
+    """Of the built-in scene, with the friction that it gives the races."""
+    scene = load_scene(builtin_scene("6205"))
+    bearing, cage = scene.bearing, scene.cage
+    assert cage is not None
+    moving = ball_kinematics(
+        inner_speed=SPEED,
+        inner_angle=ANGLE,
+        outer_angle=ANGLE,
+        pitch_diameter=bearing.pitch_diameter,
+        ball_diameter=bearing.ball_diameter,
+    )
+    return driven_cage(
+        bearing,
+        cage,
+        friction_coefficient=scene.friction_coefficient or 0.1,
+        inner_speed=SPEED,
+        orbit_speed=float(moving.cage_speed),
+        ball_speed=float(moving.ball_speed),
+        contact_angle=ANGLE,
+    )
+
+
+def prices(cage: DrivenCage, *, repeats: int, duration: float) -> None:
+    table = Table("motion", "steps", "processor time, us a step (least)", title="Nine balls, one core, warm")
+    for start in STARTS:
+        motion = CageMotion(cage, begin=start, seed=0)
+        motion.advance(duration / 10)
+        spent = []
+        for _ in range(repeats):
+            begun = time.process_time()
+            passed = motion.advance(duration / 10)
+            spent.append((time.process_time() - begun) / (passed.duration / motion.step))
+        table.add_row(start, f"{round(passed.duration / motion.step)}", f"{min(spent) * 1e6:.3f}")
+    out.print(table)
+
+
+def energy(cage: DrivenCage, *, bounces: int) -> None:
+    """Where the cage flies freely, over its energy at the start."""
+    free = replace(cage, friction_coefficient=0.0, restitution=1.0, gravity=(0.0, 0.0, 0.0), orbit_speed=0.0)
+    table = Table("steps a contact", "largest drift of the energy", title=f"Without losses, {bounces} bounces")
+    for steps_per_contact in (STEPS_PER_CONTACT // 2, STEPS_PER_CONTACT, 2 * STEPS_PER_CONTACT):
+        motion = CageMotion(free, begin="sudden", steps_per_contact=steps_per_contact)
+        motion.launch(velocity=np.array([0.31, -0.22, 0.17]), angular_velocity=np.array([6.0, -9.0, 14.0]))
+        first, count, touching, drift = motion.kinetic_energy, 0, False, 0.0
+        while count < bounces:
+            motion.advance(free.contact_time / 4)
+            before, touching = touching, bool(motion.forces().any())
+            count += touching and not before
+            if not touching:
+                drift = max(drift, abs(motion.kinetic_energy / first - 1))
+        table.add_row(f"{steps_per_contact}", f"{drift:.1e}")
+    out.print(table)
+
+
+def spread(cage: DrivenCage, *, duration: float) -> None:
+    columns = (
+        "start",
+        "state",
+        "torque, N mm",
+        "+- 95 %",
+        "force of one contact, N",
+        "largest seen, N",
+        "damping, N mm",
+    )
+    table = Table(
+        *columns, title=f"Four seeds of {duration:g} s; the force is the median of blocks of {duration / 10:g} s"
+    )
+    for name, case in (("", cage), (", balls leading 60 um", replace(cage, ball_lead=60e-6))):
+        for start in STARTS:
+            found = measured_motion(case, start=start, duration=duration)
+            low, high = found.torque_interval
+            force_low, force_high = found.max_force_interval
+            table.add_row(
+                f"{start}{name}",
+                found.state,
+                f"{found.torque * 1e3:.4g}",
+                f"{(high - low) / 2 / found.torque:.2%}",
+                f"{found.max_force:.3g} ({force_low:.3g} .. {force_high:.3g})",
+                f"{found.largest_force:.3g}",
+                f"{found.damping_torque * 1e3:.3g}",
+            )
+    out.print(table)
+
+
+def steps(cage: DrivenCage, *, duration: float) -> None:
+    table = Table("steps a contact", "whirl, N mm", "largest force, N", "balls leading 60 um, N mm", "largest force, N")
+    for steps_per_contact in (10, 20, 40, 80):
+        row = [f"{steps_per_contact}"]
+        for case in (cage, replace(cage, ball_lead=60e-6)):
+            found = measured_motion(case, start="whirl", duration=duration / 2, steps_per_contact=steps_per_contact)
+            row += [f"{found.torque * 1e3:.4f}", f"{found.max_force:.3f}"]
+        table.add_row(*row)
+    out.print(table)
+
+
+def closed_forms(cage: DrivenCage, *, duration: float) -> None:
+    rate = cage.ball_speed / cage.ring_speed
+    sliding = {
+        "friction_coefficient": cage.friction_coefficient,
+        "ball_rate": rate,
+        "ball_radius": cage.ball_radius,
+        "contact_angle": ANGLE,
+    }
+    table = Table("motion", "quantity", "closed form", "motion", "difference")
+
+    def add(name: str, quantity: str, closed: float, found: float) -> None:
+        table.add_row(name, quantity, f"{closed:.4g}", f"{found:.4g}", f"{found / closed - 1:+.2%}")
+
+    resting = measured_motion(cage, start="rest", duration=duration)
+    add("rest", "torque, N mm", float(rest_torque(cage_mass=cage.mass, **sliding)) * 1e3, resting.torque * 1e3)
+    for name, case, leaning in (
+        ("whirl", cage, 0.0),
+        ("whirl, tilt locked", replace(cage, transverse_inertia=1.0), ANGLE),
+    ):
+        motion = CageMotion(case, begin="whirl", seed=0)
+        motion.advance(duration)
+        found = motion.advance(duration)
+        whirl = whirl_speed(
+            ball_speed=cage.ball_speed, ball_radius=cage.ball_radius, contact_angle=leaning, room=cage.room
+        )
+        force = whirl_force(cage_mass=cage.mass, whirl=whirl, orbit_speed=cage.orbit_speed, room=cage.room)
+        add(name, "speed, rad/s", float(whirl) + cage.orbit_speed, found.circling)
+        add(name, "sum of normal forces, N", float(force), found.force)
+        if leaning:
+            torque = float(whirl_torque(force=force, **sliding))
+            add(name, "torque, N mm", torque * 1e3, found.slip_power / cage.ring_speed * 1e3)
+    out.print(table)
+
+
+if __name__ == "__main__":
+    main()
