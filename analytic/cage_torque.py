@@ -241,6 +241,6 @@ def _bistable(found: list[CageStatistics | None], operation: Operation) -> tuple
 
 def _told(cage: Cage, friction: PocketFriction, *, moves: bool) -> str:
     if not moves:
-        return f"at rest, closed form; friction: {friction.source}"
+        return f"closed form at rest, friction by {friction.source}"
     stiffness = "Hertz" if cage.pocket_stiffness is None else "given approach"
-    return f'motion from "{cage.start}"; pocket stiffness: {stiffness}; friction: {friction.source}'
+    return f'motion from "{cage.start}", pocket stiffness by {stiffness}, friction by {friction.source}'

@@ -47,6 +47,8 @@ ONLY_IN = {
     "pydantic_core": ("analytic.quantity",),
     "pydantic": ("analytic.tables", "analytic.scenefile"),
     "meshio": ("fembearing.mesh",),
+    "numba": ("analytic.cage_kernel",),  # loaded with the first motion of a cage
+    "xarray": ("analytic.cage_series",),  # likewise on demand
     "skfem": ("fembearing.mesh", "fembearing.fem"),
     "pypardiso": ("fembearing.fem",),
     "pyvista": ("fembearing.report.render",),
@@ -55,7 +57,17 @@ ONLY_IN = {
     "vtk": ("fembearing.report.render",),
 }
 LONGEST_FILE = 400  # lines; what outgrows it is two things
-HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pypardiso"}  # `import analytic` loads none
+HEAVY = {
+    "vtk",
+    "vtkmodules",
+    "pyvista",
+    "skfem",
+    "pint",
+    "pydantic",
+    "pypardiso",
+    "numba",
+    "xarray",
+}  # `import analytic` loads none
 REGISTRY = re.compile(
     r"\b(?:(?:pypi|pythonhosted|npmjs|yarnpkg|anaconda|crates|rubygems)\.(?:org|com|io)|proxy\.golang)"
 )

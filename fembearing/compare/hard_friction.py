@@ -13,7 +13,13 @@ from fembearing.compare.hard_contacts import ROUND_OFF, exponent, with_clearance
 
 VANISHING = (1e-6, "the next term, the square of a change of angle below 1e-4, and less")
 # The limits are those of the text books' forms, at loads that no speed would leave to them.
-AS_HERTZ: dict[str, Decision] = {"spin": "on", "finite_geometry": "off", "centrifugal": "off", "gyroscopic": "off"}
+AS_HERTZ: dict[str, Decision] = {
+    "spin": "on",
+    "finite_geometry": "off",
+    "centrifugal": "off",
+    "gyroscopic": "off",
+    "cage": "off",
+}
 SCENE = """
 name = "a scene with a mistake"
 tolerance = "5 %"

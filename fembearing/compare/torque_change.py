@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from analytic.correction import ContactCorrection, ContactFactors
-from analytic.effects import COMPUTED
+from analytic.effects import COMPUTED, OF_CAGE
 from analytic.finite_geometry import RaceCorrections
 from analytic.loading import corrections_of
 from analytic.scene import Scene
@@ -105,10 +105,10 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     finite geometry knows every load and every ball, and shows the change at each operating point.
     Raises InputError as friction_torque does.
     """
-    plain = replace(scene, effects={**scene.effects, "finite_geometry": "off"})
+    plain = replace(scene, effects={**scene.effects, "finite_geometry": "off", "cage_dynamics": "off"})
     hertz = with_model_uncertainty(plain, friction_torque(plain))
     scene = replace(
-        scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in COMPUTED}
+        scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in COMPUTED + OF_CAGE}
     )
     corrected = _corrected(scene, factors(inner), factors(outer))
     solved = int(np.argmax(hertz.ball_load))

@@ -11,7 +11,14 @@ from fembearing.compare.scene_torque import SceneTorque
 from fembearing.report.wording import PER_MINUTE, PLAIN, SHARES, friction_of, share_of, uncertainty_of
 
 MOST_POINTS = 12  # shown; the JSON has all
-HEADS = {"spin": "spin", "conformity": "conf.", "hysteresis": "hyst.", "rolling": "roll.", "declared": "decl."}
+HEADS = {
+    "spin": "spin",
+    "conformity": "conf.",
+    "hysteresis": "hyst.",
+    "rolling": "roll.",
+    "cage": "cage",
+    "declared": "decl.",
+}
 
 
 def print_torque(out: Console, result: SceneTorque) -> None:
@@ -29,8 +36,10 @@ def print_torque(out: Console, result: SceneTorque) -> None:
         markup=False,
     )
     _print_contacts(out, found, points)
+    _print_cage(out, found, points)
     _print_effects(out, found)
-    rungs = [f"{name} by {found.provenance[name]}".replace("_", " ") for name in ("loads", "contacts", "sliding")]
+    names = ("loads", "contacts", "sliding", *(() if found.cage is None else ("cage",)))
+    rungs = [f"{name} by {found.provenance[name]}".replace("_", " ") for name in names]
     out.print(f"Rungs: {'; '.join(rungs)}. Friction: {friction_of(result.scene)}.\n", highlight=False, markup=False)
     reached = float(np.max(found.numerical_uncertainty, initial=0.0))
     out.print(
@@ -104,6 +113,36 @@ def _print_contacts(out: Console, found: FrictionTorque, points: NDArray[np.intp
         f"Contact angle {angle} rad, mean of both races. a along rolling, b transverse"
         + ("; asperities: their share of the load" if "asperities" in known else "")
         + ".\n",
+        style="dim",
+        highlight=False,
+    )
+
+
+def _print_cage(out: Console, found: FrictionTorque, points: NDArray[np.intp]) -> None:
+    """Where it was moved."""
+    if found.cage is None or not any(found.cage.motion):
+        return
+    table = Table(title="Cage in motion", **PLAIN)
+    for head in ("#", "state", "all forces, N", "largest, N", "95 %", "torque, N mm", "95 %"):
+        table.add_column(head, justify="left" if head == "state" else "right")
+    blocks = 0.0
+    for point in points:
+        motion = found.cage.motion[point]
+        if motion is None:
+            continue
+        blocks = motion.block
+        table.add_row(
+            str(point + 1),
+            motion.state,
+            f"{motion.mean_force:.3g}",
+            f"{motion.max_force:.3g}",
+            "-".join(f"{force:.3g}" for force in motion.max_force_interval),
+            f"{motion.torque * 1e3:.3g}",
+            "-".join(f"{torque * 1e3:.3g}" for torque in motion.torque_interval),
+        )
+    out.print(table)
+    out.print(
+        f"All forces: mean of their sum. Largest: of one ball on its pocket, in {blocks:.2g} s (median of blocks).\n",
         style="dim",
         highlight=False,
     )

@@ -119,7 +119,9 @@ def test_a_scene_that_asks_gets_the_motion(scene: Scene) -> None:
     (warning,) = (warning for warning in found.warnings if "more than one steady motion" in warning)
     assert 'cage.start = "whirl" leads to whirl' in warning
     assert '"rest" to rest' in warning
-    assert found.provenance["cage"] == 'motion from "whirl"; pocket stiffness: Hertz; friction: friction.coefficient'
+    assert (
+        found.provenance["cage"] == 'motion from "whirl", pocket stiffness by Hertz, friction by friction.coefficient'
+    )
     back = replace(scene.operation, inner_speed=-scene.operation.inner_speed)
     mirrored = friction_torque(with_cage(replace(scene, operation=back), start="whirl"))
     assert mirrored.torque.cage is not None
