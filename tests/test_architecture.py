@@ -47,8 +47,6 @@ ONLY_IN = {
     "pydantic_core": ("analytic.quantity",),
     "pydantic": ("analytic.tables", "analytic.scenefile"),
     "meshio": ("fembearing.mesh",),
-    "numba": ("analytic.cage_kernel",),  # loaded with the first motion of a cage
-    "xarray": ("analytic.cage_series",),  # likewise on demand
     "skfem": ("fembearing.mesh", "fembearing.fem"),
     "pypardiso": ("fembearing.fem",),
     "pyvista": ("fembearing.report.render",),
