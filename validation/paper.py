@@ -73,7 +73,7 @@ def report(found: list[Comparison], jumps: list[Jump], out: Console) -> None:
             *(_cell(one.beside[row], scale) for one in found),
         )  # fmt: skip
     out.print(numbers)
-    out.print("*: without the cage, which is in the paper's number and not modelled yet in ours.\n")
+    out.print("*: without the cage, which is in the paper's number and not in these scenes.\n")
     verdicts = Table("curve", "Sq, um", *(one.name for one in found), title=f"Curves, matched within {MATCH:.0%}")
     for row, curve in enumerate(found[0].curves):
         verdicts.add_row(

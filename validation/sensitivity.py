@@ -289,7 +289,7 @@ def report(found: list[Swing], scene: Scene, torque: Array, out: Console) -> Non
             )  # fmt: skip
     out.print(table)
     totals = " and ".join(f"{value * 1e3:.1f} N mm at {speed}" for value, speed in zip(torque, speeds, strict=True))
-    out.print(f"{scene.name}: total torque {totals}, without the cage, which is not modelled yet.")
+    out.print(f"{scene.name}: total torque {totals}, without a cage.")
 
 
 def write(found: list[Swing], scene: Scene, path: Path) -> None:

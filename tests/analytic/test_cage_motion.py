@@ -194,6 +194,17 @@ def test_a_cage_that_rests_slides_with_its_weight(begin: Any) -> None:
     assert abs(passed.moment) < 1e-3 * passed.slip_power / W  # the signed moment averages to nothing
 
 
+@pytest.mark.parametrize("sign", [1, -1])
+def test_rest_begins_where_friction_and_weight_balance(sign: int) -> None:
+    """Off the vertical by atan(mu), against the drive; begun elsewhere it would swing by as much."""
+    cage = replace(CAGE, orbit_speed=sign * CAGE.orbit_speed, ball_speed=sign * CAGE.ball_speed)
+    motion = CageMotion(cage, begin="rest")
+    x, y, _ = motion.centre
+    np.testing.assert_allclose(x / -y, sign * 0.1, rtol=1e-9)
+    motion.advance(0.005)
+    assert motion.advance(0.02).unrest < 0.01 * cage.room
+
+
 @pytest.mark.parametrize("locked", [True, False])
 def test_a_cage_that_whirls_rolls_in_its_pockets(locked: bool) -> None:
     cage = replace(CAGE, transverse_inertia=0.7) if locked else CAGE
