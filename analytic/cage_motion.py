@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from analytic.cage import DrivenCage, whirl_speed
-from analytic.errors import FembearingError, InputError, require_non_negative, require_positive
+from analytic.errors import ConvergenceError, FembearingError, InputError, require_non_negative, require_positive
 from analytic.pocket import impact_damping
 from analytic.scene import Array, CageStart
 
@@ -23,15 +23,17 @@ DEEPEST = 0.5  # of the ball's radius: no elastic contact goes so deep
 RESTING_STEP = 1e-4  # s, where nothing moves that would set one
 
 
-class MotionError(FembearingError):
+class MotionError(ConvergenceError):
     """A motion that came apart; nothing of it is a result."""
 
     def __init__(self, *, time: float, place: Array, speed: float, step: float) -> None:
         self.time, self.place, self.speed, self.step = time, place, speed, step
-        super().__init__(
+        self.iterations, self.residual, self.tolerance = 0, np.inf, 0.0  # no iteration, and nothing of it settled
+        FembearingError.__init__(
+            self,
             f"the cage's motion came apart at {time:.6g} s: centre at ({', '.join(f'{p:.3g}' for p in place)}) m, "
             f"speed {speed:.3g} m/s, with a step of {step:.3g} s. Take more steps a contact, or check "
-            "stiffness, mass and speed of the cage"
+            "stiffness, mass and speed of the cage",
         )
 
 
