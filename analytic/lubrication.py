@@ -5,6 +5,7 @@ races, operating points, balls.
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -38,6 +39,7 @@ class LubricatedRaces:
         """A_H = pi a b, m^2."""
         return np.pi * self.balls.contact.semi_axis_x * self.balls.contact.semi_axis_y
 
+    @cached_property
     def heating_factor(self) -> Array:
         """What shear at the inlet leaves of the film; a ball slides by less than a hundredth of its rolling."""
         oil = inlet_viscosity(self.lubricant)

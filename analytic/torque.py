@@ -15,7 +15,6 @@ import numpy as np
 
 from analytic.balls import LoadedBalls
 from analytic.cage_torque import cage_friction
-from analytic.catalogue_torque import inlet_shear_factor, replenishment_factor
 from analytic.correction import ContactCorrection
 from analytic.effects import DECLARED, EFFECTS, Choices, Effect
 from analytic.errors import InputError, require_finite, require_non_negative
@@ -24,8 +23,9 @@ from analytic.lubrication import LubricatedRaces, lubricated_races
 from analytic.mixed import MixedContact
 from analytic.race import hysteresis_moment
 from analytic.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
-from analytic.scene import Array, Lubricant, Scene
-from analytic.sliding import Sliding, full_spin, largest_spin_rise, most_missed, race_sliding, rolling_power
+from analytic.scene import Array, Scene
+from analytic.sliding import Sliding, race_sliding
+from analytic.sliding_choices import chosen_lubrication
 from analytic.torque_result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.torque_warnings import doubts
 from analytic.traction import CoulombTraction, Traction
@@ -33,7 +33,6 @@ from analytic.viscosity import inlet_viscosity
 from analytic.watched import watch
 
 BY_SLIP = ("spin", "conformity")
-LEAST_FILM = 1e-3  # of the isothermal film, or of smooth surfaces' oil: a bound by less is large enough
 PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
 
 
@@ -79,7 +78,7 @@ def friction_torque(
                 ring_speed=speed,
                 film_factor=film_factor,
             )
-        shared, parts = _lubricated(scene, balls, oiled, choices, speed, parts)
+        shared, parts = chosen_lubrication(scene, balls, oiled, choices, speed=speed, rolled=parts)
         slid = race_sliding(
             balls,
             _tractions(scene, oiled, shared),
@@ -193,102 +192,6 @@ def _rolled(
         )
         parts["rolling"] = balls.total(rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed))
     return parts, resistance
-
-
-def _lubricated(
-    scene: Scene,
-    balls: LoadedBalls,
-    oiled: LubricatedRaces | None,
-    choices: Choices,
-    speed: Array,
-    parts: dict[str, Array],
-) -> tuple[MixedContact | None, dict[str, Array]]:
-    """Decides asperities to spin: the load shared by oil and asperities, and the parts, with the rolling that is left.
-
-    The least torque that there can be, rolling without spin on oil alone, is what shares are told of.
-    """
-    rolls, spins = rolling_power(balls), largest_spin_rise(balls)  # m, of each contact
-    uneven = 1 + most_missed(balls, None if oiled is None else oiled.lubricant)  # true over found by mean stresses
-    slips = [np.abs(speed)[:, None] * lever for lever in (rolls, rolls + full_spin(balls))]  # least and most, m/s
-    if oiled is None:
-        force = spinning = np.asarray(scene.friction_coefficient) * balls.load
-    else:
-        force, spinning = (oiled.oil_friction(slip) for slip in slips)
-    kept = {} if scene.lubricant is None else _kept_of_rolling(scene, scene.lubricant, speed)
-    least = dict(parts)
-    if "rolling" in parts:
-        least["rolling"] = parts["rolling"] * np.prod(list(kept.values()), axis=0)
-    floor = balls.total(force * rolls) + _sum(least, speed)
-    rolling = parts.get("rolling", np.zeros_like(floor))
-    asperities, boundary, heated = False, np.zeros_like(force), np.ones_like(force)
-    if oiled is None:
-        choices.settled("asperities", on=False, reason="the friction coefficient is given")
-    else:
-        boundary = oiled.surface.boundary_friction * balls.load  # N, if asperities carried all
-        heated = oiled.heating_factor()
-        # Whether the film is thinned by heat is decided below: asperities are bounded as if it were.
-        thinned = 1.0 if scene.effects.get("inlet_heating") == "off" else heated
-        share = oiled.largest_asperity_share(thinned)
-        touching = share * boundary * uneven
-        # Oil that bears less is less viscous by far, and shears beside what touches; its film is hardly thicker.
-        left = np.maximum(1 - share - oiled.largest_asperity_area(thinned), 0.0)
-        thin = [
-            oil - left * oiled.oil_friction(slip, borne=1 - share)
-            for oil, slip in zip((force, spinning), slips, strict=True)
-        ]
-        relieved = np.maximum(*thin) * uneven / np.maximum(thinned, LEAST_FILM)
-        most = np.maximum(touching, relieved) * (rolls + spins)
-        asperities = choices.calls_for("asperities", share=_share(balls.total(most), floor))
-        if asperities:
-            floor = floor - balls.total(np.minimum(relieved / uneven, (1 - LEAST_FILM) * force) * rolls)
-            force, spinning = force + touching, spinning + touching
-    heating: Array | float = 1.0
-    if scene.lubricant is None:
-        for name in ("inlet_heating", "starvation"):
-            choices.calls_for(name, share=None, lacks="no lubricant is given")
-    else:
-        loss = (1 - kept["inlet_heating"]) * rolling
-        thinner = np.zeros_like(force)
-        if oiled is not None:
-            thinner = (
-                spinning * (1 / np.maximum(heated, LEAST_FILM) - 1) if scene.lubricant.traction == "eyring_sinh" else 0
-            )
-            if asperities:
-                thinner = thinner + (oiled.largest_asperity_share(heated) - oiled.largest_asperity_share()) * boundary
-            loss = loss + balls.total(uneven * thinner * (rolls + spins))
-        if choices.calls_for("inlet_heating", share=_share(loss, floor)):
-            heating = heated if oiled is not None else 1.0
-            spinning = spinning + thinner
-            rolling = rolling * kept["inlet_heating"]
-        starved = kept.get("starvation")
-        lacks = "bearing.bore_diameter and bearing.outside_diameter are not given" if starved is None else None
-        loss = None if starved is None else _share((1 - starved) * rolling, floor)
-        if choices.calls_for("starvation", share=loss, lacks=lacks) and starved is not None:
-            rolling = rolling * starved
-    rise = uneven * (spinning * (rolls + spins) - force * rolls)
-    least_rise = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
-    choices.calls_for("spin", share=_share(balls.total(least_rise[None]), floor))
-    shared = None if oiled is None else oiled.shared(asperities=asperities, heating_factor=heating)
-    return shared, parts | ({"rolling": rolling} if "rolling" in parts else {})
-
-
-def _kept_of_rolling(scene: Scene, lubricant: Lubricant, speed: Array) -> dict[str, Array]:
-    """(n,) of the hydrodynamic rolling torque, what heating and starvation of the inlets leave; by SKF's factors."""
-    bearing, nu = scene.bearing, inlet_viscosity(lubricant).viscosity / lubricant.density
-    bore, outside = bearing.bore_diameter, bearing.outside_diameter
-    mean = bearing.pitch_diameter if bore is None or outside is None else (bore + outside) / 2
-    kept = {
-        "inlet_heating": inlet_shear_factor(mean_diameter=mean, ring_speed=np.abs(speed), kinematic_viscosity=nu),
-    }
-    if bore is not None and outside is not None:
-        kept["starvation"] = replenishment_factor(
-            bore_diameter=bore,
-            outside_diameter=outside,
-            ring_speed=np.abs(speed),
-            kinematic_viscosity=nu,
-            lubrication=lubricant.supply,
-        )
-    return kept
 
 
 def _tractions(scene: Scene, oiled: LubricatedRaces | None, shared: MixedContact | None) -> tuple[Traction, Traction]:

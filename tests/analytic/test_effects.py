@@ -12,6 +12,7 @@ import analytic.friction
 import analytic.loading
 import analytic.lubrication
 import analytic.ring
+import analytic.sliding_choices
 import analytic.torque
 from analytic.asperity_table import AsperityTable
 from analytic.effects import Choices
@@ -131,7 +132,7 @@ def test_starvation_left_out_takes_nothing_from_rolling(
     scene: Scene, how: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Its bound is the formula itself: what is skipped is its use."""
-    factor = Calls(monkeypatch, analytic.torque, "replenishment_factor")
+    factor = Calls(monkeypatch, analytic.sliding_choices, "replenishment_factor")
     effects = {"inlet_heating": "off", "starvation": how}
     found = friction_torque(replace(scene, effects=effects))
     assert (decided(found)["starvation"], len(factor)) == ("off", 1)
