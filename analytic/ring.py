@@ -302,6 +302,7 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
     angles, active = np.full((len(load), ring.bearing.ball_count), angle), np.arange(len(load))
     held = ring.held(load, speed, active, inner_angle=angles, outer_angle=angles, shares=(0.0, 0.0))
     found, steps = _settled(ring, ring.at(_start(ring, load, held), held))
+    left = tolerance = 0.0  # N: change of the forces that a round holds
     for _ in range(MOST_ROUNDS):
         balls = part_of(found.balls, active)
         both = balls.inner_load + balls.outer_load
@@ -318,13 +319,23 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
         )
         again, more = _settled(ring, ring.at(found.place[active], held))
         # A ball that floats, or is wedged, follows its forces without the ring's notice.
-        change = np.abs(held.ball_force - found.held.ball_force[active]).max(axis=(-2, -1))
+        change = np.maximum(
+            np.abs(held.ball_force - found.held.ball_force[active]).max(axis=(-2, -1)),
+            np.abs(held.ring_force - found.held.ring_force[active]).max(axis=-1),
+        )
         found = merged(found, active, again)
         steps[active] += more
-        active = active[(more > 0) | (change > again.tolerance)]
-        if not len(active):
+        open_ = (more > 0) | (change > again.tolerance)
+        if not np.any(open_):
             return found, steps
-    raise _not_settled(found)
+        active, left, tolerance = active[open_], float(np.max(change)), float(again.tolerance[np.argmax(change)])
+    raise ConvergenceError(
+        iterations=MOST_ROUNDS,
+        residual=left,
+        tolerance=tolerance,
+        problem="the balls' own forces in the ring's equilibrium",
+        remedy="Raise the load or lower the speed: the gyroscopic moment asks for more friction than the balance has.",
+    )
 
 
 def _start(ring: _Ring, load: Array, held: _Held) -> Array:
