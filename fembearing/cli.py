@@ -11,7 +11,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -147,6 +147,7 @@ def validate(
         typer.Option("--out", help="New folder for report.html, report.json, pictures and meshes; nothing without it."),
     ] = None,
     hard: Annotated[bool, typer.Option("--hard", help="Run the table of hard cases too.")] = False,
+    with_cost: Annotated[bool, typer.Option("--cost", help="Measure every way to compute each quantity too.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
@@ -156,7 +157,7 @@ def validate(
     from fembearing.report.terminal import print_validation
 
     with _progress() as report:
-        result = run(given, out=folder, tolerance=asked, hard=hard, progress=report)
+        result = run(given, out=folder, tolerance=asked, hard=hard, cost=with_cost, progress=report)
     if as_json:
         _print_json(result.to_json())
     else:
@@ -252,16 +253,26 @@ def _load_series(given: Scene, loads: list[float], *, accuracy: float, as_json: 
     raise typer.Exit(_solved({f"approach at {part.load:g} N": part.approach.total for part in result.points}, accuracy))
 
 
-@app.command(epilog='Example: fembearing cost bearing.toml --tolerance "1 %"')
-def cost(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJson = False) -> None:
+@app.command(epilog='Example: fembearing cost bearing.toml --tolerance "1 %" --out cost-of-my-bearing')
+def cost(
+    scene: ScenePath = None,
+    tolerance: Tolerance = None,
+    folder: Annotated[
+        Path | None, typer.Option("--out", help="New folder for cost.png, cost.csv and cost.json; nothing without it.")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
     """Measure error and time of every way to compute the same quantity, cheap to exact, on this machine."""
     given = _scene(scene)
     asked = _tolerance(tolerance, given)
     from fembearing.compare.cost import measure_cost
+    from fembearing.report.folder import whole_folder, write_cost
     from fembearing.report.terminal import print_cost
 
-    with _progress() as report:
+    with _progress() as report, nullcontext() if folder is None else whole_folder(folder) as place:
         result = measure_cost(given, tolerance=asked, progress=report)
+        if place is not None:
+            write_cost(result, place)
     if as_json:
         _print_json(result.to_json())
     else:
