@@ -9,7 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from analytic.balls import ring_balls
+from analytic.balls import LoadedBalls, ring_balls, thrust_balls_at_speed
 from analytic.bounds import centrifugal_ratio, gyroscopic_pull
 from analytic.effects import COMPUTED
 from analytic.equilibrium import ThrustEquilibrium, free_angle, thrust_equilibrium, thrust_equilibrium_frozen
@@ -32,6 +32,7 @@ HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
 # angle takes load off the inner race. Chosen on random scenes (validation/benchmarks/choices.py).
 PER_CENTRIFUGAL, PER_PULL = 1.5, 1.5
 HEAVIEST = 5.0  # times Fr/Z: the heaviest ball under a radial load, as Stribeck rounds his 4.37 up for some clearance
+SETTLED = 1e-10  # of two iterations to the same equilibrium, each to its own last step
 LARGEST_MAP = 2048  # points each way of a generated surface: 0.2 GB while it is made
 SEED = 20250  # of the generated surfaces: any will do, and the same every time
 # Of one generated surface against its ensemble. The mean square of heights over a square of side L has the standard
@@ -84,21 +85,19 @@ def load_question(scene: Scene) -> Question:
     def unloaded() -> Array:
         return np.stack([axial / (bearing.ball_count * np.sin(_free_angle(scene)))] * 2)
 
-    def of_ring() -> Array:
-        found = ring_balls(
-            bearing,
-            rule,
-            axial_load=axial,
-            radial_load=operation.radial_load,
-            moment=operation.moment,
-            inner_speed=operation.inner_speed,
-            centrifugal=True,
-            gyroscopic=True,
-        )
+    def with_inertia(solve: Callable[..., LoadedBalls], **sideways: Array | float) -> Array:
+        speed = operation.inner_speed
+        found = solve(bearing, rule, axial_load=axial, inner_speed=speed, centrifugal=True, gyroscopic=True, **sideways)
         return found.load.max(axis=2)
 
+    def of_ring() -> Array:
+        return with_inertia(ring_balls, radial_load=operation.radial_load, moment=operation.moment)
+
+    def sideways() -> Array:
+        return _of_alike(scene, operation)
+
     def beyond_thrust() -> float:
-        return _beyond_thrust(scene, operation)
+        return float(np.max(sideways() + _of_still(scene, operation)))
 
     return Question(
         quantity="load of the heaviest ball",
@@ -111,6 +110,11 @@ def load_question(scene: Scene) -> Question:
                 bound=lambda: _of_frozen(scene, axial) + beyond_thrust(),
             ),
             Way(name="thrust, solved", run=lambda: of_thrust(thrust_equilibrium), bound=beyond_thrust),
+            Way(
+                name="thrust, at speed",
+                run=lambda: with_inertia(thrust_balls_at_speed),
+                bound=lambda: float(np.max(sideways())) + SETTLED,
+            ),
             Way(name="equilibrium of the ring", run=of_ring, bound=lambda: ROUND_OFF, may_refer=True),
         ),
     )
@@ -124,7 +128,7 @@ def friction_question(scene: Scene) -> Question:
         raise InputError('friction.microslip = "as_printed" has one way: the paper\'s moments')
     decided = friction_torque(scene).effects
     effects: dict[str, Decision] = {each.name: each.decision for each in decided if each.name in COMPUTED}
-    if "on" not in (effects["spin"], effects["conformity"]):
+    if "on" not in (effects.get("spin"), effects.get("conformity")):
         raise InputError("nothing slides: spin and conformity are off")
     asked = replace(scene, effects={**scene.effects, **effects})
 
@@ -223,8 +227,17 @@ def _of_frozen(scene: Scene, axial_load: Array) -> float:
     return float(np.max(np.abs(found.approach / true - 1) * np.cos(angle) ** 2 * 3 / 2))
 
 
-def _beyond_thrust(scene: Scene, operation: Operation) -> float:
-    """What radial load, moment and inertia can do to the heaviest ball of a thrust, of its true load."""
+def _of_alike(scene: Scene, operation: Operation) -> Array:
+    """(n,) what radial load and moment do to the heaviest ball of a thrust, of its true load."""
+    bearing = scene.bearing
+    thrust = thrust_equilibrium(bearing, scene.contact_angle, axial_load=operation.axial_load)
+    sideways = np.abs(operation.radial_load) + np.abs(operation.moment) / bearing.pitch_diameter
+    unequal = HEAVIEST * sideways / (bearing.ball_count * thrust.ball_load)
+    return unequal / (1 + unequal)
+
+
+def _of_still(scene: Scene, operation: Operation) -> Array:
+    """(n,) what the inertia of the balls does to their load under thrust, of the true one."""
     bearing = scene.bearing
     thrust = thrust_equilibrium(bearing, scene.contact_angle, axial_load=operation.axial_load)
     load, angle = thrust.ball_load, thrust.contact_angle
@@ -236,8 +249,6 @@ def _beyond_thrust(scene: Scene, operation: Operation) -> float:
         ball_diameter=bearing.ball_diameter,
     )
     cage, ball = np.abs(motion.cage_speed), np.abs(motion.ball_speed)
-    sideways = np.abs(operation.radial_load) + np.abs(operation.moment) / bearing.pitch_diameter
-    unequal = HEAVIEST * sideways / (bearing.ball_count * load)
     centrifugal = centrifugal_ratio(
         ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=cage, load=load
     )
@@ -249,7 +260,7 @@ def _beyond_thrust(scene: Scene, operation: Operation) -> float:
         contact_angle=angle,
         load=load,
     )
-    return float(np.max(unequal / (1 + unequal) + PER_CENTRIFUGAL * centrifugal + PER_PULL * pull))
+    return PER_CENTRIFUGAL * centrifugal + PER_PULL * pull
 
 
 def _of_generated(correlation: Autocorrelation, size: int) -> float:

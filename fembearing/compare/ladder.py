@@ -94,10 +94,8 @@ class Ladder:
     def choices(self) -> tuple[Choice, ...]:
         """The rung that each of DIGITS takes, and what the next digit costs."""
         rungs = [self.choose(digit) for digit in DIGITS]
-        prices: list[float | None] = [None]
-        for loose, tight in pairwise(rungs):
-            known = loose is not None and tight is not None and loose.seconds and tight.seconds
-            prices.append(tight.seconds / loose.seconds if known else None)  # pyright: ignore[reportOptionalMemberAccess, reportOptionalOperand]
+        seconds = [None if rung is None else rung.seconds for rung in rungs]
+        prices = [None, *(tight / loose if loose and tight else None for loose, tight in pairwise(seconds))]
         return tuple(
             Choice(tolerance=digit, rung=rung, price=price)
             for digit, rung, price in zip(DIGITS, rungs, prices, strict=True)

@@ -31,7 +31,7 @@ def peak_while(run: Callable[[], Result]) -> tuple[Result, int | None]:
     It counts what the process held already: interpreter and libraries are part of the price. Only Linux counts a peak
     anew; elsewhere it is the largest so far, of this run and those before it.
     """
-    global _forgotten  # noqa: PLW0603 (the peak belongs to the process, as there is one of it)
+    global _forgotten  # the peak belongs to the process, as there is one of it
     before = peak_memory()
     try:
         FORGET.write_text(FORGET_PEAK)

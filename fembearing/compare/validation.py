@@ -16,8 +16,8 @@ from fembearing.compare.cost import Cost, measure_cost
 from fembearing.compare.discrepancy import ContactSolution, contact_of, solve_contact, with_ring
 from fembearing.compare.hard_cases import HardOutcome, run_hard_cases
 from fembearing.compare.ladder import Ladder
-from fembearing.compare.progress import Progress, part_of, silent
 from fembearing.compare.memory import peak_memory
+from fembearing.compare.progress import Progress, part_of, silent
 from fembearing.compare.provenance import provenance_of
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst

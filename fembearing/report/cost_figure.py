@@ -39,10 +39,13 @@ def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
         row[0].set(xscale="log", yscale="log", ylabel="error, %", ylim=(LEAST / 3, MOST))
         row[0].text(
             *(0.98, 100 * tolerance * 1.15, f"tolerance {100 * tolerance:.3g} %"),
-            **{"transform": row[0].get_yaxis_transform(), "color": "red", "fontsize": 7, "ha": "right"},
+            transform=row[0].get_yaxis_transform(),
+            color="red",
+            fontsize=7,
+            ha="right",
         )
         taken = [place[0] for ladder in shown for rung in ladder.rungs if (place := _place(rung, price))]
-        low, high = 10 ** np.floor(np.log10(min(taken))), 10 ** np.ceil(np.log10(max(taken)))
+        low, high = 10 ** np.floor(np.log10(min(taken))), 10 ** np.floor(np.log10(max(taken)) + 1)
         row[0].set_xlim(low, high)
         for panel, ladder in zip(row, shown, strict=True):
             panel.xaxis.set_minor_formatter(NullFormatter())
@@ -57,8 +60,8 @@ def _panel(panel: Axes, ladder: Ladder, price: str, *, tolerance: float) -> None
     panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
     drawn = [(rung, *place) for rung in ladder.rungs if (place := _place(rung, price))]
     compared = [(x, y) for rung, x, y in drawn if rung.error is not None]
-    style = {"markersize": 5, "linewidth": 1}
-    (line,) = panel.plot(*np.transpose(compared or np.empty((0, 2))), "o-", label=ladder.quantity, **style)
+    x, y = np.transpose(compared or np.empty((0, 2)))
+    (line,) = panel.plot(x, y, "o-", label=ladder.quantity, markersize=5, linewidth=1)
     colour = line.get_color()
     for rung, x, y in drawn:
         if rung.error is None:
@@ -106,7 +109,7 @@ def _height(error: float) -> float:
 
 
 def cost_table(ladders: Sequence[Ladder]) -> str:
-    """Every rung as a line of comma-separated values, SI, errors relative; an absent ladder as a line with its reason."""
+    """Every rung as a line of comma-separated values, SI, errors relative; an absent ladder with its reason."""
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("quantity", "reference", *COLUMNS))

@@ -244,9 +244,9 @@ def print_cost(out: Console, cost: Cost) -> None:
     machine = provenance_of(cost.scene)
     versions = ", ".join(f"{name} {version}" for name, version in machine["versions"].items() if version)
     out.print(
-        f">: the cheapest rung that is known to be within the tolerance, {cost.tolerance:g}. Bound: on the error, known "
-        "before the reference is. Seconds: median of the repeats; first: the call before them; GiB: resident memory at "
-        f"most while it ran. {cost.seconds:.0f} s in all.\n"
+        f">: the cheapest rung that is known to be within the tolerance, {cost.tolerance:g}. Bound: on the error, "
+        "known before the reference is. Seconds: median of the repeats; first: the call before them; GiB: resident "
+        f"memory at most while it ran. {cost.seconds:.0f} s in all.\n"
         f"{machine['processor']}, {machine['cores']} cores, {machine['platform']}, Python {machine['python']}; "
         f"{versions}.",
         highlight=False,
