@@ -1,9 +1,9 @@
 """Would a wrong formula be seen? python validation/mutations.py [--count 60] [--seed 0] [--jobs 1]
 
 Changes one place of one core formula at a time, in a copy: a sign (+ and -), a factor (* and /, or a number by a
-tenth) or an exponent (by one), and runs the tests of that module on it. One that stays green is printed with its line: either a
-test is missing, or the change does not matter there (a starting value, a tolerance, a bound). The places are drawn with
-the seed. Exit status: 0 all seen, 1 some were not.
+tenth) or an exponent (by one), and runs the tests of that module on it. One that stays green is printed with its line:
+either a test is missing, or the change does not matter there (a starting value, a tolerance, a bound). The places are
+drawn with the seed. Exit status: 0 all seen, 1 some were not.
 """
 
 import ast
@@ -55,13 +55,17 @@ def main(
     jobs: Annotated[int, typer.Option(help="At a time.")] = 1,
 ) -> None:
     rng = np.random.default_rng(seed)
-    by_module = [mutations(module) for module in MODULES]
-    drawn = []
-    for number in range(count):  # each module alike
-        of_module = by_module[number % len(by_module)]
-        drawn.append(of_module.pop(int(rng.integers(len(of_module)))))
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(jobs) as pool:
-        outcomes = pool.map(partial(is_seen, folder=Path(folder)), range(count), drawn)
+        base = Path(folder) / "base"  # as it is now, whatever is edited meanwhile
+        for part in ("analytic", "fembearing", "tests", "validation", "meshes"):
+            shutil.copytree(ROOT / part, base / part, ignore=shutil.ignore_patterns("__pycache__"), symlinks=True)
+        shutil.copy(ROOT / "pyproject.toml", base)
+        by_module = [mutations(base, module) for module in MODULES]
+        drawn = []
+        for number in range(count):  # each module alike
+            of_module = by_module[number % len(by_module)]
+            drawn.append(of_module.pop(int(rng.integers(len(of_module)))))
+        outcomes = pool.map(partial(is_seen, base=base), range(count), drawn)
         seen: Counter[str] = Counter()
         for mutation, was_seen in zip(drawn, outcomes, strict=True):
             seen[mutation.kind] += was_seen
@@ -72,9 +76,9 @@ def main(
     raise typer.Exit(0 if seen == total else 1)
 
 
-def mutations(module: str) -> list[Mutation]:
+def mutations(root: Path, module: str) -> list[Mutation]:
     """All places of a module's functions where a formula can be changed; not those of messages."""
-    tree = ast.parse((ROOT / "analytic" / f"{module}.py").read_text("utf-8"))
+    tree = ast.parse((root / "analytic" / f"{module}.py").read_text("utf-8"))
     told = {
         id(node) for told in ast.walk(tree) if isinstance(told, ast.Raise | ast.JoinedStr) for node in ast.walk(told)
     }
@@ -121,12 +125,10 @@ class At(ast.NodeTransformer):
         return self.other if node is self.target else self.generic_visit(node)
 
 
-def is_seen(number: int, mutation: Mutation, *, folder: Path) -> bool:
+def is_seen(number: int, mutation: Mutation, *, base: Path) -> bool:
     """Whether the module's tests turn red."""
-    copy = folder / str(number)
-    for part in ("analytic", "tests", "validation"):
-        shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__", "reports"))
-    shutil.copy(ROOT / "pyproject.toml", copy)
+    copy = base.parent / str(number)
+    shutil.copytree(base, copy, symlinks=True)
     file = copy / "analytic" / f"{mutation.module}.py"
     tree = ast.parse(file.read_text("utf-8"))
     target = list(ast.walk(tree))[mutation.place]
@@ -134,12 +136,11 @@ def is_seen(number: int, mutation: Mutation, *, folder: Path) -> bool:
     assert other is not None
     file.write_text(ast.unparse(ast.fix_missing_locations(At(target, other).visit(tree))), "utf-8")
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider"]
-    path = os.pathsep.join((str(copy), str(ROOT)))
     try:
         done = subprocess.run(
             [*command, f"tests/analytic/test_{mutation.module}.py"],
             cwd=copy,
-            env=os.environ | {"PYTHONPATH": path, "CI": "true"},
+            env=os.environ | {"PYTHONPATH": str(copy), "CI": "true"},
             capture_output=True,
             timeout=LONGEST,
             check=False,
