@@ -20,8 +20,7 @@ from analytic.hertz_fitted import fitted_error, hertz_contact_fitted
 from analytic.kinematics import ball_kinematics
 from analytic.loading import points
 from analytic.roughness import generated_surface, spectral_moments
-from analytic.scene import Array, Autocorrelation, Contact, Decision, Operation, Scene
-from analytic.sliding import RUNGS
+from analytic.scene import Array, Autocorrelation, Contact, Decision, Operation, Scene, Sliding
 from analytic.summits import SpectralMoments
 from analytic.torque import friction_torque
 from fembearing.compare.discrepancy import contact_of
@@ -33,6 +32,13 @@ HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
 PER_CENTRIFUGAL, PER_PULL = 1.5, 1.5
 HEAVIEST = 5.0  # times Fr/Z: the heaviest ball under a radial load, as Stribeck rounds his 4.37 up for some clearance
 SETTLED = 1e-10  # of two iterations to the same equilibrium, each to its own last step
+# The rungs of sliding; the nodes of a quadrature follow from the tolerance.
+SLIDING: tuple[tuple[str, Sliding, float], ...] = (
+    ("single coefficient", "single_coefficient", 1.0),
+    ("along axis", "along_axis", 1.0),
+    ("over ellipse, few nodes", "over_ellipse", 1.0),
+    ("over ellipse", "over_ellipse", 1e-6),
+)
 LARGEST_MAP = 2048  # points each way of a generated surface: 0.2 GB while it is made
 SEED = 20250  # of the generated surfaces: any will do, and the same every time
 # Of one generated surface against its ensemble. The mean square of heights over a square of side L has the standard
@@ -121,7 +127,7 @@ def load_question(scene: Scene) -> Question:
 
 
 def friction_question(scene: Scene) -> Question:
-    """Torque by the three ways to integrate sliding, with the same effects and the same loads."""
+    """Torque by the ways to integrate sliding, with the same effects and the same loads."""
     if not scene.has_friction:
         raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
     if scene.microslip == "as_printed":
@@ -132,19 +138,19 @@ def friction_question(scene: Scene) -> Question:
         raise InputError("nothing slides: spin and conformity are off")
     asked = replace(scene, effects={**scene.effects, **effects})
 
-    def way(rung: str) -> Way:
-        of_rung = replace(asked, sliding=rung)
+    def way(name: str, rung: Sliding, tolerance: float) -> Way:
+        of_rung = replace(asked, sliding=rung, tolerance=tolerance)
         return Way(
-            name=rung.replace("_", " "),
+            name=name,
             run=lambda: friction_torque(of_rung).torque.total,
             bound=lambda: float(np.max(friction_torque(of_rung).numerical_uncertainty)),
-            may_refer=rung == RUNGS[-1],
+            may_refer=name == SLIDING[-1][0],
         )
 
     return Question(
         quantity="friction torque",
         reference=f"sliding integrated over the ellipse; worst of {points(scene).axial_load.size} operating points",
-        ways=tuple(way(rung) for rung in RUNGS),
+        ways=tuple(way(*rung) for rung in SLIDING),
     )
 
 

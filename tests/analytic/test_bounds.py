@@ -141,7 +141,7 @@ def test_the_gyroscopic_pull_is_what_the_ring_feels(bearing_6205: Bearing) -> No
 
 
 def test_unequal_balls_add_up_to_the_radial_load_and_to_the_moment() -> None:
-    """Loads Q (1 + e cos psi) on many balls, summed: a radial load and a moment that bring e each bring 2 e together."""
+    """Loads Q (1 + e cos psi) summed: a radial load and a moment that bring e each bring 2 e together."""
     angle, pitch, uneven, load = 0.37, 39e-3, 0.23, 110.0
     psi = np.arange(7) * 2 * np.pi / 7
     balls = load * (1 + uneven * np.cos(psi))

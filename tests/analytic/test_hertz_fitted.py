@@ -77,7 +77,7 @@ def test_a_bad_argument_is_named(changed: dict, words: tuple[str, ...]) -> None:
 
 
 def test_the_bound_covers_the_error_and_is_no_more_than_half_above() -> None:
-    """At any ratio of the curvatures, either way round and whatever their size; beyond the last knot it says nothing."""
+    """At any ratio of the curvatures, either way round, whatever their size; beyond the last knot it says nothing."""
     ratios = np.geomspace(1.05, 9e4, 4001)
     for curvatures in ((SMALL * ratios, SMALL), (0.3, 0.3 * ratios)):
         fitted, exact = both(*curvatures)

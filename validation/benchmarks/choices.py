@@ -114,6 +114,9 @@ def show(found: dict[tuple[str, str], list[Checked]], out: Console) -> None:
         numbers = f"{np.median(ratios):.3g}", f"{np.median(errors):.2g}", f"{worst.error / worst.bound:.2g}"
         table.add_row(quantity, name, covers, *numbers, str(worst.seed))
     out.print(table)
+    ratios = [each.bound / max(each.error, FLOOR) for checked in found.values() for each in checked]
+    covered = sum(each.covered for checked in found.values() for each in checked)
+    out.print(f"all: {covered} of {len(ratios)} covered; bound over error {np.median(ratios):.3g}, median")
 
 
 if __name__ == "__main__":
