@@ -19,6 +19,7 @@ from fembearing.mesh.recipe import Recipe
 
 FEWEST = 3  # meshes that can be extrapolated
 MESH_REPEATS = 3
+DEAR = 10.0  # s: a mesh that takes longer is timed once, or a slow machine would take minutes
 # Worst error of semi-axes, peak pressure and approach on each level of the recipe of a race, whatever the contact: a
 # mesh that follows the ellipse leaves about the same of any. 16 random contacts left 0.045 to 0.099, 0.0038 to 0.0094,
 # 0.0008 to 0.0020 and 0.0003 to 0.0007; validation/benchmarks/choices.py tries others.
@@ -49,7 +50,8 @@ def contact_ladder(contact: Contact, *, recipe: Recipe, tolerance: float, progre
         try:
             warm_up = solve().seconds
             mesh, memory = peak_while(solve)
-            seconds = (mesh.seconds, *(solve().seconds for _ in range(MESH_REPEATS - 1)))
+            repeats = 1 if mesh.seconds > DEAR else MESH_REPEATS
+            seconds = (mesh.seconds, *(solve().seconds for _ in range(repeats - 1)))
         except FembearingError as problem:
             trials.append(Trial(name=_level_name(level), answer=None, failed=str(problem), predicted=expected))
             continue
