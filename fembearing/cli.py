@@ -79,6 +79,7 @@ Accuracy = Annotated[
         "on Hertz are by the scene's either way.",
     ),
 ]
+Folder = Annotated[Path | None, typer.Option("--out", help="New folder for page or picture, tables and JSON.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Machine-readable result on standard output, nothing else there.")]
 Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N"; from the scene without it.')]
 Loads = Annotated[
@@ -142,10 +143,7 @@ def about() -> None:
 def validate(
     scene: ScenePath = None,
     tolerance: Tolerance = None,
-    folder: Annotated[
-        Path | None,
-        typer.Option("--out", help="New folder for report.html, report.json, pictures and meshes; nothing without it."),
-    ] = None,
+    folder: Folder = None,
     hard: Annotated[bool, typer.Option("--hard", help="Run the table of hard cases too.")] = False,
     with_cost: Annotated[bool, typer.Option("--cost", help="Measure every way to compute each quantity too.")] = False,
     as_json: AsJson = False,
@@ -223,11 +221,8 @@ def _one_contact(given: Scene, load: float | None, *, accuracy: float, as_json: 
         except InputError as problem:  # half a contact; all else of it is there
             result = replace(result, warnings=(*result.warnings, str(problem)))
     if as_json:
-        _print_json(
-            result.to_json()
-            | {"tolerance": result.tolerance, "accuracy": accuracy}
-            | {"subsurface": None if below is None else below.to_json()}
-        )
+        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
+        _print_json(result.to_json() | added)
     else:
         print_contact(out, result)
         if below is not None:
@@ -257,9 +252,7 @@ def _load_series(given: Scene, loads: list[float], *, accuracy: float, as_json: 
 def cost(
     scene: ScenePath = None,
     tolerance: Tolerance = None,
-    folder: Annotated[
-        Path | None, typer.Option("--out", help="New folder for cost.png, cost.csv and cost.json; nothing without it.")
-    ] = None,
+    folder: Folder = None,
     as_json: AsJson = False,
 ) -> None:
     """Measure error and time of every way to compute the same quantity, cheap to exact, on this machine."""

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from analytic.scenefile import builtin_scene, load_scene
 from fembearing import cli
 from fembearing.compare import contact_ladder, cost, discrepancy, hard_cases, ladder, validation
 from fembearing.compare.hard_case import HardCase

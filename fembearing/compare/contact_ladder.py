@@ -26,7 +26,7 @@ DEAR = 10.0  # s: a mesh that takes longer is timed once, or a slow machine woul
 LEVEL_BOUNDS = {1: 0.105, 2: 0.01, 3: 0.0021, 4: 0.0008}
 
 
-def contact_ladder(contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent) -> Ladder:
+def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent) -> Ladder:
     """Hertz, corrected Hertz, then every level of `recipe`, timed apart from the sizing of the mesh.
 
     Each level's seconds are predicted from the largest mesh solved before it, and run once more than they are timed.

@@ -7,7 +7,7 @@ from typing import Any
 
 from analytic.errors import InputError, require_positive
 from analytic.scene import Scene
-from fembearing.compare.contact_ladder import contact_ladder
+from fembearing.compare.contact_ladder import measured_contact
 from fembearing.compare.discrepancy import RECIPES, contact_of
 from fembearing.compare.formula_ladders import (
     friction_question,
@@ -70,5 +70,5 @@ def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Prog
         except InputError as reason:
             ladders.append(Ladder(quantity=quantity, reference="none", rungs=(), absent=str(reason)))
     recipe = load_recipe(RECIPES["real"])
-    ladders.append(contact_ladder(contact, recipe=recipe, tolerance=asked, progress=part_of(progress, FORMULAS, 1.0)))
+    ladders.append(measured_contact(contact, recipe=recipe, tolerance=asked, progress=part_of(progress, FORMULAS, 1.0)))
     return Cost(scene=scene, tolerance=asked, ladders=tuple(ladders), seconds=time.perf_counter() - start)

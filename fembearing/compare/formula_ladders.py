@@ -127,22 +127,23 @@ def load_question(scene: Scene) -> Question:
 
 
 def friction_question(scene: Scene) -> Question:
-    """Torque by the ways to integrate sliding, with the same effects and the same loads."""
+    """Torque of the races by the ways to integrate sliding, with the same effects and the same loads."""
     if not scene.has_friction:
         raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
     if scene.microslip == "as_printed":
         raise InputError('friction.microslip = "as_printed" has one way: the paper\'s moments')
-    decided = friction_torque(scene).effects
+    plain = replace(scene, effects={**scene.effects, "cage": "off"})  # whose motion has a ladder of its own
+    decided = friction_torque(plain).effects
     effects: dict[str, Decision] = {each.name: each.decision for each in decided if each.name in COMPUTED}
     if "on" not in (effects.get("spin"), effects.get("conformity")):
         raise InputError("nothing slides: spin and conformity are off")
-    asked = replace(scene, effects={**scene.effects, **effects})
+    asked = replace(scene, effects={**plain.effects, **effects})
 
     def way(name: str, rung: Sliding, tolerance: float) -> Way:
         of_rung = replace(asked, sliding=rung, tolerance=tolerance)
         return Way(
             name=name,
-            run=lambda: friction_torque(of_rung).torque.total,
+            run=lambda: friction_torque(of_rung).torque.race,
             bound=lambda: float(np.max(friction_torque(of_rung).numerical_uncertainty)),
             may_refer=name == SLIDING[-1][0],
         )

@@ -48,7 +48,7 @@ def validate(
 
 def write_report(result: Validation, folder: Path) -> Validation:
     """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
-    from fembearing.report.cost_figure import cost_table
+    from fembearing.report.ladders import cost_table
     from fembearing.report.page import write_page  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures import draw_pictures
 
@@ -64,8 +64,8 @@ def write_report(result: Validation, folder: Path) -> Validation:
 
 def write_cost(cost: Cost, folder: Path) -> None:
     """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
-    from fembearing.report.cost_figure import cost_figure, cost_table
     from fembearing.report.figures import png
+    from fembearing.report.ladders import cost_figure, cost_table
 
     (folder / "cost.png").write_bytes(png(cost_figure(cost.ladders, tolerance=cost.tolerance)))
     (folder / "cost.csv").write_text(cost_table(cost.ladders), "utf-8")

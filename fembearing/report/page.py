@@ -15,8 +15,8 @@ from fembearing.compare.catalogue import BesideCatalogue, beside_catalogue
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.provenance import provenance_of
 from fembearing.compare.validation import Validation
-from fembearing.report.cost_figure import cost_figure
 from fembearing.report.figures import convergence_figure, png
+from fembearing.report.ladders import cost_figure
 from fembearing.report.pictures import Picture
 from fembearing.report.wording import (
     AXES,

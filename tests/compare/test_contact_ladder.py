@@ -30,7 +30,7 @@ def test_a_ladder_of_meshes_is_that_of_the_solution_at_hand(
 ) -> None:
     """The errors by hand from the solution; the same ladder run anew, and taken over without a solve."""
     steps: list[float] = []
-    run = contact_ladder.contact_ladder(
+    run = contact_ladder.measured_contact(
         contacts["inner"], recipe=coarse, tolerance=0.01, progress=lambda share, _: steps.append(share)
     )
     monkeypatch.setattr(contact_ladder, "solve_on_mesh", None)
@@ -81,7 +81,7 @@ def test_the_reference_says_how_far_off_it_is_itself(solved: ContactSolution) ->
 
 @pytest.mark.usefixtures("timed_once")
 def test_a_contact_that_cannot_be_meshed_has_no_reference(contacts: dict[str, Contact], coarse: Recipe) -> None:
-    ladder = contact_ladder.contact_ladder(replace(contacts["inner"], load=2e5), recipe=coarse, tolerance=0.9)
+    ladder = contact_ladder.measured_contact(replace(contacts["inner"], load=2e5), recipe=coarse, tolerance=0.9)
     assert len(ladder.rungs) == 5
     assert "outside 0 to 0.45 of the fit" in (ladder.rungs[1].failed or "")
     assert all("too wide" in (rung.failed or "") for rung in ladder.rungs[2:])

@@ -99,7 +99,7 @@ def ladders_of(scene: Scene, absent: dict[str, int], *, with_meshes: bool, race:
         try:
             contact = contact_of(scene, pair="outer" if race else "inner")
             recipe = load_recipe(RECIPES["real"])
-            found.append(contact_ladder.contact_ladder(contact, recipe=recipe, tolerance=scene.tolerance))
+            found.append(contact_ladder.measured_contact(contact, recipe=recipe, tolerance=scene.tolerance))
         except FembearingError:
             absent["contact"] += 1
     return found

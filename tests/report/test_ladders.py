@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.compare.ladder import Ladder, Rung
-from fembearing.report.cost_figure import LEAST, cost_figure, cost_table
+from fembearing.report.ladders import LEAST, cost_figure, cost_table
 from fembearing.report.wording import choices_line
 
 GIB = 2**30
