@@ -96,8 +96,8 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     load, area, _ = summit_integrals(t, np.full_like(t, yielding))
     if not (np.all(load > 0) and np.all(area > 0)):  # no double holds the loads of summits that are all but flat
         raise InputError(
-            f"summits of radius {summits.radius:.3g} m whose heights deviate by {deviation:.3g} m are all but flat: give "
-            "a rougher surface, or an rms_roughness of 0"
+            f"summits of radius {summits.radius:.3g} m whose heights deviate by {deviation:.3g} m are all but flat: "
+            "give a rougher surface, or an rms_roughness of 0"
         )
     higher, scaled = log_ndtr(-t), np.maximum(t, 0.0) ** 2 / 2
     log_load, log_area = np.log(load) - scaled, np.log(area) - scaled
