@@ -78,7 +78,7 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     """Splines that give what asperity_contact gives, to 1e-8 relative up to w_1 = 1000 sigma_s.
 
     summits : of a rough surface, numbers;  modulus : E*, Pa, > 0;  hardness : H, of the softer body, Pa, > 0
-    Raises InputError for a smooth surface, which has no such table.
+    Raises InputError for a smooth surface, or one that is all but smooth, which have no such table.
     """
     require_positive(
         density=summits.density,
@@ -94,6 +94,11 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     v = v[np.diff(v, prepend=-np.inf) > 1e-6]  # of neighbours that all but coincide one is enough
     t = np.sinh(v)
     load, area, _ = summit_integrals(t, np.full_like(t, yielding))
+    if not (np.all(load > 0) and np.all(area > 0)):  # no double holds the loads of summits that are all but flat
+        raise InputError(
+            f"summits of radius {summits.radius:.3g} m whose heights deviate by {deviation:.3g} m are all but flat: "
+            "give a rougher surface, or an rms_roughness of 0"
+        )
     higher, scaled = log_ndtr(-t), np.maximum(t, 0.0) ** 2 / 2
     log_load, log_area = np.log(load) - scaled, np.log(area) - scaled
     log_area_scale = float(np.log(np.pi * summits.radius * summits.density * deviation))

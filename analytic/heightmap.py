@@ -73,9 +73,10 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
     if not np.isfinite(heights).all():
         row, column = (int(i) for i in np.argwhere(~np.isfinite(heights))[0])
         raise InputError(f"{origin}: the height at row {row}, column {column} is not finite; fill or cut out gaps")
-    if not np.ptp(heights) <= HIGHEST:
+    half = heights.max() / 2 - heights.min() / 2  # the whole may be more than a double holds
+    if not half <= HIGHEST / 2:
         raise InputError(
-            f"{origin}: heights span {float(np.ptp(heights)):.3g} m, more than {HIGHEST:g} m; give them in m, not in um"
+            f"{origin}: heights span {2 * float(half):.3g} m, more than {HIGHEST:g} m; give them in m, not in um"
         )
     return levelled(HeightMap(heights=heights, spacing=spacing))
 

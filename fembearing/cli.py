@@ -11,7 +11,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -79,6 +79,7 @@ Accuracy = Annotated[
         "on Hertz are by the scene's either way.",
     ),
 ]
+Folder = Annotated[Path | None, typer.Option("--out", help="New folder for page or picture, tables and JSON.")]
 AsJson = Annotated[bool, typer.Option("--json", help="Machine-readable result on standard output, nothing else there.")]
 Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N"; from the scene without it.')]
 Loads = Annotated[
@@ -142,11 +143,9 @@ def about() -> None:
 def validate(
     scene: ScenePath = None,
     tolerance: Tolerance = None,
-    folder: Annotated[
-        Path | None,
-        typer.Option("--out", help="New folder for report.html, report.json, pictures and meshes; nothing without it."),
-    ] = None,
+    folder: Folder = None,
     hard: Annotated[bool, typer.Option("--hard", help="Run the table of hard cases too.")] = False,
+    with_cost: Annotated[bool, typer.Option("--cost", help="Measure every way to compute each quantity too.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
@@ -156,7 +155,7 @@ def validate(
     from fembearing.report.terminal import print_validation
 
     with _progress() as report:
-        result = run(given, out=folder, tolerance=asked, hard=hard, progress=report)
+        result = run(given, out=folder, tolerance=asked, hard=hard, cost=with_cost, progress=report)
     if as_json:
         _print_json(result.to_json())
     else:
@@ -222,11 +221,8 @@ def _one_contact(given: Scene, load: float | None, *, accuracy: float, as_json: 
         except InputError as problem:  # half a contact; all else of it is there
             result = replace(result, warnings=(*result.warnings, str(problem)))
     if as_json:
-        _print_json(
-            result.to_json()
-            | {"tolerance": result.tolerance, "accuracy": accuracy}
-            | {"subsurface": None if below is None else below.to_json()}
-        )
+        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
+        _print_json(result.to_json() | added)
     else:
         print_contact(out, result)
         if below is not None:
@@ -252,16 +248,24 @@ def _load_series(given: Scene, loads: list[float], *, accuracy: float, as_json: 
     raise typer.Exit(_solved({f"approach at {part.load:g} N": part.approach.total for part in result.points}, accuracy))
 
 
-@app.command(epilog='Example: fembearing cost bearing.toml --tolerance "1 %"')
-def cost(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJson = False) -> None:
+@app.command(epilog='Example: fembearing cost bearing.toml --tolerance "1 %" --out cost-of-my-bearing')
+def cost(
+    scene: ScenePath = None,
+    tolerance: Tolerance = None,
+    folder: Folder = None,
+    as_json: AsJson = False,
+) -> None:
     """Measure error and time of every way to compute the same quantity, cheap to exact, on this machine."""
     given = _scene(scene)
     asked = _tolerance(tolerance, given)
     from fembearing.compare.cost import measure_cost
+    from fembearing.report.folder import whole_folder, write_cost
     from fembearing.report.terminal import print_cost
 
-    with _progress() as report:
+    with _progress() as report, nullcontext() if folder is None else whole_folder(folder) as place:
         result = measure_cost(given, tolerance=asked, progress=report)
+        if place is not None:
+            write_cost(result, place)
     if as_json:
         _print_json(result.to_json())
     else:

@@ -1,5 +1,6 @@
 """The command line as a user meets it: exit status, what stands on which stream, one line for each mistake."""
 
+import csv
 import io
 import json
 import re
@@ -11,8 +12,9 @@ from typing import Any, NamedTuple
 
 import pytest
 
+from analytic.scenefile import builtin_scene, load_scene
 from fembearing import cli
-from fembearing.compare import cost, discrepancy, hard_cases
+from fembearing.compare import contact_ladder, cost, discrepancy, hard_cases, ladder, validation
 from fembearing.compare.hard_case import HardCase
 from fembearing.fem import solution
 from fembearing.mesh.recipe import load_recipe
@@ -361,30 +363,45 @@ def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPat
         HardCase(name="three", asked="1 + 2", right="3", evaluate=lambda: 4.0, expected=3.0, tolerance=(0.0, "exact")),
     )
     monkeypatch.setattr(hard_cases, "HARD_CASES", cases)
+    measured = cost.Cost(scene=load_scene(builtin_scene("6205")), tolerance=0.9, ladders=(), seconds=0.5)
+    monkeypatch.setattr(validation, "measure_cost", lambda *_, **__: measured)
     scene = tmp_path / "scene.toml"
     scene.write_text(SCENE)
-    result = command("validate", str(scene), "--tolerance", "90 %", "--hard")
+    result = command("validate", str(scene), "--tolerance", "90 %", "--hard", "--cost")
     assert result.status == 1
     assert "three: 4, expected 3" in result.out
     assert "2 hard cases: 1 right, 0 refused as they should be, 1 wrong" in result.out
     assert "pocket" not in result.out  # no [cage], no pocket solve
 
 
-def test_cost_shows_what_each_rung_gives_for_its_time(command, monkeypatch: pytest.MonkeyPatch) -> None:
-    short = replace(load_recipe("race"), levels=(1, 2, 3))
-    monkeypatch.setattr(cost, "load_recipe", lambda _: short)
-    monkeypatch.setattr(cost, "MESH_REPEATS", 1)
-    shown = command("cost", "--tolerance", "0.5 %")
+def test_cost_shows_what_each_rung_gives_for_its_time(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Printed, as JSON, and in a folder with its picture and its table."""
+    monkeypatch.setattr(cost, "load_recipe", lambda _: replace(load_recipe("race"), levels=(1, 2)))
+    monkeypatch.setattr(contact_ladder, "MESH_REPEATS", 1)
+    monkeypatch.setattr(ladder, "FORMULA_REPEATS", 1)
+    kept: list[cost.Cost] = []
+    measure = cost.measure_cost
+    monkeypatch.setattr(cost, "measure_cost", lambda *given, **how: kept.append(measure(*given, **how)) or kept[0])
+    folder = tmp_path / "cost"
+    shown = command("cost", "--tolerance", "0.5 %", "--out", str(folder))
     assert shown.status == 0
-    for words in ("Hertz contact", "Contact angle", "Contact, inner", "frozen stiffness", "level 2", "GiB", "seconds"):
+    for words in ("Hertz contact", "Load of the heaviest ball", "Contact, inner", "Price of the next digit", "GiB"):
         assert words in shown.out
-    chosen = [line for line in shown.out.splitlines() if line.startswith("> ")]
-    assert len([line for line in chosen if "%" in line or "reference" in line]) == 3
+    assert "Roughness: does not apply: the scene has no [surface]." in shown.out
+    chosen = [line.split()[1] for line in shown.out.splitlines() if line.startswith(">  ")]
+    assert chosen[:3] == ["exact", "thrust,", "over"]  # of two meshes none is known to be that good
     assert max(map(len, shown.out.splitlines())) <= 80
+    assert sorted(file.name for file in folder.iterdir()) == ["cost.csv", "cost.json", "cost.png"]
+    told = json.loads((folder / "cost.json").read_text())
+    rows = list(csv.DictReader((folder / "cost.csv").read_text("utf-8").splitlines()))
+    assert [(row["quantity"], row["name"]) for row in rows if row["name"]] == [
+        (ladder["quantity"], rung["name"]) for ladder in told["ladders"] for rung in ladder["rungs"]
+    ]
+    monkeypatch.setattr(cost, "measure_cost", lambda *_, **__: kept[0])
     found = json.loads(command("cost", "--json").out)
-    assert [ladder["quantity"] for ladder in found["ladders"]] == ["Hertz contact", "contact angle", "contact, inner"]
-    for ladder in found["ladders"]:
-        assert {"name", "error", "seconds", "memory", "chosen"} <= set(ladder["rungs"][0])
+    assert found["ladders"] == told["ladders"]
+    for one in found["ladders"]:
+        assert one["absent"] or {"name", "error", "seconds", "memory", "chosen"} <= set(one["rungs"][0])
 
 
 def test_help_shows_an_example(command) -> None:

@@ -17,8 +17,8 @@ from analytic.scene import Contact, Pair, Scene
 from fembearing.compare.contact_warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
 from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
 from fembearing.compare.heaviest import heaviest_contact
+from fembearing.compare.memory import peak_memory
 from fembearing.compare.progress import Progress, silent
-from fembearing.compare.provenance import peak_memory
 from fembearing.compare.reference import COMPARED, Estimates, solve_reference
 from fembearing.compare.ring import RingStructure, structure_of_ring
 from fembearing.compare.uncertainty import Estimate

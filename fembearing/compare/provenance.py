@@ -1,7 +1,8 @@
-"""Where a result comes from and what it took: versions, machine, scene, memory."""
+"""Where a result comes from and how: versions, machine, scene."""
 
 import hashlib
 import json
+import os
 import platform
 import sys
 from collections.abc import Mapping
@@ -13,11 +14,6 @@ from typing import Any
 import numpy as np
 
 from analytic.scene import Scene
-
-try:
-    import resource
-except ImportError:  # Windows
-    resource = None
 
 PACKAGES = ("fembearing", "numpy", "scipy", "scikit-fem", "meshio", "numba", "pypardiso", "mkl", "pyvista", "vtk")
 
@@ -34,16 +30,9 @@ def provenance_of(scene: Scene) -> dict[str, Any]:
         "python": platform.python_version(),
         "platform": platform.platform(),
         "processor": platform.machine(),
+        "cores": os.cpu_count(),
         "versions": {package: _version(package) for package in PACKAGES},
     }
-
-
-def peak_memory() -> int | None:
-    """Largest resident memory of this process so far, bytes; None where the system keeps no such record."""
-    if resource is None:
-        return None
-    largest = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return largest if sys.platform == "darwin" else 1024 * largest  # bytes there, kilobytes elsewhere
 
 
 def _plain(value: Any) -> Any:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 
 from analytic.scene import Contact
+from fembearing.compare.predicted import about, predicted_seconds
 from fembearing.compare.progress import Progress
 from fembearing.compare.uncertainty import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
@@ -69,7 +70,8 @@ def solve_reference(
     predicted = _predicted_level(meshes, recipe=recipe, allowed=allowed)
     finer = [level for level in recipe.levels if level >= predicted]
     for number, level in enumerate(finer):
-        progress(0.3 + 0.7 * number / len(finer), f"{contact.pair}: level {level}")
+        expected = about(predicted_seconds(level, known=meshes[-1]))
+        progress(0.3 + 0.7 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
         meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=second.pair.semi_axes))
         estimates = {name: replace(part, **vars(boundary[name])) for name, part in estimates_of(meshes).items()}
         holds = all(estimates[name].mesh <= limit for name, limit in allowed.items())

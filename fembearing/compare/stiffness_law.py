@@ -23,8 +23,8 @@ from fembearing.compare.contact_warnings import (
 )
 from fembearing.compare.discrepancy import Shape, as_meshed, contact_of, hertz_quantities, recipe_of, traced_to_load
 from fembearing.compare.law_fit import LawData, StiffnessLaw, fit_law, fit_tangents
+from fembearing.compare.memory import peak_memory
 from fembearing.compare.progress import Progress, part_of, silent
-from fembearing.compare.provenance import peak_memory
 from fembearing.compare.reference import boundary_effect, estimates_of, has_boundary, solve_reference
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.verdict import Verdict, could_be_decided, verdict_on, worst

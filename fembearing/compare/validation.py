@@ -11,11 +11,14 @@ from analytic.errors import InputError
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
 from fembearing.compare.catalogue import beside_catalogue
-from fembearing.compare.cost import contact_ladder_of
+from fembearing.compare.contact_ladder import contact_ladder_of
+from fembearing.compare.cost import Cost, measure_cost
 from fembearing.compare.discrepancy import ContactSolution, contact_of, solve_contact, with_ring
 from fembearing.compare.hard_cases import HardOutcome, run_hard_cases
+from fembearing.compare.ladder import Ladder
+from fembearing.compare.memory import peak_memory
 from fembearing.compare.progress import Progress, part_of, silent
-from fembearing.compare.provenance import peak_memory, provenance_of
+from fembearing.compare.provenance import provenance_of
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
 from fembearing.mesh.recipe import Geometry
@@ -23,7 +26,7 @@ from fembearing.mesh.recipe import Geometry
 # Contacts with the seconds that they took on one machine, for the progress alone.
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
 POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
-HARD_SECONDS = 30.0
+HARD_SECONDS, COST_SECONDS = 30.0, 45.0
 ENOUGH = 0.2  # uncertainty that is asked of a reference, as a share of the tolerance that it is to judge
 
 
@@ -36,8 +39,16 @@ class Validation:
     contacts: tuple[ContactSolution, ...]
     torque: TorqueChange | None  # None where the scene gives neither friction nor lubrication
     hard: tuple[HardOutcome, ...]  # empty unless they were asked for
+    cost: Cost | None  # every ladder, measured; None unless that was asked for
     seconds: float
     trouble: tuple[str, ...] = ()  # met while the report was written
+
+    @property
+    def ladders(self) -> tuple[Ladder, ...]:
+        """All of the scene's where they were asked for, else the rungs that the check itself ran."""
+        if self.cost is not None:
+            return self.cost.ladders
+        return tuple(contact_ladder_of(contact) for contact in self.contacts if contact.judged)
 
     @property
     def verdict(self) -> Verdict:
@@ -80,7 +91,7 @@ class Validation:
             "cost": {
                 "seconds": self.seconds,
                 "peak_memory": peak_memory(),
-                "ladders": [contact_ladder_of(contact).to_json() for contact in self.contacts if contact.judged],
+                "ladders": [ladder.to_json() for ladder in self.ladders],
             },
             "hard": [outcome.to_json() for outcome in self.hard],
             "warnings": list(self.warnings),
@@ -89,12 +100,18 @@ class Validation:
 
 
 def check_scene(
-    scene: Scene, *, tolerance: float | None = None, hard: bool = False, progress: Progress = silent
+    scene: Scene,
+    *,
+    tolerance: float | None = None,
+    hard: bool = False,
+    cost: bool = False,
+    progress: Progress = silent,
 ) -> Validation:
     """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
 
     tolerance : relative; the scene's unless given
     hard : run the table of hard cases too
+    cost : measure every rung of every ladder too
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """
@@ -106,7 +123,9 @@ def check_scene(
     for pair, *_ in jobs:
         contact_of(scene, pair=pair)  # and so do the contacts
     shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs)])
-    shares /= shares[-1] + (HARD_SECONDS if hard else 0.0)
+    extra = np.cumsum([0.0, HARD_SECONDS * hard, COST_SECONDS * cost])
+    whole = shares[-1] + extra[-1]
+    shares, extra = shares / whole, (shares[-1] + extra) / whole
     contacts = []
     for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
         contacts.append(
@@ -125,7 +144,8 @@ def check_scene(
         tolerance=asked,
         contacts=(inner, outer, *contacts[2:]),
         torque=change_of_torque(scene, inner=inner, outer=outer) if scene.has_friction else None,
-        hard=run_hard_cases(progress=part_of(progress, shares[-1], 1.0)) if hard else (),
+        hard=run_hard_cases(progress=part_of(progress, extra[0], extra[1])) if hard else (),
+        cost=measure_cost(scene, tolerance=asked, progress=part_of(progress, extra[1], 1.0)) if cost else None,
         seconds=time.perf_counter() - start,
     )
 

@@ -1,4 +1,4 @@
-"""Plots of a validation: how the meshes converge, and what accuracy costs."""
+"""How the meshes of a validation converge, as a plot."""
 
 from io import BytesIO
 
@@ -7,15 +7,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-from fembearing.compare.cost import Ladder
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.validation import Validation
 from fembearing.report.wording import QUANTITIES, place_of
 
 DOTS = 110  # per inch
 MARKS = "os^D"
-# Where the names of a ladder's rungs stand, points from theirs: the formulas of all pairs nearly coincide.
-BESIDE = ((5, 5, "left"), (5, -11, "left"), (-5, 5, "right"))
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 
 
@@ -47,30 +44,6 @@ def _convergence(panel: Axes, contact: ContactSolution, name: str, mark: str) ->
         unknowns, distance = unknowns[:-1], distance[:-1]
     style = "--" if part.richardson is None else "-"
     panel.plot(unknowns, distance, style + mark, label=place_of(contact), markersize=5)
-
-
-def cost_figure(ladders: list[Ladder], *, tolerance: float) -> Figure:
-    """Error of each rung against its median time."""
-    figure = Figure(figsize=(11, 4.2), layout="constrained")
-    axes = figure.subplots()
-    for mark, (right, up, side), ladder in zip(MARKS, BESIDE, ladders, strict=False):
-        shown = [
-            (rung.seconds, 100 * max(rung.error, SAME), rung.name.removeprefix("finite elements, "))
-            for rung in ladder.rungs
-            if rung.error is not None and rung.seconds is not None
-        ]
-        seconds, errors, names = zip(*shown, strict=True)
-        (line,) = axes.plot(seconds, errors, "-" + mark, label=ladder.quantity)
-        for place, name in zip(zip(seconds, errors, strict=True), names, strict=True):
-            colour = line.get_color()
-            axes.annotate(
-                name, place, xytext=(right, up), textcoords="offset points", ha=side, fontsize=8, color=colour
-            )
-    axes.axhline(100 * tolerance, color="red", linestyle=":", label=f"tolerance {tolerance:.3g}")
-    axes.set(xscale="log", yscale="log", xlabel="time, s", ylabel="error, %")
-    axes.grid(alpha=0.3, which="both")
-    axes.legend(frameon=False)
-    return figure
 
 
 def png(figure: Figure) -> bytes:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from analytic.errors import InputError
 from analytic.scene import Scene
+from fembearing.compare.cost import Cost
 from fembearing.compare.progress import Progress, part_of, silent
 from fembearing.compare.validation import Validation, check_scene
 
@@ -23,6 +24,7 @@ def validate(
     out: Path | str | None = None,
     tolerance: float | None = None,
     hard: bool = False,
+    cost: bool = False,
     progress: Progress = silent,
 ) -> Validation:
     """Check every contact of a scene, and write the report.
@@ -30,13 +32,14 @@ def validate(
     out : folder for report.html, report.json, pictures and meshes (.vtu); it must not exist yet. None writes nothing
     tolerance : relative; the scene's unless given
     hard : run the table of hard cases too
+    cost : measure every rung of every ladder too
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved or a folder that cannot be made, ConvergenceError for a contact
     that does not settle.
     """
     with nullcontext() if out is None else whole_folder(Path(out)) as folder:
         checked = 1.0 if folder is None else CHECKED
-        result = check_scene(scene, tolerance=tolerance, hard=hard, progress=part_of(progress, 0.0, checked))
+        result = check_scene(scene, tolerance=tolerance, hard=hard, cost=cost, progress=part_of(progress, 0.0, checked))
         if folder is not None:
             progress(CHECKED, "report")
             result = write_report(result, folder)
@@ -45,6 +48,7 @@ def validate(
 
 def write_report(result: Validation, folder: Path) -> Validation:
     """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
+    from fembearing.report.ladders import cost_table
     from fembearing.report.page import write_page  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures import draw_pictures
 
@@ -54,7 +58,18 @@ def write_report(result: Validation, folder: Path) -> Validation:
     content = result.to_json() | {"pictures": [picture.to_json() for picture in pictures], "renderer": trouble or "VTK"}
     (folder / "report.json").write_text(json.dumps(content, indent=1, allow_nan=False), "utf-8")
     write_page(result, pictures=pictures, trouble=trouble, file=folder / "report.html")
+    (folder / "cost.csv").write_text(cost_table(result.ladders), "utf-8")
     return result
+
+
+def write_cost(cost: Cost, folder: Path) -> None:
+    """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
+    from fembearing.report.figures import png
+    from fembearing.report.ladders import cost_figure, cost_table
+
+    (folder / "cost.png").write_bytes(png(cost_figure(cost.ladders, tolerance=cost.tolerance)))
+    (folder / "cost.csv").write_text(cost_table(cost.ladders), "utf-8")
+    (folder / "cost.json").write_text(json.dumps(cost.to_json(), indent=1, allow_nan=False), "utf-8")
 
 
 @contextmanager

@@ -12,11 +12,11 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from analytic.scene import Array, Scene
 from fembearing.compare.catalogue import BesideCatalogue, beside_catalogue
-from fembearing.compare.cost import contact_ladder_of
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.provenance import provenance_of
 from fembearing.compare.validation import Validation
-from fembearing.report.figures import convergence_figure, cost_figure, png
+from fembearing.report.figures import convergence_figure, png
+from fembearing.report.ladders import cost_figure
 from fembearing.report.pictures import Picture
 from fembearing.report.wording import (
     AXES,
@@ -50,7 +50,7 @@ def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str 
         lstrip_blocks=True,
     )
     catalogue = beside_catalogue(result.scene)
-    ladders = [contact_ladder_of(contact) for contact in result.contacts if contact.judged]
+    ladders = result.ladders
     page = environment.get_template("page.html").render(
         result=result,
         scene=result.scene,

@@ -11,6 +11,7 @@ from analytic.scene import Scene
 from fembearing.compare.cost import Cost
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.hard_case import HardOutcome
+from fembearing.compare.provenance import provenance_of
 from fembearing.compare.stiffness_law import LoadSeries
 from fembearing.compare.subsurface import SubsurfaceComparison
 from fembearing.compare.torque_change import TorqueChange
@@ -20,9 +21,11 @@ from fembearing.report.wording import (
     PLAIN,
     QUANTITIES,
     STRESSES,
+    choices_line,
     friction_of,
     quantities_of,
     ring_line,
+    short_name,
     shoulder_lines,
     title_of,
 )
@@ -212,27 +215,39 @@ def _print_hard(out: Console, outcomes: Sequence[HardOutcome]) -> None:
 
 
 def print_cost(out: Console, cost: Cost) -> None:
-    """Each ladder with error, time and memory; an arrow where the tolerance would stop."""
+    """Each ladder with error, bound, time and memory; an arrow where the tolerance would stop."""
     for ladder in cost.ladders:
-        table = Table(title=f"{ladder.quantity[0].upper()}{ladder.quantity[1:]}", **PLAIN)
-        for head in ("", "rung", "error", "seconds", "spread", "GiB"):
+        title = f"{ladder.quantity[0].upper()}{ladder.quantity[1:]}"
+        if ladder.absent is not None:
+            out.print(f"{title}: does not apply: {ladder.absent}.\n", highlight=False, markup=False)
+            continue
+        table = Table(title=title, **PLAIN)
+        for head in ("", "rung", "error", "bound", "seconds", "spread", "first", "GiB"):
             table.add_column(head, justify="left" if head in ("", "rung") else "right", no_wrap=True)
         for rung in ladder.rungs:
             table.add_row(
                 ">" if rung.chosen else "",
-                rung.name,
+                short_name(rung.name),
                 "failed" if rung.failed else "reference" if rung.error is None else f"{100 * rung.error:.2g} %",
+                "" if rung.bound is None else f"{100 * rung.bound:.2g} %",
                 "" if rung.seconds is None else f"{rung.seconds:.2g}",
                 "" if rung.spread is None else f"{rung.spread:.1g}",
+                "" if rung.warm_up is None else f"{rung.warm_up:.1g}",
                 "" if rung.memory is None else f"{rung.memory / 2**30:.2f}",
             )
         out.print(table)
         for rung in ladder.rungs:
             if rung.failed:
                 out.print(f"{rung.name} failed: {rung.failed}", highlight=False, markup=False)
+        out.print(f"Price of the next digit: {choices_line(ladder)}.", highlight=False)
         out.print(f"Reference: {ladder.reference}.\n", style="dim", highlight=False)
+    machine = provenance_of(cost.scene)
+    versions = ", ".join(f"{name} {version}" for name, version in machine["versions"].items() if version)
     out.print(
-        f">: the cheapest rung within the tolerance, {cost.tolerance:g}. Seconds: median of the repeats; GiB: resident "
-        f"memory at most up to this rung. {cost.seconds:.0f} s in all.",
+        f">: the cheapest rung that is known to be within the tolerance, {cost.tolerance:g}. Bound: on the error, "
+        "known before the reference is. Seconds: median of the repeats; first: the call before them; GiB: resident "
+        f"memory at most while it ran. {cost.seconds:.0f} s in all.\n"
+        f"{machine['processor']}, {machine['cores']} cores, {machine['platform']}, Python {machine['python']}; "
+        f"{versions}.",
         highlight=False,
     )

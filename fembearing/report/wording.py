@@ -1,5 +1,7 @@
 """How results are named to a reader: quantities with their units, contacts with their place."""
 
+from itertools import groupby
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,6 +12,7 @@ from analytic.film import FORMULA_UNCERTAINTY
 from analytic.scene import Scene
 from analytic.torque_result import Effect, FrictionTorque, TorqueParts
 from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.ladder import Ladder
 from fembearing.compare.ring import RingStructure
 from fembearing.compare.stiffness_law import LoadSeries
 
@@ -115,6 +118,23 @@ def uncertainty_of(found: FrictionTorque) -> str:
         f"to {100 * found.model_uncertainty.max():.2g} %; what else the model leaves is not known, as no "
         "measured torque of such a bearing was found."
     )
+
+
+def short_name(rung: str) -> str:
+    """A rung's name where there is little room."""
+    return rung.replace("finite elements, ", "FE, ").replace("corrected for finite geometry", "corrected")
+
+
+def choices_line(ladder: Ladder) -> str:
+    """Which rung each of some tolerances takes, and by how much the next digit is dearer."""
+    parts = []
+    for rung, run in groupby(ladder.choices, key=attrgetter("rung")):
+        choices = list(run)
+        digits = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
+        taken = "none" if rung is None else f"{short_name(rung.name)}, {rung.seconds:.2g} s"
+        price = choices[0].price
+        parts.append(f"{digits} %: {taken}" + ("" if price is None else f", {price:.2g} times as much"))
+    return "; ".join(parts)
 
 
 def shoulder_lines(contact: ContactSolution) -> list[str]:

@@ -64,3 +64,10 @@ def test_it_is_made_once_and_refuses_what_has_no_table() -> None:
         tabulated_asperities(summits=smooth, modulus=E, hardness=H)
     with pytest.raises(InputError, match="modulus must be positive"):
         tabulated_asperities(summits=table(0.26)[1], modulus=-E, hardness=H)
+
+
+def test_a_surface_that_is_all_but_smooth_is_refused() -> None:
+    """Sq of 6e-15 m on waves of 20 um: loads beyond the smallest double. What the fuzzing of scene files found."""
+    nearly = Summits(density=1.5e9, radius=9.2e3, height_deviation=7e-15, mean_height=5e-15)
+    with pytest.raises(InputError, match="all but flat"):
+        tabulated_asperities(summits=nearly, modulus=1.13e11, hardness=7.8e9)

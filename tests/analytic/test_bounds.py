@@ -4,7 +4,14 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from analytic.bounds import cage_rest_torque, centrifugal_ratio, gyroscopic_pull, gyroscopic_slip_ratio, whirl_number
+from analytic.bounds import (
+    cage_rest_torque,
+    centrifugal_ratio,
+    gyroscopic_pull,
+    gyroscopic_slip_ratio,
+    load_distribution_ratio,
+    whirl_number,
+)
 from analytic.errors import InputError
 from analytic.kinematics import BallKinematics, ball_kinematics
 from analytic.ring import ring_equilibrium
@@ -131,3 +138,16 @@ def test_the_gyroscopic_pull_is_what_the_ring_feels(bearing_6205: Bearing) -> No
     np.testing.assert_allclose(1 - thrust / before, pull / 2, rtol=2e-3)  # angle and speeds follow by as much
     with pytest.raises(InputError, match="contact_angle must be at least 0"):
         gyroscopic_pull(**BALL, ball_speed=3.0, cage_speed=2.0, contact_angle=-0.1, load=5.0)
+
+
+def test_unequal_balls_add_up_to_the_radial_load_and_to_the_moment() -> None:
+    """Loads Q (1 + e cos psi) summed: a radial load and a moment that bring e each bring 2 e together."""
+    angle, pitch, uneven, load = 0.37, 39e-3, 0.23, 110.0
+    psi = np.arange(7) * 2 * np.pi / 7
+    balls = load * (1 + uneven * np.cos(psi))
+    axial, across = balls.sum() * np.sin(angle), balls @ np.cos(psi)
+    sideways = {"radial_load": across * np.cos(angle), "moment": across * np.sin(angle) * pitch / 2}
+    for given in (("radial_load",), ("moment",), ("radial_load", "moment")):
+        loads = {"radial_load": 0.0, "moment": 0.0} | {name: sideways[name] for name in given}
+        found = load_distribution_ratio(axial_load=axial, contact_angle=angle, pitch_diameter=pitch, **loads)
+        np.testing.assert_allclose(found, len(given) * uneven / 2, rtol=1e-12)  # round-off

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 
 from analytic.errors import InputError
-from analytic.film import CentralFilm, central_film, inlet_heating_factor, thermal_loading
+from analytic.film import CentralFilm, central_film, film_asymptotes, inlet_heating_factor, thermal_loading
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
 OIL = {"viscosity": 0.061, "pressure_viscosity": 2.1e-8}
@@ -164,6 +164,19 @@ def test_more_speed_and_oil_thicken_and_load_thins(load: float, speed: float, al
     # Where the rigid asymptote rules, the blend's exponent falls with alpha_p: some 1e-6 a per cent, the formula's own.
     assert film(**(here | {"pressure_viscosity": 1.3 * alpha})).thickness >= base * (1 - 2e-4)
     assert film(**(here | {"load": load / 1.3})).thickness >= base
+
+
+@given(load=loads, speed=speeds, alpha=st.floats(1e-9, 3e-8), remaining=st.floats(-3, 0))
+def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
+    load: float, speed: float, alpha: float, remaining: float
+) -> None:
+    """What sharing the load iterates by, against differences."""
+    here = CONTACT | OIL | {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
+    asymptotes = film_asymptotes(**here)
+    step = 1e-5
+    (up, _), (down, _) = (asymptotes.log_film(remaining + sign * step) for sign in (1, -1))
+    _, slope = asymptotes.log_film(remaining)
+    np.testing.assert_allclose(slope, (up - down) / (2 * step), rtol=1e-6, atol=1e-8)  # round-off over the step
 
 
 @given(metre=st.floats(1e-3, 1e3), newton=st.floats(1e-3, 1e3), second=st.floats(1e-3, 1e3), alpha=alphas)

@@ -5,7 +5,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.hertz import hertz_contact
-from analytic.hertz_fitted import hertz_contact_fitted
+from analytic.hertz_fitted import fitted_error, hertz_contact_fitted
 
 LOAD, MODULUS, SMALL = 613.0, 1.13e11, 9.7  # N, Pa, 1/m
 RATIOS = np.geomspace(1, 100, 801)
@@ -74,3 +74,17 @@ def test_a_bad_argument_is_named(changed: dict, words: tuple[str, ...]) -> None:
     with pytest.raises(InputError) as refusal:
         hertz_contact_fitted(**arguments)
     assert all(word in str(refusal.value) for word in words), refusal.value
+
+
+def test_the_bound_covers_the_error_and_is_no_more_than_half_above() -> None:
+    """At any ratio of the curvatures, either way round, whatever their size; beyond the last knot it says nothing."""
+    ratios = np.geomspace(1.05, 9e4, 4001)
+    for curvatures in ((SMALL * ratios, SMALL), (0.3, 0.3 * ratios)):
+        fitted, exact = both(*curvatures)
+        names = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
+        error = np.max([np.abs(getattr(fitted, name) / getattr(exact, name) - 1) for name in names], axis=0)
+        bound = fitted_error(curvature_x=curvatures[0], curvature_y=curvatures[1])
+        assert np.all(error < bound)
+        assert np.all(bound < 1.5 * error)
+    assert fitted_error(curvature_x=SMALL, curvature_y=SMALL) == 0
+    assert fitted_error(curvature_x=2e5 * SMALL, curvature_y=SMALL) == np.inf

@@ -5,9 +5,8 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from fembearing.compare.cost import Ladder, Rung
 from fembearing.compare.validation import Validation
-from fembearing.report.figures import convergence_figure, cost_figure
+from fembearing.report.figures import convergence_figure
 
 
 def line_of(axes: Axes, label: str) -> Line2D:
@@ -47,26 +46,3 @@ def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
     for axes in panels.values():
         assert len(axes.get_lines()) == 4
         assert (axes.get_xscale(), axes.get_yscale()) == ("log", "log")
-
-
-def rung(name: str, *, error: float | None, seconds: float | None) -> Rung:
-    return Rung(name=name, error=error, seconds=seconds, spread=None, repeats=2, memory=None)
-
-
-def test_the_cost_of_each_rung_is_drawn_against_its_error_in_per_cent() -> None:
-    ladder = Ladder(
-        quantity="the contact",
-        reference="the finest",
-        rungs=(
-            rung("Hertz", error=0.031, seconds=2e-6),
-            rung("finite elements, level 2", error=0.007, seconds=0.4),
-            rung("finite elements, level 3", error=0.0025, seconds=None),  # failed
-            rung("finite elements, level 4", error=None, seconds=3.5),  # the reference
-        ),
-    )
-    (axes,) = cost_figure([ladder], tolerance=0.04).axes
-    check_points(line_of(axes, "the contact"), [2e-6, 0.4], [3.1, 0.7])
-    (limit,) = (line for line in axes.get_lines() if "tolerance" in str(line.get_label()))
-    np.testing.assert_allclose(np.asarray(limit.get_ydata(), dtype=float), 4, rtol=1e-12)
-    assert [text.get_text() for text in axes.texts] == ["Hertz", "level 2"]
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("time, s", "error, %")

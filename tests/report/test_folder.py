@@ -34,7 +34,7 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     names = {path.name for path in out.iterdir()}
     made = {f"{pair}-real-{part}" for pair in ("inner", "outer") for part in ("upper.vtu", "lower.vtu")}
     made |= {f"{pair}-real-{part}.png" for pair in ("inner", "outer") for part in ("pressure", "section")}
-    assert names == made | {"report.html", "report.json"}
+    assert names == made | {"report.html", "report.json", "cost.csv"}
     assert [path.name for path in tmp_path.iterdir()] == ["report"]  # nothing beside it
     content = json.loads((out / "report.json").read_text("utf-8"))
     expected = json.loads(json.dumps(solved.to_json()["verdicts"]))

@@ -1,0 +1,123 @@
+"""Do the bounds hold by which a rung is chosen? python validation/benchmarks/choices.py [--scenes 100] [--meshes 20]
+
+Random scenes (validation/benchmarks/random_scenes.py), one seed each: every rung of every ladder is run once, and its
+bound, known before the reference is, is set beside its error against the reference. Prints for each rung in how many
+scenes the bound covers the error, the median of bound over error, and the worst scene; then for each ladder how often
+the cheapest rung within 10, 1 and 0.1 % by its bound is within it by its error. With --meshes, contacts of that many
+scenes are solved on every level of the recipe, and the seconds predicted for each level set beside those that it took.
+Seeds 61000 to 61029 and 62000 to 62099 served to choose the constants; any others are a test of them.
+"""
+
+import os
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
+os.environ.setdefault("MKL_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+from collections import defaultdict
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+import typer
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+
+from analytic.errors import FembearingError, InputError
+from analytic.scene import Scene
+from fembearing.compare import contact_ladder, formula_ladders, ladder
+from fembearing.compare.cost import QUESTIONS
+from fembearing.compare.discrepancy import RECIPES, contact_of
+from fembearing.compare.ladder import Ladder
+from fembearing.mesh.recipe import load_recipe
+from machine import machine, versions
+from random_scenes import random_scene
+
+TOLERANCES = (0.1, 0.01, 0.001)
+FLOOR = 1e-10  # errors below are round-off of iterations, and their ratios say nothing
+WITHIN = 2.0  # factor that a predicted time may be off
+
+
+@dataclass(frozen=True)
+class Checked:
+    """One rung in one scene."""
+
+    seed: int
+    error: float
+    bound: float
+
+    @property
+    def covered(self) -> bool:
+        return self.error <= self.bound
+
+
+def main(
+    scenes: Annotated[int, typer.Option(help="Random scenes for the ladders of formulas.")] = 100,
+    meshes: Annotated[int, typer.Option(help="Of them, those whose contact is solved by finite elements.")] = 20,
+    seed: Annotated[int, typer.Option(help="The first; each scene has one of its own.")] = 63000,
+) -> None:
+    out = Console(width=110)
+    ladder.FORMULA_REPEATS, ladder.SAMPLE, contact_ladder.MESH_REPEATS = 1, 0.0, 1  # errors are asked, and no seconds
+    found: dict[tuple[str, str], list[Checked]] = defaultdict(list)
+    choices: dict[tuple[str, float], list[bool]] = defaultdict(list)
+    seconds: dict[str, list[float]] = defaultdict(list)
+    absent: dict[str, int] = defaultdict(int)
+    for number in track(range(seed, seed + scenes), console=Console(stderr=True)):
+        formula_ladders.SEED = number  # of the generated surfaces
+        scene = random_scene(np.random.default_rng(number))
+        for one in ladders_of(scene, absent, with_meshes=number - seed < meshes, race=number % 2):
+            for rung in one.rungs:
+                if rung.error is not None and rung.bound is not None:
+                    found[one.quantity, rung.name].append(Checked(number, rung.error, rung.bound))
+                if rung.predicted and rung.seconds:
+                    seconds[rung.name].append(rung.predicted / rung.seconds)
+            for tolerance in TOLERANCES:
+                chosen = next((rung for rung in one.rungs if rung is one.choose(tolerance)), None)
+                if chosen is not None:
+                    choices[one.quantity, tolerance].append((chosen.error or 0.0) <= tolerance)
+    out.print(f"{machine()}; {versions('fembearing', 'numpy', 'scipy')}; seeds {seed} to {seed + scenes - 1}")
+    show(found, out)
+    for quantity, count in absent.items():
+        out.print(f"{quantity}: {count} scenes have no such ladder")
+    for (quantity, tolerance), held in choices.items():
+        out.print(f"{quantity} at {100 * tolerance:g} %: {sum(held)} of {len(held)} choices are within it")
+    for name, ratios in seconds.items():
+        within = sum(1 / WITHIN <= ratio <= WITHIN for ratio in ratios)
+        words = f"{min(ratios):.2g} to {max(ratios):.2g}; {within} of {len(ratios)} within a factor of {WITHIN:g}"
+        out.print(f"{name}: predicted over measured seconds {words}")
+
+
+def ladders_of(scene: Scene, absent: dict[str, int], *, with_meshes: bool, race: int) -> list[Ladder]:
+    found = []
+    for quantity, question in QUESTIONS:
+        try:
+            found.append(ladder.measured(question(scene), tolerance=scene.tolerance))
+        except InputError:
+            absent[quantity] += 1
+    if with_meshes:
+        try:
+            contact = contact_of(scene, pair="outer" if race else "inner")
+            recipe = load_recipe(RECIPES["real"])
+            found.append(contact_ladder.measured_contact(contact, recipe=recipe, tolerance=scene.tolerance))
+        except FembearingError:
+            absent["contact"] += 1
+    return found
+
+
+def show(found: dict[tuple[str, str], list[Checked]], out: Console) -> None:
+    table = Table("quantity", "rung", "covers", "bound/error, median", "error, median", "error/bound, worst", "at seed")
+    for (quantity, name), checked in found.items():
+        errors, ratios = np.transpose([(each.error, each.bound / max(each.error, FLOOR)) for each in checked])
+        worst = max(checked, key=lambda each: each.error / each.bound)
+        covers = f"{sum(each.covered for each in checked)} of {len(checked)}"
+        numbers = f"{np.median(ratios):.3g}", f"{np.median(errors):.2g}", f"{worst.error / worst.bound:.2g}"
+        table.add_row(quantity, name, covers, *numbers, str(worst.seed))
+    out.print(table)
+    ratios = [each.bound / max(each.error, FLOOR) for checked in found.values() for each in checked]
+    covered = sum(each.covered for checked in found.values() for each in checked)
+    out.print(f"all: {covered} of {len(ratios)} covered; bound over error {np.median(ratios):.3g}, median")
+
+
+if __name__ == "__main__":
+    typer.run(main)
