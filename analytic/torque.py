@@ -234,8 +234,9 @@ def _uncertainty(
     if slid is None:
         return choices.left_out * _share(race, total)
     slipping = _sum({name: part for name, part in parts.items() if name in BY_SLIP}, race)
-    missed = np.where(np.isinf(slid.error), np.inf, np.nan_to_num(slid.error) * slipping)
-    return choices.left_out * _share(race, total) + np.where(np.isinf(missed), np.inf, _share(missed, total))
+    unknown = np.isinf(slid.error)
+    missed = np.where(unknown, np.inf, _share(np.where(unknown, 0.0, slid.error) * slipping, total))
+    return choices.left_out * _share(race, total) + missed
 
 
 def _with_share(effect: Effect, parts: dict[str, Array], total: Array) -> Effect:
