@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 from scipy.special import log_ndtr
 
 from analytic.asperity import PLASTIC_RATIO, first_yield, summit_integrals
@@ -32,6 +31,8 @@ class Cubic:
 
     @classmethod
     def through(cls, x: Array, y: Array) -> "Cubic":
+        from scipy.interpolate import CubicSpline  # a fifth of a second to import, for rough surfaces alone
+
         spline = CubicSpline(x, y)
         return cls(x[1:-1], x[:-1], np.asarray(spline.c))
 

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
 
 from analytic.cage import DrivenCage, whirl_speed
 from analytic.errors import ConvergenceError, FembearingError, InputError, require_non_negative, require_positive
@@ -181,6 +180,8 @@ class CageMotion:
     @property
     def orientation(self) -> Array:
         """(3, 3): columns are the cage's own axes in the fixed frame."""
+        from scipy.spatial.transform import Rotation  # a tenth of a second to import
+
         return Rotation.from_quat(self._state[6:10], scalar_first=True).as_matrix()
 
     @property
@@ -210,6 +211,8 @@ class CageMotion:
         self._state[10:13] = axial * about_axis + transverse * (np.asarray(angular_velocity) - about_axis)
 
     def _place(self, begin: CageStart) -> None:
+        from scipy.spatial.transform import Rotation
+
         cage, turning = self.cage, np.array([0.0, 0.0, self.cage.orbit_speed])
         pull = np.linalg.norm(cage.gravity)
         middle = np.array([-cage.ball_lead / 2, 0.0, 0.0])  # from where balls that lead and lag are all equally far

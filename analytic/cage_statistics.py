@@ -13,7 +13,6 @@ from functools import lru_cache
 from typing import Literal
 
 import numpy as np
-from scipy.stats import quantile_test, ttest_1samp
 
 from analytic.bounds import whirl_number
 from analytic.cage import DrivenCage
@@ -150,11 +149,15 @@ def _of_mean(values: np.ndarray) -> tuple[float, float]:
     """By Student's t, of values that know nothing of each other."""
     if np.ptp(values) <= 1e-12 * np.abs(values).max():  # nothing to spread
         return float(values.min()), float(values.max())
+    from scipy.stats import ttest_1samp  # half a second to import, which few scenes need
+
     found = ttest_1samp(values, 0.0).confidence_interval(CONFIDENCE)
     return float(found.low), float(found.high)
 
 
 def _of_median(values: np.ndarray) -> tuple[float, float]:
     """Between order statistics, whatever the distribution."""
+    from scipy.stats import quantile_test
+
     found = quantile_test(values, p=0.5).confidence_interval(CONFIDENCE)
     return float(found.low), float(found.high)

@@ -9,7 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from scipy.ndimage import maximum_filter
 
 from analytic.errors import InputError, require_positive
 from analytic.scene import Array
@@ -169,6 +168,8 @@ def _counted_summits(given: HeightMap) -> Summits:
     z, d = given.heights, given.spacing
     ring = np.ones((3, 3), dtype=bool)
     ring[1, 1] = False
+    from scipy.ndimage import maximum_filter  # a twentieth of a second to import, for height maps alone
+
     top = (z > maximum_filter(z, footprint=ring))[1:-1, 1:-1]
     inside = z[1:-1, 1:-1]
     tops = inside[top]

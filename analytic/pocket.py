@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.scene import Array
@@ -113,6 +112,8 @@ def impact_damping(restitution: float) -> float:
     def excess(damping: float) -> float:
         """Of the logarithm, over the trivial root at 0."""
         return (np.log1p(damping) - np.log1p(-damping * e) - damping * (1 + e)) / damping**2
+
+    from scipy.optimize import brentq  # a quarter of a second to import
 
     return float(brentq(excess, 1e-3 * (1 - e), (1 - 1e-15) / e, xtol=1e-15, rtol=1e-12))
 

@@ -325,10 +325,10 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
         )
         found = merged(found, active, again)
         steps[active] += more
-        open_ = (more > 0) | (change > again.tolerance)
-        if not np.any(open_):
+        active = active[(more > 0) | (change > again.tolerance)]
+        if not len(active):
             return found, steps
-        active, left, tolerance = active[open_], float(np.max(change)), float(again.tolerance[np.argmax(change)])
+        left, tolerance = float(np.max(change)), float(again.tolerance[np.argmax(change)])
     raise ConvergenceError(
         iterations=MOST_ROUNDS,
         residual=left,
