@@ -329,13 +329,9 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
         if not len(active):
             return found, steps
         left, tolerance = float(np.max(change)), float(again.tolerance[np.argmax(change)])
-    raise ConvergenceError(
-        iterations=MOST_ROUNDS,
-        residual=left,
-        tolerance=tolerance,
-        problem="the balls' own forces in the ring's equilibrium",
-        remedy="Raise the load or lower the speed: the gyroscopic moment asks for more friction than the balance has.",
-    )
+    remedy = "Raise the load or lower the speed: the gyroscopic moment asks for more friction than the balance has."
+    problem = "the balls' own forces in the ring's equilibrium"
+    raise ConvergenceError(iterations=MOST_ROUNDS, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
 
 
 def _start(ring: _Ring, load: Array, held: _Held) -> Array:
