@@ -18,46 +18,57 @@ COLUMNS = (
     *("chosen", "failed"),
 )
 WIDE, HIGH = 3.6, 3.4  # inches, of a panel
+ABREAST = 3  # panels in a row: so many stay legible on a page
 LINE = 9.0  # points from one name to the next at least
 UNITS = {"seconds": (1.0, "time, s"), "memory": (2.0**-30, "memory, GiB")}
 
 
 def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
-    """A panel for each quantity: error of each rung against its median time, and below against its memory.
+    """A panel for each quantity, error of each rung against its median time, and one for the memory of all of them.
 
     A bar reaches from the error to its bound. The reference is hollow and stands at its own bound; the chosen rung has
-    a ring. Memory is drawn where it was measured. All panels of a row share their axes.
+    a ring. Memory is drawn where it was measured. All panels share the error's scale, those of time the time's.
     """
     shown = [ladder for ladder in ladders if ladder.rungs]
-    rows = [price for price in UNITS if any(getattr(rung, price) for ladder in shown for rung in ladder.rungs)]
-    figure = Figure(figsize=(WIDE * max(len(shown), 1) + 0.6, HIGH * max(len(rows), 1)), layout="constrained")
-    panels = figure.subplots(max(len(rows), 1), max(len(shown), 1), squeeze=False, sharex="row", sharey=True)
-    for row, price in zip(panels, rows, strict=False):
-        for panel, ladder in zip(row, shown, strict=True):
-            _panel(panel, ladder, price, tolerance=tolerance)
-            panel.set_xlabel(UNITS[price][1])
-        row[0].set(xscale="log", yscale="log", ylabel="error, %", ylim=(LEAST / 3, MOST))
-        row[0].text(
-            *(0.98, 100 * tolerance * 1.15, f"tolerance {100 * tolerance:.3g} %"),
-            transform=row[0].get_yaxis_transform(),
-            color="red",
-            fontsize=7,
-            ha="right",
-        )
-        taken = [place[0] for ladder in shown for rung in ladder.rungs if (place := _place(rung, price))]
-        low, high = 10 ** np.floor(np.log10(min(taken))), 10 ** np.floor(np.log10(max(taken)) + 1)
-        row[0].set_xlim(low, high)
-        for panel, ladder in zip(row, shown, strict=True):
-            panel.xaxis.set_minor_formatter(NullFormatter())
-            if price == rows[0]:
-                panel.set_title(f"{ladder.quantity[0].upper()}{ladder.quantity[1:]}", fontsize=10)
-                _name(panel, ladder, price, middle=(low * high) ** 0.5)
+    with_memory = [ladder for ladder in shown if any(rung.memory for rung in ladder.rungs)]
+    count = max(len(shown) + bool(with_memory), 1)
+    columns = min(count, ABREAST)
+    rows = -(-count // columns)
+    figure = Figure(figsize=(WIDE * columns + 0.6, HIGH * rows), layout="constrained")
+    panels = [figure.add_subplot(rows, columns, 1 + place) for place in range(count)]
+    times = [place[0] for ladder in shown for rung in ladder.rungs if (place := _place(rung, "seconds"))]
+    low, high = 10 ** np.floor(np.log10(min(times, default=1))), 10 ** np.floor(np.log10(max(times, default=1)) + 1)
+    for panel in panels:
+        panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
+        panel.set(xscale="log", yscale="log", ylim=(LEAST / 3, MOST), xlabel=UNITS["seconds"][1], xlim=(low, high))
+        panel.xaxis.set_minor_formatter(NullFormatter())
+        panel.grid(alpha=0.3)
+        panel.tick_params(labelsize=8)
+    for panel in panels[::columns]:
+        panel.set_ylabel("error, %")
+    panels[0].text(
+        *(0.98, 100 * tolerance * 1.15, f"tolerance {100 * tolerance:.3g} %"),
+        transform=panels[0].get_yaxis_transform(),
+        color="red",
+        fontsize=8,
+        ha="right",
+    )
+    for panel, ladder in zip(panels, shown, strict=False):
+        panel.set_title(f"{ladder.quantity[0].upper()}{ladder.quantity[1:]}", fontsize=10)
+        _draw(panel, ladder, "seconds")
+        _name(panel, ladder, "seconds", middle=(low * high) ** 0.5)
+    if with_memory:
+        sizes = [place[0] for ladder in with_memory for rung in ladder.rungs if (place := _place(rung, "memory"))]
+        panels[-1].set(xlabel=UNITS["memory"][1], xscale="linear", xlim=(0, 1.1 * max(sizes)))
+        panels[-1].set_title("Memory", fontsize=10)
+        for ladder in with_memory:
+            _draw(panels[-1], ladder, "memory")
+        panels[-1].legend(fontsize=7)
     return figure
 
 
-def _panel(panel: Axes, ladder: Ladder, price: str, *, tolerance: float) -> None:
+def _draw(panel: Axes, ladder: Ladder, price: str) -> None:
     """One ladder over what its rungs take: seconds, or memory."""
-    panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
     drawn = [(rung, *place) for rung in ladder.rungs if (place := _place(rung, price))]
     compared = [(x, y) for rung, x, y in drawn if rung.error is not None]
     x, y = np.transpose(compared or np.empty((0, 2)))
@@ -70,8 +81,6 @@ def _panel(panel: Axes, ladder: Ladder, price: str, *, tolerance: float) -> None
             panel.plot([x, x], [y, _height(rung.bound)], "-_", color=colour, alpha=0.6, linewidth=1, markevery=[1])
         if rung.chosen:
             panel.plot([x], [y], "o", color=colour, markersize=11, markerfacecolor="none")
-    panel.grid(alpha=0.3)
-    panel.tick_params(labelsize=8)
 
 
 def _name(panel: Axes, ladder: Ladder, price: str, *, middle: float) -> None:

@@ -59,11 +59,15 @@ def figure() -> Figure:
     return cost_figure([CONTACT, ABSENT, LOAD], tolerance=0.04)
 
 
-def test_each_quantity_has_a_panel_over_time_and_one_over_memory(figure: Figure) -> None:
-    time, load, memory, _ = figure.axes
-    assert [axes.get_title() for axes in figure.axes] == ["The contact", "The load", "", ""]
+def test_each_quantity_has_a_panel_over_time_and_all_share_one_over_memory(figure: Figure) -> None:
+    time, load, memory = figure.axes
+    assert [axes.get_title() for axes in figure.axes] == ["The contact", "The load", "Memory"]
     assert (time.get_xscale(), time.get_yscale(), time.get_xlabel()) == ("log", "log", "time, s")
-    assert time.get_ylabel() == memory.get_ylabel() == "error, %"
+    assert time.get_ylabel() == "error, %"
+    assert time.get_ylim() == memory.get_ylim()
+    legend = memory.get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["tolerance", "the contact", "the load"]
     assert memory.get_xlabel() == "memory, GiB"
     assert time.get_xlim() == load.get_xlim()  # one scale for all quantities
     assert time.get_ylim()[0] < LEAST
@@ -98,7 +102,7 @@ def test_a_ring_marks_the_chosen_rung() -> None:
     assert counts[1] == counts[0] + 1
 
 
-def test_without_memory_there_is_one_row() -> None:
+def test_without_memory_there_is_no_panel_for_it() -> None:
     bare = Ladder(quantity="q", reference="r", rungs=(rung("a", error=0.01, seconds=0.1),))
     assert len(cost_figure([bare], tolerance=0.1).axes) == 1
 
