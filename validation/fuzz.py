@@ -95,7 +95,7 @@ def main(
             (keep / f"{kind}-{outcome.seed}").write_bytes(outcome.content)
             typer.echo(f"seed {outcome.seed}, {kind}: {outcome.problem}")
         else:
-            count[f"{kind}s {outcome}"] += 1
+            count[f"{kind}: {outcome}"] += 1
     typer.echo(f"seeds {seed} to {seed + files - 1}: " + ", ".join(f"{n} {what}" for what, n in sorted(count.items())))
     typer.echo(f"{len(faults)} faults")
     raise typer.Exit(1 if faults else 0)
