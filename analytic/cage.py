@@ -98,6 +98,41 @@ class DrivenCage:
         return float(max(abs(self.ball_speed) * self.ball_radius, fall))
 
     @property
+    def middle(self) -> Array:
+        """(3,) m: of the cage's room, from where balls that lead and lag are all equally far."""
+        return np.array([-self.ball_lead / 2, 0.0, 0.0])
+
+    @property
+    def pocket_places(self) -> Array:
+        """(Z, 3) m: of the pockets' middles in the cage's own frame."""
+        azimuth = 2 * np.pi * np.arange(self.ball_count) / self.ball_count
+        return self.pitch_radius * np.stack([np.cos(azimuth), np.sin(azimuth), 0 * azimuth], axis=1)
+
+    def ball_places(self, angle: float) -> Array:
+        """(Z, 3) m: of the balls' centres in the fixed frame; angle : how far they have gone round, rad."""
+        azimuth = angle + 2 * np.pi * np.arange(self.ball_count) / self.ball_count
+        azimuth += self.ball_lead / self.pitch_radius * np.sin(azimuth)
+        return self.pitch_radius * np.stack([np.cos(azimuth), np.sin(azimuth), 0 * azimuth], axis=1)
+
+    def free_way(self, direction: Array) -> float:
+        """How far the cage, level, goes from the middle of its room before a ball stops it, or the land, m.
+
+        direction : (3,), of length 1;  the balls are where a motion begins, at the azimuths 2 pi i/Z
+        """
+        pockets = self.pocket_places
+        axes = np.broadcast_to([0.0, 0.0, 1.0], pockets.shape)
+        if self.pocket_axis == "radial":
+            axes = pockets / self.pitch_radius
+        offset = self.ball_places(0.0) - pockets - self.middle
+        offsets = np.concatenate([offset + side * self.centre_offset * axes for side in (1, -1)])
+        ahead = offsets @ direction
+        way = float(np.min(ahead + np.sqrt(ahead**2 + self.room**2 - np.sum(offsets**2, axis=1))))
+        sideways = np.hypot(*direction[:2])
+        if self.land is not None and sideways > 0:
+            way = min(way, self.land.room / sideways)
+        return way
+
+    @property
     def contact_time(self) -> float:
         """s, of the shortest impact to expect: the fastest, on all balls at once; infinite where nothing moves."""
         if not self.fastest > 0:

@@ -197,6 +197,12 @@ class CageMotion:
         return float(self._state[14])
 
     @property
+    def offsets(self) -> Array:
+        """(Z, 3) m: of each ball's centre from its pocket's, in the fixed frame."""
+        pockets = self.centre + self.cage.pocket_places @ self.orientation.T
+        return self.cage.ball_places(self.ball_angle) - pockets
+
+    @property
     def kinetic_energy(self) -> float:
         """J."""
         turning = self._state[10:13] @ self.angular_velocity
@@ -215,11 +221,10 @@ class CageMotion:
 
         cage, turning = self.cage, np.array([0.0, 0.0, self.cage.orbit_speed])
         pull = np.linalg.norm(cage.gravity)
-        middle = np.array([-cage.ball_lead / 2, 0.0, 0.0])  # from where balls that lead and lag are all equally far
-        self._state[:3] = middle
+        self._state[:3] = cage.middle
         if begin == "whirl":
             outward = np.array([1.0, 0.0, 0.0])
-            distance = self._free_way(middle, outward)
+            distance = cage.free_way(outward)
             self._state[:3] += distance * outward
             circling = cage.orbit_speed + whirl_speed(
                 ball_speed=cage.ball_speed,
@@ -234,27 +239,9 @@ class CageMotion:
                 leaning = np.arctan(cage.friction_coefficient) * np.sign(cage.ball_speed)
                 down = Rotation.from_rotvec([0.0, 0.0, leaning]).apply(np.array(cage.gravity) / pull)
                 sag = (cage.mass * pull / cage.ball_count / cage.stiffness) ** (2 / 3)
-                self._state[:3] += down * (self._free_way(middle, down) + sag)
+                self._state[:3] += down * (cage.free_way(down) + sag)
             if begin == "rest":
                 self.launch(velocity=np.zeros(3), angular_velocity=turning)
-
-    def _free_way(self, middle: Array, direction: Array) -> float:
-        """How far the cage goes from there before a ball stops it, or the land, m; direction (3,), of length 1."""
-        cage = self.cage
-        home = np.arctan2(self._azimuth[:, 1], self._azimuth[:, 0])
-        led = home + cage.ball_lead / cage.pitch_radius * np.sin(home)
-        balls = np.stack([np.cos(led) - np.cos(home), np.sin(led) - np.sin(home), 0 * led], axis=1)
-        axes = np.broadcast_to([0.0, 0.0, 1.0], balls.shape)
-        if cage.pocket_axis == "radial":
-            axes = np.column_stack([self._azimuth, 0 * home])
-        offset = cage.pitch_radius * balls - middle
-        offsets = np.concatenate([offset + side * cage.centre_offset * axes for side in (1, -1)])
-        ahead = offsets @ direction
-        way = float(np.min(ahead + np.sqrt(ahead**2 + cage.room**2 - np.sum(offsets**2, axis=1))))
-        sideways = np.hypot(*direction[:2])
-        if cage.land is not None and sideways > 0:
-            way = min(way, cage.land.room / sideways)
-        return way
 
     def _go(self, tally: Array, steps: int, now: NDArray[np.float64]) -> None:
         done = self._advance(self._law, self._azimuth, self._state, self._touch, now, tally, self.step, steps)

@@ -1,13 +1,13 @@
 """A cage's motion as a series in time, for plots and for files."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 
 from analytic.cage import DrivenCage
 from analytic.cage_motion import CageMotion
-from analytic.errors import InputError, require_positive
+from analytic.errors import require_positive
 from analytic.scene import Array, CageStart
 
 AXES = ("x", "y", "z")  # of the fixed frame; z is the bearing's axis
@@ -23,40 +23,39 @@ class CageSeries:
     velocity: Array  # (n, 3) m/s
     axis: Array  # (n, 3) of the cage, of length 1: it tilts
     angular_velocity: Array  # (n, 3) rad/s
+    offset: Array  # (n, Z, 3) of each ball's centre from its pocket's, m
     force: Array  # (n, Z, 3) of each ball on the cage, N
     slip_power: Array  # (n,) of friction in the pockets, mean since the instant before, W
     max_force: Array  # (n,) largest normal force of one contact since then, N
 
     def to_dataset(self) -> Any:
-        """An xarray.Dataset with the units as attributes; its to_netcdf writes it.
+        """An xarray.Dataset with units and meanings as attributes; its to_netcdf writes it."""
+        import xarray  # on demand: it takes a second
 
-        Raises InputError where xarray is not installed.
-        """
-        try:
-            import xarray  # pyright: ignore[reportMissingImports]
-        except ImportError as problem:
-            raise InputError(
-                "a dataset of the cage's motion needs xarray, which is not installed: pip install 'fembearing[series]'"
-            ) from problem
-        described: dict[str, tuple[tuple[str, ...], str]] = {
-            "ball_angle": (("time",), "rad"),
-            "centre": (("time", "direction"), "m"),
-            "velocity": (("time", "direction"), "m/s"),
-            "axis": (("time", "direction"), "1"),
-            "angular_velocity": (("time", "direction"), "rad/s"),
-            "force": (("time", "ball", "direction"), "N"),
-            "slip_power": (("time",), "W"),
-            "max_force": (("time",), "N"),
+        described: dict[str, tuple[tuple[str, ...], str, str]] = {
+            "ball_angle": (("time",), "rad", "how far the balls have gone round the bearing"),
+            "centre": (("time", "direction"), "m", "place of the cage's centre, from the bearing's"),
+            "velocity": (("time", "direction"), "m/s", "velocity of the cage's centre"),
+            "axis": (("time", "direction"), "1", "axis of the cage, of length 1: it tilts"),
+            "angular_velocity": (("time", "direction"), "rad/s", "angular velocity of the cage"),
+            "offset": (("time", "ball", "direction"), "m", "place of each ball's centre, from its pocket's"),
+            "force": (("time", "ball", "direction"), "N", "force of each ball on the cage, normal force and friction"),
+            "slip_power": (("time",), "W", "power of friction in the pockets, mean since the instant before"),
+            "max_force": (("time",), "N", "largest normal force of one contact since the instant before"),
         }
         return xarray.Dataset(
             {
-                name: (dimensions, getattr(self, name), {"units": unit})
-                for name, (dimensions, unit) in described.items()
+                name: (dimensions, getattr(self, name), {"units": unit, "long_name": meaning})
+                for name, (dimensions, unit, meaning) in described.items()
             },
             coords={
-                "time": (("time",), self.time, {"units": "s"}),
-                "direction": list(AXES),
-                "ball": np.arange(self.force.shape[1]),
+                "time": (("time",), self.time, {"units": "s", "long_name": "time since the beginning"}),
+                "direction": ("direction", list(AXES), {"long_name": "fixed frame; z is the bearing's axis"}),
+                "ball": (
+                    "ball",
+                    np.arange(self.force.shape[1]),
+                    {"long_name": "ball i begins at azimuth 2 pi i/Z"},
+                ),
             },
         )
 
@@ -82,10 +81,11 @@ def recorded_motion(
                 motion.velocity,
                 motion.orientation[:, 2],
                 motion.angular_velocity,
+                motion.offsets,
                 motion.forces(),
                 passed.slip_power,
                 passed.max_force,
             )
         )
-    names = ("time", "ball_angle", "centre", "velocity", "axis", "angular_velocity", "force", "slip_power", "max_force")
-    return CageSeries(**{name: np.array(column) for name, column in zip(names, zip(*rows, strict=True), strict=True)})
+    columns = [np.array(column) for column in zip(*rows, strict=True)]
+    return CageSeries(**{part.name: column for part, column in zip(fields(CageSeries), columns, strict=True)})

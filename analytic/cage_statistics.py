@@ -50,12 +50,17 @@ class CageStatistics:
     mean_force: float  # mean of the sum of all normal forces in the pockets, N
     max_force: float  # of one contact: median over blocks of the largest, N
     max_force_interval: tuple[float, float]  # of that median
-    largest_force: float  # seen at all, N
+    block_maxima: tuple[float, ...]  # the largest of each block, seed after seed, N
     block: float  # length of a block, s
     duration: float  # measured, of all seeds together, s
     state: Regime  # mixed: seeds came to different ones
     start: CageStart
     other: OtherStart | None  # None: the cage cannot whirl, and there is one steady motion
+
+    @property
+    def largest_force(self) -> float:
+        """Seen at all, N."""
+        return max(self.block_maxima)
 
 
 @lru_cache(maxsize=256)
@@ -95,7 +100,7 @@ def measured_motion(
         mean_force=mean("force"),
         max_force=float(np.median(maxima)),
         max_force_interval=_of_median(maxima),
-        largest_force=float(maxima.max()),
+        block_maxima=tuple(maxima.tolist()),
         block=duration / BLOCKS,
         duration=seeds * duration,
         state=state,

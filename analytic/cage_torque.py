@@ -34,7 +34,8 @@ class CagePart:
     torque: Array  # N m
     friction_coefficient: Array  # of ball on pocket
     mean_force: Array  # sum of the normal forces in all pockets, N
-    motion: tuple[CageStatistics | None, ...]  # None: at rest, by the closed form
+    driven: tuple[DrivenCage | None, ...]  # what moved; None: at rest, by the closed form
+    motion: tuple[CageStatistics | None, ...]  # how; likewise
     warnings: tuple[str, ...]
     provenance: str  # rungs of motion, stiffness and friction
 
@@ -105,13 +106,14 @@ def cage_friction(
             contact_angle=angle,
             gravity=pull,
         )
+    driven: list[DrivenCage | None] = [None] * speed.size
     found: list[CageStatistics | None] = [None] * speed.size
     if moves:
         assert cage.start is not None
         turning = np.sign(operation.inner_speed)
         for point in np.flatnonzero(speed):  # at standstill the closed form is the limit
             sign = float(turning[point])
-            driven = driven_cage(
+            moving = driven_cage(
                 bearing,
                 cage,
                 friction_coefficient=float(mu[point]),
@@ -120,11 +122,13 @@ def cage_friction(
                 ball_speed=sign * float(rate[point] * speed[point]),
                 contact_angle=float(angle[point]),
             )
-            found[point] = measured_motion(driven, start=cage.start, seeds=cage.seeds, duration=cage.duration)
+            driven[point] = moving
+            found[point] = measured_motion(moving, start=cage.start, seeds=cage.seeds, duration=cage.duration)
     return CagePart(
         torque=np.array([rest if m is None else m.torque for m, rest in zip(found, resting, strict=True)]),
         friction_coefficient=mu,
         mean_force=np.array([rest if m is None else m.mean_force for m, rest in zip(found, hanging, strict=True)]),
+        driven=tuple(driven),
         motion=tuple(found),
         warnings=friction.warnings + _bistable(found, operation),
         provenance=_told(cage, friction, moves=moves),

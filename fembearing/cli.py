@@ -13,7 +13,6 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
-from enum import StrEnum
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Any
@@ -26,9 +25,23 @@ from rich.table import Table
 from typer.exceptions import Abort, TyperException
 
 from analytic.errors import ConvergenceError, FembearingError, InputError
-from analytic.quantity import Dimension
 from analytic.scene import Scene
 from analytic.scenefile import builtin_scene, load_scene
+from fembearing.options import (
+    LOAD,
+    TOLERANCE,
+    Accuracy,
+    AsJson,
+    Folder,
+    Geometry,
+    GeometryName,
+    Load,
+    Loads,
+    PairName,
+    ScenePath,
+    Tolerance,
+    read_option,
+)
 
 if TYPE_CHECKING:  # the solver takes a second to import: only the commands that solve pay for it
     from fembearing.compare.verdict import Verdict
@@ -37,8 +50,6 @@ DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
 INTERRUPTED, PIPE_CLOSED, TERMINATED = 130, 141, 143  # what a shell makes of the three signals
 NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard output can take no more
 BUILTIN = "6205"
-TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
-LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
 
@@ -52,49 +63,6 @@ class Output(Console):
 
 
 out, err = Output(), Console(stderr=True)
-
-
-class PairName(StrEnum):
-    inner = "inner"
-    outer = "outer"
-    pocket = "pocket"
-
-
-class GeometryName(StrEnum):
-    real = "real"
-    hertzian = "hertzian"
-    wall = "wall"
-    ring = "ring"
-
-
-ScenePath = Annotated[
-    Path | None, typer.Argument(metavar="[SCENE]", help="Scene file, TOML; the built-in 6205 without it.")
-]
-Tolerance = Annotated[str | None, typer.Option(help='Asked accuracy, for example "1 %"; the scene\'s without it.')]
-Accuracy = Annotated[
-    str | None,
-    typer.Option(
-        "--tolerance",
-        help='Accuracy asked of the finite elements, for example "0.1 %"; the scene\'s tolerance without it. Verdicts '
-        "on Hertz are by the scene's either way.",
-    ),
-]
-Folder = Annotated[Path | None, typer.Option("--out", help="New folder for page or picture, tables and JSON.")]
-AsJson = Annotated[bool, typer.Option("--json", help="Machine-readable result on standard output, nothing else there.")]
-Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N"; from the scene without it.')]
-Loads = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--load", help='Load of the ball, for example "620 N"; from the scene without it. Several: the stiffness law.'
-    ),
-]
-Geometry = Annotated[
-    GeometryName,
-    typer.Option(
-        help="True shapes; the idealisation whose exact answer is Hertz; the sheet of a pocket on its support; or true "
-        "shapes and, apart from the contact, the ring on a rigid seat."
-    ),
-]
 
 
 def main() -> None:
@@ -166,20 +134,30 @@ def validate(
     raise typer.Exit(_status(result.verdict))
 
 
-@app.command(epilog='Example: fembearing torque bearing.toml --tolerance "1 %" --json')
-def torque(scene: ScenePath = None, tolerance: Tolerance = None, as_json: AsJson = False) -> None:
-    """Friction torque of a scene by effect, and which effects were computed or left out, by closed forms."""
+@app.command(epilog='Example: fembearing torque bearing.toml --tolerance "1 %" --out torque-of-my-bearing')
+def torque(
+    scene: ScenePath = None,
+    tolerance: Tolerance = None,
+    folder: Folder = None,
+    as_json: AsJson = False,
+) -> None:
+    """Friction torque of a scene by effect, and which effects were computed or left out."""
     given = _scene(scene)
     given = replace(given, tolerance=_tolerance(tolerance, given))
-    from fembearing.compare.scene_torque import torque_of_scene
+    from fembearing.report.torque_folder import torque_with_folder
     from fembearing.report.torque_tables import print_torque
 
-    result = torque_of_scene(given)
+    with _progress() as report:
+        result, lacking = torque_with_folder(given, out=folder, progress=report)
     if as_json:
         _print_json(result.to_json())
     else:
         print_torque(out, result)
         _print_warnings(result.found.warnings)
+        if folder is not None:
+            out.print(f"folder: {folder}", highlight=False, soft_wrap=True, markup=False)
+    if lacking is not None:
+        typer.echo(f"fembearing: {lacking}", err=True)
     raise typer.Exit(DONE if result.within_tolerance else NOT_SOLVED)
 
 
@@ -198,7 +176,7 @@ def contact(
     """
     given = _scene(scene)
     asked = _tolerance(accuracy, given)
-    forces = [_read("--load", LOAD, text) for text in load or ()]
+    forces = [read_option("--load", LOAD, text) for text in load or ()]
     which: dict[str, Any] = {"pair": pair.value, "geometry": geometry.value}
     if len(forces) > 1:
         _load_series(given, forces, accuracy=asked, as_json=as_json, **which)
@@ -344,22 +322,11 @@ def _scene(path: Path | None) -> Scene:
 
 
 def _tolerance(given: str | None, scene: Scene) -> float:
-    return scene.tolerance if given is None else _read("--tolerance", TOLERANCE, given)
+    return scene.tolerance if given is None else read_option("--tolerance", TOLERANCE, given)
 
 
 def _load(given: str | None) -> float | None:
-    return None if given is None else _read("--load", LOAD, given)
-
-
-def _read(option: str, dimension: Dimension, given: str) -> float:
-    try:
-        number: object = float(given)  # an option is text, a pure number too
-    except ValueError:
-        number = given
-    try:
-        return dimension.read(number)
-    except ValueError as problem:
-        raise InputError(f"{option} {given!r} {problem}") from None
+    return None if given is None else read_option("--load", LOAD, given)
 
 
 def _status(found: "Verdict") -> int:

@@ -35,8 +35,10 @@ MAY_IMPORT = {
     "fembearing.fem": (*NOUNS, "fembearing.mesh"),
     "fembearing.compare": ("analytic", "fembearing.mesh", "fembearing.fem"),
     "fembearing.report": ("analytic", "fembearing.compare"),
-    "fembearing.report.render": (),  # a process of its own, fed by JSON and .vtu files
+    "fembearing.report.render": ("fembearing.report.render_cage",),  # a process of its own, fed by JSON and .vtu files
+    "fembearing.report.render_cage": (),
     "fembearing.sweep": ("analytic", "fembearing.compare"),
+    "fembearing.options": ("analytic",),  # of the commands
     "fembearing.cli": OURS,
 }
 # What a package's `__init__` may import besides, but only on demand, so that importing the package stays light.
@@ -49,9 +51,10 @@ ONLY_IN = {
     "meshio": ("fembearing.mesh",),
     "skfem": ("fembearing.mesh", "fembearing.fem"),
     "pypardiso": ("fembearing.fem",),
-    "pyvista": ("fembearing.report.render",),
+    "pyvista": ("fembearing.report.render", "fembearing.report.render_cage"),
     "matplotlib": ("fembearing.report",),
     "jinja2": ("fembearing.report",),
+    "xarray": ("analytic.cage_series",),
     "vtk": ("fembearing.report.render",),
 }
 LONGEST_FILE = 400  # lines; what outgrows it is two things
@@ -65,6 +68,7 @@ HEAVY = {
     "pypardiso",
     "numba",
     "xarray",
+    "netCDF4",
 }  # `import analytic` loads none
 REGISTRY = re.compile(
     r"\b(?:(?:pypi|pythonhosted|npmjs|yarnpkg|anaconda|crates|rubygems)\.(?:org|com|io)|proxy\.golang)"

@@ -1,10 +1,14 @@
 """The cage in motion beside the paper's cage: python validation/cage_scan.py [--jobs 2] [--duration 0.1] [--out FOLDER]
 
 The paper gives neither clearance (its pocket cannot be made), nor restitution, contact stiffness, friction of ball on
-pocket, start or simulated time of its cage. This scans them, at the two speeds whose cage torque and largest force it
-prints, and says of every setting how far it is from these four numbers for either roughness: a roughness shows in the
+pocket, start or simulated time of its cage. This scans them at its five speeds, 100 to 500 rpm, and says of every
+setting how far it is from the four numbers that the paper prints for either roughness, cage torque and largest force at
+100 and 500 rpm: between them there is nothing to compare with but that the torque rises. A roughness shows in the
 friction alone, so that a setting is all but the friction, which may differ between the two. Nothing is fitted between
 the points of the scan, and a setting that came near would be a calibration, not a prediction.
+
+A cage that starts at rest stays there, where neither stiffness nor restitution matters. For that start they are varied
+at one clearance alone, and what they change there is printed.
 """
 
 import argparse
@@ -32,9 +36,11 @@ from analytic.scenefile import builtin_scene, load_scene
 from beside_paper import ROUGH, RPM, SMOOTH, published
 
 HERE = Path(__file__).parent
-SPEEDS = (100.0, 500.0)  # rpm, where the paper prints the cage's torque and largest force
+SPEEDS = (100.0, 200.0, 300.0, 400.0, 500.0)  # rpm, the paper's
+PRINTED = (100.0, 500.0)  # rpm, where it prints the cage's torque and largest force
 ANGLE = 0.18  # rad, the paper's
 CLEARANCES: tuple[float | None, ...] = (0.1e-3, 0.2e-3, 0.4e-3, None)  # m; None: the pocket of Table 1
+VARIED_AT_REST = 0.2e-3  # m: the clearance at which a start at rest has every stiffness and restitution
 STIFFNESSES = {"Hertz": None, "sheet": 28.0 / 0.883e-6**1.5}  # N/m^1.5: finite elements of the sheet on its rim
 RESTITUTIONS = (0.5, 0.9)
 STARTS: tuple[CageStart, ...] = ("rest", "sudden")
@@ -74,7 +80,9 @@ def settings() -> Iterator[Setting]:
     for clearance, stiffness, restitution, start, lead in itertools.product(
         CLEARANCES, STIFFNESSES, RESTITUTIONS, STARTS, LEADS
     ):
-        yield Setting(clearance=clearance, stiffness=stiffness, restitution=restitution, start=start, lead=lead)
+        first = stiffness == next(iter(STIFFNESSES)) and restitution == RESTITUTIONS[0]
+        if first or start != "rest" or clearance == VARIED_AT_REST:
+            yield Setting(clearance=clearance, stiffness=stiffness, restitution=restitution, start=start, lead=lead)
 
 
 def computed(setting: Setting, friction: float, rpm: float, duration: float) -> Row:
@@ -136,12 +144,20 @@ def targets() -> dict[tuple[float, str, float], float]:
     }
 
 
-def deviations(pair: dict[float, Row], paper: dict[tuple[float, str, float], float], roughness: float) -> list[float]:
-    """ln(ours/paper) of torque and largest force at both speeds; that of the force seen at all, as the paper's is."""
+def deviations(case: dict[float, Row], paper: dict[tuple[float, str, float], float], roughness: float) -> list[float]:
+    """ln(ours/paper) of torque and largest force where both are printed; of the largest seen at all, as the paper's."""
     found = []
-    for rpm, row in pair.items():
-        for quantity, ours in (("cage_torque", row.torque), ("cage_max_force", row.largest_force)):
+    for rpm in PRINTED:
+        for quantity, ours in (("cage_torque", case[rpm].torque), ("cage_max_force", case[rpm].largest_force)):
             found.append(float(np.log(max(ours, 1e-12) / paper[roughness, quantity, rpm])))
+    return found
+
+
+def by_case(rows: list[Row]) -> dict[tuple[Setting, float], dict[float, Row]]:
+    """(setting, friction) -> its motions by rpm."""
+    found: dict[tuple[Setting, float], dict[float, Row]] = {}
+    for row in rows:
+        found.setdefault((row.setting, row.friction), {})[row.speed_rpm] = row
     return found
 
 
@@ -164,45 +180,79 @@ def main() -> None:
 
 
 def tell(rows: list[Row], paper: dict[tuple[float, str, float], float]) -> None:
-    pairs: dict[tuple[Setting, float], dict[float, Row]] = {}
-    for row in rows:
-        pairs.setdefault((row.setting, row.friction), {})[row.speed_rpm] = row
+    cases = by_case(rows)
     for roughness in (ROUGH, SMOOTH):
-        ranked = sorted(pairs.items(), key=lambda item: max(map(abs, deviations(item[1], paper, roughness))))
-        wanted = ", ".join(
-            f"{paper[roughness, 'cage_torque', rpm] * 1e3:g} N mm and {paper[roughness, 'cage_max_force', rpm]:g} N at "
-            f"{rpm:g} rpm"
-            for rpm in SPEEDS
+        ranked = sorted(cases.items(), key=lambda item: max(map(abs, deviations(item[1], paper, roughness))))
+        wanted = " and ".join(
+            f"{paper[roughness, 'cage_torque', rpm] * 1e3:g}, {paper[roughness, 'cage_max_force', rpm]:.4g} at {rpm:g}"
+            for rpm in PRINTED
         )
-        columns = (
-            "setting",
-            "mu",
-            *(f"{name}, {rpm:g} rpm" for rpm in SPEEDS for name in ("N mm", "N")),
-            "worst factor",
+        table = Table(
+            *("setting", "mu", *(f"{rpm:g} rpm" for rpm in SPEEDS), "worst"),
+            title=f"Sq {roughness * 1e6:g} um, nearest cases: torque, N mm, and largest force, N; paper: {wanted} rpm",
+            caption="r rest, w whirl, i irregular, m mixed; worst: the largest factor off the paper's four numbers",
         )
-        table = Table(*columns, title=f"Sq {roughness * 1e6:g} um, nearest of the scan; the paper has {wanted}")
-        for (setting, friction), pair in ranked[:5]:
-            numbers = [
-                text
-                for rpm in SPEEDS
-                for text in (f"{pair[rpm].torque * 1e3:.3g} {pair[rpm].state}", f"{pair[rpm].largest_force:.3g}")
-            ]
-            worst = np.exp(max(map(abs, deviations(pair, paper, roughness))))
-            table.add_row(_words(setting), f"{friction:g}", *numbers, f"{worst:.3g}")
+        for (setting, friction), case in ranked[:5]:
+            numbers = [f"{row.torque * 1e3:.2g}, {row.largest_force:.2g} {row.state[0]}" for row in case.values()]
+            worst = np.exp(max(map(abs, deviations(case, paper, roughness))))
+            table.add_row(_words(setting), f"{friction:g}", *numbers, f"{worst:.2g}")
         out.print(table)
         for quantity, index in (("torque", 0), ("largest force", 1)):
-            near = sum(max(map(abs, deviations(pair, paper, roughness)[index::2])) < np.log(NEAR) for _, pair in ranked)
+            near = sum(max(map(abs, deviations(case, paper, roughness)[index::2])) < np.log(NEAR) for _, case in ranked)
             out.print(
-                f"{near} of {len(ranked)} settings have the {quantity} at both speeds within a factor of {NEAR:g}."
+                f"{near} of {len(ranked)} cases have the {quantity} at 100 and 500 rpm within a factor of {NEAR:g}."
             )
-        near = sum(max(map(abs, deviations(pair, paper, roughness))) < np.log(NEAR) for _, pair in ranked)
-        out.print(f"{near} of {len(ranked)} settings have all four numbers within it.\n")
+        near = sum(max(map(abs, deviations(case, paper, roughness))) < np.log(NEAR) for _, case in ranked)
+        out.print(f"{near} of {len(ranked)} cases have all four numbers within it.\n")
+    tell_of_speed(cases, paper)
+    tell_of_rest(cases)
+    tell_of_one_cage(cases, paper)
+
+
+def tell_of_speed(
+    cases: dict[tuple[Setting, float], dict[float, Row]], paper: dict[tuple[float, str, float], float]
+) -> None:
+    """Whether the torque rises from speed to speed, and as far as the paper's."""
+    torques = [[case[rpm].torque for rpm in SPEEDS] for case in cases.values()]
+    rising = [torque for torque in torques if np.all(np.diff(torque) > 0)]
+    least = min(
+        paper[roughness, "cage_torque", PRINTED[1]] / paper[roughness, "cage_torque", PRINTED[0]]
+        for roughness in (ROUGH, SMOOTH)
+    )
+    far = sum(torque[-1] > least / NEAR * torque[0] for torque in rising)
+    out.print(
+        f"The cage torque rises at every step from 100 to 500 rpm in {len(rising)} of {len(cases)} cases, in {far} by "
+        f"{least / NEAR:.2g} times or more; the paper's by {least:.2g} times or more."
+    )
+
+
+def tell_of_rest(cases: dict[tuple[Setting, float], dict[float, Row]]) -> None:
+    """What stiffness and restitution change where all of them were tried from rest."""
+    alike: dict[tuple[float, float, float], list[Row]] = {}
+    for (setting, friction), case in cases.items():
+        if setting.start == "rest" and setting.clearance == VARIED_AT_REST:
+            for rpm, row in case.items():
+                alike.setdefault((setting.lead, friction, rpm), []).append(row)
+    if not alike:
+        return
+    spread = max(max(row.torque for row in group) / min(row.torque for row in group) for group in alike.values()) - 1
+    force = max(row.largest_force for group in alike.values() for row in group)
+    out.print(
+        f"From rest in {VARIED_AT_REST * 1e3:g} mm, stiffness and restitution change the torque by {spread:.1%} at "
+        f"most and no force exceeds {force:.2g} N; other clearances have one of each for that start."
+    )
+
+
+def tell_of_one_cage(
+    cases: dict[tuple[Setting, float], dict[float, Row]], paper: dict[tuple[float, str, float], float]
+) -> None:
+    """The setting that is nearest with one friction for each roughness."""
     best: dict[Setting, float] = {}
-    for setting in {setting for setting, _ in pairs}:
+    for setting in dict.fromkeys(setting for setting, _ in cases):
         worst = [
             min(
-                max(map(abs, deviations(pair, paper, roughness)))
-                for (other, _), pair in pairs.items()
+                max(map(abs, deviations(case, paper, roughness)))
+                for (other, _), case in cases.items()
                 if other == setting
             )
             for roughness in (ROUGH, SMOOTH)
@@ -218,7 +268,8 @@ def tell(rows: list[Row], paper: dict[tuple[float, str, float], float]) -> None:
 def write(rows: list[Row], path: Path, duration: float) -> None:
     with path.open("w", encoding="utf-8", newline="") as file:
         file.write(
-            f"# python validation/cage_scan.py: {SEEDS} seeds, {duration:g} s each after as long a start-up; SI\n"
+            f"# python validation/cage_scan.py --duration {duration:g}: {SEEDS} seeds, {duration:g} s each after "
+            "as long a start-up; SI\n"
         )
         flat = [asdict(row.setting) | {k: v for k, v in vars(row).items() if k != "setting"} for row in rows]
         writer = csv.DictWriter(file, flat[0])
@@ -228,30 +279,40 @@ def write(rows: list[Row], path: Path, duration: float) -> None:
 
 
 def draw(rows: list[Row], paper: dict[tuple[float, str, float], float], path: Path) -> None:
+    """Torque and largest force over speed: a point a motion, and the nearest case of either roughness as a line."""
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    figure, panels = pyplot.subplots(1, 2, figsize=(10, 4.4), sharey=True, layout="constrained")
+    figure, panels = pyplot.subplots(1, 2, figsize=(11, 5.2), layout="constrained")
     colours = {"rest": "tab:blue", "whirl": "tab:orange", "irregular": "tab:green", "mixed": "tab:gray"}
-    for panel, rpm in zip(panels, SPEEDS, strict=True):
-        for state, colour in colours.items():
-            at = [row for row in rows if row.speed_rpm == rpm and row.state == state]
-            panel.loglog(
-                [row.torque * 1e3 for row in at],
-                [max(row.largest_force, 1e-3) for row in at],
-                ".",
-                color=colour,
-                label=state,
-                alpha=0.6,
-            )
+    quantities = {
+        "cage_torque": ("cage torque, N mm", 1e3, lambda row: row.torque),
+        "cage_max_force": ("largest force of a ball on the cage, N", 1.0, lambda row: row.largest_force),
+    }
+    nearest: dict[tuple[Setting, float], list[str]] = {}  # the case, and the roughnesses that it is the nearest for
+    cases = by_case(rows)
+    for roughness in (ROUGH, SMOOTH):
+        case = min(cases, key=lambda one: max(map(abs, deviations(cases[one], paper, roughness))))
+        nearest.setdefault(case, []).append(f"Sq {roughness * 1e6:g} µm")
+    for panel, (quantity, (label, factor, value)) in zip(panels, quantities.items(), strict=True):
+        for beside, (state, colour) in enumerate(colours.items()):
+            at = [row for row in rows if row.state == state and value(row) > 0]
+            place = [row.speed_rpm + 12 * (beside - 1.5) for row in at]  # side by side, else they hide each other
+            heights = [factor * value(row) for row in at]
+            panel.plot(place, heights, ".", color=colour, label=f"scan: {state}", alpha=0.5, markeredgewidth=0)
+        for (case, roughnesses), style in zip(nearest.items(), ("-", "--"), strict=False):
+            near = [factor * value(cases[case][rpm]) for rpm in SPEEDS]
+            panel.plot(SPEEDS, near, style, color="black", lw=1, label=f"nearest case to {' and '.join(roughnesses)}")
         for roughness, mark in ((ROUGH, "*"), (SMOOTH, "P")):
-            torque, force = (paper[roughness, name, rpm] for name in ("cage_torque", "cage_max_force"))
-            panel.loglog(torque * 1e3, force, mark, color="black", ms=11, label=f"paper, Sq {roughness * 1e6:g} µm")
-        panel.set(title=f"{rpm:g} rpm", xlabel="cage torque, N mm")
+            told = [factor * paper[roughness, quantity, rpm] for rpm in PRINTED]
+            name = f"paper, Sq {roughness * 1e6:g} µm"
+            panel.plot(PRINTED, told, mark, color="red", mec="black", ms=11, label=name, zorder=3)
+        panel.set(xlabel="speed of the inner ring, rpm", ylabel=label, yscale="log", xticks=SPEEDS)
         panel.grid(alpha=0.3)
-    panels[0].set_ylabel("largest force of ball on cage, N")
-    panels[0].legend(fontsize=8)
-    figure.suptitle("Scan of clearance, stiffness, restitution, start, friction and ball lead: a point each")
+    figure.legend(
+        *panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=9, frameon=False
+    )
+    figure.suptitle("The cage in motion: a scan of clearance, stiffness, restitution, start, friction and ball lead")
     figure.savefig(path, dpi=110)
 
 

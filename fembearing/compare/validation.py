@@ -7,9 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from analytic.cage_torque import CagePart
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
+from analytic.torque_result import FrictionTorque
 from fembearing.compare.catalogue import beside_catalogue
 from fembearing.compare.contact_ladder import contact_ladder_of
 from fembearing.compare.cost import Cost, measure_cost
@@ -41,6 +43,7 @@ class Validation:
     hard: tuple[HardOutcome, ...]  # empty unless they were asked for
     cost: Cost | None  # every ladder, measured; None unless that was asked for
     seconds: float
+    production: FrictionTorque | None = None  # as the scene asks for it, its cage in motion; the change leaves that out
     trouble: tuple[str, ...] = ()  # met while the report was written
 
     @property
@@ -62,7 +65,14 @@ class Validation:
         """Of the scene, of all contacts, of the torque and of the report, each once."""
         found = [warning for contact in self.contacts for warning in contact.warnings]
         torque = () if self.torque is None else (*self.torque.hertz.warnings, *self.torque.fitted.warnings)
-        return tuple(dict.fromkeys([*found, *torque, *self.trouble]))
+        moved = () if self.moving_cage is None else self.moving_cage.warnings
+        return tuple(dict.fromkeys([*found, *torque, *moved, *self.trouble]))
+
+    @property
+    def moving_cage(self) -> CagePart | None:
+        """None where no cage moved."""
+        part = None if self.production is None else self.production.cage
+        return part if part is not None and any(part.motion) else None
 
     def to_json(self) -> dict[str, Any]:
         """The result as plain types, SI; discrepancies and uncertainties relative."""
@@ -86,6 +96,9 @@ class Validation:
             "torque": None
             if self.torque is None
             else self.torque.hertz.to_json() | {"catalogue_band": beside_catalogue(self.scene).to_json()},
+            "cage_motion": None
+            if self.moving_cage is None
+            else [self.moving_cage.at(point) for point in range(self.moving_cage.torque.size)],
             "tolerance": self.tolerance,
             "contacts": [contact.to_json() for contact in self.contacts],
             "cost": {
@@ -118,8 +131,9 @@ def check_scene(
     start = time.perf_counter()
     asked = scene.tolerance if tolerance is None else tolerance
     jobs = RACES if scene.cage is None else RACES + POCKET
+    production = None
     if scene.has_friction or "on" in scene.effects.values():
-        friction_torque(scene)  # refuses what it cannot model before anything is solved
+        production = friction_torque(scene)  # refuses what it cannot model before anything is solved
     for pair, *_ in jobs:
         contact_of(scene, pair=pair)  # and so do the contacts
     shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs)])
@@ -147,6 +161,7 @@ def check_scene(
         hard=run_hard_cases(progress=part_of(progress, extra[0], extra[1])) if hard else (),
         cost=measure_cost(scene, tolerance=asked, progress=part_of(progress, extra[1], 1.0)) if cost else None,
         seconds=time.perf_counter() - start,
+        production=production,
     )
 
 

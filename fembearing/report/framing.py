@@ -38,11 +38,11 @@ def frame_of(*, semi_axis_rolling: float, semi_axis_transverse: float) -> Frame:
         scale=scale,
         centre=(width / 2, TITLE + shown / 2),
         rolling_is_horizontal=semi_axis_rolling > ROUND * semi_axis_transverse,
-        bar=_round_length(LONGEST_BAR / scale),
+        bar=round_length(LONGEST_BAR / scale),
     )
 
 
-def _round_length(most: float) -> float:
+def round_length(most: float) -> float:
     """The largest of 1, 2, 5 times a power of ten that is no more than `most`."""
     power = 10.0 ** math.floor(math.log10(most))
     return max(step * power for step in (1, 2, 5) if step * power <= most)

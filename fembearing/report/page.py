@@ -60,6 +60,7 @@ def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str 
         rings=[(place_of(found), ring_line(found.ring)) for found in result.contacts if found.ring is not None],
         pocket=_pocket(result),
         torque=_torque(result, catalogue),
+        cage=_cage(result),
         catalogue=catalogue,
         shares=SHARES,
         share_of=share_of,
@@ -190,6 +191,37 @@ def _torque(result: Validation, catalogue: BesideCatalogue) -> list[dict[str, An
     # At a constant coefficient all speeds read the same: one row for each run of them.
     runs = [[point for point, _ in run] for _, run in groupby(enumerate(rows), key=itemgetter(1))]
     return [{**rows[run[0]], "speed": _listed(hertz.inner_speed[run] * PER_MINUTE)} for run in runs]
+
+
+def _cage(result: Validation) -> list[dict[str, str]]:
+    """One row for each operating point whose cage moved."""
+    part, found = result.moving_cage, result.production
+    if part is None or found is None:
+        return []
+
+    def between(ends: tuple[float, float], factor: float) -> str:
+        return " to ".join(f"{factor * end:.3g}" for end in ends)
+
+    return [
+        {
+            "speed": f"{found.inner_speed[point] * PER_MINUTE:.5g}",
+            "state": motion.state,
+            "start": motion.start,
+            "torque": f"{motion.torque * 1e3:.3g}",
+            "torque_interval": between(motion.torque_interval, 1e3),
+            "moment": f"{motion.signed_moment * 1e3:.2g}",
+            "mean_force": f"{motion.mean_force:.3g}",
+            "max_force": f"{motion.max_force:.3g}",
+            "max_force_interval": between(motion.max_force_interval, 1.0),
+            "watched": f"{motion.duration:.3g} s in blocks of {motion.block:.3g} s",
+            "other": "the cage cannot whirl: one steady motion"
+            if motion.other is None
+            else f"{motion.other.state} from {motion.other.start}, {motion.other.torque * 1e3:.3g} N mm"
+            + ("" if motion.other.state == motion.state else ": the start decides"),
+        }
+        for point, motion in enumerate(part.motion)
+        if motion is not None
+    ]
 
 
 def _in_band(catalogue: BesideCatalogue, point: int) -> str:

@@ -57,7 +57,7 @@ def draw_pictures(
     pressure pictures, and no sections.
     """
     jobs = [job for contact in contacts for job in _jobs(contact, folder)]
-    trouble = _rendered(jobs, renderer)
+    trouble = rendered(jobs, renderer)
     pictures = []
     for contact in contacts:
         frame = _frame(contact)
@@ -81,7 +81,7 @@ def draw_pictures(
     return pictures, trouble
 
 
-def _rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
+def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
     """Run the renderer on all jobs; None, or one line on why it did not draw them all."""
     try:
         done = subprocess.run(

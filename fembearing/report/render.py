@@ -14,6 +14,8 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 
+from fembearing.report.render_cage import cage_front
+
 MM = 1e3
 COLOURS, BARE, INK, HERTZ, LINES, SHOULDER = "viridis", "gainsboro", "black", "red", "dimgrey", "darkorange"
 BODIES = {"upper": "lightsteelblue", "lower": "wheat"}
@@ -230,7 +232,7 @@ def colour_bar(job: dict[str, Any], *, width: float, left: float, height: float)
     }
 
 
-KINDS = {"pressure": pressure_map, "section": section}
+KINDS = {"pressure": pressure_map, "section": section, "cage": cage_front}
 
 if __name__ == "__main__":
     main()

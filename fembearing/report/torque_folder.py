@@ -1,0 +1,100 @@
+"""The folder of a torque: its numbers, and of each point whose cage moved its series in time, a plot and a picture."""
+
+import json
+from collections.abc import Sequence
+from contextlib import nullcontext
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from analytic.scene import Scene
+from fembearing.compare.cage_record import CageRecord, record_cage
+from fembearing.compare.progress import Progress, silent
+from fembearing.compare.provenance import provenance_of
+from fembearing.compare.scene_torque import SceneTorque, torque_of_scene
+from fembearing.report.folder import whole_folder
+
+COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and when the series are
+
+
+def torque_with_folder(
+    scene: Scene, *, out: Path | None = None, progress: Progress = silent
+) -> tuple[SceneTorque, str | None]:
+    """Compute the torque, and write its folder.
+
+    out : folder that must not exist yet; None writes nothing
+    progress : called with the share done, 0 to 1, and a word on the step at hand
+    Gives the torque, and a sentence on what the folder lacks and why: None where it lacks nothing.
+    Raises InputError for a scene that has no torque or a folder that cannot be made, MotionError where a cage's motion
+    comes apart.
+    """
+    with nullcontext() if out is None else whole_folder(out) as folder:
+        progress(0.0, "torque")
+        result = torque_of_scene(scene)
+        lacking = None if folder is None else write_torque(result, folder, progress=progress)
+    return result, lacking
+
+
+def write_torque(
+    result: SceneTorque, folder: Path, *, renderer: Sequence[str] | None = None, progress: Progress = silent
+) -> str | None:
+    """Write torque.json, and of each operating point whose cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
+
+    renderer : the command that draws; VTK's without it
+    Gives what the folder lacks, as `torque_with_folder`.
+    """
+    records = []
+    points = result.found.inner_speed.size
+    for point in range(points):
+        progress(COMPUTED + (RECORDED - COMPUTED) * point / points, f"cage, point {point + 1}")
+        record = record_cage(result, point)
+        if record is not None:
+            records.append(record)
+    if records:
+        progress(RECORDED, "plots and pictures")
+        told, lacking = _write_motions(records, folder, renderer)
+    else:
+        told, lacking = [], _why_at_rest(result)
+    content = result.to_json() | {
+        "cage_motion": {"points": told, "lacking": lacking},
+        "run": provenance_of(result.scene),
+    }
+    (folder / "torque.json").write_text(json.dumps(content, indent=1, allow_nan=False), "utf-8")
+    return lacking
+
+
+def _write_motions(
+    records: list[CageRecord], folder: Path, renderer: Sequence[str] | None
+) -> tuple[list[dict[str, Any]], str | None]:
+    from fembearing.report.cage_figure import cage_caption, cage_figure  # with matplotlib: only a folder pays for it
+    from fembearing.report.cage_picture import cage_job, picture_caption
+    from fembearing.report.figures import png
+    from fembearing.report.pictures import RENDERER, rendered
+
+    pictures = [folder / f"{record.point}-cage.png" for record in records]
+    jobs = [cage_job(record, file) for record, file in zip(records, pictures, strict=True)]
+    trouble = rendered(jobs, RENDERER if renderer is None else renderer)
+    told = []
+    for record, picture in zip(records, pictures, strict=True):
+        series, plot = folder / f"{record.point}-cage.nc", folder / f"{record.point}-cage-forces.png"
+        record.to_dataset().to_netcdf(series, engine="netcdf4")
+        plot.write_bytes(png(cage_figure(record)))
+        told.append(
+            {
+                "point": record.point,
+                "state": record.statistics.state,
+                "series": series.name,
+                "plot": {"file": plot.name, "caption": cage_caption(record)},
+                "picture": None if trouble else {"file": picture.name, "caption": picture_caption(record)},
+            }
+        )
+    return told, None if trouble is None else f"there is no picture of the cage: {trouble}"
+
+
+def _why_at_rest(result: SceneTorque) -> str:
+    """Why no cage moved."""
+    reason = next(effect.reason for effect in result.found.effects if effect.name == "cage_dynamics")
+    if result.found.cage is not None and not np.any(result.found.inner_speed):
+        reason = "nothing turns"
+    return f"the cage did not move, so that there is no series, plot or picture of it: {reason}"
