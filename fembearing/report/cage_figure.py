@@ -36,7 +36,7 @@ def cage_caption(record: CageRecord) -> str:
     )
 
 
-def cage_figure(record: CageRecord) -> Figure:
+def orbit_figure(record: CageRecord) -> Figure:
     """Orbit of the cage's centre, forces over time, and how often each force is exceeded."""
     figure = Figure(figsize=(14, 5.6), layout="constrained")
     orbit, forces, excess = figure.subplots(1, 3, width_ratios=(1.0, 1.25, 1.0))

@@ -48,7 +48,7 @@ def cage_front(job: dict[str, Any]) -> pv.Plotter:
     plotter.add_mesh(legend.translate(on_paper(force["left"], 58)), color=FORCE, lighting=False)
     plotter.add_text(force["label"], position=(force["left"], 14), font_size=10, color=INK)
     ends = [on_paper(length["left"] + pixels, 58) for pixels in (0, scale * MM * length["length"])]
-    plotter.add_mesh(pv.Line(*ends), color=INK, line_width=4)
+    plotter.add_mesh(pv.Line(ends[0], ends[1]), color=INK, line_width=4)
     plotter.add_text(length["label"], position=(length["left"], 14), font_size=10, color=INK)
     if pull["length"]:
         down = arrow_along(-MM * pull["length"] * up, radius)
@@ -79,7 +79,7 @@ def cage_parts(job: dict[str, Any]) -> list[pv.PolyData]:
         along = (following - place) / np.linalg.norm(following - place)
         ends = place + (inner + wall / 2) * along, following - (inner + wall / 2) * along
         if (ends[1] - ends[0]) @ along > 0:
-            parts.append(pv.Line(*ends).tube(radius=half, n_sides=24, capping=True))
+            parts.append(pv.Line(ends[0], ends[1]).tube(radius=half, n_sides=24, capping=True))
     return parts
 
 

@@ -67,7 +67,7 @@ def write_torque(
 def _write_motions(
     records: list[CageRecord], folder: Path, renderer: Sequence[str] | None
 ) -> tuple[list[dict[str, Any]], str | None]:
-    from fembearing.report.cage_figure import cage_caption, cage_figure  # with matplotlib: only a folder pays for it
+    from fembearing.report.cage_figure import cage_caption, orbit_figure  # with matplotlib: only a folder pays for it
     from fembearing.report.cage_picture import cage_job, picture_caption
     from fembearing.report.figures import png
     from fembearing.report.pictures import RENDERER, rendered
@@ -79,7 +79,7 @@ def _write_motions(
     for record, picture in zip(records, pictures, strict=True):
         series, plot = folder / f"{record.point}-cage.nc", folder / f"{record.point}-cage-forces.png"
         record.to_dataset().to_netcdf(series, engine="netcdf4")
-        plot.write_bytes(png(cage_figure(record)))
+        plot.write_bytes(png(orbit_figure(record)))
         told.append(
             {
                 "point": record.point,

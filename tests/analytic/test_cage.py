@@ -138,3 +138,22 @@ def test_step_follows_the_shortest_impact() -> None:
 def test_what_cannot_be_is_refused(change: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
         replace(CAGE, **change)
+
+
+def test_a_cage_goes_as_far_as_its_first_ball_lets_it() -> None:
+    """Moved so far, one ball is exactly at the end of its room, and none beyond."""
+    cage = replace(CAGE, ball_lead=0.07e-3, centre_offset=0.03e-3)
+    for direction in ([0.6, -0.8, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.36, 0.48 / 0.6]):
+        along = np.array(direction) / np.linalg.norm(direction)
+        pockets = cage.pocket_places + cage.middle + cage.free_way(along) * along
+        shells = [cage.ball_places(0.0) - pockets + side * np.array([0, 0, 0.03e-3]) for side in (1, -1)]
+        farthest = max(np.linalg.norm(shell, axis=1).max() for shell in shells)
+        np.testing.assert_allclose(farthest, cage.room, rtol=1e-12)  # round-off
+
+
+def test_balls_go_round_and_lead_on_one_side() -> None:
+    cage = replace(CAGE, ball_lead=0.07e-3)
+    quarter = cage.ball_places(np.pi / 2)
+    led = np.pi / 2 + 0.07e-3 / cage.pitch_radius  # the first ball, where the lead is largest
+    np.testing.assert_allclose(quarter[0], cage.pitch_radius * np.array([np.cos(led), np.sin(led), 0]), atol=1e-15)
+    np.testing.assert_allclose(np.linalg.norm(quarter, axis=1), cage.pitch_radius, rtol=1e-12)

@@ -1,11 +1,11 @@
-"""A motion as a series in time: what it holds agrees with itself, and with the dataset that is made of it."""
+"""A motion as a series in time: what it holds agrees with itself, and with the file that is made of it."""
 
-import sys
-from types import ModuleType
-from typing import Any
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray
 
 from analytic.cage import DrivenCage
 from analytic.cage_series import recorded_motion
@@ -44,31 +44,45 @@ def test_velocities_are_how_places_change() -> None:
     assert np.all(found.max_force >= 0)
 
 
-def test_a_dataset_has_units(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Against a stand-in that keeps what it is given."""
-
-    class Dataset:
-        def __init__(self, variables: dict[str, Any], coords: dict[str, Any]) -> None:
-            self.variables, self.coords = variables, coords
-
-    stand_in = ModuleType("xarray")
-    stand_in.Dataset = Dataset  # type: ignore[attr-defined]
-    monkeypatch.setitem(sys.modules, "xarray", stand_in)
-    found = recorded_motion(CAGE, start="rest", duration=1e-4, samples=3)
-    dataset = found.to_dataset()
-    sizes = {"time": 3, "direction": 3, "ball": 7}
-    for name, (dimensions, values, attributes) in dataset.variables.items():
-        assert values.shape == tuple(sizes[dimension] for dimension in dimensions), name
-        assert attributes["units"]
-    assert set(dataset.variables) | {"time"} == set(vars(found))
-    assert dataset.coords["time"][2] == {"units": "s"}
+def test_without_friction_a_ball_pushes_where_it_is_pressed() -> None:
+    """Balls that lead and lag, and a cage that tumbles: forces are along the way from the pocket's middle."""
+    slippery = replace(CAGE, friction_coefficient=0.0, ball_lead=0.05e-3)
+    found = recorded_motion(slippery, start="sudden", duration=0.02, samples=700, seed=3)
+    force, distance = np.linalg.norm(found.force, axis=2), np.linalg.norm(found.offset, axis=2)
+    pressed = force > 0
+    assert 20 < pressed.sum() < pressed.size / 2
+    assert distance[pressed].min() > CAGE.room
+    # The force of an instant is that after the damping has looked at the speed: one that pulls is cut to 0.
+    assert np.mean(distance[~pressed] <= CAGE.room) > 0.99
+    along = np.sum(found.force * found.offset, axis=2)[pressed]
+    np.testing.assert_allclose(along, (force * distance)[pressed], rtol=1e-9)  # round-off of turns gone by
 
 
-def test_without_xarray_the_dataset_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "xarray", None)
-    found = recorded_motion(CAGE, start="rest", duration=1e-4, samples=3)
-    with pytest.raises(InputError, match=r"needs xarray, which is not installed: pip install 'fembearing\[series\]'"):
-        found.to_dataset()
+def test_a_file_gives_back_series_and_units(tmp_path: Path) -> None:
+    """Written as netCDF and read again."""
+    found = recorded_motion(CAGE, start="sudden", duration=2e-4, samples=5)
+    found.to_dataset().to_netcdf(tmp_path / "series.nc", engine="netcdf4")
+    read = xarray.load_dataset(tmp_path / "series.nc", engine="netcdf4")
+    assert dict(read.sizes) == {"time": 5, "direction": 3, "ball": 7}
+    assert read["direction"].values.tolist() == ["x", "y", "z"]
+    assert {name: str(read[name].attrs["units"]) for name in (*read.data_vars, "time")} == {
+        "time": "s",
+        "ball_angle": "rad",
+        "centre": "m",
+        "velocity": "m/s",
+        "axis": "1",
+        "angular_velocity": "rad/s",
+        "offset": "m",
+        "force": "N",
+        "slip_power": "W",
+        "max_force": "N",
+    }
+    assert all(read[name].attrs["long_name"] for name in read.variables)
+    for name, values in vars(found).items():
+        np.testing.assert_array_equal(read[name].values, values)
+    falling = read["velocity"].sel(direction="y")  # free fall from the middle; no ball touches yet
+    np.testing.assert_allclose(falling, -9.80665 * read["time"], rtol=1e-6)
+    assert float(abs(read["velocity"].sel(direction="x")).max()) < 1e-12
 
 
 def test_a_series_needs_a_length() -> None:

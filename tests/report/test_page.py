@@ -10,13 +10,15 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from analytic.scenefile import load_scene
+from analytic.scenefile import load_scene, parse_scene
+from analytic.torque import friction_torque
 from fembearing.compare.hard_case import HardOutcome
 from fembearing.compare.uncertainty import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.compare.validation import Validation
 from fembearing.report.page import write_page
 from fembearing.report.pictures import Picture
 from fembearing.report.terminal import print_validation
+from tests.report.test_cage_pictures import MOVING
 
 ORDER = (
     "Intended use",
@@ -162,3 +164,35 @@ def test_hard_cases_and_a_missing_renderer_are_shown(checked: Validation, tmp_pa
     assert re.search(r"an odd one\s*wrong\s*3, expected 2", page.text)
     assert "maps by matplotlib: VTK ended with signal 6" in page.text
     assert replace(checked, hard=hard).verdict == "fail"  # whatever the contacts say
+
+
+def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) -> None:
+    """One that begins in whirl, and would rest from rest."""
+    assert "Cage in motion" not in page_of(checked, tmp_path).text
+    scene = parse_scene(
+        MOVING.replace("500 rpm", "400 rpm").replace('start = "rest"', 'start = "whirl"'), origin="here"
+    )
+    production = friction_torque(scene)
+    assert production.cage is not None
+    motion = production.cage.motion[0]
+    assert motion is not None
+    assert motion.other is not None
+    moved = replace(checked, production=production)
+    words = " ".join(page_of(moved, tmp_path).text.split())
+    table = words.partition("another start ")[2].partition("The cage driven")[0]
+    row = [
+        f"400{motion.state}whirl{1e3 * motion.torque:.3g}",
+        f"{1e3 * motion.torque_interval[0]:.3g} to {1e3 * motion.torque_interval[1]:.3g}",
+        f"{1e3 * motion.signed_moment:.2g}{motion.mean_force:.3g}{motion.max_force:.3g}",
+        f"{motion.max_force_interval[0]:.3g} to {motion.max_force_interval[1]:.3g}",
+        "0.02 s in blocks of 0.001 s",
+        f"rest from rest, {1e3 * motion.other.torque:.3g} N mm: the start decides",
+    ]
+    assert motion.state == "whirl"
+    places = [table.find(word) for word in row]
+    assert places == sorted(places), (row, table)
+    assert -1 not in places, (row, table)
+    assert "leads to whirl" in words  # the warning
+    content = moved.to_json()["cage_motion"]
+    assert [point["state"] for point in content] == ["whirl"]
+    assert checked.to_json()["cage_motion"] is None

@@ -1,0 +1,133 @@
+"""The folder of a torque: whole or not at all, and with a word on what it lacks."""
+
+import json
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+import xarray
+
+from analytic.errors import InputError
+from analytic.scene import Scene
+from analytic.scenefile import builtin_scene, load_scene, parse_scene
+from fembearing import cli
+from fembearing.compare.provenance import provenance_of
+from fembearing.compare.scene_torque import SceneTorque, torque_of_scene
+from fembearing.report import torque_folder as module
+from fembearing.report.torque_folder import torque_with_folder, write_torque
+from tests.report.test_cage_pictures import MOVING
+
+TWO = MOVING.replace('inner_speed = "500 rpm"', 'inner_speed = ["500 rpm", "200 rpm"]')
+DIES = (sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGABRT)")  # as VTK without GL does
+
+
+class Made(NamedTuple):
+    scene: Scene
+    result: SceneTorque
+    folder: Path
+    steps: list[float]
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
+    scene = parse_scene(TWO, origin="here")
+    folder = tmp_path_factory.mktemp("torque") / "made"
+    steps: list[float] = []
+    result, lacking = torque_with_folder(scene, out=folder, progress=lambda share, _: steps.append(share))
+    assert lacking is None
+    return Made(scene, result, folder, steps)
+
+
+def test_each_point_has_series_plot_and_picture(made: Made) -> None:
+    files = {f"{point}-cage{end}" for point in (1, 2) for end in (".nc", ".png", "-forces.png")}
+    assert {path.name for path in made.folder.iterdir()} == files | {"torque.json"}
+    assert [path.name for path in made.folder.parent.iterdir()] == ["made"]  # nothing beside it
+    content = json.loads((made.folder / "torque.json").read_text("utf-8"))
+    assert content["points"] == json.loads(json.dumps(made.result.to_json()["points"]))
+    assert content["run"]["scene_sha256"] == provenance_of(made.scene)["scene_sha256"]
+    assert content["cage_motion"]["lacking"] is None
+    for point, told in enumerate(content["cage_motion"]["points"], start=1):
+        assert (told["point"], told["state"]) == (point, "rest")
+        assert told["series"] == f"{point}-cage.nc"
+        assert "The cage rests" in told["plot"]["caption"]
+        assert "10 times as far" in told["picture"]["caption"]
+        for kind, end in (("plot", "-forces.png"), ("picture", ".png")):
+            assert told[kind]["file"] == f"{point}-cage{end}"
+            assert (made.folder / told[kind]["file"]).read_bytes().startswith(b"\x89PNG")
+    assert made.steps == sorted(made.steps)
+    assert made.steps[-1] < 1
+
+
+def test_a_series_tells_where_it_comes_from_and_agrees_with_the_torque(made: Made) -> None:
+    torque = made.result.found.torque.cage
+    assert torque is not None
+    for point, rpm in enumerate((500, 200)):
+        read = xarray.load_dataset(made.folder / f"{point + 1}-cage.nc")
+        assert read.attrs["scene_sha256"] == provenance_of(made.scene)["scene_sha256"]
+        assert json.loads(read.attrs["scene_content"])["name"] == "moving"
+        assert json.loads(read.attrs["versions"])["numpy"] == np.__version__
+        np.testing.assert_allclose(read.attrs["inner_speed_rad_per_s"], rpm * np.pi / 30)
+        assert (read.attrs["start"], read.attrs["state_of_all_seeds"]) == ("rest", "rest")
+        assert read.attrs["start_up_s"] == 0.01
+        assert float(read["time"][-1]) == pytest.approx(0.02, rel=0.01)  # as much again is measured
+        measured = read["slip_power"].where(read["time"] > 0.01).mean() / read.attrs["inner_speed_rad_per_s"]
+        np.testing.assert_allclose(measured, torque[point], rtol=0.02)  # of seeds that all rest
+
+
+def test_without_a_moving_cage_there_are_numbers_and_the_reason(tmp_path: Path) -> None:
+    _, lacking = torque_with_folder(load_scene(builtin_scene("6205")), out=tmp_path / "made")
+    assert lacking is not None
+    assert "the cage did not move" in lacking
+    assert "cage.start is not given" in lacking
+    assert [path.name for path in (tmp_path / "made").iterdir()] == ["torque.json"]
+    content = json.loads((tmp_path / "made" / "torque.json").read_text("utf-8"))
+    assert content["cage_motion"] == {"points": [], "lacking": lacking}
+    bare = parse_scene(MOVING.partition("[cage]")[0], origin="here")
+    assert "no cage is given" in str(torque_with_folder(bare, out=tmp_path / "bare")[1])
+
+
+@pytest.mark.parametrize(("renderer", "word"), [(DIES, "signal 6"), (("/nowhere/python",), "could not be started")])
+def test_where_vtk_cannot_draw_all_else_is_there(tmp_path: Path, renderer: tuple[str, ...], word: str) -> None:
+    lacking = write_torque(torque_of_scene(parse_scene(MOVING, origin="here")), tmp_path, renderer=renderer)
+    assert lacking is not None
+    assert "there is no picture of the cage" in lacking
+    assert word in lacking
+    assert {path.name for path in tmp_path.iterdir()} == {"torque.json", "1-cage.nc", "1-cage-forces.png"}
+    content = json.loads((tmp_path / "torque.json").read_text("utf-8"))["cage_motion"]
+    assert content["lacking"] == lacking
+    assert content["points"][0]["picture"] is None
+
+
+def test_nothing_is_left_of_a_folder_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(module, "provenance_of", fail)
+    with pytest.raises(KeyboardInterrupt):
+        torque_with_folder(load_scene(builtin_scene("6205")), out=tmp_path / "made")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_exists_is_refused_before_anything_is_computed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "torque_of_scene", None)  # would not be called
+    with pytest.raises(InputError, match="exists already"):
+        torque_with_folder(load_scene(builtin_scene("6205")), out=tmp_path)
+
+
+def test_the_command_says_where_the_folder_is_and_what_it_lacks(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for flags, said in (((), f"folder: {tmp_path / 'first'}"), (("--json",), '"tolerance"')):
+        out = tmp_path / ("second" if flags else "first")
+        monkeypatch.setattr("sys.argv", ["fembearing", "torque", "--out", str(out), *flags])
+        with pytest.raises(SystemExit) as stop:
+            cli.main()
+        captured = capsys.readouterr()
+        assert not stop.value.code
+        assert said in captured.out
+        assert "the cage did not move" in captured.err
+        assert (out / "torque.json").is_file()
+        if flags:
+            json.loads(captured.out)  # nothing else on it
