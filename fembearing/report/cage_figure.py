@@ -88,7 +88,7 @@ def _forces(panel: Axes, record: CageRecord) -> None:
     panel.axvspan(0, MILLI * record.start_up, color=STARTING, alpha=0.35, lw=0, label="start-up")
     panel.axhline(found.max_force, color=BLOCKS, ls="--", lw=1, label=f"median of blocks, {found.max_force:.3g} N")
     panel.set(xlabel="time, ms", ylabel="force of balls on the cage, N", title="Forces")
-    panel.set(yscale="log", xlim=(0, time[-1]), ylim=(LEAST_SHOWN * found.max_force, None))
+    panel.set(yscale="log", xlim=(0, 2 * MILLI * record.start_up), ylim=(LEAST_SHOWN * found.max_force, None))
     panel.yaxis.set_major_formatter("{x:g}")
     panel.grid(alpha=0.3)
     panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8, frameon=False)

@@ -78,7 +78,9 @@ def _write_motions(
     told = []
     for record, picture in zip(records, pictures, strict=True):
         series, plot = folder / f"{record.point}-cage.nc", folder / f"{record.point}-cage-forces.png"
-        record.to_dataset().to_netcdf(series, engine="netcdf4")
+        dataset = record.to_dataset()
+        packed = {name: {"zlib": True, "complevel": 1} for name in dataset.data_vars}  # most forces are 0
+        dataset.to_netcdf(series, engine="netcdf4", encoding=packed)
         plot.write_bytes(png(orbit_figure(record)))
         told.append(
             {

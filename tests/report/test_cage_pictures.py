@@ -5,9 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.transforms import BboxBase
 from numpy.typing import NDArray
 
 from analytic.scenefile import parse_scene
@@ -129,21 +131,22 @@ def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecor
     check_apart(figure)
 
 
+def box_of(part: Artist | None) -> BboxBase:
+    box = None if part is None else part.get_tightbbox()
+    assert box is not None
+    return box
+
+
 def check_apart(figure: Figure) -> None:
     """Titles, labels, legends and caption keep off each other and inside the figure."""
-    parts = [*figure.axes, *(axes.get_legend() for axes in figure.axes), *figure.texts]
-    boxes = [part.get_tightbbox() for part in parts]
-    for axes, legend in zip(figure.axes, (axes.get_legend() for axes in figure.axes), strict=True):
-        assert legend is not None
-        assert not axes.xaxis.get_tightbbox().overlaps(legend.get_tightbbox())
-    for box in boxes:
-        assert box is not None
-        assert box.x0 >= 0
-        assert box.x1 <= figure.bbox.x1 + 1  # pixel
-    captions = [text.get_tightbbox() for text in figure.texts]
-    for caption in captions:
-        for axes in figure.axes:
-            assert not caption.overlaps(axes.get_tightbbox())
+    legends = [axes.get_legend() for axes in figure.axes]
+    for axes, legend in zip(figure.axes, legends, strict=True):
+        assert not box_of(axes.xaxis).overlaps(box_of(legend))
+        for text in figure.texts:
+            assert not box_of(text).overlaps(box_of(axes))
+    for part in (*figure.axes, *legends, *figure.texts):
+        assert box_of(part).x0 >= 0
+        assert box_of(part).x1 <= figure.bbox.x1 + 1  # pixel
 
 
 def place_in(job: dict, x: float, y: float) -> tuple[float, float]:
