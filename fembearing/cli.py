@@ -237,7 +237,8 @@ def cost(
     given = _scene(scene)
     asked = _tolerance(tolerance, given)
     from fembearing.compare.cost import measure_cost
-    from fembearing.report.folder import whole_folder, write_cost
+    from fembearing.report.folder import write_cost
+    from fembearing.report.new_folder import whole_folder
     from fembearing.report.terminal import print_cost
 
     with _progress() as report, nullcontext() if folder is None else whole_folder(folder) as place:

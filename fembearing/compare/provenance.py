@@ -15,7 +15,19 @@ import numpy as np
 
 from analytic.scene import Scene
 
-PACKAGES = ("fembearing", "numpy", "scipy", "scikit-fem", "meshio", "numba", "pypardiso", "mkl", "pyvista", "vtk")
+PACKAGES = (
+    "fembearing",
+    "numpy",
+    "scipy",
+    "scikit-fem",
+    "meshio",
+    "numba",
+    "pypardiso",
+    "mkl",
+    "pyvista",
+    "vtk",
+    "netCDF4",
+)
 
 
 def provenance_of(scene: Scene) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from fembearing.compare.cage_record import CageRecord, record_cage
 from fembearing.compare.progress import Progress, silent
 from fembearing.compare.provenance import provenance_of
 from fembearing.compare.scene_torque import SceneTorque, torque_of_scene
-from fembearing.report.folder import whole_folder
+from fembearing.report.new_folder import whole_folder
 
 COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and when the series are
 

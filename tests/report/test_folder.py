@@ -16,7 +16,8 @@ from analytic.scenefile import builtin_scene, load_scene
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
 from fembearing.report import page, pictures
-from fembearing.report.folder import validate, whole_folder
+from fembearing.report.folder import validate
+from fembearing.report.new_folder import whole_folder
 
 
 @pytest.fixture

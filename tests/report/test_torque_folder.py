@@ -1,6 +1,7 @@
 """The folder of a torque: whole or not at all, and with a word on what it lacks."""
 
 import json
+import subprocess
 import sys
 from pathlib import Path
 from typing import NamedTuple
@@ -131,3 +132,14 @@ def test_the_command_says_where_the_folder_is_and_what_it_lacks(
         assert (out / "torque.json").is_file()
         if flags:
             json.loads(captured.out)  # nothing else on it
+
+
+def test_a_torque_without_a_moving_cage_loads_nothing_that_draws_or_packs(tmp_path: Path) -> None:
+    show = (
+        "import sys; from fembearing import cli; sys.argv[1:] = ['torque', '--json', '--out', sys.argv[1]]\n"
+        "try: cli.main()\nfinally: print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
+    )
+    run = [sys.executable, "-c", show, str(tmp_path / "made")]
+    loaded = set(subprocess.run(run, capture_output=True, check=True, text=True).stderr.split())
+    assert "fembearing" in loaded
+    assert not {"matplotlib", "vtk", "vtkmodules", "pyvista", "xarray", "netCDF4"} & loaded

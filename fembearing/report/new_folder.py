@@ -1,0 +1,44 @@
+"""A folder that is written whole or not at all."""
+
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from analytic.errors import InputError
+
+
+@contextmanager
+def whole_folder(target: Path) -> Iterator[Path]:
+    """A folder to fill that takes its name only when all went well; else nothing of it is left.
+
+    Raises InputError, before anything is filled in, if it exists or cannot be made.
+    """
+    place = f"--out {str(target)!r}"
+    if os.path.lexists(target):
+        raise InputError(f"{place} exists already: give a new name, or remove it first")
+    parent = target.absolute().parent
+    try:
+        apart = Path(tempfile.mkdtemp(dir=parent, prefix=f".{target.name}-"))
+    except OSError as problem:
+        raise InputError(
+            f"{place} cannot be made in {str(parent)!r}: {problem.strerror}; give a name in a folder that you may write"
+        ) from problem
+    try:
+        yield apart
+        apart.chmod(0o777 & ~_umask())  # mkdtemp lets in nobody but its owner
+        try:
+            apart.rename(target)
+        except OSError as problem:  # somebody made it meanwhile
+            raise InputError(f"{place} cannot be written: {problem.strerror}; nothing is left of it") from problem
+    finally:
+        shutil.rmtree(apart, ignore_errors=True)
+
+
+def _umask() -> int:
+    """Of this process; the system tells it only by setting it."""
+    found = os.umask(0)
+    os.umask(found)
+    return found
