@@ -104,7 +104,7 @@ def test_the_script_prints_writes_and_draws(tmp_path: Path) -> None:
         [sys.executable, VALIDATION / "sensitivity.py", "--out", tmp_path],
         capture_output=True, check=True, text=True, timeout=120,
     )  # fmt: skip
-    assert "without the cage" in " ".join(done.stdout.split())
+    assert "without a cage" in " ".join(done.stdout.split())
     with (tmp_path / "sensitivity.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     assert len({row["input"] for row in rows}) == 18
