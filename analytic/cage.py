@@ -114,7 +114,7 @@ class DrivenCage:
 
     @property
     def middle(self) -> Array:
-        """(3,) m: of its room, from where balls that lead and lag are equally far; or as near to that as a land lets."""
+        """(3,) m: of its room, from where balls that lead and lag are equally far; or as near to it as a land lets."""
         aside = self.ball_lead / 2
         if self.land is not None:
             aside = np.clip(aside, -self.land.room, self.land.room)
