@@ -31,6 +31,10 @@ class LandGuidance:
     speed: float  # of that ring, rad/s
     half_width: float  # from the middle of the cage to each of its rims, m
 
+    def __post_init__(self) -> None:
+        require_positive(**{"land.radius": self.radius, "land.room": self.room, "land.half_width": self.half_width})
+        require_finite(**{"land.speed": self.speed})
+
 
 @dataclass(frozen=True, kw_only=True)
 class DrivenCage:
@@ -54,7 +58,7 @@ class DrivenCage:
     drag: float = 0.0  # torque over speed with which the oil brakes the cage, N m s
     ball_lead: float = 0.0  # how far balls lead on one side of the bearing and lag on the other, m
     land: LandGuidance | None = None
-    smoothing: float = 1e-3  # v0 of the friction's direction, m/s
+    smoothing: float = 1e-3  # v0 of the friction's direction, m/s; less where the balls turn slowly
     axial_inertia: float | None = None  # about z, kg m^2; None: of a thin ring of the pitch radius
     transverse_inertia: float | None = None  # likewise, across z
 
@@ -67,6 +71,12 @@ class DrivenCage:
             stiffness=self.stiffness,
             smoothing=self.smoothing,
         )
+        if not self.ball_count >= 1:
+            raise InputError(f"ball_count must be at least 1, got {self.ball_count!r}: without balls nothing drives")
+        if self.pocket_axis not in ("axial", "radial"):
+            raise InputError(f'pocket_axis must be "axial" or "radial", got {self.pocket_axis!r}')
+        axial, transverse = self.inertia
+        require_positive(axial_inertia=axial, transverse_inertia=transverse)
         require_non_negative(
             centre_offset=self.centre_offset, friction_coefficient=self.friction_coefficient, drag=self.drag
         )
@@ -82,7 +92,12 @@ class DrivenCage:
             raise InputError(
                 f"centre_offset {self.centre_offset!r} m must be below room {self.room!r} m: the shells clamp the ball"
             )
-        require_loose_balls(ball_lead=self.ball_lead, room=self.room, centre_offset=self.centre_offset)
+        require_loose_balls(
+            ball_lead=self.ball_lead,
+            room=self.room,
+            centre_offset=self.centre_offset,
+            land_room=np.inf if self.land is None else self.land.room,
+        )
 
     @property
     def inertia(self) -> tuple[float, float]:
@@ -99,8 +114,11 @@ class DrivenCage:
 
     @property
     def middle(self) -> Array:
-        """(3,) m: of the cage's room, from where balls that lead and lag are all equally far."""
-        return np.array([-self.ball_lead / 2, 0.0, 0.0])
+        """(3,) m: from where balls that lead and lag are all equally far, or as near to it as a land lets the cage."""
+        aside = self.ball_lead / 2
+        if self.land is not None:
+            aside = float(np.clip(aside, -self.land.room, self.land.room))
+        return np.array([-aside, 0.0, 0.0])
 
     @property
     def pocket_places(self) -> Array:
@@ -126,11 +144,21 @@ class DrivenCage:
         offset = self.ball_places(0.0) - pockets - self.middle
         offsets = np.concatenate([offset + side * self.centre_offset * axes for side in (1, -1)])
         ahead = offsets @ direction
-        way = float(np.min(ahead + np.sqrt(ahead**2 + self.room**2 - np.sum(offsets**2, axis=1))))
+        way = np.min(ahead + np.sqrt(ahead**2 + self.room**2 - np.sum(offsets**2, axis=1)))
         sideways = np.hypot(*direction[:2])
         if self.land is not None and sideways > 0:
-            way = min(way, self.land.room / sideways)
-        return way
+            outward = self.middle @ direction / sideways
+            reach = np.sqrt(outward**2 + self.land.room**2 - self.middle @ self.middle) - outward
+            way = min(way, reach / sideways)
+        return float(way)
+
+    @property
+    def crossing_time(self) -> float:
+        """s, in which the cage once falls through its pockets, or without gravity is carried through by the balls."""
+        pull, surface = np.linalg.norm(self.gravity), abs(self.ball_speed) * self.ball_radius
+        if pull > 0:
+            return float(np.sqrt(4 * self.room / pull))
+        return 2 * self.room / surface if surface > 0 else 0.0
 
     @property
     def contact_time(self) -> float:
@@ -141,12 +169,14 @@ class DrivenCage:
         return float(impact(mass=mass, speed=self.fastest, stiffness=self.stiffness).duration)
 
 
-def require_loose_balls(*, ball_lead: float, room: float, centre_offset: float) -> None:
+def require_loose_balls(*, ball_lead: float, room: float, centre_offset: float, land_room: float = np.inf) -> None:
     """Refuse balls that lead and lag so far that no place of the cage clears them all.
 
     A lead of A sin(phi) takes the cage half along and leaves each ball A/2 off its pocket's middle, in all directions.
+    Where a land holds the cage after a way of land_room < A/2, m, the farthest ball is A - land_room off.
     """
-    largest = 2 * (room - centre_offset)
+    free = room - centre_offset
+    largest = free + min(free, land_room)
     if not abs(ball_lead) < largest:
         raise InputError(
             f"ball_lead {ball_lead!r} m is beyond the clearance: below {largest:.6g} m the cage still goes between "

@@ -5,6 +5,7 @@ One step is a kick by the loads, the exact motion of a free ring, and a kick by 
 damping take the speeds that the loads of before would give: second order, and without losses symplectic.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,7 @@ SATURATED = 20.0  # |v|/v0 from where tanh is 1 in double precision
 STATE = 15
 # What a call adds up: impulse of the moments about z, works by slip in pockets and at the land, of damping, of drag and
 # of the balls on the cage, integral of the normal forces, angle about the axis that the centre went, integrals of its
-# distance, of the distance squared, of x and of y; and the largest normal force of one contact.
+# distance, of the distance squared, of x and of y; and the largest normal force of one contact in a pocket.
 TALLY = 13
 MOMENT, SLIP, LAND_SLIP, DAMPING, DRAG, BALLS, FORCE, WINDING, DISTANCE, SQUARE, PLACE_X, PLACE_Y, LARGEST = range(
     TALLY
@@ -59,7 +60,15 @@ class Law(NamedTuple):
     deepest: float  # penetration at which the motion has come apart, m
 
 
-@njit(cache=True, fastmath=FAST, inline="always")
+def _kept(function: Callable[..., int]) -> Callable[..., int]:
+    """Compiled for good; for this run alone where no folder takes it, as in a read-only installation without a home."""
+    try:
+        return njit(cache=True, fastmath=FAST)(function)
+    except RuntimeError:
+        return njit(fastmath=FAST)(function)
+
+
+@njit(fastmath=FAST, inline="always")
 def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine, sine, scale):
     """Force and moment on the cage, and what they tell of; r: rotation matrix by rows."""
     xx, xy, xz, yx, yy, yz, zx, zy, zz = r
@@ -111,8 +120,7 @@ def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine,
             px, py, pz = pitch * bc + radius * nx - x, pitch * bs + radius * ny - y, radius * nz - z
             gx, gy, gz = sx - vx - wy * pz + wz * py, sy - vy - wz * px + wx * pz, sz - vz - wx * py + wy * px
             closing = gx * nx + gy * ny + gz * nz
-            if touch[ball, shell] == 0.0:
-                touch[ball, shell] = max(closing, law.least_impact)
+            touch[ball, shell] = max(touch[ball, shell], closing, law.least_impact)
             elastic = law.stiffness * depth * np.sqrt(depth)
             normal = max(elastic * (1.0 + law.damping * closing / touch[ball, shell]), 0.0)
             gx, gy, gz = gx - closing * nx, gy - closing * ny, gz - closing * nz
@@ -152,7 +160,7 @@ def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine,
                 continue
             nx, ny = hx / distance, hy / distance
             arm = law.land_side * law.land_radius
-            px, py, pz = arm * nx + half * xz, arm * ny + half * yz, half * zz
+            px, py, pz = arm * nx - x, arm * ny - y, half * zz
             surface = law.land_speed * scale * arm
             gx, gy = -surface * ny - vx - wy * pz + wz * py, surface * nx - vy - wz * px + wx * pz
             gz = -vz - wx * py + wy * px
@@ -165,12 +173,11 @@ def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine,
             fx, fy, fz = fx + qx, fy + qy, fz + qz
             mx, my, mz = mx + py * qz - pz * qy, my + pz * qx - px * qz, mz + px * qy - py * qx
             rubbing += per_speed * speed * speed
-            largest = max(largest, normal)
             deepest = max(deepest, depth)
     return fx, fy, fz, mx, my, mz, turning, slip, rubbing, damped, dragged, given, pressed, largest, deepest
 
 
-@njit(cache=True, fastmath=FAST, inline="always")
+@njit(fastmath=FAST, inline="always")
 def _turned(a, b, c, d):
     """Rotation matrix of a quaternion of length 1, by rows."""
     return (
@@ -186,13 +193,13 @@ def _turned(a, b, c, d):
     )
 
 
-@njit(cache=True, fastmath=FAST, inline="always")
+@njit(fastmath=FAST, inline="always")
 def _scale(time, ramp):
     """Of all speeds, as they rise."""
     return time / ramp if time < ramp else 1.0
 
 
-@njit(cache=True, fastmath=FAST)
+@_kept
 def advance(
     law: Law,
     azimuth: NDArray[np.float64],
@@ -205,8 +212,8 @@ def advance(
 ) -> int:
     """Go on by so many steps, in place; the number of steps done, fewer where the motion comes apart.
 
-    azimuth : (Z, 2), cosine and sine of each pocket's place;  touch : (Z, 2), impact speed of each shell's contact, 0
-    without;  now : (Z, 3), to which the forces of the balls at the end are added, or (0, 3) where nobody asks
+    azimuth : (Z, 2), cosine and sine of each pocket's place;  touch : (Z, 2), impact speed of each shell's contact, the
+    largest at which it has closed since it began, 0 without;  now : (Z, 3), to which the forces of the balls at the end are added, or (0, 3) where nobody asks
     tally : (TALLY,), to which the step's share of each integral is added
     """
     x, y, z, vx, vy, vz, a, b, c, d, lx, ly, lz, time, angle = state

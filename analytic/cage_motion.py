@@ -20,6 +20,7 @@ LEAST_IMPACT = 1e-3  # m/s: a contact that begins slower is damped as if it had 
 DISTURBANCE = 1e-3  # of the room and of the fastest impact: how far seeds set the beginnings apart
 DEEPEST = 0.5  # of the ball's radius: no elastic contact goes so deep
 RESTING_STEP = 1e-4  # s, where nothing moves that would set one
+SHARPEST = 1 / 400  # of the speed of the balls' surfaces: v0 of the friction is at most so large, else slow balls creep
 
 
 class MotionError(ConvergenceError):
@@ -47,9 +48,10 @@ class Passage:
     drag_power: float  # of the oil around the cage, W
     ball_power: float  # that the balls give to the cage, W
     force: float  # sum of the normal forces in the pockets, N
-    max_force: float  # the largest of one contact, N
+    max_force: float  # the largest of one ball on a shell, N
     moment: float  # of the balls on the cage about z, N m
     circling: float  # speed at which the centre goes round the bearing's axis, rad/s
+    place: tuple[float, float]  # of the centre, x and y, m
     distance: float  # of the centre from the axis, m
     unrest: float  # root mean square of the centre's place about its mean, m
     wobble: float  # root mean square of its distance from the axis about the mean, m
@@ -86,7 +88,7 @@ class CageMotion:
         self.cage = cage
         self.step = min(cage.contact_time / steps_per_contact, RESTING_STEP)
         axial, transverse = cage.inertia
-        land = cage.land
+        land, surface = cage.land, abs(cage.ball_speed) * cage.ball_radius
         self._advance = advance
         self._law = Law(
             mass=cage.mass,
@@ -101,7 +103,7 @@ class CageMotion:
             damping=impact_damping(cage.restitution),
             least_impact=LEAST_IMPACT,
             friction=cage.friction_coefficient,
-            smoothing=cage.smoothing,
+            smoothing=min(cage.smoothing, SHARPEST * surface) if surface > 0 else cage.smoothing,
             gravity_x=cage.gravity[0],
             gravity_y=cage.gravity[1],
             gravity_z=cage.gravity[2],
@@ -131,9 +133,14 @@ class CageMotion:
             self._state[3:6] += DISTURBANCE * cage.fastest * random.uniform(-1, 1, 3)
 
     def advance(self, duration: float) -> Passage:
-        """Go on for so long, at least one step, and tell what happened. Raises MotionError where it comes apart."""
+        """Go on for so long, at least one step, and tell what happened.
+
+        duration : s, > 0
+        Raises MotionError where it comes apart.
+        """
         from analytic.cage_kernel import LARGEST, TALLY
 
+        require_positive(duration=duration)
         tally = np.zeros(TALLY)
         steps = max(1, round(duration / self.step))
         self._go(tally, steps, np.empty((0, 3)))
@@ -150,6 +157,7 @@ class CageMotion:
             max_force=tally[LARGEST],
             moment=moment,
             circling=wound,
+            place=(x, y),
             distance=far,
             unrest=float(np.sqrt(max(square - x**2 - y**2, 0.0))),
             wobble=float(np.sqrt(max(square - far**2, 0.0))),

@@ -4,8 +4,9 @@ Every seed disturbs the beginning a little, runs for a start-up that nobody coun
 blocks. The torque is the power lost to sliding and drag over the speed of the ring. The largest force of a contact
 grows with the time: what is told is the median over blocks of the largest force in a block, with the block's length.
 
-The regime of a block, by its centre in the bearing's frame: `rest` where it keeps its place to within a quarter of the
-pocket's room, `whirl` where it goes round at a distance steady to within a tenth of the room, else `irregular`.
+The regime, by the cage's centre in the bearing's frame: `rest` where it keeps its place to within a quarter of the
+pocket's room, `whirl` where it goes round at a distance steady to within a tenth of the room, else `irregular`. It is
+that of each block and of all measured time alike: what creeps or swings slower than a block is `irregular`.
 """
 
 from dataclasses import dataclass
@@ -76,9 +77,15 @@ def measured_motion(
 
     duration : measured, of each seed, s; as much again goes before it uncounted, and a `ramp` takes that time
     Where the cage could whirl, one more motion tells whether another beginning leads elsewhere.
-    Raises InputError for a bearing at standstill or fewer than two seeds, MotionError where a motion comes apart.
+    Raises InputError for a bearing at standstill, fewer than two seeds, or a duration in which the cage does not cross
+    its pockets even once; MotionError where a motion comes apart.
     """
     require_positive(duration=duration, **{"magnitude of ring_speed": abs(cage.ring_speed)})
+    if not duration >= cage.crossing_time:
+        raise InputError(
+            f"duration {duration!r} s of the cage's motion is too short: the cage crosses its pockets once in "
+            f"{cage.crossing_time:.3g} s; measure ten times that or more"
+        )
     if not seeds >= 2:
         raise InputError(f"seeds must be at least 2, got {seeds!r}: one motion tells nothing of its spread")
     runs = [_blocks(cage, start, seed, duration, steps_per_contact) for seed in range(seeds)]
@@ -122,15 +129,23 @@ def _torque(cage: DrivenCage, run: list[Passage]) -> float:
 
 
 def _state(cage: DrivenCage, run: list[Passage]) -> Regime:
-    found: list[Regime] = [_regime(cage, block) for block in run]
-    return found[0] if found.count(found[0]) == len(found) else "irregular"
+    """Of blocks of one length."""
+    places, distances = np.array([block.place for block in run]), np.array([block.distance for block in run])
+    unrest, wobble = np.array([block.unrest for block in run]), np.array([block.wobble for block in run])
+    whole = _regime(
+        cage,
+        unrest=float(np.sqrt(np.mean(unrest**2) + np.sum(places.var(axis=0)))),
+        wobble=float(np.sqrt(np.mean(wobble**2) + distances.var())),
+    )
+    alike = all(_regime(cage, unrest=block.unrest, wobble=block.wobble) == whole for block in run)
+    return whole if alike else "irregular"
 
 
-def _regime(cage: DrivenCage, block: Passage) -> Regime:
+def _regime(cage: DrivenCage, *, unrest: float, wobble: float) -> Regime:
     room = cage.room if cage.land is None else min(cage.room, cage.land.room)
-    if block.unrest < STEADY_PLACE * room:
+    if unrest < STEADY_PLACE * room:
         return "rest"
-    return "whirl" if block.wobble < STEADY_DISTANCE * room else "irregular"
+    return "whirl" if wobble < STEADY_DISTANCE * room else "irregular"
 
 
 def _other(

@@ -9,6 +9,7 @@ from scipy.optimize import minimize
 
 from analytic.cage import (
     DrivenCage,
+    LandGuidance,
     require_loose_balls,
     rest_torque,
     whirl_bound,
@@ -19,6 +20,7 @@ from analytic.cage import (
 from analytic.errors import InputError
 
 W = 52.36  # rad/s: 500 rpm
+LAND = LandGuidance(radius=17e-3, room=0.02e-3, outside=False, speed=W, half_width=5e-3)
 PITCH, RADIUS, MASS = 39.01e-3, 3.97e-3, 6.58e-3
 RATE = 15.599 * 23.411 / (39.01 * 3.97)  # w_b/w at 0.18 rad
 CAGE = DrivenCage(
@@ -117,6 +119,28 @@ def test_balls_may_lead_until_no_place_of_the_cage_clears_them() -> None:
         require_loose_balls(ball_lead=lead, room=0.999 * lead / 2, centre_offset=0.0)
 
 
+def test_a_land_leaves_balls_less_room_to_lead() -> None:
+    """The same where the cage may go no farther than its land lets it, turns of the cage included."""
+    phi, lead, land = 2 * np.pi * np.arange(9) / 9, 0.11, 0.02  # mm
+    balls = lead * np.sin(phi)[:, None] * np.stack([-np.sin(phi), np.cos(phi)], axis=1)
+
+    def worst(place: np.ndarray) -> float:
+        centre = place[:2] * min(1.0, land / max(float(np.hypot(*place[:2])), 1e-12))
+        pockets = centre + place[2] * np.stack([-np.sin(phi), np.cos(phi)], axis=1)
+        return float(np.linalg.norm(balls - pockets, axis=1).max())
+
+    options = {"xatol": 1e-9, "fatol": 1e-12, "maxiter": 4000}
+    needed = min(
+        minimize(worst, start, method="Nelder-Mead", options=options).fun
+        for start in ([-0.01, 0.0, 0.0], [-0.03, 0.01, 0.01])
+    )
+    # The formula is of balls all round; of nine none is just where the lead is largest, 2 % less.
+    np.testing.assert_allclose(needed, lead - land, rtol=0.03)
+    require_loose_balls(ball_lead=lead, room=1.001 * (lead - land), centre_offset=0.0, land_room=land)
+    with pytest.raises(InputError, match="beyond the clearance"):
+        require_loose_balls(ball_lead=-lead, room=0.999 * (lead - land), centre_offset=0.0, land_room=land)
+
+
 def test_step_follows_the_shortest_impact() -> None:
     stiffer = replace(CAGE, stiffness=7 * CAGE.stiffness)
     np.testing.assert_allclose(CAGE.contact_time / stiffer.contact_time, 7**0.4, rtol=1e-12)
@@ -133,6 +157,11 @@ def test_step_follows_the_shortest_impact() -> None:
         ({"ball_lead": -0.21e-3}, "beyond the clearance"),
         ({"friction_coefficient": -0.1}, "friction_coefficient must be at least 0"),
         ({"orbit_speed": float("inf")}, "orbit_speed must be finite"),
+        ({"ball_count": 0}, "ball_count must be at least 1, got 0"),
+        ({"pocket_axis": "sideways"}, 'pocket_axis must be "axial" or "radial"'),
+        ({"axial_inertia": -1e-6}, "axial_inertia must be positive"),
+        ({"transverse_inertia": float("nan")}, "transverse_inertia must be positive"),
+        ({"ball_lead": 0.13e-3, "land": LAND}, r"ball_lead 0\.00013 m is beyond the clearance: below 0\.00012 m"),
     ],
 )
 def test_what_cannot_be_is_refused(change: dict[str, Any], words: str) -> None:

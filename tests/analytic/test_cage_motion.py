@@ -250,13 +250,29 @@ def test_a_bounce_keeps_the_restitution(restitution: float) -> None:
     np.testing.assert_allclose(motion.velocity[2], -0.37 * restitution, rtol=5e-3)  # the step's error
 
 
+@pytest.mark.parametrize("restitution", [0.3, 0.8])
+def test_a_blow_on_what_touches_already_keeps_the_restitution(restitution: float) -> None:
+    """A cage that lies on its balls is hit: the damping is by the blow, not by how gently the contact once began."""
+    cage = replace(
+        CAGE, friction_coefficient=0.0, restitution=restitution, gravity=(0.0, 0.0, -9.80665), orbit_speed=0.0
+    )
+    motion = CageMotion(cage, begin="rest")
+    motion.advance(1e-4)
+    assert motion.forces().any()
+    motion.launch(velocity=np.array([0.0, 0.0, -0.37]), angular_velocity=np.zeros(3))
+    hit = motion.advance(1.5 * cage.contact_time)
+    np.testing.assert_allclose(motion.velocity[2], 0.37 * restitution, rtol=0.01)  # the step's error, and its weight
+    elastic = impact(mass=cage.mass / 9, speed=0.37, stiffness=cage.stiffness)
+    assert hit.max_force < 1.1 * elastic.force  # a blow that is damped has about the same force
+
+
 def test_torque_does_not_depend_on_how_friction_is_smoothed() -> None:
     found = []
-    for smoothing in (0.5e-3, 1e-3, 2e-3):
+    for smoothing in (0.25e-3, 0.5e-3, 1e-3):  # more is cut off at a share of the balls' speed
         motion = CageMotion(replace(CAGE, smoothing=smoothing), begin="whirl")
         motion.advance(0.03)
         found.append(motion.advance(0.03).slip_power)
-    assert np.ptp(found) < 0.05 * found[1]
+    assert np.ptp(found) < 5e-3 * found[1]
 
 
 def test_running_backwards_is_the_mirror_image() -> None:
@@ -273,6 +289,12 @@ def test_running_backwards_is_the_mirror_image() -> None:
     assert ahead.max_force > 1
     np.testing.assert_allclose(mirrored, there, atol=1e-6 * cage.room)  # round-off grows from impact to impact
     np.testing.assert_allclose([back.slip_power, -back.moment], [ahead.slip_power, ahead.moment], rtol=1e-6)
+
+
+@pytest.mark.parametrize("duration", [float("nan"), float("inf"), -0.1, 0.0])
+def test_no_motion_without_end_or_backwards(duration: float) -> None:
+    with pytest.raises(InputError, match="duration must be positive and finite"):
+        CageMotion(CAGE, begin="rest").advance(duration)
 
 
 def test_one_ball_and_a_still_bearing() -> None:
@@ -327,6 +349,18 @@ def test_what_cannot_be_is_refused(options: dict[str, Any], words: str) -> None:
         CageMotion(CAGE, **options)
 
 
+def test_a_read_only_installation_without_a_home_compiles_each_time() -> None:
+    show = """
+import numba.core.caching
+def refuse(*_): raise OSError(30, "Read-only file system")
+for locator in [*numba.core.caching._CacheLocator.__subclasses__(), numba.core.caching._CacheLocator]:
+    locator.ensure_cache_path = refuse
+import analytic.cage_kernel
+print(type(analytic.cage_kernel.advance).__name__)
+"""
+    assert subprocess.run([sys.executable, "-c", show], capture_output=True, check=True, text=True).stdout != ""
+
+
 def test_no_compiler_is_loaded_before_the_first_motion() -> None:
     show = "import sys, analytic, analytic.torque, analytic.cage_motion; print('numba' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", show], capture_output=True, check=True, text=True).stdout == "False\n"
@@ -341,6 +375,34 @@ def test_a_turning_land_takes_the_cage_along(outside: bool, speed: float) -> Non
     motion.advance(1e-3)  # of its swing of 14 ms, in which friction also pushes it aside
     turned = 0.1 * cage.mass * 9.80665 * 17e-3 * np.sign(speed) / cage.inertia[0] * motion.time
     np.testing.assert_allclose(motion.angular_velocity[2], turned, rtol=0.05)
+
+
+def test_a_land_holds_a_cage_whose_balls_lead() -> None:
+    """The motion begins within land and pockets, and no force of one ball on its pocket counts the land's."""
+    land = LandGuidance(radius=17e-3, room=0.05e-3, outside=False, speed=W, half_width=5e-3)
+    cage = replace(CAGE, land=land, ball_lead=0.14e-3, gravity=NOWHERE)
+    for begin in ("rest", "sudden", "whirl"):
+        motion = CageMotion(cage, begin=begin)
+        assert np.linalg.norm(motion.centre) < 1.001 * land.room
+        assert not motion.forces().any()
+    motion = CageMotion(replace(cage, ball_lead=0.0, friction_coefficient=0.0, orbit_speed=0.0), begin="sudden")
+    motion.launch(velocity=np.array([0.0, 0.37, 0.0]), angular_velocity=np.zeros(3))
+    passed = motion.advance(3 * land.room / 0.37)
+    assert motion.velocity[1] < 0
+    assert passed.max_force == 0
+
+
+@pytest.mark.parametrize("outside", [False, True])
+def test_friction_of_the_land_has_the_arm_of_the_rim(outside: bool) -> None:
+    """Where the rim meets the land, from the cage's own centre: its moment is what speeds the cage up."""
+    radius, room = 1.7e-3, 0.9e-3  # a small land with much room: the rim's radius is 2.6 mm in the bore, 0.8 mm outside
+    land = LandGuidance(radius=radius, room=room, outside=outside, speed=900.0, half_width=5e-3)
+    cage = replace(CAGE, land=land, room=2e-3, orbit_speed=0.0, ball_speed=0.0, axial_inertia=1e-3)
+    motion = CageMotion(cage, begin="rest")
+    passed = motion.advance(2e-4)
+    arm = radius - room if outside else radius + room
+    push = passed.land_power / (900.0 * radius)  # of friction: the cage hardly moves
+    np.testing.assert_allclose(motion.angular_velocity[2] * 1e-3, push * arm * motion.time, rtol=0.02)
 
 
 def test_drag_takes_what_a_free_cage_loses() -> None:
