@@ -214,6 +214,37 @@ def rest_torque(
     return np.asarray(mu * force * slip)
 
 
+def braked_torque(
+    *,
+    drag: ArrayLike,
+    friction_coefficient: ArrayLike,
+    cage_rate: ArrayLike,
+    orbit_speed: ArrayLike,
+    pitch_radius: ArrayLike,
+    ball_speed: ArrayLike,
+    ball_radius: ArrayLike,
+) -> Array:
+    """T = c (w_c/w) (w_c + mu r w_b/r_m), N m: a cage that oil brakes, and balls that push it on; all broadcast.
+
+    drag : c, torque over speed, N m s;  friction_coefficient : mu;  cage_rate : w_c/w;  orbit_speed : w_c, rad/s
+    pitch_radius : r_m, m, > 0;  ball_speed : w_b, rad/s;  ball_radius : r, m; all >= 0
+    The balls press with c w_c/r_m together and slide on that with w_b r. Beside `rest_torque` it is at most so much:
+    the same normal forces then carry and push.
+    """
+    require_positive(pitch_radius=pitch_radius)
+    require_non_negative(
+        drag=drag,
+        friction_coefficient=friction_coefficient,
+        cage_rate=cage_rate,
+        orbit_speed=orbit_speed,
+        ball_speed=ball_speed,
+        ball_radius=ball_radius,
+    )
+    surface = np.asarray(ball_speed) * np.asarray(ball_radius)
+    slip = np.asarray(friction_coefficient) * surface / np.asarray(pitch_radius)
+    return np.asarray(np.asarray(drag) * np.asarray(cage_rate) * (np.asarray(orbit_speed) + slip))
+
+
 def whirl_speed(*, ball_speed: ArrayLike, ball_radius: ArrayLike, contact_angle: ArrayLike, room: ArrayLike) -> Array:
     """Omega = w_b r cos(al)/nabla, rad/s, relative to the orbit: a cage that rolls on its balls; all broadcast.
 

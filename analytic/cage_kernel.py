@@ -212,8 +212,9 @@ def advance(
 ) -> int:
     """Go on by so many steps, in place; the number of steps done, fewer where the motion comes apart.
 
-    azimuth : (Z, 2), cosine and sine of each pocket's place;  touch : (Z, 2), impact speed of each shell's contact, the
-    largest at which it has closed since it began, 0 without;  now : (Z, 3), to which the forces of the balls at the end are added, or (0, 3) where nobody asks
+    azimuth : (Z, 2), cosine and sine of each pocket's place
+    touch : (Z, 2), of each shell's contact the fastest at which it has closed since it began, m/s; 0 without
+    now : (Z, 3), to which the forces of the balls at the end are added, or (0, 3) where nobody asks
     tally : (TALLY,), to which the step's share of each integral is added
     """
     x, y, z, vx, vy, vz, a, b, c, d, lx, ly, lz, time, angle = state

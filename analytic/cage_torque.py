@@ -10,7 +10,15 @@ import numpy as np
 
 from analytic.balls import LoadedBalls
 from analytic.bounds import STANDARD_GRAVITY, whirl_number
-from analytic.cage import DrivenCage, LandGuidance, rest_torque, whirl_bound, whirl_force, whirl_speed
+from analytic.cage import (
+    DrivenCage,
+    LandGuidance,
+    braked_torque,
+    rest_torque,
+    whirl_bound,
+    whirl_force,
+    whirl_speed,
+)
 from analytic.cage_statistics import CageStatistics, measured_motion
 from analytic.contact import pocket_contact
 from analytic.effects import Choices
@@ -24,6 +32,7 @@ PULL = {
     "along": (0.0, 0.0, -STANDARD_GRAVITY),
     "off": (0.0, 0.0, 0.0),
 }
+LONGEST = 500.0  # s of motion that are simulated unasked, start-up and all seeds counted: some ten minutes
 CAGE_KEYS = ("mean_force", "max_force", "interval", "duration", "state", "signed_moment")
 
 
@@ -34,6 +43,7 @@ class CagePart:
     torque: Array  # N m
     friction_coefficient: Array  # of ball on pocket
     mean_force: Array  # sum of the normal forces in all pockets, N
+    signed_moment: Array  # of the balls on the cage about the axis: what drag takes, or land gives, N m
     driven: tuple[DrivenCage | None, ...]  # what moved; None: at rest, by the closed form
     motion: tuple[CageStatistics | None, ...]  # how; likewise
     warnings: tuple[str, ...]
@@ -49,7 +59,7 @@ class CagePart:
         """CAGE_KEYS of one operating point in plain Python; None where a closed form has no such thing."""
         found = self.motion[point]
         if found is None:
-            values = (float(self.mean_force[point]), None, None, 0.0, "rest", 0.0)
+            values = (float(self.mean_force[point]), None, None, 0.0, "rest", float(self.signed_moment[point]))
         else:
             intervals = {"torque": list(found.torque_interval), "max_force": list(found.max_force_interval)}
             forces = (found.mean_force, found.max_force, intervals, found.duration)
@@ -106,6 +116,17 @@ def cage_friction(
             contact_angle=angle,
             gravity=pull,
         )
+    resting = resting + braked_torque(
+        drag=cage.drag,
+        friction_coefficient=mu,
+        cage_rate=balls.motion.cage_speed.mean(axis=1),
+        orbit_speed=orbit,
+        pitch_radius=bearing.pitch_diameter / 2,
+        ball_speed=rate * speed,
+        ball_radius=bearing.ball_radius,
+    )
+    hanging = hanging + cage.drag * orbit / (bearing.pitch_diameter / 2)
+    pushed = cage.drag * orbit * np.sign(operation.inner_speed)
     driven: list[DrivenCage | None] = [None] * speed.size
     found: list[CageStatistics | None] = [None] * speed.size
     if moves:
@@ -128,6 +149,7 @@ def cage_friction(
         torque=np.array([rest if m is None else m.torque for m, rest in zip(found, resting, strict=True)]),
         friction_coefficient=mu,
         mean_force=np.array([rest if m is None else m.mean_force for m, rest in zip(found, hanging, strict=True)]),
+        signed_moment=np.array([drag if m is None else m.signed_moment for m, drag in zip(found, pushed, strict=True)]),
         driven=tuple(driven),
         motion=tuple(found),
         warnings=friction.warnings + _bistable(found, operation),
@@ -202,6 +224,13 @@ def _moves(
             f"cage.start is not given, and with a whirl number of 1 or more, here up to {most:.3g}, a cage rests or "
             'whirls by how it started: give "rest", "ramp", "sudden" or "whirl"'
         )
+    points = np.count_nonzero(speed)
+    simulated = 2 * cage.duration * (cage.seeds + 1) * points  # start-up and measured time; the last of another start
+    if asked == "auto" and lacks is None and simulated > LONGEST:
+        lacks = (
+            f"{points} points take {simulated:.3g} s of motion, and beyond {LONGEST:g} s it is not computed unasked: "
+            'give fewer points or seeds, a shorter duration, or effects.cage_dynamics = "on"'
+        )
     return choices.calls_for("cage_dynamics", share=share, lacks=lacks)
 
 
@@ -245,6 +274,8 @@ def _bistable(found: list[CageStatistics | None], operation: Operation) -> tuple
 
 def _told(cage: Cage, friction: PocketFriction, *, moves: bool) -> str:
     if not moves:
-        return f"closed form at rest, friction by {friction.source}"
+        held = [key for key, given in (("land", cage.land is not None), ("ball_lead", cage.ball_lead != 0)) if given]
+        without = f", without {' and '.join(held)}" if held else ""
+        return f"closed form at rest{without}, friction by {friction.source}"
     stiffness = "Hertz" if cage.pocket_stiffness is None else "given approach"
     return f'motion from "{cage.start}", pocket stiffness by {stiffness}, friction by {friction.source}'

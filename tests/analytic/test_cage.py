@@ -18,6 +18,7 @@ from analytic.cage import (
     whirl_torque,
 )
 from analytic.errors import InputError
+from analytic.pocket import impact
 
 W = 52.36  # rad/s: 500 rpm
 LAND = LandGuidance(radius=17e-3, room=0.02e-3, outside=False, speed=W, half_width=5e-3)
@@ -137,6 +138,9 @@ def test_a_land_leaves_balls_less_room_to_lead() -> None:
     # The formula is of balls all round; of nine none is just where the lead is largest, 2 % less.
     np.testing.assert_allclose(needed, lead - land, rtol=0.03)
     require_loose_balls(ball_lead=lead, room=1.001 * (lead - land), centre_offset=0.0, land_room=land)
+    require_loose_balls(ball_lead=lead, room=1.001 * (lead - land) + 0.3, centre_offset=0.3, land_room=land)
+    with pytest.raises(InputError, match="beyond the clearance"):
+        require_loose_balls(ball_lead=lead, room=0.999 * (lead - land) + 0.3, centre_offset=0.3, land_room=land)
     with pytest.raises(InputError, match="beyond the clearance"):
         require_loose_balls(ball_lead=-lead, room=0.999 * (lead - land), centre_offset=0.0, land_room=land)
 
@@ -144,6 +148,11 @@ def test_a_land_leaves_balls_less_room_to_lead() -> None:
 def test_step_follows_the_shortest_impact() -> None:
     stiffer = replace(CAGE, stiffness=7 * CAGE.stiffness)
     np.testing.assert_allclose(CAGE.contact_time / stiffer.contact_time, 7**0.4, rtol=1e-12)
+    slow = replace(CAGE, ball_speed=0.0)  # it falls through the pocket's clearance, on at least a third of its mass
+    assert slow.fastest == pytest.approx(np.sqrt(2 * 9.80665 * 0.2e-3), rel=1e-12)
+    for balls, share in ((1, 3), (2, 3), (9, 9)):
+        hit = impact(mass=MASS / share, speed=slow.fastest, stiffness=CAGE.stiffness)
+        assert replace(slow, ball_count=balls).contact_time == pytest.approx(float(hit.duration), rel=1e-12)
     still = replace(CAGE, ball_speed=0.0, gravity=(0.0, 0.0, 0.0))
     assert still.contact_time == np.inf
 

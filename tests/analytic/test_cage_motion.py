@@ -297,6 +297,63 @@ def test_no_motion_without_end_or_backwards(duration: float) -> None:
         CageMotion(CAGE, begin="rest").advance(duration)
 
 
+def test_a_contact_that_opens_fast_does_not_pull() -> None:
+    """Balls that run away from a cage that lies on them, much faster than the blow that the damping is for."""
+    cage = replace(CAGE, friction_coefficient=0.0, gravity=(0.0, 0.0, -9.80665), orbit_speed=0.0)
+    motion = CageMotion(cage, begin="rest")
+    motion.advance(1e-4)
+    assert motion.forces().any()
+    motion.launch(velocity=np.array([0.0, 0.0, 0.4]), angular_velocity=np.zeros(3))
+    opened = motion.advance(motion.step)
+    assert opened.force == 0
+    assert motion.velocity[2] > 0.3999
+
+
+def test_friction_fades_as_the_pocket_formula_does() -> None:
+    """Forces of a cage that slides past its balls at about v0, where none of them is out of the curve of tanh."""
+    cage = replace(CAGE, restitution=1.0, gravity=(0.0, 0.0, -9.80665), orbit_speed=0.0, contact_angle=np.pi / 2)
+    cage = replace(cage, smoothing=1e-3, ball_speed=0.45 / 3.97e-3)
+    motion = CageMotion(cage, begin="rest")
+    for sliding in (0.3e-3, 0.8e-3, 2.9e-3):
+        motion.launch(velocity=np.array([0.45 + 0 * sliding, sliding, 0.0]), angular_velocity=np.zeros(3))
+        turn = Rotation.from_matrix(motion.orientation)
+        y = np.concatenate([motion.centre, motion.velocity, turn.as_quat(), turn.inv().apply(motion.angular_velocity)])
+        expected, _ = ball_forces(cage, motion.time, y)
+        np.testing.assert_allclose(motion.forces(), expected.sum(axis=1), atol=1e-6 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("axis", ["axial", "radial"])
+@pytest.mark.parametrize("begin", ["rest", "whirl"])
+def test_a_motion_begins_where_the_first_ball_touches(axis: Any, begin: Any) -> None:
+    """Of two half-shells with leading balls, by the formulas of the pocket: just short of a contact, or in one."""
+    cage = replace(CAGE, centre_offset=0.03e-3, pocket_axis=axis, ball_lead=0.06e-3, friction_coefficient=0.0)
+    motion = CageMotion(cage, begin=begin)
+    still = np.array([0.0, 0.0, 0.0, 1.0])
+    at, middle = motion.centre, np.array([-0.03e-3, 0.0, 0.0])
+
+    def pressed(share: float) -> np.ndarray:
+        y = np.concatenate([middle + share * (at - middle), np.zeros(3), still, np.zeros(3)])
+        return ball_forces(cage, 0.0, y)[0]
+
+    assert not pressed(0.98).any()  # with the sag taken off
+    assert pressed(1.02).any()
+    if begin == "whirl":
+        distance = at[0] - middle[0]
+        rolling = cage.ball_speed * cage.ball_radius * np.cos(0.18) + cage.orbit_speed * distance
+        np.testing.assert_allclose(motion.velocity, [0, rolling, 0], rtol=1e-12, atol=1e-15)
+
+
+def test_a_land_that_starts_with_the_ring_turns_no_faster() -> None:
+    """Ramped over half a second, a land at 1 ms has hardly left its standstill."""
+    land = LandGuidance(radius=17e-3, room=0.05e-3, outside=False, speed=2.0, half_width=5e-3)
+    found = []
+    for ramp in (0.5, 1e-4):
+        cage = replace(CAGE, land=land, room=1e-3, orbit_speed=0.0, ball_speed=0.0)
+        motion = CageMotion(cage, begin="ramp", ramp=ramp)
+        found.append(motion.advance(1e-3).land_power)
+    assert found[0] < 0.02 * found[1]  # it has come to 2 per mille of 34 mm/s by then
+
+
 def test_one_ball_and_a_still_bearing() -> None:
     passed = CageMotion(replace(CAGE, ball_count=1), begin="sudden", seed=3).advance(0.01)
     assert np.isfinite(passed.slip_power)

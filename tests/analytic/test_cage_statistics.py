@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.cage import DrivenCage, rest_torque
+from analytic.cage import DrivenCage, LandGuidance, rest_torque
+from analytic.cage_motion import CageMotion
 from analytic.cage_statistics import measured_motion
 from analytic.errors import InputError
 
@@ -26,6 +27,8 @@ CAGE = DrivenCage(
     contact_angle=0.18,
     ring_speed=W,
 )
+
+POWERS = ("slip_power", "land_power", "drag_power", "damping_power")
 
 
 def test_rest_and_whirl_are_both_there_and_the_start_decides() -> None:
@@ -72,6 +75,13 @@ def test_what_swings_slower_than_a_block_does_not_rest() -> None:
     assert found.largest_force > 10
 
 
+def test_a_cage_that_tumbles_about_its_land_does_not_rest() -> None:
+    """However small the land's room is beside that of the pockets."""
+    land = LandGuidance(radius=17e-3, room=0.05e-3, outside=False, speed=W, half_width=5e-3)
+    found = measured_motion(replace(CAGE, land=land, room=0.5e-3), start="whirl", seeds=2, duration=0.02)
+    assert found.state == "irregular"
+
+
 def test_balls_that_lead_and_lag_shake_a_whirling_cage() -> None:
     """Neither rest nor whirl; what it costs, seeds and the step agree on."""
     cage = replace(CAGE, ball_lead=0.06e-3)
@@ -83,6 +93,39 @@ def test_balls_that_lead_and_lag_shake_a_whirling_cage() -> None:
     assert found.max_force_interval[0] <= found.max_force <= found.max_force_interval[1] <= found.largest_force
     finer = measured_motion(cage, start="whirl", seeds=2, duration=0.05, steps_per_contact=80)
     np.testing.assert_allclose(finer.torque, found.torque, rtol=0.03)
+
+
+def test_what_is_told_is_that_of_the_motions() -> None:
+    """Against the blocks themselves, run again: two seeds of an irregular motion at a land that takes a part."""
+    land = LandGuidance(radius=17e-3, room=0.06e-3, outside=False, speed=W, half_width=5e-3)
+    cage = replace(CAGE, ball_lead=0.06e-3, land=land, drag=4e-6)
+    found = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
+    blocks = []
+    for seed in range(2):
+        motion = CageMotion(cage, begin="whirl", seed=seed)
+        motion.advance(0.01)
+        blocks += [motion.advance(1e-3) for _ in range(10)]
+    lost = {name: np.mean([getattr(block, name) for block in blocks]) / W for name in POWERS}
+    assert min(lost.values()) > 0
+    np.testing.assert_allclose(found.torque, lost["slip_power"] + lost["land_power"] + lost["drag_power"], rtol=1e-12)
+    np.testing.assert_allclose([found.damping_torque, found.drag_torque], [lost["damping_power"], lost["drag_power"]])
+    np.testing.assert_allclose(found.signed_moment, np.mean([block.moment for block in blocks]), rtol=1e-12)
+    largest = sorted(block.max_force for block in blocks)
+    np.testing.assert_allclose(found.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)
+    assert found.largest_force == largest[-1]
+    # Order statistics 6 and 15 of 20: 21700 of 2^20 throws of a coin have fewer than 6 heads, 2.07 %.
+    assert found.max_force_interval == (largest[5], largest[14])
+    low, high = found.torque_interval
+    seeds = [np.mean([b.slip_power + b.land_power + b.drag_power for b in blocks[k : k + 10]]) / W for k in (0, 10)]
+    np.testing.assert_allclose((high - low) / 2, 12.706 * abs(seeds[0] - seeds[1]) / 2, rtol=1e-4)  # t of one freedom
+
+
+def test_whether_it_could_whirl_is_by_half_the_clearance() -> None:
+    """A whirl number of 1.3 asks for another start, one of 0.8 does not."""
+    for number in (1.3, 0.8):
+        surface = np.sqrt(number * 9.80665 * CAGE.room) / 3.97e-3
+        cage = replace(CAGE, ball_speed=surface, orbit_speed=surface / RATE * 0.4, ring_speed=surface / RATE)
+        assert (measured_motion(cage, start="rest", seeds=2, duration=8e-3).other is None) == (number < 1)
 
 
 def test_seeds_that_part_are_told() -> None:
@@ -101,10 +144,11 @@ def test_the_same_question_has_the_same_answer() -> None:
     assert first.block == 8e-4
 
 
-def test_drag_brakes_the_cage_and_the_balls_push_it() -> None:
+@pytest.mark.parametrize("start", ["rest", "ramp"])  # which has risen to full speed before anything is measured
+def test_drag_brakes_the_cage_and_the_balls_push_it(start: Any) -> None:
     """The moment of the balls about the axis is what the drag takes: it averages to nothing without."""
     cage = replace(CAGE, drag=2e-6)
-    found = measured_motion(cage, start="rest", seeds=2, duration=0.05)
+    found = measured_motion(cage, start=start, seeds=2, duration=0.05)
     np.testing.assert_allclose(found.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
     np.testing.assert_allclose(found.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
     assert found.torque > found.drag_torque

@@ -9,6 +9,7 @@ import pytest
 
 import analytic.cage_torque
 from analytic import friction_torque, load_scene
+from analytic.cage_torque import driven_cage
 from analytic.effects import Effect
 from analytic.errors import InputError
 from analytic.pocket_friction import friction_in_pocket
@@ -97,6 +98,80 @@ def test_a_motion_that_the_tolerance_does_not_see_is_left_out(scene: Scene, monk
     assert "within what 0.45 leaves" in told(found, "cage_dynamics").reason
     held = friction_torque(replace(with_cage(scene, start="sudden"), effects={**scene.effects, "cage_dynamics": "off"}))
     assert "the scene says off" in told(held, "cage_dynamics").reason
+
+
+def test_a_long_series_is_not_set_in_motion_unasked(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(analytic.cage_torque, "measured_motion", None)
+    many = Operation(axial_load=np.full(3000, 1000.0), inner_speed=np.linspace(100, 500, 3000) * RPM)
+    found = friction_torque(with_cage(replace(scene, operation=many), start="rest"))
+    assert told(found, "cage_dynamics").decision == "off"
+    (warning,) = (warning for warning in found.warnings if "cage_dynamics is left out" in warning)
+    assert "3000 points take 540 s of motion" in warning  # two times 0.03 s, two seeds and another start
+    assert 'effects.cage_dynamics = "on"' in warning
+
+
+def test_drag_is_in_the_closed_form_too(scene: Scene) -> None:
+    """By what motions from rest come to, of a cage whose weight is small beside the drag and one where it is not."""
+    for drag in (1e-3, 2e-6):
+        scene_of = with_cage(replace(scene, tolerance=0.9), drag=drag, start="rest", duration=0.05)
+        closed = friction_torque(replace(scene_of, effects={**scene.effects, "cage_dynamics": "off"})).cage
+        moved = friction_torque(replace(scene_of, effects={**scene.effects, "cage_dynamics": "on"})).cage
+        assert closed is not None
+        assert moved is not None
+        # The weight's part, 0.0604 N mm and 0.0642 N, is less where the same forces carry and push; 2 % for its swing.
+        beyond = closed.torque - moved.torque
+        assert np.all((-0.02 * moved.torque < beyond) & (beyond < 0.0604e-3 + 0.02 * moved.torque))
+        pressed = closed.mean_force - moved.mean_force
+        assert np.all((-0.02 * moved.mean_force < pressed) & (pressed < 0.0642 + 0.02 * moved.mean_force))
+        np.testing.assert_allclose(closed.signed_moment, moved.signed_moment, rtol=0.02)
+        assert closed.at(1)["signed_moment"] == closed.signed_moment[1]
+        back = replace(scene_of.operation, inner_speed=-scene.operation.inner_speed)
+        mirrored = friction_torque(
+            replace(scene_of, operation=back, effects={**scene.effects, "cage_dynamics": "off"})
+        ).cage
+        assert mirrored is not None
+        np.testing.assert_allclose(mirrored.signed_moment, -closed.signed_moment, rtol=1e-12)
+
+
+def test_the_closed_form_says_what_it_does_not_know(scene: Scene) -> None:
+    aside = with_cage(scene, ball_lead=0.03e-3, land=Land(ring="outer", clearance=0.3e-3, width=9e-3))
+    assert friction_torque(aside).provenance["cage"].startswith("closed form at rest, without land and ball_lead,")
+
+
+@pytest.mark.parametrize("ring", ["inner", "outer"])
+def test_the_motion_is_that_of_the_scene(scene: Scene, ring: Any) -> None:
+    """Every key of the cage reaches what moves; a groove's shoulder is where its circle meets the shoulder's width."""
+    change: dict[str, Any] = {"restitution": 0.37, "drag": 3e-6, "ball_lead": 0.02e-3, "pocket_stiffness": 7.7e9}
+    change |= {"pocket_axis": "radial", "gravity": "along", "pocket_depth": 4.05e-3}
+    aside = with_cage(scene, land=Land(ring=ring, clearance=0.3e-3, width=9e-3), **change).cage
+    assert aside is not None
+    driven = driven_cage(
+        scene.bearing,
+        aside,
+        friction_coefficient=0.13,
+        inner_speed=-41.0,
+        orbit_speed=-16.0,
+        ball_speed=-95.0,
+        contact_angle=0.21,
+    )
+    assert {name: getattr(driven, name) for name in ("restitution", "drag", "ball_lead", "pocket_axis")} == {
+        name: change[name] for name in ("restitution", "drag", "ball_lead", "pocket_axis")
+    }
+    assert (driven.stiffness, driven.gravity) == (7.7e9, (0.0, 0.0, -9.80665))
+    assert (driven.orbit_speed, driven.ball_speed, driven.ring_speed) == (-16.0, -95.0, -41.0)
+    np.testing.assert_allclose([driven.room, driven.centre_offset], [0.1e-3, 0.02e-3], rtol=1e-9)
+    land, bearing = driven.land, scene.bearing
+    assert land is not None
+    groove = bearing.inner if ring == "inner" else bearing.outer
+    assert (land.outside, land.speed) == (ring == "outer", -41.0 if ring == "inner" else 0.0)
+    np.testing.assert_allclose([land.room, land.half_width], [0.15e-3, 4.5e-3], rtol=1e-12)
+    # The shoulder is on the groove's circle, towards the balls.
+    towards = 1 if ring == "inner" else -1
+    middle = groove.bottom_radius + towards * groove.groove_radius
+    np.testing.assert_allclose(
+        np.hypot(land.radius - middle, groove.shoulder_half_width), groove.groove_radius, rtol=1e-12
+    )
+    assert 0 < towards * (land.radius - groove.bottom_radius) < groove.groove_radius
 
 
 def test_a_scene_that_asks_gets_the_motion(scene: Scene) -> None:
