@@ -125,9 +125,10 @@ def test_motion_is_that_of_a_library_solver(change: dict[str, Any]) -> None:
     assert errors[1] < 0.4 * errors[0]  # second order, or a little less where friction turns
 
 
-def test_forces_now_are_those_of_the_formulas() -> None:
-    """Both shells of some balls at once, in a turned cage."""
-    cage = replace(CAGE, restitution=1.0, **TABLE_1)
+@pytest.mark.parametrize("pocket", [TABLE_1, {"room": 0.1e-3, "centre_offset": 0.4e-6}])
+def test_forces_now_are_those_of_the_formulas(pocket: dict[str, Any]) -> None:
+    """Both shells of some balls at once, in a turned cage; and of one where the far side of both is within reach."""
+    cage = replace(CAGE, restitution=1.0, **pocket)
     motion = thrown(cage)
     deepest = 0.0
     while deepest < 1.0:
@@ -447,6 +448,19 @@ def test_a_land_holds_a_cage_whose_balls_lead() -> None:
     passed = motion.advance(3 * land.room / 0.37)
     assert motion.velocity[1] < 0
     assert passed.max_force == 0
+
+
+def test_a_cage_that_tilts_meets_its_land_with_both_rims() -> None:
+    """Without friction they throw it back as fast: 0.01 rad after a millisecond, its centre at rest."""
+    land = LandGuidance(radius=17e-3, room=0.05e-3, outside=True, speed=W, half_width=5e-3)
+    cage = replace(CAGE, land=land, room=1e-3, friction_coefficient=0.0, gravity=NOWHERE, orbit_speed=0.0)
+    motion = CageMotion(cage, begin="sudden")
+    motion.launch(velocity=np.zeros(3), angular_velocity=np.array([6.0, 8.0, 0.0]))
+    motion.advance(0.9e-3)
+    np.testing.assert_allclose(motion.angular_velocity, [6.0, 8.0, 0.0], atol=1e-9)
+    motion.advance(0.4e-3)
+    np.testing.assert_allclose(motion.angular_velocity, [-6.0, -8.0, 0.0], rtol=1e-3, atol=1e-9)  # the step's error
+    np.testing.assert_allclose(motion.velocity, 0, atol=1e-9)
 
 
 @pytest.mark.parametrize("outside", [False, True])
