@@ -71,6 +71,8 @@ def test_without_a_start_the_closed_form_answers_and_says_so(scene: Scene, monke
     # mu m g r w_b/w by hand, less than 2 % of which friction leans out: 0.0604 N mm
     np.testing.assert_allclose(found.torque.cage, 0.1 * 6.58e-3 * 9.80665 * 15.599e-3 * 23.411 / 39.01, rtol=0.02)
     np.testing.assert_allclose(found.torque.total, found.torque.race + found.torque.cage, rtol=1e-12)
+    # m g off the vertical by the angle of friction
+    np.testing.assert_allclose(found.cage.mean_force, 6.58e-3 * 9.80665 * np.cos(np.arctan(0.1)), rtol=1e-9)
     effect = told(found, "cage_dynamics")
     assert effect.decision == "off"
     # (w_b r)^2/(g nabla) at 500 rpm, with w_b r = w R_i R_o/d_m by hand: 52.36 x 15.599 x 23.411/39.01 mm/s
@@ -250,6 +252,10 @@ def test_friction_comes_from_cage_oil_or_races(scene: Scene) -> None:
     np.testing.assert_allclose(still.coefficient, 0.12, rtol=1e-6)  # asperities carry all
     fast = friction_in_pocket(oiled, load=0.5, surface_speed=[0.003, 0.3])
     assert 0.12 > fast.coefficient[0] > fast.coefficient[1] > 0
+    resting = friction_torque(oiled)
+    one = friction_in_pocket(oiled, load=6.58e-3 * 9.80665 / 9, surface_speed=0.49016 * np.array([0.04, 1.0]))
+    assert resting.friction_coefficient.pocket is not None
+    np.testing.assert_allclose(resting.friction_coefficient.pocket, one.coefficient, rtol=1e-4)  # digits of the speed
     (warning,) = fast.warnings
     assert "thicker than their room" in warning
     with pytest.raises(InputError, match="friction of ball on pocket is not known"):
