@@ -114,10 +114,10 @@ class DrivenCage:
 
     @property
     def middle(self) -> Array:
-        """(3,) m: of its room, from where balls that lead and lag are equally far; or as near to it as a land lets."""
+        """(3,) m: from where balls that lead and lag are all equally far, or as near to it as a land lets the cage."""
         aside = self.ball_lead / 2
         if self.land is not None:
-            aside = np.clip(aside, -self.land.room, self.land.room)
+            aside = float(np.clip(aside, -self.land.room, self.land.room))
         return np.array([-aside, 0.0, 0.0])
 
     @property
@@ -147,9 +147,9 @@ class DrivenCage:
         way = np.min(ahead + np.sqrt(ahead**2 + self.room**2 - np.sum(offsets**2, axis=1)))
         sideways = np.hypot(*direction[:2])
         if self.land is not None and sideways > 0:
-            outward = self.middle[:2] @ direction[:2] / sideways
-            reach = np.sqrt(outward**2 + self.land.room**2 - self.middle @ self.middle)
-            way = min(way, (reach - outward) / sideways)
+            outward = self.middle @ direction / sideways
+            reach = np.sqrt(outward**2 + self.land.room**2 - self.middle @ self.middle) - outward
+            way = min(way, reach / sideways)
         return float(way)
 
     @property

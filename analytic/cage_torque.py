@@ -43,6 +43,7 @@ class CagePart:
     torque: Array  # N m
     friction_coefficient: Array  # of ball on pocket
     mean_force: Array  # sum of the normal forces in all pockets, N
+    signed_moment: Array  # of the balls on the cage about the axis: what drag takes, or land gives, N m
     driven: tuple[DrivenCage | None, ...]  # what moved; None: at rest, by the closed form
     signed_moment: Array  # of the balls on the cage about the axis: what drag takes, or land gives, N m
     motion: tuple[CageStatistics | None, ...]  # how; likewise
@@ -116,6 +117,17 @@ def cage_friction(
             contact_angle=angle,
             gravity=pull,
         )
+    resting = resting + braked_torque(
+        drag=cage.drag,
+        friction_coefficient=mu,
+        cage_rate=balls.motion.cage_speed.mean(axis=1),
+        orbit_speed=orbit,
+        pitch_radius=bearing.pitch_diameter / 2,
+        ball_speed=rate * speed,
+        ball_radius=bearing.ball_radius,
+    )
+    hanging = hanging + cage.drag * orbit / (bearing.pitch_diameter / 2)
+    pushed = cage.drag * orbit * np.sign(operation.inner_speed)
     driven: list[DrivenCage | None] = [None] * speed.size
     resting = resting + braked_torque(
         drag=cage.drag,
@@ -149,6 +161,7 @@ def cage_friction(
         torque=np.array([rest if m is None else m.torque for m, rest in zip(found, resting, strict=True)]),
         friction_coefficient=mu,
         mean_force=np.array([rest if m is None else m.mean_force for m, rest in zip(found, hanging, strict=True)]),
+        signed_moment=np.array([drag if m is None else m.signed_moment for m, drag in zip(found, pushed, strict=True)]),
         driven=tuple(driven),
         signed_moment=np.array([drag if m is None else m.signed_moment for m, drag in zip(found, pushed, strict=True)]),
         motion=tuple(found),

@@ -185,6 +185,7 @@ def test_a_scene_that_asks_gets_the_motion(scene: Scene) -> None:
     assert fast is not None
     assert (slow.state, fast.state) == ("irregular", "whirl")  # the slow one cannot stay up, and swings still
     assert found.torque.cage[1] == fast.torque
+    np.testing.assert_allclose(found.cage.half_interval, [np.diff(m.torque_interval)[0] / 2 for m in (slow, fast)])
     share = found.cage.half_interval / found.torque.total
     assert np.all(found.numerical_uncertainty >= share)
     point = found.to_json()["points"][1]["cage"]
