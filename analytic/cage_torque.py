@@ -45,7 +45,6 @@ class CagePart:
     mean_force: Array  # sum of the normal forces in all pockets, N
     signed_moment: Array  # of the balls on the cage about the axis: what drag takes, or land gives, N m
     driven: tuple[DrivenCage | None, ...]  # what moved; None: at rest, by the closed form
-    signed_moment: Array  # of the balls on the cage about the axis: what drag takes, or land gives, N m
     motion: tuple[CageStatistics | None, ...]  # how; likewise
     warnings: tuple[str, ...]
     provenance: str  # rungs of motion, stiffness and friction
@@ -129,17 +128,6 @@ def cage_friction(
     hanging = hanging + cage.drag * orbit / (bearing.pitch_diameter / 2)
     pushed = cage.drag * orbit * np.sign(operation.inner_speed)
     driven: list[DrivenCage | None] = [None] * speed.size
-    resting = resting + braked_torque(
-        drag=cage.drag,
-        friction_coefficient=mu,
-        cage_rate=balls.motion.cage_speed.mean(axis=1),
-        orbit_speed=orbit,
-        pitch_radius=bearing.pitch_diameter / 2,
-        ball_speed=rate * speed,
-        ball_radius=bearing.ball_radius,
-    )
-    hanging = hanging + cage.drag * orbit / (bearing.pitch_diameter / 2)
-    pushed = cage.drag * orbit * np.sign(operation.inner_speed)
     found: list[CageStatistics | None] = [None] * speed.size
     if moves:
         assert cage.start is not None
@@ -163,7 +151,6 @@ def cage_friction(
         mean_force=np.array([rest if m is None else m.mean_force for m, rest in zip(found, hanging, strict=True)]),
         signed_moment=np.array([drag if m is None else m.signed_moment for m, drag in zip(found, pushed, strict=True)]),
         driven=tuple(driven),
-        signed_moment=np.array([drag if m is None else m.signed_moment for m, drag in zip(found, pushed, strict=True)]),
         motion=tuple(found),
         warnings=friction.warnings + _bistable(found, operation),
         provenance=_told(cage, friction, moves=moves),
