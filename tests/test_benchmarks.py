@@ -97,6 +97,6 @@ def test_a_scene_and_its_result_go_to_another_process(random_scenes: ModuleType)
 
 
 def test_the_motion_of_a_cage_is_measured() -> None:
-    told = run("cage.py", "--repeats", "1", "--duration", "0.005", "--bounces", "3")
+    told = run("cage.py", "--repeats", "1", "--duration", "0.013", "--bounces", "3")
     for words in ("processor time, us a step", "largest drift of the energy", "steps a contact", "closed form"):
         assert words in told
