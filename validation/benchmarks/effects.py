@@ -39,6 +39,7 @@ from random_scenes import random_scene
 
 mpl.use("agg")
 
+STRICT = 1e-6  # tolerance that asks for the most nodes
 TOLERANCES = (0.1, 0.01, 0.001)
 SPREAD = 1.8  # of the points in the figure
 OF_OIL = ("rolling", "inlet_heating", "starvation")
@@ -121,7 +122,7 @@ def everything_on(scene: Scene) -> Scene:
     effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on")
     if scene.lubricant is None:
         effects |= dict.fromkeys(OF_OIL, "auto")
-    return replace(scene, effects=effects, sliding="over_ellipse")
+    return replace(scene, tolerance=STRICT, effects=effects, sliding="over_ellipse")
 
 
 def timed(scene: Scene) -> tuple[FrictionTorque, float]:

@@ -43,7 +43,7 @@ TOLERANCE = 0.05
 SEED = 5
 FASTEST = (150.0, 300.0)  # rad/s
 PROCESSES = 2
-FEW = 10  # points
+FEW, GROWTH = 10, 10  # points
 SHORT = 0.2  # s: shorter calls are timed many at a time
 IMPORTS = {
     "import analytic": "import analytic",
@@ -155,12 +155,13 @@ def series(
 
 
 def affordable(call: Callable[[int], object], points: int, longest: float) -> int:
-    """At most so many points that one call takes so long: told by a few, and better by more."""
-    for few in (FEW, 10 * FEW, 100 * FEW):
-        if points <= few:
-            break
+    """At most so many points that one call takes so long: tried by ten times as many each time, as few tell little."""
+    few = FEW
+    while few < points:
         [seconds] = timed(lambda few=few: call(few), 1)
-        points = max(PROCESSES, min(points, int(few * longest / seconds)))
+        if seconds > longest / GROWTH:
+            return max(PROCESSES, int(few * longest / seconds))
+        few *= GROWTH
     return points
 
 
