@@ -32,8 +32,8 @@ class MotionError(ConvergenceError):
         FembearingError.__init__(
             self,
             f"the cage's motion came apart at {time:.6g} s: centre at ({', '.join(f'{p:.3g}' for p in place)}) m, "
-            f"speed {speed:.3g} m/s, with a step of {step:.3g} s. Take more steps a contact, or check "
-            "stiffness, mass and speed of the cage",
+            f"speed {speed:.3g} m/s, with a step of {step:.3g} s. Raise cage.steps_per_contact, or check stiffness, "
+            "mass and speed of the cage",
         )
 
 

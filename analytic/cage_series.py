@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.cage import DrivenCage
-from analytic.cage_motion import CageMotion
+from analytic.cage_motion import STEPS_PER_CONTACT, CageMotion
 from analytic.errors import require_positive
 from analytic.scene import Array, CageStart
 
@@ -61,15 +61,22 @@ class CageSeries:
 
 
 def recorded_motion(
-    cage: DrivenCage, *, start: CageStart, duration: float, samples: int, ramp: float = 0.0, seed: int | None = None
+    cage: DrivenCage,
+    *,
+    start: CageStart,
+    duration: float,
+    samples: int,
+    ramp: float = 0.0,
+    seed: int | None = None,
+    steps_per_contact: float = STEPS_PER_CONTACT,
 ) -> CageSeries:
     """A motion from its beginning, at equal distances in time.
 
-    duration : s, > 0;  samples : n, >= 1;  ramp, seed : as `CageMotion`
+    duration : s, > 0;  samples : n, >= 1;  ramp, seed, steps_per_contact : as `CageMotion`
     Raises MotionError where it comes apart.
     """
     require_positive(duration=duration, samples=samples)
-    motion = CageMotion(cage, begin=start, seed=seed, ramp=ramp)
+    motion = CageMotion(cage, begin=start, seed=seed, ramp=ramp, steps_per_contact=steps_per_contact)
     rows: list[tuple[Any, ...]] = []
     for _ in range(samples):
         passed = motion.advance(duration / samples)

@@ -144,7 +144,13 @@ def cage_friction(
                 contact_angle=float(angle[point]),
             )
             driven[point] = moving
-            found[point] = measured_motion(moving, start=cage.start, seeds=cage.seeds, duration=cage.duration)
+            found[point] = measured_motion(
+                moving,
+                start=cage.start,
+                seeds=cage.seeds,
+                duration=cage.duration,
+                steps_per_contact=cage.steps_per_contact,
+            )
     return CagePart(
         torque=np.array([rest if m is None else m.torque for m, rest in zip(found, resting, strict=True)]),
         friction_coefficient=mu,
@@ -278,4 +284,5 @@ def _told(cage: Cage, friction: PocketFriction, *, moves: bool) -> str:
         without = f", without {' and '.join(held)}" if held else ""
         return f"closed form at rest{without}, friction by {friction.source}"
     stiffness = "Hertz" if cage.pocket_stiffness is None else "given approach"
-    return f'motion from "{cage.start}", pocket stiffness by {stiffness}, friction by {friction.source}'
+    steps = f"{cage.steps_per_contact} steps a contact"
+    return f'motion from "{cage.start}", {steps}, pocket stiffness by {stiffness}, friction by {friction.source}'

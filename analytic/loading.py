@@ -106,17 +106,7 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
             f"operation.radial_load and operation.moment are up to {share.max():.3g} of what thrust does, and "
             + (held or "without thrust they are the whole load: leave effects.load_distribution on auto")
         )
-    motion = ball_kinematics(
-        inner_speed=operation.inner_speed,
-        inner_angle=angle,
-        outer_angle=angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
-    cage, ball = np.abs(motion.cage_speed), np.abs(motion.ball_speed)
-    ratio = centrifugal_ratio(
-        ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=cage, load=load
-    )
+    ratio, pull = inertia_shares(bearing, inner_speed=operation.inner_speed, contact_angle=angle, load=load)
     rolls = scene.lubricant is not None and scene.effects.get("rolling") != "off"
     free = PER_FREE_BALL * np.cbrt(ratio) * (rolls & distributed & (share > UNLOADS))
     centrifugal = choices.calls_for("centrifugal", share=PER_CENTRIFUGAL * ratio + free, lacks=held)
@@ -129,14 +119,7 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         )
     gyroscopic = choices.calls_for(
         "gyroscopic",
-        share=gyroscopic_pull(
-            ball_mass=bearing.ball_mass,
-            ball_radius=bearing.ball_radius,
-            ball_speed=ball,
-            cage_speed=cage,
-            contact_angle=angle,
-            load=load,
-        )
+        share=pull
         # Friction that holds the moment turns the force on a free ball; a moment on the ring may bring it to any angle.
         + free * np.where((moment > 0) & (thrust is None), 1.0, np.sin(angle)),
         lacks=held,
@@ -174,6 +157,33 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         )
 
     return of_ring
+
+
+def inertia_shares(bearing: Bearing, *, inner_speed: Array, contact_angle: Array, load: Array) -> tuple[Array, Array]:
+    """(centrifugal force, pull of the gyroscopic moment) of a ball over its load, each (n,).
+
+    inner_speed : rad/s, the outer ring stands still;  contact_angle : al, the same on both races, rad;  load : Q, N
+    """
+    motion = ball_kinematics(
+        inner_speed=inner_speed,
+        inner_angle=contact_angle,
+        outer_angle=contact_angle,
+        pitch_diameter=bearing.pitch_diameter,
+        ball_diameter=bearing.ball_diameter,
+    )
+    cage, ball = np.abs(motion.cage_speed), np.abs(motion.ball_speed)
+    centrifugal = centrifugal_ratio(
+        ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=cage, load=load
+    )
+    pull = gyroscopic_pull(
+        ball_mass=bearing.ball_mass,
+        ball_radius=bearing.ball_radius,
+        ball_speed=ball,
+        cage_speed=cage,
+        contact_angle=contact_angle,
+        load=load,
+    )
+    return centrifugal, pull
 
 
 def points(scene: Scene) -> Operation:

@@ -84,6 +84,7 @@ class Cage:
     start: CageStart | None = None  # from where the motion begins; None: no motion is asked for
     seeds: int = 4  # motions from slightly different beginnings
     duration: float = 0.2  # measured of each, s
+    steps_per_contact: int = 40  # of the motion in the shortest impact to expect: its accuracy in time
     gravity: CageGravity = "across"  # to the axis: down, against the first ball's quarter turn
     drag: float = 0.0  # torque over speed with which the oil around brakes the cage, N m s
     ball_lead: float = 0.0  # how far balls lead on one side of the bearing and lag on the other, m

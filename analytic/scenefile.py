@@ -277,6 +277,7 @@ def _cage(given: CageTable, bearing: Bearing) -> Cage:
         start=given.start,
         seeds=given.seeds,
         duration=given.duration,
+        steps_per_contact=given.steps_per_contact,
         gravity=given.gravity,
         drag=given.drag,
         ball_lead=given.ball_lead,

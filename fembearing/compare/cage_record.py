@@ -81,6 +81,7 @@ def record_cage(result: SceneTorque, point: int) -> CageRecord | None:
             samples=int(np.clip(np.ceil(INSTANTS_A_TURN * turns), FEWEST, MOST)),
             ramp=noun.duration,
             seed=SEED,
+            steps_per_contact=noun.steps_per_contact,
         ),
         start_up=noun.duration,
     )

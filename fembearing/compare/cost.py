@@ -7,6 +7,7 @@ from typing import Any
 
 from analytic.errors import InputError, require_positive
 from analytic.scene import Scene
+from fembearing.compare.cage_ladder import cage_question
 from fembearing.compare.contact_ladder import measured_contact
 from fembearing.compare.discrepancy import RECIPES, contact_of
 from fembearing.compare.formula_ladders import (
@@ -26,8 +27,9 @@ QUESTIONS: tuple[tuple[str, Callable[[Scene], Question]], ...] = (
     ("load of the heaviest ball", load_question),
     ("friction torque", friction_question),
     ("roughness", roughness_question),
+    ("cage torque", cage_question),
 )
-FORMULAS = 0.2  # of the whole, for the progress alone
+FORMULAS = 0.4  # of the whole, for the progress alone
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -10,15 +10,13 @@ from functools import partial
 import numpy as np
 
 from analytic.balls import LoadedBalls, ring_balls, thrust_balls_at_speed
-from analytic.bounds import centrifugal_ratio, gyroscopic_pull
 from analytic.effects import COMPUTED
 from analytic.equilibrium import ThrustEquilibrium, free_angle, thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.errors import InputError
 from analytic.heightmap import FEWEST_POINTS, WIDEST, measure
 from analytic.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.hertz_fitted import fitted_error, hertz_contact_fitted
-from analytic.kinematics import ball_kinematics
-from analytic.loading import points
+from analytic.loading import inertia_shares, points
 from analytic.roughness import generated_surface, spectral_moments
 from analytic.scene import Array, Autocorrelation, Contact, Decision, Operation, Scene, Sliding
 from analytic.summits import SpectralMoments
@@ -247,25 +245,11 @@ def _of_still(scene: Scene, operation: Operation) -> Array:
     """(n,) what the inertia of the balls does to their load under thrust, of the true one."""
     bearing = scene.bearing
     thrust = thrust_equilibrium(bearing, scene.contact_angle, axial_load=operation.axial_load)
-    load, angle = thrust.ball_load, thrust.contact_angle
-    motion = ball_kinematics(
+    centrifugal, pull = inertia_shares(
+        bearing,
         inner_speed=operation.inner_speed,
-        inner_angle=angle,
-        outer_angle=angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
-    cage, ball = np.abs(motion.cage_speed), np.abs(motion.ball_speed)
-    centrifugal = centrifugal_ratio(
-        ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=cage, load=load
-    )
-    pull = gyroscopic_pull(
-        ball_mass=bearing.ball_mass,
-        ball_radius=bearing.ball_radius,
-        ball_speed=ball,
-        cage_speed=cage,
-        contact_angle=angle,
-        load=load,
+        contact_angle=thrust.contact_angle,
+        load=thrust.ball_load,
     )
     return PER_CENTRIFUGAL * centrifugal + PER_PULL * pull
 

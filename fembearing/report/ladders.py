@@ -7,6 +7,7 @@ from io import StringIO
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter
 
 from fembearing.compare.ladder import Ladder, Rung
@@ -17,9 +18,9 @@ COLUMNS = (
     *("name", "error", "bound", "seconds", "spread", "repeats", "warm_up", "predicted", "memory", "unknowns"),
     *("chosen", "failed"),
 )
-WIDE, HIGH = 3.6, 3.4  # inches, of a panel
+WIDE, HIGH = 3.6, 3.8  # inches, of a panel
 ABREAST = 3  # panels in a row: so many stay legible on a page
-LINE = 9.0  # points from one name to the next at least
+BELOW = -0.2  # of a panel's height: where its key begins, under the name of the axis
 UNITS = {"seconds": (1.0, "time, s"), "memory": (2.0**-30, "memory, GiB")}
 
 
@@ -56,7 +57,7 @@ def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
     for panel, ladder in zip(panels, shown, strict=False):
         panel.set_title(f"{ladder.quantity[0].upper()}{ladder.quantity[1:]}", fontsize=10)
         _draw(panel, ladder, "seconds")
-        _name(panel, ladder, "seconds", middle=(low * high) ** 0.5)
+        _number(panel, ladder)
     if with_memory:
         sizes = [place[0] for ladder in with_memory for rung in ladder.rungs if (place := _place(rung, "memory"))]
         panels[-1].set(xlabel=UNITS["memory"][1], xscale="linear", xlim=(0, 1.1 * max(sizes)))
@@ -83,28 +84,27 @@ def _draw(panel: Axes, ladder: Ladder, price: str) -> None:
             panel.plot([x], [y], "o", color=colour, markersize=11, markerfacecolor="none")
 
 
-def _name(panel: Axes, ladder: Ladder, price: str, *, middle: float) -> None:
-    """Names beside their rungs, towards the middle of the panel, pushed apart where they would overlap.
-
-    Curves fall: names stand above and right of cheap rungs, below and left of dear ones.
-    """
-    per_decade = 72 * 0.75 * HIGH / np.log10(3 * MOST / LEAST)  # points, about
-    drawn = [(rung, *place) for rung in ladder.rungs if (place := _place(rung, price))]
-    for cheap, up in ((True, 1), (False, -1)):
-        last = -np.inf
-        for rung, x, y in sorted(
-            (each for each in drawn if (each[1] < middle) == cheap), key=lambda each: up * each[2]
-        ):
-            there = up * per_decade * np.log10(y)
-            last = max(there + (3 if cheap else 10), last + LINE)
-            panel.annotate(
-                short_name(rung.name),
-                (x, y),
-                xytext=(6 * up, up * (last - there)),
-                textcoords="offset points",
-                ha="left" if cheap else "right",
-                fontsize=7,
-            )
+def _number(panel: Axes, ladder: Ladder) -> None:
+    """Rungs by number, with the names below the panel: names beside the points would lie on each other."""
+    key = []
+    for number, rung in enumerate(ladder.rungs, start=1):
+        place = _place(rung, "seconds")
+        if place is None:
+            continue
+        beside = (4, -9) if rung.error is None else (4, 3)  # points; the reference often stands on the last rung
+        panel.annotate(f"{number}", place, xytext=beside, textcoords="offset points", fontsize=8)
+        key.append(Line2D([], [], linestyle="none", label=f"{number} {short_name(rung.name)}"))
+    panel.legend(
+        handles=key,
+        loc="upper left",
+        bbox_to_anchor=(0.0, BELOW),
+        ncols=2,
+        fontsize=7,
+        frameon=False,
+        handlelength=0,
+        handletextpad=0,
+        borderpad=0,
+    )
 
 
 def _place(rung: Rung, price: str) -> tuple[float, float] | None:

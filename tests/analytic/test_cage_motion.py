@@ -388,7 +388,7 @@ def test_land_guides_the_cage_before_its_pockets_do() -> None:
 def test_a_motion_that_comes_apart_says_when_and_how() -> None:
     motion = CageMotion(CAGE, begin="sudden", steps_per_contact=0.02)
     with pytest.raises(
-        MotionError, match=r"came apart at .* s: centre at .* m, speed .* m/s, with a step of .* s\. Take"
+        MotionError, match=r"came apart at .* s: centre at .* m, speed .* m/s, with a step of .* s\. Raise cage\.steps"
     ):
         motion.advance(1.0)
 

@@ -9,6 +9,7 @@ import pytest
 
 import analytic.cage_torque
 from analytic import friction_torque, load_scene
+from analytic.cage_statistics import measured_motion
 from analytic.cage_torque import driven_cage
 from analytic.effects import Effect
 from analytic.errors import InputError
@@ -198,7 +199,8 @@ def test_a_scene_that_asks_gets_the_motion(scene: Scene) -> None:
     assert 'cage.start = "whirl" leads to whirl' in warning
     assert '"rest" to rest' in warning
     assert (
-        found.provenance["cage"] == 'motion from "whirl", pocket stiffness by Hertz, friction by friction.coefficient'
+        found.provenance["cage"]
+        == 'motion from "whirl", 40 steps a contact, pocket stiffness by Hertz, friction by friction.coefficient'
     )
     back = replace(scene.operation, inner_speed=-scene.operation.inner_speed)
     mirrored = friction_torque(with_cage(replace(scene, operation=back), start="whirl"))
@@ -281,6 +283,7 @@ coefficient = 0.1
 def test_the_scene_file_tells_of_the_motion() -> None:
     text = CASE + (
         'start = "sudden"\nseeds = 7\nduration = "0.3 s"\nrestitution = 0.6\ngravity = "along"\ndrag = "2e-6 N m s"\n'
+        "steps_per_contact = 57\n"
         'pocket_axis = "radial"\nball_lead = "-30 um"\nfriction_coefficient = 0.08\n'
         'pocket_approach = { load = "28 N", approach = "0.9 um" }\n'
         'land = { ring = "outer", clearance = "0.3 mm", width = "9 mm" }\n'
@@ -288,6 +291,7 @@ def test_the_scene_file_tells_of_the_motion() -> None:
     cage = parse_scene(text, origin="case.toml").cage
     assert cage is not None
     assert (cage.start, cage.seeds, cage.duration, cage.restitution) == ("sudden", 7, 0.3, 0.6)
+    assert cage.steps_per_contact == 57
     assert (cage.gravity, cage.drag, cage.pocket_axis, cage.ball_lead) == ("along", 2e-6, "radial", -30e-6)
     assert cage.friction_coefficient == 0.08
     assert cage.land == Land(ring="outer", clearance=0.3e-3, width=9e-3)
@@ -299,6 +303,8 @@ def test_the_scene_file_tells_of_the_motion() -> None:
     [
         ('start = "still"', ["cage.start = 'still'", "'sudden'"]),
         ("seeds = 1", ["cage.seeds = 1", "2 to 1000"]),
+        ("steps_per_contact = 9", ["cage.steps_per_contact = 9", "10 to 1000"]),
+        ("steps_per_contact = 40.5", ["cage.steps_per_contact = 40.5", "whole number"]),
         ('duration = "0 s"', ["cage.duration", "0.0001 to 1000 s"]),
         ("restitution = 1.2", ["cage.restitution = 1.2", "0.05 to 1"]),
         ('ball_lead = "0.21 mm"', ["cage.ball_lead = '0.21 mm'", "beyond the clearance", "0.2 mm or more"]),
@@ -326,3 +332,20 @@ def test_a_scene_file_runs(tmp_path: Path) -> None:
     motion = found.cage.motion[0]
     assert motion is not None
     assert motion.state == "rest"
+
+
+def test_the_steps_that_a_scene_asks_for_are_taken(scene: Scene) -> None:
+    """An irregular motion forgets its beginning, and by that tells one step from another; each by its own name."""
+    assert scene.cage is not None
+    found = {}
+    for steps in (21, 57):
+        asked = with_cage(replace(scene, effects={**scene.effects, "cage_dynamics": "on"}), steps_per_contact=steps)
+        moved = friction_torque(with_cage(asked, start="sudden")).cage
+        assert moved is not None
+        assert f"{steps} steps a contact" in moved.provenance
+        cage = moved.driven[1]
+        assert cage is not None
+        found[steps] = moved.motion[1]
+        asked_for = {"start": "sudden", "seeds": 2, "duration": 0.03, "steps_per_contact": steps}
+        assert found[steps] == measured_motion(cage, **asked_for)
+    assert found[21] != found[57]

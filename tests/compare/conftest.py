@@ -2,7 +2,7 @@
 
 import pytest
 
-from fembearing.compare import contact_ladder, ladder
+from fembearing.compare import cage_ladder, contact_ladder, ladder
 
 
 @pytest.fixture
@@ -11,3 +11,5 @@ def timed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(contact_ladder, "MESH_REPEATS", 1)
     monkeypatch.setattr(ladder, "FORMULA_REPEATS", 3)
     monkeypatch.setattr(ladder, "SAMPLE", 0.0)
+    monkeypatch.setattr(cage_ladder, "SEEDS", 2)
+    monkeypatch.setattr(cage_ladder, "DURATION", 6e-3)  # just beyond what the cage takes to cross its pockets

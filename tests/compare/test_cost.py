@@ -29,19 +29,20 @@ def test_every_ladder_is_run_or_said_to_be_absent(scene: Scene, monkeypatch: pyt
         "load of the heaviest ball",
         "friction torque",
         "roughness",
+        "cage torque",
         "contact, inner",
     ]
-    hertz, load, friction, roughness, contact = found.ladders
+    hertz, load, friction, roughness, cage, contact = found.ladders
     assert "holds the angle" in (load.absent or "")
     assert "no [surface]" in (roughness.absent or "")
     assert hertz.chosen is hertz.rungs[-1]  # exact
-    assert friction.chosen is contact.chosen is None  # nothing there is known that well
+    assert friction.chosen is cage.chosen is contact.chosen is None  # nothing there is known that well
     assert told_of == sorted(told_of, key=lambda step: step[0])
     assert "inner: mesh 2, about" in told_of[-1][1]
     told = json.loads(json.dumps(found.to_json(), allow_nan=False))
     assert {"ladders", "tolerance", "cost", "warnings", "provenance"} == told.keys()
-    assert {"quantity", "reference", "absent", "rungs", "choices"} == told["ladders"][4].keys()
-    mesh = told["ladders"][4]["rungs"][2]
+    assert {"quantity", "reference", "absent", "rungs", "choices"} == told["ladders"][5].keys()
+    mesh = told["ladders"][5]["rungs"][2]
     assert {"name", "error", "seconds", "memory", "chosen"} < mesh.keys()
     assert mesh["seconds"] > 0
     assert mesh["predicted"] > 0

@@ -83,13 +83,19 @@ def test_points_bars_and_the_reference_are_drawn_in_per_cent(figure: Figure) -> 
     np.testing.assert_allclose(np.asarray(limit.get_ydata(), dtype=float), 4, rtol=1e-12)
 
 
-def test_every_rung_that_answered_has_its_name_where_no_other_is(figure: Figure) -> None:
-    texts = {text.get_text(): text for text in figure.axes[0].texts}
-    assert set(texts) == {"tolerance 4 %", "Hertz", "FE, level 2", "FE, level 4"}
-    crowd = Ladder(quantity="q", reference="r", rungs=tuple(rung(n, error=0.01, seconds=0.1) for n in "abc"))
-    axes = cost_figure([crowd], tolerance=0.04).axes[0]
-    heights = sorted(text.xyann[1] for text in axes.texts if text.get_text() in "abc")  # pyright: ignore[reportAttributeAccessIssue]
-    assert min(np.diff(heights)) >= 9  # points: a line of text
+def test_every_rung_that_answered_has_a_number_beside_it_and_its_name_below(figure: Figure) -> None:
+    panel = figure.axes[0]
+    numbers = {text.get_text(): text.xy for text in panel.texts if text.get_text().isdigit()}  # pyright: ignore[reportAttributeAccessIssue]
+    assert numbers.keys() == {"1", "2", "4"}  # the third failed
+    np.testing.assert_allclose(numbers["1"], (2e-6, 3.1), rtol=1e-12)
+    np.testing.assert_allclose(numbers["4"], (3.5, 0.02), rtol=1e-12)
+    key = panel.get_legend()
+    assert key is not None
+    assert [text.get_text() for text in key.get_texts()] == ["1 Hertz", "2 FE, level 2", "4 FE, level 4"]
+    figure.draw_without_rendering()
+    below = key.get_window_extent()
+    assert below.y1 < panel.get_window_extent().y0  # under the panel, and within the picture
+    assert below.y0 > figure.bbox.y0
 
 
 def test_a_ring_marks_the_chosen_rung() -> None:
