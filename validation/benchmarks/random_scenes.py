@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from analytic.scene import Autocorrelation, ContactAngle, Operation, Scene, Surface
-from analytic.scenefile import load_scene
+from analytic.scenefile import builtin_scene, load_scene
 
+CAGE = load_scene(builtin_scene("6205")).cage
 BASE = load_scene(Path(__file__).parents[1] / "scenes" / "6205_physical.toml")
 SHOULDER = 3.6e-3  # m: high ones, so that an open groove's contact stays on its race
 LUBRICATED, THRUST_ONLY = 0.7, 0.6  # of the scenes
@@ -72,3 +73,20 @@ def given(rng: np.random.Generator) -> dict[str, Any]:
         "surface": None,
         "friction_coefficient": 10 ** rng.uniform(-2.3, -0.9),
     }
+
+
+def with_cage(rng: np.random.Generator, scene: Scene) -> Scene:
+    """The same with a cage: tight to loose, light to heavy, from any start."""
+    assert CAGE is not None
+    pocket = scene.bearing.ball_diameter + rng.uniform(0.08e-3, 0.4e-3)
+    cage = replace(
+        CAGE,
+        pocket_diameter=pocket,
+        pocket_depth=pocket / 2,
+        mass=CAGE.mass * 10 ** rng.uniform(-0.7, 0.3),
+        restitution=rng.uniform(0.4, 0.95),
+        start=str(rng.choice(["rest", "ramp", "sudden", "whirl"])),  # pyright: ignore[reportArgumentType]
+        gravity=str(rng.choice(["across", "along", "off"])),  # pyright: ignore[reportArgumentType]
+        friction_coefficient=10 ** rng.uniform(-2, -0.6),
+    )
+    return replace(scene, cage=cage)
