@@ -6,27 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.cage import DrivenCage, LandGuidance, rest_torque
+from analytic.cage import LandGuidance, rest_torque
 from analytic.cage_motion import CageMotion
 from analytic.cage_statistics import measured_motion
 from analytic.errors import InputError
-
-W = 52.36  # rad/s: 500 rpm
-RATE = 15.599 * 23.411 / (39.01 * 3.97)
-CAGE = DrivenCage(
-    mass=6.58e-3,
-    ball_count=9,
-    ball_radius=3.97e-3,
-    pitch_radius=19.505e-3,
-    room=0.1e-3,
-    stiffness=6.0e10,
-    restitution=0.8,
-    friction_coefficient=0.1,
-    orbit_speed=W * 15.599 / 39.01,
-    ball_speed=W * RATE,
-    contact_angle=0.18,
-    ring_speed=W,
-)
+from tests.analytic.cage_specimens import CAGE, RATE, W
 
 POWERS = ("slip_power", "land_power", "drag_power", "damping_power")
 
