@@ -113,3 +113,8 @@ class Choices:
     def _decided(self, name: str, *, on: bool, share: float | None, reason: str) -> bool:
         self.made[name] = Effect(name=name, decision="on" if on else "off", share=share, reason=reason)
         return on
+
+
+def share_in(part: Array, total: Array) -> Array:
+    """part/total, 0 where there is nothing to share."""
+    return np.divide(part, total, out=np.zeros(np.broadcast(part, total).shape), where=total > 0)

@@ -11,7 +11,7 @@ import numpy as np
 
 from analytic.balls import LoadedBalls
 from analytic.catalogue_torque import inlet_shear_factor, replenishment_factor
-from analytic.effects import Choices
+from analytic.effects import Choices, share_in
 from analytic.lubrication import LubricatedRaces
 from analytic.mixed import MixedContact
 from analytic.scene import Array, Lubricant, Scene
@@ -105,7 +105,7 @@ def _with_asperities(
     ]
     relieved = np.maximum(*thin) * rubbing.uneven / np.maximum(thinned, LEAST_FILM)
     most = np.maximum(touching, relieved) * (rubbing.rolls + rubbing.spins)
-    if not choices.calls_for("asperities", share=_share(balls.total(most), rubbing.floor)):
+    if not choices.calls_for("asperities", share=share_in(balls.total(most), rubbing.floor)):
         return rubbing, False
     lost = np.minimum(relieved / rubbing.uneven, (1 - LEAST_FILM) * rubbing.force) * rubbing.rolls
     return replace(
@@ -142,12 +142,12 @@ def _with_inlets(
             more = oiled.largest_asperity_share(factor) - oiled.largest_asperity_share()
             thinner = thinner + more * _boundary(oiled)
         loss = loss + balls.total(rubbing.uneven * thinner * (rubbing.rolls + rubbing.spins))
-    if choices.calls_for("inlet_heating", share=_share(loss, rubbing.floor)):
+    if choices.calls_for("inlet_heating", share=share_in(loss, rubbing.floor)):
         heating, rolling = factor, rolling * kept["inlet_heating"]
         rubbing = replace(rubbing, spinning=rubbing.spinning + thinner)
     starved = kept.get("starvation")
     lacks = "bearing.bore_diameter and bearing.outside_diameter are not given" if starved is None else None
-    loss = None if starved is None else _share((1 - starved) * rolling, rubbing.floor)
+    loss = None if starved is None else share_in((1 - starved) * rolling, rubbing.floor)
     if choices.calls_for("starvation", share=loss, lacks=lacks) and starved is not None:
         rolling = rolling * starved
     return rubbing, heating, rolling if "rolling" in rolled else None
@@ -156,7 +156,7 @@ def _with_inlets(
 def _spin(scene: Scene, balls: LoadedBalls, choices: Choices, rubbing: _Rubbing) -> None:
     rise = rubbing.uneven * (rubbing.spinning * (rubbing.rolls + rubbing.spins) - rubbing.force * rubbing.rolls)
     least = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
-    choices.calls_for("spin", share=_share(balls.total(least[None]), rubbing.floor))
+    choices.calls_for("spin", share=share_in(balls.total(least[None]), rubbing.floor))
 
 
 def _kept_of_rolling(scene: Scene, lubricant: Lubricant, speed: Array) -> dict[str, Array]:
@@ -181,8 +181,3 @@ def _kept_of_rolling(scene: Scene, lubricant: Lubricant, speed: Array) -> dict[s
 def _boundary(oiled: LubricatedRaces) -> Array:
     """(2, n, m) N: friction if asperities carried all."""
     return oiled.surface.boundary_friction * oiled.balls.load
-
-
-def _share(part: Array, total: Array) -> Array:
-    """0 where there is nothing to share."""
-    return np.divide(part, total, out=np.zeros(np.broadcast(part, total).shape), where=total > 0)

@@ -16,7 +16,7 @@ import numpy as np
 from analytic.balls import LoadedBalls
 from analytic.cage_torque import cage_friction
 from analytic.correction import ContactCorrection
-from analytic.effects import DECLARED, EFFECTS, Choices, Effect
+from analytic.effects import DECLARED, EFFECTS, Choices, Effect, share_in
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loading import RACES, loaded_balls, points
 from analytic.lubrication import LubricatedRaces, lubricated_races
@@ -109,7 +109,7 @@ def friction_torque(
         ball_load=balls.load.max(axis=0)[at],
         torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
         numerical_uncertainty=_uncertainty(choices, slid, parts, race=race, total=total)
-        + (0.0 if cage is None else _share(cage.half_interval, total)),
+        + (0.0 if cage is None else share_in(cage.half_interval, total)),
         friction_coefficient=FrictionCoefficients(
             **_on_races(None if slid is None else slid.coefficient, at),
             pocket=None if cage is None else cage.friction_coefficient,
@@ -209,7 +209,7 @@ def _declared(scene: Scene, choices: Choices, computed: Array) -> Array | None:
     require_non_negative(**{f"losses.{name}": value for name, value in known.items()})
     total = computed + sum(known.values(), start=0.0)
     for name, value in given.items():
-        share = None if value is None else _share(np.full_like(total, value), total)
+        share = None if value is None else share_in(np.full_like(total, value), total)
         reason = "not declared" if value is None else "declared by the scene"
         choices.settled(name, on=value is not None, share=share, reason=reason)
     return np.full_like(computed, sum(known.values())) if known else None
@@ -232,27 +232,22 @@ def _uncertainty(
 ) -> Array:
     """(n,) of the total: bounds on what auto left out of the race's torque, and what the rung of sliding misses."""
     if slid is None:
-        return choices.left_out * _share(race, total)
+        return choices.left_out * share_in(race, total)
     slipping = _sum({name: part for name, part in parts.items() if name in BY_SLIP}, race)
     unknown = np.isinf(slid.error)
-    missed = np.where(unknown, np.inf, _share(np.where(unknown, 0.0, slid.error) * slipping, total))
-    return choices.left_out * _share(race, total) + missed
+    missed = np.where(unknown, np.inf, share_in(np.where(unknown, 0.0, slid.error) * slipping, total))
+    return choices.left_out * share_in(race, total) + missed
 
 
 def _with_share(effect: Effect, parts: dict[str, Array], total: Array) -> Effect:
     """A part of the torque is told with its own largest share in place of a bound."""
     if effect.name not in parts:
         return effect
-    return replace(effect, share=float(np.max(_share(parts[effect.name], total), initial=0.0)))
+    return replace(effect, share=float(np.max(share_in(parts[effect.name], total), initial=0.0)))
 
 
 def _sum(parts: dict[str, Array], like: Array) -> Array:
     return sum(parts.values(), start=np.zeros(like.shape))
-
-
-def _share(part: Array, total: Array) -> Array:
-    """0 where there is nothing to share."""
-    return np.divide(part, total, out=np.zeros(np.broadcast(part, total).shape), where=total > 0)
 
 
 def _on_races(values: Array | None, at: tuple[Array, Array]) -> dict[str, Array]:

@@ -20,6 +20,11 @@ from fembearing.compare.verdict import Verdict, worst
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
+# Effects that this check leaves out of the torque, with the reason.
+BESIDE = {
+    "finite_geometry": "left out here: finite elements take its place, and its fit is shown beside them",
+    "cage_dynamics": "left out here: no contact on a race changes it; it is shown by itself",
+}
 PARTS = ("total", "race", "spin", "conformity", "hysteresis", "rolling")
 
 
@@ -105,8 +110,8 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     finite geometry knows every load and every ball, and shows the change at each operating point.
     Raises InputError as friction_torque does.
     """
-    plain = replace(scene, effects={**scene.effects, "finite_geometry": "off", "cage_dynamics": "off"})
-    hertz = with_model_uncertainty(plain, friction_torque(plain))
+    plain = replace(scene, effects={**scene.effects, **dict.fromkeys(BESIDE, "off")})
+    hertz = _with_reasons(scene, with_model_uncertainty(plain, friction_torque(plain)))
     scene = replace(
         scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in COMPUTED + OF_CAGE}
     )
@@ -129,6 +134,13 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
         fitted=_fitted(scene, hertz),
         verdict=worst((inner.verdict, outer.verdict)),
     )
+
+
+def _with_reasons(scene: Scene, found: FrictionTorque) -> FrictionTorque:
+    """The scene did not say what this check leaves out of both torques."""
+    told = {name: why for name, why in BESIDE.items() if scene.effects.get(name) != "off"}
+    effects = (replace(each, reason=told[each.name]) if each.name in told else each for each in found.effects)
+    return replace(found, effects=tuple(effects))
 
 
 def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:

@@ -1,5 +1,6 @@
 """What contact discrepancies do to the race torque, against how each part scales."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -196,3 +197,13 @@ hardness = "7.3 GPa"
     assert (relative(found, "total") > 0).all()
     assert np.isfinite(found.uncertainty)
     assert found.to_json()["change"]["rolling"][-1] == 0.0
+
+
+def test_what_the_check_leaves_out_is_not_put_down_to_the_scene() -> None:
+    told = {effect.name: effect for effect in change_of_torque(FIXED, inner=solution(), outer=solution()).hertz.effects}
+    assert told["finite_geometry"].decision == "off"
+    assert "finite elements take its place" in told["finite_geometry"].reason
+    assert told["spin"].reason.startswith("the scene says off")
+    scene = replace(FIXED, effects={**FIXED.effects, "finite_geometry": "off"})
+    told = {effect.name: effect for effect in change_of_torque(scene, inner=solution(), outer=solution()).hertz.effects}
+    assert told["finite_geometry"].reason.startswith("the scene says off")
