@@ -77,10 +77,11 @@ def test_constant_stress_knows_no_speed(scene: Scene) -> None:
 
 def test_the_softer_body_sets_the_circle(scene: Scene) -> None:
     """A cage of a hundredth of the modulus: of both softnesses its own is left, and the area goes as that to 2/3."""
-    assert scene.cage is not None
-    soft = replace(scene.cage.material, youngs_modulus=scene.cage.material.youngs_modulus / 97)
+    cage = scene.cage
+    assert cage is not None
+    soft = replace(cage.material, youngs_modulus=cage.material.youngs_modulus / 97)
     scene = replace(scene, lubricant=replace(THIN, traction="eyring_constant"))
     steel = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
-    scene = replace(scene, cage=replace(scene.cage, material=soft))
+    scene = replace(scene, cage=replace(cage, material=soft))
     found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
     np.testing.assert_allclose(found / steel, (98 / 2) ** (2 / 3), rtol=1e-9)
