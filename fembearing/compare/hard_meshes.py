@@ -113,11 +113,11 @@ def pressed_nodes(compliance: list[list[float]]) -> float:
 def mesh_file(node: int) -> str:
     """A .vtu of one cell of 27 nodes, the last of which is the one of that number."""
 
-    def array(name: str, kind: str, numbers: Iterable[int], *, size: int = 1) -> str:
+    def array(name: str, kind: str, numbers: Iterable[int], more: str = "") -> str:
         text = " ".join(map(str, numbers))
-        return f'<DataArray Name="{name}" type="{kind}" NumberOfComponents="{size}" format="ascii">{text}</DataArray>'
+        return f'<DataArray Name="{name}" type="{kind}" format="ascii" {more}>{text}</DataArray>'
 
-    points = array("points", "Float64", range(3 * 27), size=3)
+    points = array("points", "Float64", range(3 * 27), 'NumberOfComponents="3"')
     cells = array("connectivity", "Int64", [*range(26), node]) + array("offsets", "Int64", [27])
     cells += array("types", "Int64", [29])  # VTK's number of a hexahedron of 27 nodes
     marks = "".join(array(name, "Int32", [-1] * 27) for name in ("touching", *SETS))
