@@ -4,15 +4,20 @@ An expected number is exact, a limit, or 40-digit arithmetic on the inputs writt
 Where no number is right, a refusal that says so is: any other answer, a silent infinity included, is wrong.
 """
 
+from fembearing.compare.hard_cage import CAGE_CASES
 from fembearing.compare.hard_case import HardCase, HardOutcome, outcome_of
 from fembearing.compare.hard_contacts import CONTACT_CASES
 from fembearing.compare.hard_friction import FRICTION_CASES
+from fembearing.compare.hard_lubrication import LUBRICATION_CASES
 from fembearing.compare.hard_meshes import MESH_CASES
+from fembearing.compare.hard_roughness import ROUGHNESS_CASES
 from fembearing.compare.progress import Progress, silent
 
 __all__ = ["HARD_CASES", "HardCase", "HardOutcome", "outcome_of", "run_hard_cases"]
 
-HARD_CASES: tuple[HardCase, ...] = CONTACT_CASES + MESH_CASES + FRICTION_CASES
+HARD_CASES: tuple[HardCase, ...] = (
+    CONTACT_CASES + MESH_CASES + FRICTION_CASES + LUBRICATION_CASES + ROUGHNESS_CASES + CAGE_CASES
+)
 
 
 def run_hard_cases(

@@ -16,6 +16,7 @@ from analytic.equilibrium import thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Bearing, Contact, ContactAngle, Material
 from analytic.scenefile import builtin_scene, load_scene
+from analytic.subsurface import SubsurfaceMaximum, subsurface_maximum
 from fembearing.compare.discrepancy import hertz_quantities
 from fembearing.compare.hard_case import HardCase
 from fembearing.compare.progress import silent
@@ -210,6 +211,22 @@ CONTACT_CASES: tuple[HardCase, ...] = (
         refusal="load must be at least 0 and finite, got nan",
     ),
     HardCase(
+        name="stress: Poisson ratio 0",
+        asked="the largest von Mises stress of a body that does not widen: it lies on the surface",
+        right="that of Hertz's three stresses in the middle, by 40 digits",
+        evaluate=lambda: float(_mises_of_cork().max_von_mises),
+        expected=1799079313.0461135061,
+        tolerance=ROUND_OFF,
+    ),
+    HardCase(
+        name="stress: depth at Poisson ratio 0",
+        asked="one and the depth of that stress over the minor semi-axis",
+        right="1: none, by which nothing may be divided",
+        evaluate=lambda: 1 + float(_mises_of_cork().max_von_mises_depth) / 0.12e-3,
+        expected=1.0,
+        tolerance=ROUND_OFF,
+    ),
+    HardCase(
         name="contact angle: vanishing load",
         asked="1e-12 N from a free angle of 0.18 rad",
         right="the free angle: the balls do not give",
@@ -344,3 +361,7 @@ def _log_elongation(difference: float) -> float:
     """ln(b/a) of curvatures that differ by a small share."""
     found = hertz(curvature_x=LARGE * (1 + difference), curvature_y=LARGE)
     return math.log(float(found.semi_axis_y / found.semi_axis_x))
+
+
+def _mises_of_cork() -> SubsurfaceMaximum:
+    return subsurface_maximum(peak_pressure=2.1e9, semi_axis_x=0.12e-3, semi_axis_y=1.1e-3, poisson_ratio=0.0)

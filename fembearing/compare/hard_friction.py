@@ -1,11 +1,13 @@
-"""Hard cases of the friction of ball on race: micro-slip at its limits, and how torque grows with the load."""
+"""Hard cases of the friction of ball on race: micro-slip at its limits, how torque grows with the load, scene files."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
-from analytic.race import microslip_moments
-from analytic.scene import Bearing, ContactAngle, Decision, SpinRule
+from analytic.race import MicroslipTorque, SlidingContact, microslip_moments, microslip_torque
+from analytic.ring import ring_equilibrium
+from analytic.scene import Bearing, ContactAngle, Decision, Operation, SpinRule
 from analytic.scenefile import builtin_scene, load_scene, parse_scene
 from analytic.torque import friction_torque
 from fembearing.compare.hard_case import HardCase
@@ -28,7 +30,7 @@ catalog = "6205"
 contact_angle = {{ rule = "solved" }}
 [operation]
 axial_load = "{load}"
-inner_speed = "{speed}"
+{speed_key} = "{speed}"
 """
 
 
@@ -86,9 +88,41 @@ def preloaded(load: float) -> float:
     return torque("total", load, free=None, of=with_clearance(-14e-6))
 
 
-def mistaken(load: str = "700 N", speed: str = "90 rpm") -> float:
+def balanced(spin_difference: float) -> MicroslipTorque:
+    """One ball that takes its own spin between races that differ in the last digit of a semi-axis."""
+    alike = {"friction_coefficient": 0.07, "load": 530.0, "semi_axis_rolling": 0.11e-3}
+    inner, outer = (
+        SlidingContact(**alike, semi_axis_transverse=half, deformed_radius=3.7e-3, rolling_rate=2.9)
+        for half in (0.9e-3, math.nextafter(0.9e-3, 1.0))
+    )
+    return microslip_torque(inner, outer, spin_difference=spin_difference, spin_rule="balanced")
+
+
+def heaviest(ball_count: int) -> float:
+    """Z Q/Fr of the ball in line with a radial load, without clearance and at no contact angle."""
+    bearing, load = replace(with_clearance(0.0), ball_count=ball_count), 640.0
+    found = ring_equilibrium(bearing, ContactAngle(rule="solved", free=0.0), radial_load_x=load)
+    return ball_count * float(found.inner_load.max()) / load
+
+
+def spin_without_angle() -> float:
+    """Share of the spin in the torque of the 6205 under a radial load alone, without clearance."""
+    scene = load_scene(builtin_scene("6205"))
+    asked = replace(
+        scene,
+        bearing=with_clearance(0.0),
+        contact_angle=ContactAngle(rule="solved", free=0.0),
+        operation=Operation(axial_load=np.array([0.0]), inner_speed=np.array([31.0]), radial_load=np.array([640.0])),
+        effects=AS_HERTZ,
+    )
+    found = friction_torque(asked).torque
+    assert found.spin is not None
+    return float(found.spin[0] / found.total[0])
+
+
+def mistaken(load: str = "700 N", speed: str = "90 rpm", speed_key: str = "inner_speed") -> float:
     """What a scene with these entries gives."""
-    return parse_scene(SCENE.format(load=load, speed=speed), origin="scene").tolerance
+    return parse_scene(SCENE.format(load=load, speed=speed, speed_key=speed_key), origin="scene").tolerance
 
 
 FRICTION_CASES: tuple[HardCase, ...] = (
@@ -138,6 +172,62 @@ FRICTION_CASES: tuple[HardCase, ...] = (
         right="-1: a mirror image",
         evaluate=lambda: spin(-0.31) / spin(0.31),
         expected=-1.0,
+        tolerance=ROUND_OFF,
+    ),
+    HardCase(
+        name="micro-slip: across full spin",
+        asked="the spin moment just below eps = 1/2 over that just beyond it",
+        right="1: it falls short by the square of the distance, 1e-9",
+        evaluate=lambda: spin(0.5 - 1e-9) / spin(0.5 + 1e-9),
+        expected=1.0,
+        tolerance=ROUND_OFF,
+    ),
+    HardCase(
+        name="micro-slip: across full spin in the other sense",
+        asked="the same at eps = -1/2",
+        right="1",
+        evaluate=lambda: spin(-0.5 + 1e-9) / spin(-0.5 - 1e-9),
+        expected=1.0,
+        tolerance=ROUND_OFF,
+    ),
+    HardCase(
+        name="spin balance: races all but alike",
+        asked="the spin's torque where a semi-axis differs by 1e-16 and both races spin all but in full",
+        right="half of the spin each: 3 eps d (1 - eps^2 - d^2) with d^3 - 3 (1 - eps^2) d + 1 = 0, by 40 digits",
+        evaluate=lambda: float(balanced(0.69).spin),
+        expected=0.0086241907747470239282,
+        tolerance=ROUND_OFF,
+    ),
+    HardCase(
+        name="spin balance: both races in full spin",
+        asked="the spin's torque where no share of the spin leaves less of a moment than another",
+        right="3/8 mu Q b times the spin, however it is shared",
+        evaluate=lambda: float(balanced(0.83).spin),
+        expected=0.0103926375,
+        tolerance=ROUND_OFF,
+    ),
+    HardCase(
+        name="load: radial, at no angle",
+        asked="Z Q/Fr of the heaviest of 9 balls without clearance, contact angle 0",
+        right="Z over the sum of (cos psi)^(5/2) over the loaded half, by 40 digits",
+        evaluate=lambda: heaviest(9),
+        expected=4.3852080236186246584,
+        tolerance=(1e-11, "the ring settles to 1e-12 of its loads"),
+    ),
+    HardCase(
+        name="load: radial, on very many balls",
+        asked="the same of 400 balls",
+        right="Stribeck's 4.37: 2 pi over the integral of (cos psi)^(5/2), by 40 digits",
+        evaluate=lambda: heaviest(400),
+        expected=4.3700959238201996841,
+        tolerance=(1e-8, "a sum for an integral that ends as a power of 5/2: 0.012 h^(7/2), h = 2 pi/400"),
+    ),
+    HardCase(
+        name="torque: radial load at no angle",
+        asked="one and the share of spin in the torque",
+        right="1: a ball that rolls about an axis parallel to the bearing's does not spin",
+        evaluate=lambda: 1 + spin_without_angle(),
+        expected=1.0,
         tolerance=ROUND_OFF,
     ),
     HardCase(
@@ -247,5 +337,33 @@ FRICTION_CASES: tuple[HardCase, ...] = (
         right="a refusal that names the key",
         evaluate=lambda: mistaken(speed="inf rpm"),
         refusal="operation.inner_speed",
+    ),
+    HardCase(
+        name="scene: a load that is not a number",
+        asked='axial_load = "nan N"',
+        right="a refusal that names the key",
+        evaluate=lambda: mistaken(load="nan N"),
+        refusal="operation.axial_load",
+    ),
+    HardCase(
+        name="scene: no load at all",
+        asked='axial_load = "0 N", and no other',
+        right="a refusal: nothing touches, and no torque over no load is a result",
+        evaluate=lambda: mistaken(load="0 N"),
+        refusal="leaves a point without any load",
+    ),
+    HardCase(
+        name="scene: a key that is none",
+        asked="inner_sped",
+        right="a refusal with the key that was meant",
+        evaluate=lambda: mistaken(speed_key="inner_sped"),
+        refusal="operation.inner_sped = '90 rpm' is an unknown key; did you mean inner_speed?",
+    ),
+    HardCase(
+        name="scene: a missing key",
+        asked="no inner_speed",
+        right="a refusal that names the key: what is missing is not 0",
+        evaluate=lambda: mistaken(speed_key="# inner_speed"),
+        refusal="operation.inner_speed is missing",
     ),
 )

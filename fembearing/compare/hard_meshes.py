@@ -4,7 +4,10 @@ Rows on half spaces have Hertz's exact answer. Rows on the true ball and groove 
 symmetry, or another choice of units.
 """
 
+from collections.abc import Iterable
 from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -26,6 +29,7 @@ from fembearing.fem.contact import press
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.series import solve_series
 from fembearing.fem.solution import condensed_pair, fitted_solution, pressed
+from fembearing.mesh.meshfile import SETS, read_body
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.recipe import load_recipe
 
@@ -104,6 +108,31 @@ def pressed_nodes(compliance: list[list[float]]) -> float:
         start=np.ones(3, dtype=bool),
     )
     return found[1]
+
+
+def mesh_file(node: int) -> str:
+    """A .vtu of one cell of 27 nodes, the last of which is the one of that number."""
+
+    def array(name: str, kind: str, numbers: Iterable[int], more: str = "") -> str:
+        text = " ".join(map(str, numbers))
+        return f'<DataArray Name="{name}" type="{kind}" format="ascii" {more}>{text}</DataArray>'
+
+    points = array("points", "Float64", range(3 * 27), 'NumberOfComponents="3"')
+    cells = array("connectivity", "Int64", [*range(26), node]) + array("offsets", "Int64", [27])
+    cells += array("types", "Int64", [29])  # VTK's number of a hexahedron of 27 nodes
+    marks = "".join(array(name, "Int32", [-1] * 27) for name in ("touching", *SETS))
+    return (
+        '<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian"><UnstructuredGrid>'
+        f'<Piece NumberOfPoints="27" NumberOfCells="1"><Points>{points}</Points><Cells>{cells}</Cells>'
+        f"<PointData>{marks}</PointData></Piece></UnstructuredGrid></VTKFile>"
+    )
+
+
+def nodes_read(node: int) -> float:
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "race.vtu"
+        path.write_text(mesh_file(node))
+        return float(read_body(path, name="race").mesh.p.shape[1])
 
 
 MESH_CASES: tuple[HardCase, ...] = (
@@ -275,5 +304,12 @@ MESH_CASES: tuple[HardCase, ...] = (
         right="a refusal that says how much of the load is not carried",
         evaluate=lambda: pressed_nodes([[2.0, 0.3, 0.7], [0.3, -1.1, 0.2], [0.7, 0.2, 1.9]]),
         refusal="residual 2.3e+00 N",
+    ),
+    HardCase(
+        name="mesh file: a node that does not exist",
+        asked="a cell that names node 1e12, found by damaged files: a table up to it would take all memory",
+        right="a refusal",
+        evaluate=lambda: nodes_read(10**12),
+        refusal="a cell names a node that does not exist",
     ),
 )

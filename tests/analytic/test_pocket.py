@@ -1,5 +1,6 @@
 """A ball in two half-shells, against brute geometry, the impact's equation of motion, and Hertz."""
 
+import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -114,9 +115,22 @@ def test_an_impact_leaves_with_the_restitution_that_was_asked(restitution: float
     np.testing.assert_allclose(leaving, 0.31 * restitution, rtol=1e-6)  # the integrator near its event
 
 
-def test_damping_of_small_losses_is_the_usual_factor() -> None:
-    for loss in (1e-3, 1.1e-5, 0.9e-5, 1e-9):  # on both sides of the switch
-        assert impact_damping(1 - loss) / (1.5 * loss) == pytest.approx(1, abs=2 * loss + 1e-6)  # cancellation
+@pytest.mark.parametrize("restitution", [0.05, 0.31, 0.9416, 0.9419, 1 - 2.0**-10, 1 - 2.0**-16, 1 - 2.0**-33])
+def test_damping_solves_its_equation(restitution: float) -> None:
+    """In 60 digits, on both sides of the switch to a series; near 1 both sides of the equation all but cancel."""
+    with mpmath.workdps(60):
+        e = mpmath.mpf(restitution)
+
+        def excess(factor: mpmath.mpf) -> mpmath.mpf:
+            return (mpmath.log1p(factor) - mpmath.log1p(-factor * e) - factor * (1 + e)) / factor**2
+
+        bounds = 0.1 * (1 - e), (1 - mpmath.mpf(10) ** -12) / e
+        exact = mpmath.findroot(excess, bounds, solver="anderson", tol=mpmath.mpf(10) ** -70, maxsteps=500)
+    assert impact_damping(restitution) == pytest.approx(float(exact), rel=1e-12)  # the series' fifth term: 4e-13
+
+
+def test_an_impact_without_loss_is_not_damped() -> None:
+    assert impact_damping(1.0) == 0
 
 
 def test_contact_never_pulls() -> None:
