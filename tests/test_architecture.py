@@ -29,8 +29,24 @@ MAY_IMPORT = {
     "analytic.fit": NOUNS,  # does a bearing fit together
     "analytic.quantity": (),  # units: with `tables` and `scenefile` the one place that knows them
     "analytic.tables": (*NOUNS, "analytic.catalog", "analytic.quantity"),
-    "analytic.scenefile": (*NOUNS, "analytic.catalog", "analytic.fit", "analytic.quantity", "analytic.tables"),
-    "fembearing": ("analytic", "fembearing.mesh", "fembearing.fem", "fembearing.compare", "fembearing.report"),
+    "analytic.scenetext": NOUNS,
+    "analytic.scenekeys": (*NOUNS, "analytic.catalog", "analytic.scenetext", "analytic.quantity", "analytic.tables"),
+    "analytic.scenefile": (
+        *NOUNS,
+        "analytic.catalog",
+        "analytic.fit",
+        "analytic.quantity",
+        "analytic.scenetext",
+        "analytic.tables",
+    ),
+    "fembearing": (
+        "analytic",
+        "fembearing.mesh",
+        "fembearing.fem",
+        "fembearing.compare",
+        "fembearing.report",
+        "fembearing.sweep",
+    ),
     "fembearing.mesh": NOUNS,
     "fembearing.fem": (*NOUNS, "fembearing.mesh"),
     "fembearing.compare": ("analytic", "fembearing.mesh", "fembearing.fem"),
@@ -47,7 +63,7 @@ ON_DEMAND = {"analytic": ("analytic.scenefile",)}
 ONLY_IN = {
     "pint": ("analytic.quantity",),
     "pydantic_core": ("analytic.quantity",),
-    "pydantic": ("analytic.tables", "analytic.scenefile"),
+    "pydantic": ("analytic.tables", "analytic.scenefile", "analytic.scenekeys"),
     "meshio": ("fembearing.mesh",),
     "skfem": ("fembearing.mesh", "fembearing.fem"),
     "pypardiso": ("fembearing.fem",),
