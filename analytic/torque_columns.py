@@ -50,7 +50,7 @@ COLUMNS: dict[str, Column] = {
 }
 
 
-def torque_columns(found: "FrictionTorque") -> dict[str, Array]:
+def torque_values(found: "FrictionTorque") -> dict[str, Array]:
     """The values of COLUMNS, each (n,); NaN where a part was left out or is not modelled."""
     nothing = np.full(found.inner_speed.shape, np.nan)
     values = {f"torque_{name}": part for name, part in vars(found.torque).items()}
@@ -74,7 +74,7 @@ def torque_dataset(found: "FrictionTorque") -> Any:
     """
     import xarray  # on demand: it takes a second
 
-    columns = torque_columns(found)
+    columns = torque_values(found)
     return xarray.Dataset(
         {
             name: (POINT, columns[name], {"units": column.unit, "long_name": column.meaning})

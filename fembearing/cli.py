@@ -252,6 +252,34 @@ def cost(
         _print_warnings(given.warnings)
 
 
+@app.command(epilog="Example: fembearing sweep map.toml --out map-of-my-bearing")
+def sweep(
+    grid: Annotated[Path, typer.Argument(metavar="GRID", help="Grid file, TOML: a scene, and axes.")],
+    folder: Annotated[Path, typer.Option("--out", help="Folder of this sweep; made, or gone on with if it is there.")],
+    workers: Annotated[int | None, typer.Option(help="Processes of this machine; one a core without it.")] = None,
+    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask cluster that computes instead.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Compute a scene at every point of a product of axes; stopped and started again, it goes on where it was.
+
+    GRID holds scene = "bearing.toml", what = "torque" or "contact", and a table of axes, with lines as
+    operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" } or conformity = [0.51, 0.52].
+    """
+    from fembearing.report.sweep_folder import print_sweep, sweep_with_maps
+
+    try:
+        with _progress() as report:
+            result, maps = sweep_with_maps(grid, out=folder, workers=workers, scheduler=scheduler, progress=report)
+    except KeyboardInterrupt:
+        _complain(f"stopped; what is done is kept in {folder}: the same command goes on", INTERRUPTED)
+        raise
+    if as_json:
+        _print_json(result.to_json() | {"maps": [str(file) for file in maps]})
+    else:
+        print_sweep(out, result, maps)
+    raise typer.Exit(NOT_SOLVED if result.failed else DONE)
+
+
 @app.command(epilog="Example: fembearing mesh --pair inner --level 2 --out meshes-of-the-inner-race")
 def mesh(
     folder: Annotated[Path, typer.Option("--out", help="Folder for the .vtu files; made if it is missing.")],

@@ -50,7 +50,7 @@ MAY_IMPORT = {
     "fembearing.mesh": NOUNS,
     "fembearing.fem": (*NOUNS, "fembearing.mesh"),
     "fembearing.compare": ("analytic", "fembearing.mesh", "fembearing.fem"),
-    "fembearing.report": ("analytic", "fembearing.compare"),
+    "fembearing.report": ("analytic", "fembearing.compare", "fembearing.sweep"),
     "fembearing.report.render": ("fembearing.report.render_cage",),  # a process of its own, fed by JSON and .vtu files
     "fembearing.report.render_cage": (),
     "fembearing.sweep": ("analytic", "fembearing.compare"),
@@ -70,7 +70,8 @@ ONLY_IN = {
     "pyvista": ("fembearing.report.render", "fembearing.report.render_cage"),
     "matplotlib": ("fembearing.report",),
     "jinja2": ("fembearing.report",),
-    "xarray": ("analytic",),  # on demand, see HEAVY
+    "xarray": ("analytic", "fembearing.compare", "fembearing.sweep"),  # on demand, see HEAVY
+    "distributed": ("fembearing.sweep",),
     "vtk": ("fembearing.report.render",),
 }
 LONGEST_FILE = 400  # lines; what outgrows it is two things

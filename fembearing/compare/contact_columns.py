@@ -32,7 +32,7 @@ COLUMNS: dict[str, Column] = {
 VERDICT = "verdict"  # a word beside the columns
 
 
-def contact_columns(found: "ContactSolution") -> dict[str, float]:
+def contact_values(found: "ContactSolution") -> dict[str, float]:
     """The values of COLUMNS."""
     return {
         "load": found.contact.load,
@@ -56,7 +56,7 @@ def contact_dataset(found: "ContactSolution") -> Any:
     return xarray.Dataset(
         {
             name: ((), value, {"units": COLUMNS[name].unit, "long_name": COLUMNS[name].meaning})
-            for name, value in contact_columns(found).items()
+            for name, value in contact_values(found).items()
         },
         attrs={
             "pair": found.contact.pair,
@@ -71,7 +71,7 @@ def contact_dataset(found: "ContactSolution") -> Any:
 
 def contact_html(found: "ContactSolution") -> str:
     """A table for a notebook: a row a quantity."""
-    values = contact_columns(found)
+    values = contact_values(found)
     rows = [
         [
             f"{meaning}, {unit}",

@@ -182,7 +182,7 @@ def _listed(given: object, before: str = "") -> Iterator[tuple[str, object]]:
     if not isinstance(given, dict) or not given:
         raise InputError('[axes] is missing; give for example operation.axial_load = ["100 N", "200 N"]')
     for key, inside in given.items():
-        if isinstance(inside, dict) and inside and not set(inside) & set(RANGE):
+        if isinstance(inside, dict) and inside and not set(inside) & set(RANGE[:3]):
             yield from _listed(inside, f"{before}{key}.")
         else:
             yield before + key, inside

@@ -20,7 +20,7 @@ from analytic.errors import FembearingError
 from analytic.scene import Array, Scene
 from analytic.sliding import SERIES
 from analytic.torque import friction_torque
-from analytic.torque_columns import COLUMNS, torque_columns
+from analytic.torque_columns import COLUMNS, torque_values
 from analytic.uncertainty import with_model_uncertainty
 from fembearing.compare import contact_columns as of_contact
 from fembearing.sweep.grid import Grid
@@ -149,7 +149,7 @@ def _contact(
     except Exception as problem:
         found.reasons[int(at[0])] = _reason(problem)
         return ()
-    for name, value in of_contact.contact_columns(solution).items():
+    for name, value in of_contact.contact_values(solution).items():
         found.columns[name][at] = value
     found.words[of_contact.VERDICT][at] = of_contact.shown_verdict(solution)
     return solution.warnings
@@ -171,7 +171,7 @@ def _torque(
         return tuple(
             warning for half in halves for warning in _torque(grid, scene, variant, places[half], at[half], found)
         )
-    for name, values in torque_columns(result).items():
+    for name, values in torque_values(result).items():
         found.columns[name][at] = values
     return result.warnings
 

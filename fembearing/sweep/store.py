@@ -31,6 +31,7 @@ except ImportError:  # Windows: that nobody else works there is left to the user
 
 ASKED, DONE, RESULT = "sweep.json", "done.json", "sweep.nc"
 PARTS, LOCK = "parts", ".lock"
+HEIGHT_MAP = "surface.height_map.path"
 DIGITS = 32  # of a hash in a file's name
 
 
@@ -54,7 +55,7 @@ class Store:
     def load(self, piece: Piece) -> Part | None:
         """None where the piece is not done, or what is there cannot be read, after a power failure say."""
         try:
-            with np.load(self.path(piece), allow_pickle=False) as content:
+            with self.path(piece).open("rb") as file, np.load(file, allow_pickle=False) as content:
                 told = json.loads(str(content["told"]))
                 groups: dict[str, dict[str, Any]] = {"column": {}, "word": {}}
                 for key in content.files:
@@ -127,23 +128,28 @@ def write_whole(path: Path, write: Callable[[Path], Any]) -> None:
 
 def _hashes(grid: Grid) -> dict[str, str]:
     """Of everything that the results follow from, by a name for people."""
-    height_map = grid.document.get("surface", {})
-    height_map = height_map.get("height_map", {}) if isinstance(height_map, dict) else {}
-    path = height_map.get("path") if isinstance(height_map, dict) else None
-    try:
-        content = b"" if path is None else (Path(grid.folder) / str(path)).read_bytes()
-    except OSError:  # the scene will say so
-        content = b""
     parts = {
         "what is computed": [grid.what, grid.asked],
         "the scene": grid.document,
         "the axes": [[axis.key, axis.unit, axis.values] for axis in grid.axes],
     }
     hashed = {name: json.dumps(part, sort_keys=True, default=str).encode() for name, part in parts.items()}
-    hashed["the height map"] = content
+    hashed["a height map"] = b"".join(_height_maps(grid))
     return {"the version of fembearing": version("fembearing")} | {
         name: hashlib.sha256(part).hexdigest()[:DIGITS] for name, part in hashed.items()
     }
+
+
+def _height_maps(grid: Grid) -> Iterator[bytes]:
+    """The content of every file of heights that the scene or an axis names."""
+    node: Any = grid.document
+    for key in HEIGHT_MAP.split("."):
+        node = node.get(key) if isinstance(node, dict) else None
+    named = [node, *(value for axis in grid.axes if axis.key == HEIGHT_MAP for value in axis.values)]
+    for name in named:
+        path = Path(grid.folder) / str(name)
+        if isinstance(name, str) and path.is_file():  # else the scene will say so
+            yield path.read_bytes()
 
 
 def _is_seen(path: Path) -> bool:

@@ -89,7 +89,7 @@ def each_done_by_cluster(
     gone = f"--scheduler {address!r}: the cluster went away; what is done is kept, the same command goes on with it"
     with client:
         keys = {client.submit(function, *task, pure=False): key for key, task in tasks.items()}
-        for future in as_completed(list(keys), raise_errors=False):
+        for future in as_completed(list(keys), loop=client.loop, raise_errors=False):
             try:
                 result = future.result()
             except KilledWorker as problem:
