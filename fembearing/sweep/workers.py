@@ -73,6 +73,8 @@ def each_done_by_cluster(
 ) -> Generator[tuple[Any, Any]]:
     """The same by an existing Dask cluster, which runs a task again elsewhere when its worker dies.
 
+    Those that it gives up run again one at a time, as here.
+
     Raises InputError where there is no Dask, no cluster at the address, or no longer one.
     """
     try:
@@ -86,18 +88,29 @@ def each_done_by_cluster(
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as problem:
         raise InputError(f"--scheduler {address!r}: no Dask cluster answers there; start one, or check it") from problem
-    gone = f"--scheduler {address!r}: the cluster went away; what is done is kept, the same command goes on with it"
     with client:
         keys = {client.submit(function, *task, pure=False): key for key, task in tasks.items()}
-        for future in as_completed(list(keys), loop=client.loop, raise_errors=False):
-            try:
-                result = future.result()
-            except KilledWorker as problem:
-                result = LostWorkerError(f"every worker that took it died: {' '.join(str(problem).split())}")
-            except (CancelledError, OSError) as problem:
-                raise InputError(gone) from problem
-            yield keys.pop(future), result
-            future.release()
+        suspects = []
+        try:
+            for future in as_completed(list(keys), loop=client.loop, raise_errors=False):
+                key = keys.pop(future)
+                try:
+                    result = future.result()
+                except KilledWorker:  # another task of that worker may have been the one
+                    suspects.append(key)
+                else:
+                    yield key, result
+                future.release()
+            for key in suspects:
+                try:
+                    result = client.submit(function, *tasks[key], pure=False).result()
+                except KilledWorker as problem:
+                    result = LostWorkerError(f"every worker that took it died: {' '.join(str(problem).split())}")
+                yield key, result
+        except (CancelledError, OSError) as problem:
+            raise InputError(
+                f"--scheduler {address!r}: the cluster went away; what is done is kept: the same command goes on"
+            ) from problem
 
 
 def cores() -> int:
