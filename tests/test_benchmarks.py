@@ -103,6 +103,6 @@ def test_the_motion_of_a_cage_is_measured() -> None:
 
 
 def test_sweeps_are_timed() -> None:
-    told = run("sweep.py", "--points", "80", "--contacts", "0")
+    told = run("sweep.py", "--points", "80", "--contacts", "0", "--workers", "1")
     assert told.count("torque map") == 2
     assert told.count("the same again") == 1

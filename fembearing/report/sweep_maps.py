@@ -79,12 +79,14 @@ def _draw_map(found: Any, across: list[str], others: list[str], scale: Scale) ->
         part = found.sel(chosen).transpose(vertical, horizontal)
         x, y = (_shown_axis(part[dimension]) for dimension in (horizontal, vertical))
         values = part.values * scale.factor
-        panel.pcolormesh(x, y, np.ma.masked_invalid(values), norm=norm, cmap=colours, shading="nearest")
+        edges = [_edges(part[dimension]) for dimension in (horizontal, vertical)]
+        panel.pcolormesh(*edges, np.ma.masked_invalid(values), norm=norm, cmap=colours)
         if min(values.shape) > 2 and np.all(np.isfinite(values)) and np.ptp(values) > 0:
             lines = panel.contour(x, y, values, levels=6, colors="white", linewidths=0.7, locator=_levels(norm))
             panel.clabel(lines, fontsize=8, fmt="%g")
         for axis, dimension in ((panel.xaxis, horizontal), (panel.yaxis, vertical)):
             _set_axis(panel, axis, found[dimension])
+        panel.set(**{f"{axis}lim": (ends[0], ends[-1]) for axis, ends in zip("xy", edges, strict=True)})
         panel.set_title(", ".join(_place(found[d], value) for d, value in chosen.items()), fontsize=9)
     for panel in panels.ravel()[len(shown) :]:
         panel.set_axis_off()
@@ -170,6 +172,16 @@ def _even_in_logarithm(values: Array) -> bool:
         return False
     plain, logarithmic = (np.abs(np.diff(part)) for part in (np.sort(values), np.log(np.sort(values))))
     return bool(np.std(logarithmic) / np.mean(logarithmic) < np.std(plain) / np.mean(plain))
+
+
+def _edges(values: Any) -> Array:
+    """Of the cells around the values, one more than those: half way to the next, in the logarithm where it is even."""
+    place = _shown_axis(values)
+    logarithmic = _even_in_logarithm(values.values)
+    place = np.log(place) if logarithmic else place
+    half = np.diff(place) / 2
+    found = np.concatenate([[place[0] - half[0]], place[:-1] + half, [place[-1] + half[-1]]])
+    return np.exp(found) if logarithmic else found
 
 
 def _norm(values: Array) -> Normalize:

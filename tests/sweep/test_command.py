@@ -85,7 +85,8 @@ def test_a_map_shows_what_the_dataset_holds_in_units_of_people(grid_file: Write,
     assert panel.get_yscale() == "log"
     assert isinstance(mesh.norm, LogNorm)  # torques from 0.3 to 20 N mm
     low, high = panel.get_xlim()
-    assert low < 90 < 1300 < high
+    np.testing.assert_allclose((low, high), (90 - 310 / 2, 1300 + 900 / 2))  # whole cells, to half way and as far again
+    np.testing.assert_allclose(panel.get_ylim(), (20 / 45 ** (1 / 6), 900 * 45 ** (1 / 6)))  # three steps make 45 times
 
 
 def made(**axes: Any) -> xarray.Dataset:

@@ -15,9 +15,10 @@ from tempfile import TemporaryDirectory
 from typing import Annotated
 
 import typer
-from machine import machine, versions
 from rich.console import Console
 from rich.table import Table
+
+from machine import machine, versions
 
 SCENE = Path(__file__).resolve().parents[1] / "scenes" / "6205_physical.toml"
 MAP = """
