@@ -81,7 +81,7 @@ def _axis_notes(axis: Axis) -> dict[str, str]:
 
 
 def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
-    scene = grid.scene(0)
+    scene = grid.first_scene()
     told = provenance_of(scene)
     content = told.pop("scene_content")
     most = [warning for warning, _ in warnings.most_common(MOST_WARNINGS)]
@@ -89,7 +89,7 @@ def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
         "title": f"{grid.what} of {scene.name}",
         "fembearing": told["versions"]["fembearing"],
         "grid": grid.text,
-        "scene_at_first_point": json.dumps(content),
+        "first_scene": json.dumps(content),
         "seed": SEED,  # of the points at which a long series is sampled; a cage's seeds are numbered in the scene
         "warnings": "\n".join(most),
         **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in told.items()},

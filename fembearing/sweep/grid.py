@@ -126,6 +126,16 @@ class Grid:
                 document = with_key(document, f"bearing.{ring}.groove_radius", radius)
         return self._read(document)
 
+    def first_scene(self) -> Scene:
+        """Of the first choice of the axes outside that makes one. Raises InputError if none does."""
+        problem = InputError(f"{self.origin}: no point is a scene")
+        for variant in range(self.size // self.length):
+            try:
+                return self.scene(variant)
+            except InputError as found:
+                problem = found
+        raise problem
+
     def _read(self, document: dict[str, Any]) -> Scene:
         # A copy: the catalog's entries are put into it.
         return scene_of(dict(document), origin=self.origin, folder=Path(self.folder))

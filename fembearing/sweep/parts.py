@@ -28,6 +28,7 @@ from fembearing.sweep.grid import Grid
 LONGEST = 25_000  # points of a series in one piece: some 3 s
 MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: some 5 s
 MOST_SCENES = 50  # in one piece: some 3 s
+TRIED = 7  # points, before anything is computed
 MOST_WARNINGS = 20  # kept of a piece
 
 
@@ -97,12 +98,12 @@ def compute_part(grid: Grid, piece: Piece) -> Part:
 
 
 def require_a_point(grid: Grid) -> None:
-    """Raise InputError where neither the first nor the middle nor the last point can be computed: a mistake.
+    """Raise InputError where none of a few points, spread evenly, can be computed: a mistake.
 
     Contacts, and points with a cage that may move, are asked no more than whether they are scenes.
     """
     reasons = []
-    for point in dict.fromkeys((0, grid.size // 2, grid.size - 1)):
+    for point in np.unique(np.linspace(0, grid.size - 1, TRIED).round().astype(int)).tolist():
         try:
             _try(grid, point)
         except FembearingError as problem:
