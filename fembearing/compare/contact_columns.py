@@ -12,7 +12,7 @@ QUANTITIES = {
     "semi_axis_transverse": Column("m", "semi-axis across rolling"),
     "peak_pressure": Column("Pa", "peak pressure"),
     "approach": Column("m", "approach"),
-    "stiffness": Column("N/m^1.5", "stiffness, load over approach^1.5"),
+    "stiffness": Column("N/m^1.5", "stiffness (load over approach^1.5)"),
 }
 COLUMNS: dict[str, Column] = {
     "load": Column("N", "load of the ball"),
@@ -24,7 +24,7 @@ COLUMNS: dict[str, Column] = {
     },
     **{f"hertz_{name}": Column(unit, f"{meaning}, Hertz") for name, (unit, meaning) in QUANTITIES.items()},
     **{
-        f"discrepancy_{name}": Column("1", f"{meaning}: Hertz over finite elements minus one")
+        f"discrepancy_{name}": Column("1", f"discrepancy of Hertz's {meaning}, over finite elements minus one")
         for name, (_, meaning) in QUANTITIES.items()
     },
     "unknowns": Column("1", "unknowns of the finest mesh"),
