@@ -50,11 +50,13 @@ MAY_IMPORT = {
     "fembearing.mesh": NOUNS,
     "fembearing.fem": (*NOUNS, "fembearing.mesh"),
     "fembearing.compare": ("analytic", "fembearing.mesh", "fembearing.fem"),
-    "fembearing.report": ("analytic", "fembearing.compare", "fembearing.sweep"),
+    "fembearing.report": ("analytic", "fembearing.compare"),
     "fembearing.report.render": ("fembearing.report.render_cage",),  # a process of its own, fed by JSON and .vtu files
     "fembearing.report.render_cage": (),
     "fembearing.sweep": ("analytic", "fembearing.compare"),
+    "fembearing.console": ("analytic",),  # what the commands write
     "fembearing.options": ("analytic",),  # of the commands
+    "fembearing.sweep_command": ("fembearing.console", "fembearing.options", "fembearing.sweep", "fembearing.report"),
     "fembearing.cli": OURS,
 }
 # What a package's `__init__` may import besides, but only on demand, so that importing the package stays light.

@@ -12,6 +12,7 @@ from matplotlib.axis import Axis
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from analytic.scene import Array
@@ -20,6 +21,7 @@ from fembearing.report.wording import PER_MINUTE
 
 PLOTTED = ("torque_total", "peak_pressure_inner", "peak_pressure", "discrepancy_peak_pressure")
 MOST_PANELS, MOST_LINES = 6, 8
+FEWEST = 3  # values of an axis of a map
 WIDE = 20.0  # ratio of the largest to the smallest from which on a scale of colours or heights is logarithmic
 WIDE_AXIS = 4.0  # the same of an axis whose steps are nearer to even in the logarithm
 
@@ -54,7 +56,8 @@ def map_figure(dataset: Any, name: str) -> Figure:
     fixed = [dimension for dimension in found.dims if found.sizes[dimension] == 1]
     found = found.squeeze(fixed, drop=False)
     numeric = [d for d in found.dims if np.issubdtype(found[d].dtype, np.number)]
-    longest = sorted(numeric, key=lambda d: -found.sizes[d])[:2]
+    found = found.sortby(numeric)
+    longest = sorted((d for d in numeric if found.sizes[d] >= FEWEST), key=lambda d: -found.sizes[d])[:2]
     across = [d for d in found.dims if d in longest] or [max(found.dims, key=lambda d: found.sizes[d])]
     others = [d for d in found.dims if d not in across]
     scale = _scale_of(found, relative=name.startswith(("uncertainty", "discrepancy")))
@@ -69,7 +72,7 @@ def map_figure(dataset: Any, name: str) -> Figure:
 
 def _draw_map(found: Any, across: list[str], others: list[str], scale: Scale) -> Figure:
     (vertical, horizontal), shown = across, list(_choices(found, others, MOST_PANELS))
-    columns = min(3, len(shown))
+    columns = 2 if len(shown) == 4 else min(3, len(shown))
     rows = -(-len(shown) // columns)
     figure = Figure(figsize=(2.2 + 4.6 * columns, 0.8 + 3.6 * rows), layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
@@ -83,7 +86,8 @@ def _draw_map(found: Any, across: list[str], others: list[str], scale: Scale) ->
         panel.pcolormesh(*edges, np.ma.masked_invalid(values), norm=norm, cmap=colours)
         if min(values.shape) > 2 and np.all(np.isfinite(values)) and np.ptp(values) > 0:
             lines = panel.contour(x, y, values, levels=6, colors="white", linewidths=0.7, locator=_levels(norm))
-            panel.clabel(lines, fontsize=8, fmt="%g")
+            for text in panel.clabel(lines, fontsize=8, fmt="%g"):
+                text.set_path_effects([withStroke(linewidth=1.5, foreground="black")])  # on the lightest colours too
         for axis, dimension in ((panel.xaxis, horizontal), (panel.yaxis, vertical)):
             _set_axis(panel, axis, found[dimension])
         panel.set(**{f"{axis}lim": (ends[0], ends[-1]) for axis, ends in zip("xy", edges, strict=True)})
@@ -144,8 +148,8 @@ def _shown_axis(values: Any) -> Array:
 
 def _place(values: Any, value: Any) -> str:
     """One value of an axis in words."""
-    if isinstance(np.asarray(value).item(), str):
-        return str(value)
+    if not np.issubdtype(values.dtype, np.number):
+        return f"{_name(values)} {value}"
     scale = _scale_of(values)
     return f"{_name(values)} {float(value) * scale.factor:.4g} {scale.unit}".strip()
 

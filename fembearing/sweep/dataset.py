@@ -1,18 +1,22 @@
-"""What a sweep found as one xarray.Dataset: the axes are its coordinates, units, meanings and provenance attributes."""
+"""What a sweep found as one dataset, netCDF: axes are coordinates; units, meanings and provenance are attributes."""
 
 import json
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Callable, Container, Iterable, Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.sampled import SEED
+from fembearing.compare.contact_columns import VERDICT
 from fembearing.compare.provenance import provenance_of
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import Part, Piece, column_notes
 
-REASON = "failure"  # why a point failed; empty where it did not
+REASON = "failure"
+WORDS = {REASON: "why a point failed; empty where not", VERDICT: "verdict on Hertz by the scene's tolerance"}
 MEANINGS = {
     "operation.axial_load": "axial load",
     "operation.inner_speed": "speed of the inner ring",
@@ -25,42 +29,62 @@ MEANINGS = {
     "ball_load": "load of the ball",
 }
 MOST_WARNINGS = 50
+BYTES_TOGETHER = 8_000_000
 
 
-def gathered(grid: Grid, found: Iterable[tuple[Piece, Part]]) -> Any:
-    """The dataset of all pieces; what is missing among them is NaN."""
+def write_dataset(
+    file: Path, grid: Grid, parts: Callable[[Container[str]], Iterable[tuple[Piece, Part]]]
+) -> tuple[str, ...]:
+    """Write the dataset as netCDF, what is missing as NaN; why points failed, in the order of the grid.
+
+    parts : every piece with its part, of which these columns alone
+    A few columns are in memory at a time.
+    """
     import xarray  # on demand: it takes a second
 
-    notes = column_notes(grid)
-    columns = {name: np.full(grid.size, np.nan) for name in notes}
-    words: dict[str, Any] = {}
-    reasons = np.full(grid.size, "", dtype=object)
-    warnings: Counter[str] = Counter()
-    for piece, part in found:
-        here = slice(piece.start, piece.stop)
-        for name, values in part.columns.items():
-            columns[name][here] = values
-        for name, values in part.words.items():
-            words.setdefault(name, np.full(grid.size, "", dtype=object))[here] = values
-        for place, reason in part.reasons.items():
-            reasons[piece.start + place] = reason
-        warnings.update(part.warnings)
     names = axis_names(grid.axes)
     dimensions = [names[axis.key] for axis in grid.order]
     shape = tuple(len(axis.values) for axis in grid.order)
-    described = {
-        name: (dimensions, values.reshape(shape), {"units": notes[name].unit, "long_name": notes[name].meaning})
-        for name, values in columns.items()
-        if not np.all(np.isnan(values))
-    }
-    described |= {name: (dimensions, values.reshape(shape)) for name, values in words.items()}
-    described[REASON] = (dimensions, reasons.reshape(shape), {"long_name": "why a point failed; empty where not"})
-    dataset = xarray.Dataset(
-        described,
+
+    def variable(values: NDArray[Any], **notes: str) -> Any:
+        found = xarray.Variable(dimensions, values.reshape(shape), notes)
+        return found.transpose(*(names[axis.key] for axis in grid.axes))
+
+    words: dict[str, Any] = {REASON: np.full(grid.size, "", dtype=object)}
+    warnings: Counter[str] = Counter()
+    for piece, part in parts(()):
+        for name, values in part.words.items():
+            words.setdefault(name, np.full(grid.size, "", dtype=object))[piece.start : piece.stop] = values
+        for place, reason in part.reasons.items():
+            words[REASON][piece.start + place] = reason
+        warnings.update(part.warnings)
+    xarray.Dataset(
+        {name: variable(values, long_name=WORDS[name]) for name, values in words.items()},
         coords={names[axis.key]: (names[axis.key], list(axis.values), _axis_notes(axis)) for axis in grid.axes},
         attrs=_provenance(grid, warnings),
-    )
-    return dataset.transpose(*(names[axis.key] for axis in grid.axes))
+    ).to_netcdf(file, engine="netcdf4")
+
+    notes = column_notes(grid)
+    for together in _groups(list(notes), grid.size):
+        columns = {name: np.full(grid.size, np.nan) for name in together}
+        for piece, part in parts(together):
+            for name, values in part.columns.items():
+                columns[name][piece.start : piece.stop] = values
+        xarray.Dataset(
+            {
+                name: variable(values, units=notes[name].unit, long_name=notes[name].meaning)
+                for name, values in columns.items()
+                if not np.all(np.isnan(values))
+            }
+        ).to_netcdf(file, mode="a", engine="netcdf4")
+    return tuple(reason for reason in words[REASON] if reason)
+
+
+def _groups(names: list[str], size: int) -> Iterator[list[str]]:
+    """Columns that are in memory together."""
+    most = max(1, BYTES_TOGETHER // (8 * size))
+    for start in range(0, len(names), most):
+        yield names[start : start + most]
 
 
 def axis_names(axes: Iterable[Axis]) -> dict[str, str]:

@@ -10,18 +10,19 @@
 """
 
 import os
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 
 from analytic import catalog
 from analytic.errors import InputError
 from analytic.quantity import Dimension
-from analytic.scene import Scene
+from analytic.scene import Pair, Scene
 from analytic.scenefile import scene_of
 from analytic.scenekeys import Value, scene_key, with_key
 from analytic.scenetext import parse_text, plain, read_text, shown
@@ -34,11 +35,11 @@ OWN_QUANTITIES = {
     "ball_load": Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"'),
     "accuracy": Dimension(unit="", low=1e-6, high=1, example='"1 %"'),
 }
-OWN_WORDS = {"pair": ("inner", "outer", "pocket"), "geometry": ("real", "hertzian", "wall")}
+OWN_WORDS = {"pair": get_args(Pair), "geometry": ("real", "hertzian", "wall")}
 OF_CONTACT = ("pair", "ball_load", "geometry", "accuracy")
 RANGE = ("from", "to", "count", "spacing")
 MOST_COUNT = 1_000_000  # values of one axis
-BYTES_A_POINT = 800  # while all is gathered: some 40 columns of 8 bytes, twice, and room
+BYTES_A_POINT = 400  # of the whole dataset in memory, or of a map while it is drawn
 SHARE_OF_MEMORY = 0.5
 MEMORY_UNKNOWN = 8e9  # bytes, taken where the system does not say
 
@@ -170,9 +171,7 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
     for key in (*asked, *(axis.key for axis in axes)):
         if key in OF_CONTACT and what != "contact":
             raise InputError(f'{key} is of a contact; write what = "contact", or leave it out')
-    for axis in axes:
-        if axis.key in asked:
-            raise InputError(f"{axis.key} is an axis and has one value for the whole sweep; leave one of them out")
+    _require_distinct([axis.key for axis in axes], asked)
     document, scene_folder = _document(given.get("scene"), folder)
     _require_one_point(document, axes)
     _require_memory(axes)
@@ -244,7 +243,7 @@ def _axis(key: str, given: object) -> Axis:
     else:
         raise InputError(f"{name} = {shown(given)} is no list; give [..., ...] or {{ from, to, count, spacing }}")
     if len(set(values)) < len(values):
-        twice = next(value for value in values if values.count(value) > 1)
+        twice = next(value for value, count in Counter(values).items() if count > 1)
         raise InputError(f"{name} has {shown(twice)} twice; leave one of them out")
     return Axis(key=key, unit=None if dimension is None else dimension.unit, values=values, in_series=in_series)
 
@@ -293,6 +292,17 @@ def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None
             raise InputError(
                 f"operation.{plain(key)} has {len(value)} values in the scene; make it an axis, or give it one value"
             )
+
+
+def _require_distinct(keys: list[str], asked: dict[str, Value]) -> None:
+    """What one axis sets, no other may set again: a coordinate would say what no scene has."""
+    for key, count in Counter(keys).items():
+        if count > 1:
+            raise InputError(f"axes.{key} is there twice, with quotes and without; leave one of them out")
+        if key in asked:
+            raise InputError(f"{key} is an axis and has one value for the whole sweep; leave one of them out")
+        if key.endswith(".groove_radius") and CONFORMITY in keys:
+            raise InputError(f"axes: conformity sets {key} too; leave one of them out")
 
 
 def _require_memory(axes: tuple[Axis, ...]) -> None:

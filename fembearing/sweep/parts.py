@@ -28,7 +28,6 @@ from fembearing.sweep.grid import Grid
 LONGEST = 25_000  # points of a series in one piece: some 3 s
 MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: some 5 s
 MOST_SCENES = 50  # in one piece: some 3 s
-TRIED = 7  # points, before anything is computed
 MOST_WARNINGS = 20  # kept of a piece
 
 
@@ -88,43 +87,13 @@ def compute_part(grid: Grid, piece: Piece) -> Part:
         points = np.arange(max(first, piece.start), min(first + grid.length, piece.stop))
         try:
             scene = grid.scene(variant)
-        except FembearingError as problem:
+        except Exception as problem:
             found.reasons.update(dict.fromkeys((points - piece.start).tolist(), _reason(problem)))
             continue
         compute = _contact if grid.what == "contact" else _torque
         for warning in compute(grid, scene, variant, points - first, points - piece.start, found):
             warnings[warning] = None
     return replace(found, warnings=tuple(warnings)[:MOST_WARNINGS], seconds=time.perf_counter() - begun)
-
-
-def require_a_point(grid: Grid) -> None:
-    """Raise InputError where none of a few points, spread evenly, can be computed: a mistake.
-
-    Contacts, and points with a cage that may move, are asked no more than whether they are scenes.
-    """
-    reasons = []
-    for point in np.unique(np.linspace(0, grid.size - 1, TRIED).round().astype(int)).tolist():
-        try:
-            _try(grid, point)
-        except FembearingError as problem:
-            reasons.append(problem)
-        else:
-            return
-    raise reasons[0]
-
-
-def _try(grid: Grid, point: int) -> None:
-    variant, place = divmod(point, grid.length)
-    scene = grid.scene(variant)
-    if grid.what == "contact":
-        from fembearing.compare.discrepancy import contact_of, recipe_of  # the solver, which a torque does not ask for
-
-        settings: dict[str, Any] = grid.settings(variant)
-        pair = settings.get("pair", "inner")
-        recipe_of(settings.get("geometry", "real"), pair=pair)
-        contact_of(scene, pair=pair, load=settings.get("ball_load"))
-    elif not _cage_may_move(grid):
-        friction_torque(_at(grid, scene, np.array([place])))
 
 
 def _cage_may_move(grid: Grid) -> bool:

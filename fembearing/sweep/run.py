@@ -1,19 +1,20 @@
 """Do a sweep: compute what its folder does not hold yet, and gather all of it."""
 
 import time
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from contextlib import closing
 from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from analytic.errors import InputError
 from fembearing.compare.predicted import about
 from fembearing.compare.progress import Progress, silent
-from fembearing.sweep.dataset import gathered
+from fembearing.sweep.dataset import write_dataset
 from fembearing.sweep.grid import Grid, load_grid
-from fembearing.sweep.parts import Part, Piece, compute_part, pieces, require_a_point
-from fembearing.sweep.store import RESULT, Store, opened_store, write_whole
+from fembearing.sweep.parts import Part, Piece, compute_part, pieces
+from fembearing.sweep.store import RESULT, Store, opened_store
 from fembearing.sweep.workers import LostWorkerError, each_done, each_done_by_cluster
 
 SHOWN_REASONS = 5
@@ -33,11 +34,12 @@ class Sweep:
     reasons: tuple[str, ...]  # of the first that failed
     seconds: float
 
-    def dataset(self) -> Any:
-        """All of it as an xarray.Dataset, in memory."""
+    def dataset(self, *names: str) -> Any:
+        """What was found as an xarray.Dataset, in memory: all of it, or these variables where they are in it."""
         import xarray  # on demand: it takes a second
 
-        return xarray.load_dataset(self.file, engine="netcdf4")
+        with xarray.open_dataset(self.file, engine="netcdf4") as found:
+            return (found[[name for name in names if name in found]] if names else found).load()
 
     def to_json(self) -> dict[str, Any]:
         return asdict(self)
@@ -71,13 +73,11 @@ def run_sweep(
             return _told(store, asked, begun, computed=0, **finished)
         known = list(pieces(asked))
         missing = [piece for piece in known if store.load(piece) is None]
-        if len(missing) == len(known):
-            require_a_point(asked)
+        asked.first_scene()  # where there is none, all of it is a mistake
         lost = _computed(store, asked, missing, workers=workers, scheduler=scheduler, progress=progress)
         progress(1.0, "gathering")
         reasons: list[str] = []
-        dataset = gathered(asked, _collected(store, known, lost, reasons))
-        write_whole(store.folder / RESULT, lambda file: dataset.to_netcdf(file, engine="netcdf4"))
+        store.keep_result(lambda file: reasons.extend(write_dataset(file, asked, partial(_parts, store, known, lost))))
         counts = {
             "failed": len(reasons),
             "lost": sum(piece.stop - piece.start for piece in lost),
@@ -119,18 +119,18 @@ def _computed(
     return lost
 
 
-def _collected(
-    store: Store, known: list[Piece], lost: dict[Piece, str], reasons: list[str]
+def _parts(
+    store: Store, known: list[Piece], lost: dict[Piece, str], names: Container[str]
 ) -> Iterator[tuple[Piece, Part]]:
-    """One part after the other, so that memory holds one; adds why points failed."""
+    """One piece after the other, so that memory holds one."""
     for piece in known:
-        part = store.load(piece)
-        if part is None:
-            why = lost[piece]
-            count = piece.stop - piece.start
-            part = Part(columns={}, reasons=dict.fromkeys(range(count), why), warnings=(), seconds=0.0)
-        reasons += part.reasons.values()
-        yield piece, part
+        if piece in lost:
+            reasons = dict.fromkeys(range(piece.stop - piece.start), lost[piece])
+            yield piece, Part(columns={}, reasons=reasons, warnings=(), seconds=0.0)
+        else:
+            part = store.load(piece, names)
+            assert part is not None, piece
+            yield piece, part
 
 
 def _told(store: Store, grid: Grid, begun: float, *, computed: int, failed: int, lost: int, reasons: Any) -> Sweep:

@@ -8,9 +8,8 @@ finished. One process works on a folder at a time.
 import hashlib
 import json
 import os
-import tempfile
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -30,6 +29,7 @@ except ImportError:  # Windows: that nobody else works there is left to the user
     fcntl = None
 
 ASKED, DONE, RESULT = "sweep.json", "done.json", "sweep.nc"
+BYTES = "bytes"  # of the result: whether it is still what was written
 PARTS, LOCK = "parts", ".lock"
 HEIGHT_MAP = "surface.height_map.path"
 DIGITS = 32  # of a hash in a file's name
@@ -50,17 +50,20 @@ class Store:
         arrays: dict[str, Any] = {f"column {name}": values for name, values in part.columns.items()}
         arrays |= {f"word {name}": values for name, values in part.words.items()}
         np.savez(content, allow_pickle=False, told=np.array(json.dumps(told)), **arrays)
-        write_whole(self.path(piece), lambda file: file.write_bytes(content.getvalue()))
+        _write_whole(self.path(piece), lambda file: file.write_bytes(content.getvalue()))
 
-    def load(self, piece: Piece) -> Part | None:
-        """None where the piece is not done, or what is there cannot be read, after a power failure say."""
+    def load(self, piece: Piece, names: Container[str] | None = None) -> Part | None:
+        """What was kept of a piece, of its columns these alone if names are given.
+
+        None where the piece is not done, or what is there cannot be read, after a power failure say.
+        """
         try:
             with self.path(piece).open("rb") as file, np.load(file, allow_pickle=False) as content:
                 told = json.loads(str(content["told"]))
                 groups: dict[str, dict[str, Any]] = {"column": {}, "word": {}}
                 for key in content.files:
                     kind, _, name = key.partition(" ")
-                    if name:
+                    if kind == "word" or (kind == "column" and (names is None or name in names)):
                         groups[kind][name] = content[key]
         except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
             return None
@@ -72,16 +75,24 @@ class Store:
             seconds=told["seconds"],
         )
 
+    def keep_result(self, write: Callable[[Path], Any]) -> None:
+        """The result, as it is written to a path."""
+        (self.folder / DONE).unlink(missing_ok=True)
+        _write_whole(self.folder / RESULT, write)
+
     def finish(self, told: dict[str, Any]) -> None:
-        """Every piece is done and the result is written: what a later run can tell of it without computing."""
-        text = json.dumps(told, indent=1)
-        write_whole(self.folder / DONE, lambda file: file.write_text(text, "utf-8"))
+        """Every piece is done and the result is there: what a later run can say of it without computing."""
+        text = json.dumps(told | {BYTES: (self.folder / RESULT).stat().st_size}, indent=1)
+        _write_whole(self.folder / DONE, lambda file: file.write_text(text, "utf-8"))
 
     def finished(self) -> dict[str, Any] | None:
-        """What `finish` was told; None where something is left to do."""
-        if not (self.folder / RESULT).exists():
+        """What `finish` was given; None where something is left to do, or the result is not what it was."""
+        told = _read_json(self.folder / DONE)
+        try:
+            is_whole = told is not None and told.pop(BYTES, None) == (self.folder / RESULT).stat().st_size
+        except FileNotFoundError:
             return None
-        return _read_json(self.folder / DONE)
+        return told if is_whole else None
 
 
 @contextmanager
@@ -93,7 +104,7 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
     place = f"--out {str(folder)!r}"
     hashes = _hashes(grid)
     asked = folder / ASKED
-    if os.path.lexists(folder) and not asked.exists() and (not folder.is_dir() or any(map(_is_seen, folder.iterdir()))):
+    if os.path.lexists(folder) and not asked.exists() and not _is_free(folder):
         raise InputError(f"{place} exists and holds no sweep: give a new name, or remove it first")
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -106,22 +117,26 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
             _require_same(_read_json(asked), hashes, place)
         else:
             text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
-            write_whole(asked, lambda file: file.write_text(text, "utf-8"))
-        (folder / PARTS).mkdir(exist_ok=True)
-        for left in (folder / PARTS).glob(".*"):  # of a process that was killed while it wrote
-            left.unlink()
+            _write_whole(asked, lambda file: file.write_text(text, "utf-8"))
         yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
 
 
-def write_whole(path: Path, write: Callable[[Path], Any]) -> None:
-    """Let a file be written under another name, and give it its own when it is complete."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
-    os.close(handle)
-    apart = Path(name)
+def _write_whole(path: Path, write: Callable[[Path], Any]) -> None:
+    """Let a file be written under another name, and give it its own when it is complete.
+
+    The other name is always the same, so that what a killed process leaves goes when the file is written again. Raises
+    InputError where it cannot be written.
+    """
+    apart = path.with_name(f".{path.name}")
     try:
+        path.parent.mkdir(exist_ok=True)
         write(apart)
-        apart.chmod(0o644)
         apart.replace(path)
+    except (OSError, RuntimeError) as problem:  # RuntimeError: all that netCDF tells of a full disk
+        reason = getattr(problem, "strerror", None) or problem
+        raise InputError(
+            f"{str(path)!r} cannot be written: {reason}; make room: what is done is kept, and the same sweep goes on"
+        ) from problem
     finally:
         apart.unlink(missing_ok=True)
 
@@ -152,8 +167,8 @@ def _height_maps(grid: Grid) -> Iterator[bytes]:
             yield path.read_bytes()
 
 
-def _is_seen(path: Path) -> bool:
-    return not path.name.startswith(".")
+def _is_free(folder: Path) -> bool:
+    return folder.is_dir() and all(path.name.startswith(".") for path in folder.iterdir())
 
 
 def _read_json(path: Path) -> dict[str, Any] | None:
@@ -166,9 +181,9 @@ def _read_json(path: Path) -> dict[str, Any] | None:
 
 
 def _require_same(known: dict[str, Any] | None, hashes: dict[str, str], place: str) -> None:
-    if known is None:
+    before = (known or {}).get("made_from")
+    if not isinstance(before, dict):
         raise InputError(f"{place}: {ASKED} in it is damaged; give a new name, or remove the folder to start afresh")
-    before = known.get("made_from", {})
     changed = [name for name, digest in hashes.items() if before.get(name) != digest]
     if changed:
         raise InputError(

@@ -1,5 +1,6 @@
 """Tasks spread over processes of this machine or over a Dask cluster; one that dies takes no other task with it."""
 
+import logging
 import multiprocessing
 import os
 import signal
@@ -9,6 +10,7 @@ from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
+from importlib.metadata import version
 from typing import Any
 
 from analytic.errors import FembearingError, InputError
@@ -46,7 +48,6 @@ def each_done(
                         flying[pool.submit(function, *tasks[queue[0]])] = queue[0]
                         queue.popleft()
                 except BrokenProcessPool:
-                    lost += flying.values()
                     break
                 for future in wait(flying, return_when=FIRST_COMPLETED).done:
                     key = flying.pop(future)
@@ -56,7 +57,11 @@ def each_done(
                         lost.append(key)
                     else:
                         yield key, result
-            lost += [key for key in flying.values() if key not in lost]
+            for future, key in flying.items():
+                if future.done() and future.exception() is None:  # while another died
+                    yield key, future.result()
+                else:
+                    lost.append(key)
         if alone:
             deaths.update(lost)
         blamed = [key for key in lost if deaths[key] >= TRIES]
@@ -75,7 +80,7 @@ def each_done_by_cluster(
 
     Those that it gives up run again one at a time, as here.
 
-    Raises InputError where there is no Dask, no cluster at the address, or no longer one.
+    Raises InputError where there is no Dask, no cluster at the address, no longer one, or one with another fembearing.
     """
     try:
         from distributed import Client, as_completed
@@ -84,14 +89,20 @@ def each_done_by_cluster(
         raise InputError(
             "--scheduler needs Dask, which is not installed: pip install 'fembearing[cluster]'"
         ) from problem
+    place = f"--scheduler {address!r}"
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # what goes wrong is said here, in one line
     try:
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as problem:
-        raise InputError(f"--scheduler {address!r}: no Dask cluster answers there; start one, or check it") from problem
+        raise InputError(f"{place}: no Dask cluster answers there; start one, or check it") from problem
     with client:
-        keys = {client.submit(function, *task, pure=False): key for key, task in tasks.items()}
-        suspects = []
         try:
+            here = version("fembearing")
+            for there in client.run(version, "fembearing", on_error="return").values():
+                if there != here:
+                    raise InputError(f"{place}: a worker has not fembearing {here} as here ({there}); install the same")
+            keys = {client.submit(function, *task, pure=False): key for key, task in tasks.items()}
+            suspects = []
             for future in as_completed(list(keys), loop=client.loop, raise_errors=False):
                 key = keys.pop(future)
                 try:
@@ -109,7 +120,11 @@ def each_done_by_cluster(
                 yield key, result
         except (CancelledError, OSError) as problem:
             raise InputError(
-                f"--scheduler {address!r}: the cluster went away; what is done is kept: the same command goes on"
+                f"{place}: the cluster went away; what is done is kept: the same command goes on"
+            ) from problem
+        except (ImportError, RuntimeError) as problem:  # of the scheduler, which reads the tasks too
+            raise InputError(
+                f"{place}: the cluster cannot read what it is sent; its scheduler needs fembearing {here} as here"
             ) from problem
 
 

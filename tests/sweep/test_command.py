@@ -48,13 +48,36 @@ def test_a_sweep_ends_with_its_files_and_is_found_again(
     assert {Path(file).name for file in result["maps"]} == {"torque_total.png", "peak_pressure_inner.png"}
     for file in (result["file"], *result["maps"]):
         assert Path(file).stat().st_size > 5000, file
-    written = {file: file.stat().st_mtime_ns for file in (tmp_path / "out").iterdir()}
+    written = {file: file.stat().st_mtime_ns for file in (tmp_path / "out").rglob("*")}
     status, told, complaint = command(grid_file(AXES))
     assert (status, complaint) == (0, "")
     assert told.startswith("12 points: 0 computed, 12 from before, 0 failed")
-    assert {file: file.stat().st_mtime_ns for file in (tmp_path / "out").iterdir()} == written | {
+    assert {file: file.stat().st_mtime_ns for file in (tmp_path / "out").rglob("*")} == written | {
         tmp_path / "out" / ".lock": (tmp_path / "out" / ".lock").stat().st_mtime_ns
     }
+
+
+def test_maps_are_all_there_or_drawn_again(
+    command: Callable[..., Any], grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, drawn = tmp_path / "out", []
+
+    def draw(_dataset: Any, folder: Path) -> None:
+        drawn.append(folder)
+        (folder / "first.png").write_bytes(b"first")
+        if len(drawn) == 1:
+            raise KeyboardInterrupt
+        (folder / "second.png").write_bytes(b"second")
+
+    monkeypatch.setattr("fembearing.report.sweep_maps.write_maps", draw)
+    assert command(grid_file(AXES), "--json")[0] == 130
+    assert not (out / "maps").exists()
+    for expected in (2, 2):  # the second time they are there
+        status, told, _ = command(grid_file(AXES), "--json")
+        assert (status, len(json.loads(told)["maps"]), len(drawn)) == (0, 2, expected)
+    (out / "sweep.nc").unlink()  # gathered again, as when points that were lost are there at last
+    assert command(grid_file(AXES), "--json")[0] == 0
+    assert len(drawn) == 3
 
 
 def test_failed_points_end_with_status_3_and_their_reasons(command: Callable[..., Any], grid_file: Write) -> None:
@@ -100,11 +123,26 @@ def made(**axes: Any) -> xarray.Dataset:
 def test_one_axis_gives_lines_and_words_their_names() -> None:
     dataset = made(bearing=["6205", "6206"], load=[1.0, 2.0, 3.0])
     (panel,) = map_figure(dataset, "torque_total").axes
-    assert [line.get_label() for line in panel.lines] == ["6205", "6206"]
+    assert [line.get_label() for line in panel.lines] == ["bearing 6205", "bearing 6206"]
     for line, row in zip(panel.lines, dataset["torque_total"].values, strict=True):
         np.testing.assert_allclose(np.asarray(line.get_ydata()), 1e3 * row)
     (panel,) = map_figure(made(pair=["inner", "outer"]), "torque_total").axes
     assert [text.get_text() for text in panel.get_xticklabels()] == ["inner", "outer"]
+
+
+def test_values_out_of_order_make_the_same_map() -> None:
+    mixed = made(load=[300.0, 100.0, 900.0, 500.0], speed=[90.0, 50.0, 500.0])
+    for dataset in (mixed, mixed.sortby(["load", "speed"])):
+        panel = map_figure(dataset, "torque_total").axes[0]
+        (mesh,) = (part for part in panel.collections if type(part).__name__ == "QuadMesh")
+        shown = np.asarray(mesh.get_array()).reshape(4, 3)
+        np.testing.assert_array_equal(shown, 1e3 * mixed["torque_total"].sortby(["load", "speed"]))
+        assert panel.get_ylim() == (0.0, 1100.0)  # half a step beyond 100 and 900
+
+
+def test_two_values_of_an_axis_are_two_lines() -> None:
+    (panel,) = map_figure(made(roughness=[0.1, 0.3], load=[1.0, 2.0, 3.0]), "torque_total").axes
+    assert [line.get_label() for line in panel.lines] == ["roughness 0.1", "roughness 0.3"]
 
 
 def test_further_axes_stand_side_by_side_and_failures_are_named() -> None:

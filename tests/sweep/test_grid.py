@@ -97,12 +97,20 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
         ('bearing.catalog = ["6205", "nought"]', r"catalog\[1\] = 'nought' is not in the catalog; give one of 6205"),
         ('bearing.catalog = { from = "6205", to = "6208", count = 2 }', "has no order to step through"),
         ('effects.spin = ["on", "perhaps"]', "'perhaps' is not a word known here; give 'auto', 'on' or 'off'"),
+        (
+            'operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]',
+            "axial_load is there twice",
+        ),
+        (
+            'conformity = [0.52]\nbearing.inner.groove_radius = ["4.2 mm"]',
+            r"conformity sets bearing\.inner\.groove_radius too; leave one of them out",
+        ),
         ('pair = ["inner"]', 'pair is of a contact; write what = "contact"'),
         ('bearing.ball_material.hardness = ["7 GPa"]', None),  # a table that the scene has as a word: found at a point
         (
-            'operation.axial_load = { from = "1 N", to = "9 N", count = 900000 }\n'
-            'operation.inner_speed = { from = "1 rpm", to = "9 rpm", count = 900000 }',
-            "900000 x 900000 = 810,000,000,000 points are too many for this machine's memory",
+            'operation.axial_load = { from = "1 N", to = "9 N", count = 90000 }\n'
+            'operation.inner_speed = { from = "1 rpm", to = "9 rpm", count = 90000 }',
+            "90000 x 90000 = 8,100,000,000 points are too many for this machine's memory",
         ),
     ],
 )

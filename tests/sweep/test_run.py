@@ -13,7 +13,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.torque import friction_torque
 from fembearing.sweep import parts
-from fembearing.sweep.grid import load_grid
+from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.run import run_sweep
 from fembearing.sweep.store import opened_store
 from tests.sweep.swept import SCENE
@@ -113,12 +113,51 @@ def test_what_is_lost_of_a_folder_is_computed_again(grid_file: Write, tmp_path: 
     first, second, *_ = sorted((out / "parts").iterdir())
     first.write_bytes(first.read_bytes()[:900])  # as a power failure leaves it
     second.unlink()
-    (out / "parts" / ".half-written.npz").write_text("")  # as a process leaves it that was killed
+    for half_written in (
+        out / "parts" / f".{second.name}",
+        out / ".sweep.nc",
+    ):  # as a process leaves it that was killed
+        half_written.write_text("half")
     (out / "done.json").unlink()
     found = run_sweep(path, out=out)
     assert (found.computed, found.kept, len(in_process)) == (16, 32, 8)
     assert found.dataset().drop_attrs().identical(whole.drop_attrs())
-    assert not list((out / "parts").glob(".*"))
+    assert [file.name for file in out.rglob(".*")] == [".lock"]
+    (out / "sweep.nc").write_bytes(b"")
+    assert run_sweep(path, out=out).dataset().drop_attrs().identical(whole.drop_attrs())
+    (out / "done.json").write_text("{}", "utf-8")
+    assert run_sweep(path, out=out).computed == 0
+    (out / "sweep.json").write_text('{"made_from": 3}', "utf-8")
+    with pytest.raises(InputError, match=r"sweep\.json in it is damaged; give a new name, or remove the folder"):
+        run_sweep(path, out=out)
+
+
+@pytest.mark.usefixtures("in_process")
+@pytest.mark.parametrize(("room", "kept"), [(200, 0), (9_000, 0), (40_000, 48)])
+def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path: Path, room: int, kept: int) -> None:
+    """It ends while the grid, a piece, or the dataset is written."""
+    resource = pytest.importorskip("resource")
+    path, out = grid_file(AXES), tmp_path / "out"
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (room, limits[1]))
+    try:
+        with pytest.raises(InputError, match=r"cannot be written: .*; make room: what is done is kept") as found:
+            run_sweep(path, out=out)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert "\n" not in str(found.value)
+    assert run_sweep(path, out=out).kept == kept
+
+
+@pytest.mark.usefixtures("in_process", "short_pieces")
+def test_few_columns_in_memory_make_the_same_dataset(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    together = run_sweep(grid_file(AXES), out=tmp_path / "together").dataset()
+    monkeypatch.setattr("fembearing.sweep.dataset.BYTES_TOGETHER", 3 * 8 * 48)
+    apart = run_sweep(grid_file(AXES), out=tmp_path / "apart")
+    assert apart.dataset().drop_attrs(deep=False).identical(together.drop_attrs(deep=False))
+    assert list(apart.dataset("torque_total", "nothing").data_vars) == ["torque_total"]
 
 
 @pytest.mark.usefixtures("short_pieces")
@@ -227,6 +266,35 @@ def test_points_that_fail_tell_why_and_leave_the_others_alone(grid_file: Write, 
     )  # the angle is iterated
     again = run_sweep(grid_file(more), out=tmp_path / "more")
     assert (again.computed, again.failed) == (0, 4)
+
+
+@pytest.mark.usefixtures("in_process")
+def test_good_points_are_computed_however_many_fail(grid_file: Write, tmp_path: Path) -> None:
+    """Bad at both ends and at every second point, so that no even choice of points meets a good one; and all bad."""
+    loads = [text for number in range(6) for text in (f"{90 + number} MN", f"{200 + 70 * number} N")]
+    found = run_sweep(grid_file(f"operation.axial_load = {[*loads, '99 MN']}"), out=tmp_path / "out")
+    assert (found.points, found.failed) == (13, 7)
+    good = [number % 2 == 1 for number in range(13)]
+    np.testing.assert_array_equal(np.isfinite(found.dataset()["torque_total"]), good)
+    none = run_sweep(grid_file('operation.axial_load = ["90 MN", "91 MN"]'), out=tmp_path / "none")
+    assert (none.failed, none.computed) == (2, 2)
+    assert "torque_total" not in none.dataset()
+
+
+@pytest.mark.usefixtures("in_process")
+def test_a_bug_in_a_scene_is_told_at_its_points(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = Grid.scene
+
+    def broken(grid: Grid, variant: int) -> Any:
+        if variant == 1:
+            raise KeyError("groove")
+        return whole(grid, variant)
+
+    monkeypatch.setattr(Grid, "scene", broken)
+    found = run_sweep(grid_file("conformity = [0.515, 0.52, 0.53]"), out=tmp_path / "out").dataset()
+    assert found["failure"].values.tolist() == ["", "KeyError: 'groove'", ""]
 
 
 @pytest.mark.usefixtures("in_process")

@@ -8,19 +8,24 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
+from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from analytic.errors import InputError
 from fembearing.sweep import parts
 from fembearing.sweep.grid import load_grid
+from fembearing.sweep.parts import Piece
 from fembearing.sweep.run import run_sweep
 from fembearing.sweep.workers import LostWorkerError, each_done, each_done_by_cluster
 
 Write = Callable[..., Path]
 SERIES = 'operation.axial_load = { from = "100 N", to = "900 N", count = 7, spacing = "log" }\n'
-SCENES = "friction.coefficient = { from = 0.02, to = 0.13, count = 300 }\n"  # in pieces of 50: some seconds
+SCENES = "friction.coefficient = { from = 0.02, to = 0.13, count = 200 }\n"
+EACH = 8  # scenes in a piece, so that there are 25: a second's work
 PATIENCE = 60.0  # s, for what takes one
 
 
@@ -39,7 +44,10 @@ def test_a_task_that_ends_its_process_is_told_and_all_others_are_done() -> None:
     assert not multiprocessing.active_children()
 
 
-def test_a_worker_killed_once_costs_nothing_but_time(grid_file: Write, tmp_path: Path) -> None:
+def test_a_worker_killed_once_costs_nothing_but_time(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(parts, "MOST_SCENES", EACH)
     path, killed = grid_file(SERIES + SCENES), []
 
     def kill_one(share: float, _step: str) -> None:
@@ -49,7 +57,7 @@ def test_a_worker_killed_once_costs_nothing_but_time(grid_file: Write, tmp_path:
 
     found = run_sweep(path, out=tmp_path / "out", workers=2, progress=kill_one)
     assert killed
-    assert (found.computed, found.failed, found.lost) == (2100, 0, 0)
+    assert (found.computed, found.failed, found.lost) == (1400, 0, 0)
     data = found.dataset()["torque_total"].transpose("coefficient", "axial_load")
     assert bool((data.diff("coefficient") > 0).all())  # every part at its place: torque grows with friction
 
@@ -73,64 +81,100 @@ def test_points_of_a_worker_that_dies_are_tried_again_next_time(
     assert (second.computed, second.kept, second.lost, second.failed) == (7, 14, 0, 0)
 
 
-def test_a_process_killed_in_the_middle_goes_on_where_it_was(grid_file: Write, tmp_path: Path) -> None:
+def test_a_process_stopped_or_killed_in_the_middle_goes_on_where_it_was(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
+) -> None:
     path, out = grid_file(SERIES + SCENES), tmp_path / "out"
-    command = [sys.executable, "-m", "fembearing.cli", "sweep", str(path), "--out", str(out), "--workers", "2"]
+    patched = f"from fembearing.sweep import parts; parts.MOST_SCENES = {EACH}; from fembearing import cli; cli.main()"
+    command = [sys.executable, "-c", patched, "sweep", str(path), "--out", str(out), "--workers", "2"]
 
-    def done() -> list[Path]:
-        return list((out / "parts").glob("[0-9]*.npz"))
+    def done() -> set[Path]:
+        return set((out / "parts").glob("[0-9]*.npz"))
 
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True) as first:
-        wait_until(lambda: len(done()) >= 2)
-        first.send_signal(signal.SIGSTOP)  # so that it is surely in the middle
-        with pytest.raises(InputError, match="another sweep is at work there"):
-            run_sweep(path, out=out)
+    def has_more(count: int) -> bool:
+        return len(done()) >= count
+
+    before: dict[Path, int] = {}
+    for stop in (signal.SIGINT, signal.SIGKILL):
+        with subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+        ) as process:
+            wait_until(partial(has_more, len(before) + 2))
+            process.send_signal(signal.SIGSTOP)  # so that it is surely in the middle
+            with pytest.raises(InputError, match="another sweep is at work there"):
+                run_sweep(path, out=out)
+            if stop is signal.SIGINT:
+                os.killpg(process.pid, stop)  # as a terminal does: to the workers too
+                process.send_signal(signal.SIGCONT)
+            else:
+                process.kill()
+            told, complaint = process.communicate(timeout=PATIENCE)
+            assert told == ""
+        if stop is signal.SIGINT:
+            assert process.returncode == 130
+            words = f"fembearing: stopped; what is done is kept in {out}: the same command goes on"
+            assert complaint.split() == words.split()  # and no progress where there is no terminal
+        wait_until(lambda: not lives(process.pid))  # its workers end with it
+        assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
         before = {file: file.stat().st_mtime_ns for file in done()}
-        assert len(before) < 6
-        group = os.getpgid(first.pid)
-        first.kill()
-        told, complaint = first.communicate()
-        assert told == b""
-        assert b"points" not in complaint  # no terminal, no progress
+        assert len(before) < 25
 
-    def is_empty() -> bool:
-        try:
-            os.killpg(group, 0)
-        except ProcessLookupError:
-            return True
+    monkeypatch.setattr(parts, "MOST_SCENES", EACH)
+    found = run_sweep(path, out=out)
+    assert (found.kept, found.computed) == (56 * len(before), 1400 - 56 * len(before))
+    assert len(in_process) == 25 - len(before)
+    assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
+
+
+def lives(group: int) -> bool:
+    """Whether a process of the group does."""
+    try:
+        os.killpg(group, 0)
+    except ProcessLookupError:
         return False
-
-    wait_until(is_empty)  # its workers end with it
-    found = run_sweep(path, out=out, workers=1)
-    assert (found.kept, found.computed) == (350 * len(before), 2100 - 350 * len(before))
-    for file, moment in before.items():
-        assert file.stat().st_mtime_ns == moment
+    return True
 
 
-def test_a_stop_by_hand_says_how_to_go_on(grid_file: Write, tmp_path: Path) -> None:
-    path, out = grid_file(SERIES + SCENES), tmp_path / "out"
-    command = [sys.executable, "-m", "fembearing.cli", "sweep", str(path), "--out", str(out), "--workers", "2"]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
-    ) as process:
-        wait_until(lambda: any((out / "parts").glob("[0-9]*.npz")))
-        os.killpg(os.getpgid(process.pid), signal.SIGINT)  # as a terminal does: to the workers too
-        told, complaint = process.communicate(timeout=PATIENCE)
-    assert (process.returncode, told) == (130, "")
-    assert complaint.split() == f"fembearing: stopped; what is done is kept in {out}: the same command goes on".split()
+class Unreadable:
+    """What the modules of a cluster do not know."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return import_module, ("nowhere",)
 
 
-def test_a_dask_cluster_computes_the_same_and_survives_a_worker(grid_file: Write, tmp_path: Path) -> None:
+def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
+) -> None:
     distributed = pytest.importorskip("distributed", exc_type=ImportError)
+    dask = pytest.importorskip("dask")
     path = grid_file(SERIES + "friction.coefficient = { from = 0.02, to = 0.13, count = 60 }\n")
+    whole = run_sweep(path, out=tmp_path / "here").dataset()
+    assert len(in_process) == 2
     options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": None, "silence_logs": "CRITICAL"}
-    with distributed.LocalCluster(**options) as cluster:
-        found = run_sweep(path, out=tmp_path / "cluster", scheduler=cluster.scheduler_address)
+    with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 0}),
+        distributed.LocalCluster(**options) as cluster,
+    ):
+        address = cluster.scheduler_address
+        found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
         tasks = {number: (operator.neg, number) for number in range(4)} | {"deadly": (os._exit, 3)}
-        done = dict(each_done_by_cluster(operator.call, tasks, address=cluster.scheduler_address))
+        with monkeypatch.context() as patch:
+            own = os.getpid()
+            versions = lambda _name: "0.0.7" if os.getpid() == own else "0.0.6"  # noqa: E731, to be sent by value
+            patch.setattr("fembearing.sweep.workers.version", versions)
+            with pytest.raises(InputError, match=r"a worker has not fembearing 0\.0\.7 as here \(0\.0\.6\); install"):
+                list(each_done_by_cluster(operator.call, tasks, address=address))
+        with pytest.raises(InputError, match="cannot read what it is sent; its scheduler needs fembearing"):
+            list(each_done_by_cluster(operator.call, {1: (operator.neg, Unreadable())}, address=address))
+        done = dict(each_done_by_cluster(operator.call, tasks, address=address))
+        monkeypatch.setattr("fembearing.sweep.workers.PATIENCE", 1.0)
+        going = each_done_by_cluster(operator.call, {1: (operator.neg, 7), 2: (time.sleep, 60)}, address=address)
+        assert next(going) == (1, -7)
+        cluster.close()
+        with pytest.raises(InputError, match="the cluster went away; what is done is kept"):
+            next(going)
     assert isinstance(done.pop("deadly"), LostWorkerError)
     assert done == {number: -number for number in range(4)}
-    whole = run_sweep(path, out=tmp_path / "here", workers=1).dataset()
     assert found.dataset().drop_attrs().identical(whole.drop_attrs())
 
 
