@@ -53,10 +53,6 @@ class Axis:
     values: tuple[Value, ...]  # SI
     in_series: bool = False  # a key of [operation]: the torque model takes all its values at once
 
-    @property
-    def is_numeric(self) -> bool:
-        return self.unit is not None
-
     def in_scene(self, index: int) -> Value:
         """The value as a scene file has it."""
         value = self.values[index]

@@ -6,7 +6,6 @@ that a sweep gives the same numbers on any machine. Effects are decided for the 
 between pieces is within the scene's tolerance, as the uncertainty of both sides is.
 """
 
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -47,7 +46,6 @@ class Part:
     words: dict[str, NDArray[np.str_]] = field(default_factory=dict)  # (n,), empty where there is nothing
     reasons: dict[int, str]  # why a point, counted from the start, failed
     warnings: tuple[str, ...]
-    seconds: float
 
 
 def pieces(grid: Grid) -> Iterator[Piece]:
@@ -72,14 +70,12 @@ def column_notes(grid: Grid) -> dict[str, Any]:
 
 def compute_part(grid: Grid, piece: Piece) -> Part:
     """All points of a piece. What fails at one of them is told by its reason, whatever it is, and the others go on."""
-    begun = time.perf_counter()
     count = piece.stop - piece.start
     found = Part(
         columns={name: np.full(count, np.nan) for name in column_notes(grid)},
         words={} if grid.what == "torque" else {of_contact.VERDICT: np.zeros(count, dtype="U16")},
         reasons={},
         warnings=(),
-        seconds=0.0,
     )
     warnings: dict[str, None] = {}  # a set that keeps its order
     for variant in range(piece.start // grid.length, ceil(piece.stop / grid.length)):
@@ -93,7 +89,7 @@ def compute_part(grid: Grid, piece: Piece) -> Part:
         compute = _contact if grid.what == "contact" else _torque
         for warning in compute(grid, scene, variant, points - first, points - piece.start, found):
             warnings[warning] = None
-    return replace(found, warnings=tuple(warnings)[:MOST_WARNINGS], seconds=time.perf_counter() - begun)
+    return replace(found, warnings=tuple(warnings)[:MOST_WARNINGS])
 
 
 def _cage_may_move(grid: Grid) -> bool:

@@ -126,7 +126,7 @@ def _parts(
     for piece in known:
         if piece in lost:
             reasons = dict.fromkeys(range(piece.stop - piece.start), lost[piece])
-            yield piece, Part(columns={}, reasons=reasons, warnings=(), seconds=0.0)
+            yield piece, Part(columns={}, reasons=reasons, warnings=())
         else:
             part = store.load(piece, names)
             assert part is not None, piece

@@ -45,7 +45,7 @@ class Store:
         return self.folder / PARTS / f"{piece.start:010d}-{digest}.npz"
 
     def save(self, piece: Piece, part: Part) -> None:
-        told = {"reasons": part.reasons, "warnings": part.warnings, "seconds": part.seconds}
+        told = {"reasons": part.reasons, "warnings": part.warnings}
         content = BytesIO()
         arrays: dict[str, Any] = {f"column {name}": values for name, values in part.columns.items()}
         arrays |= {f"word {name}": values for name, values in part.words.items()}
@@ -72,7 +72,6 @@ class Store:
             words=groups["word"],
             reasons={int(place): reason for place, reason in told["reasons"].items()},
             warnings=tuple(told["warnings"]),
-            seconds=told["seconds"],
         )
 
     def keep_result(self, write: Callable[[Path], Any]) -> None:

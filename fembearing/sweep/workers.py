@@ -89,15 +89,14 @@ def each_done_by_cluster(
         raise InputError(
             "--scheduler needs Dask, which is not installed: pip install 'fembearing[cluster]'"
         ) from problem
-    place = f"--scheduler {address!r}"
+    place, here = f"--scheduler {address!r}", version("fembearing")
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # what goes wrong is said here, in one line
     try:
-        client = Client(address, timeout=PATIENCE, set_as_default=False)
+        client: Any = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as problem:
         raise InputError(f"{place}: no Dask cluster answers there; start one, or check it") from problem
     with client:
         try:
-            here = version("fembearing")
             for there in client.run(version, "fembearing", on_error="return").values():
                 if there != here:
                     raise InputError(f"{place}: a worker has not fembearing {here} as here ({there}); install the same")
@@ -169,14 +168,11 @@ def _begin() -> None:
 
 @contextmanager
 def _threads(count: int) -> Iterator[None]:
-    """What processes that start meanwhile are told about threads of their own."""
-    before = {name: os.environ.get(name) for name in THREADS}
-    os.environ.update(dict.fromkeys(THREADS, str(count)))
+    """What processes that start meanwhile are told about threads of their own, where a person has not told them."""
+    untold = [name for name in THREADS if name not in os.environ]
+    os.environ.update(dict.fromkeys(untold, str(count)))
     try:
         yield
     finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
+        for name in untold:
+            del os.environ[name]

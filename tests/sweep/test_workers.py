@@ -20,7 +20,7 @@ from fembearing.sweep import parts
 from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import Piece
 from fembearing.sweep.run import run_sweep
-from fembearing.sweep.workers import LostWorkerError, each_done, each_done_by_cluster
+from fembearing.sweep.workers import LostWorkerError, cores, each_done, each_done_by_cluster
 
 Write = Callable[..., Path]
 SERIES = 'operation.axial_load = { from = "100 N", to = "900 N", count = 7, spacing = "log" }\n'
@@ -36,9 +36,15 @@ def wait_until(holds: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-def test_a_task_that_ends_its_process_is_told_and_all_others_are_done() -> None:
-    tasks = {number: (operator.neg, number) for number in range(7)} | {"deadly": (os._exit, 3)}
-    found = dict(each_done(operator.call, tasks, workers=2))
+def test_a_task_that_ends_its_process_is_told_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OMP_NUM_THREADS", "3")
+    monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
+    tasks = {number: (operator.neg, number) for number in range(7)}
+    tasks |= {name: (os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")}
+    found = dict(each_done(operator.call, tasks | {"deadly": (os._exit, 3)}, workers=2))
+    assert found.pop("OMP_NUM_THREADS") == "3"  # as a person said
+    assert found.pop("MKL_NUM_THREADS") == str(max(1, cores() // 2))
+    assert "MKL_NUM_THREADS" not in os.environ
     assert isinstance(found.pop("deadly"), LostWorkerError)
     assert found == {number: -number for number in range(7)}
     assert not multiprocessing.active_children()
@@ -48,7 +54,7 @@ def test_a_worker_killed_once_costs_nothing_but_time(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(parts, "MOST_SCENES", EACH)
-    path, killed = grid_file(SERIES + SCENES), []
+    path, killed = grid_file(SERIES + SCENES.replace("200", "64")), []
 
     def kill_one(share: float, _step: str) -> None:
         if 0 < share < 1 and not killed:
@@ -57,7 +63,7 @@ def test_a_worker_killed_once_costs_nothing_but_time(
 
     found = run_sweep(path, out=tmp_path / "out", workers=2, progress=kill_one)
     assert killed
-    assert (found.computed, found.failed, found.lost) == (1400, 0, 0)
+    assert (found.computed, found.failed, found.lost) == (448, 0, 0)
     data = found.dataset()["torque_total"].transpose("coefficient", "axial_load")
     assert bool((data.diff("coefficient") > 0).all())  # every part at its place: torque grows with friction
 
