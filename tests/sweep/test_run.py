@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic import catalog
 from analytic.errors import InputError
+from analytic.scenefile import parse_scene
 from analytic.torque import friction_torque
 from fembearing.sweep import parts
 from fembearing.sweep.grid import Grid, load_grid
@@ -57,6 +59,57 @@ def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: 
         np.testing.assert_allclose(float(here["torque_total"]), alone.torque.total[0], rtol=1e-9)
         np.testing.assert_allclose(float(here["contact_angle"]), alone.contact_angle[0], rtol=1e-9)
         np.testing.assert_allclose(float(here["load_outer"]), alone.outer.load[0], rtol=1e-9)
+
+
+OILED = """
+name = "oiled"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "solved", free = "0.18 rad" }
+[operation]
+axial_load = "700 N"
+inner_speed = "300 rpm"
+[lubricant]
+viscosity = "0.06 Pa s"
+pressure_viscosity = "2e-8 1/Pa"
+eyring_stress = "5 MPa"
+[surface]
+rms_roughness = "0.1 um"
+autocorrelation = { kind = "gaussian", length = "60 um", spacing = "2 um" }
+"""
+
+
+@pytest.mark.usefixtures("in_process")
+def test_bearings_oils_and_surfaces_are_those_that_a_person_would_write(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = catalog.path("bearings", "6205").read_text("utf-8").replace("ball_count = 9", "ball_count = 8")
+    (tmp_path / "6299.toml").write_text(other, "utf-8")
+    places, names = catalog.path, catalog.names
+    monkeypatch.setattr(catalog, "path", lambda k, name: tmp_path / "6299.toml" if name == "6299" else places(k, name))
+    monkeypatch.setattr(catalog, "names", lambda kind: (*names(kind), *(["6299"] if kind == "bearings" else [])))
+    (tmp_path / "oiled.toml").write_text(OILED, "utf-8")
+    axes = {
+        "bearing.catalog": ["6205", "6299"],
+        "lubricant.viscosity": ["0.013 Pa s", "77 mPa s"],
+        "surface.rms_roughness": ["0.05 um", "310 nm"],
+    }
+    lines = "\n".join(f"{key} = {values}" for key, values in axes.items())
+    found = run_sweep(grid_file(lines, head='scene = "oiled.toml"', scene=""), out=tmp_path / "out").dataset()
+    assert found["torque_total"].dims == ("bearing", "viscosity", "rms_roughness")
+    assert found["bearing"].values.tolist() == axes["bearing.catalog"]
+    np.testing.assert_array_equal(found["viscosity"], [0.013, 0.077])
+    np.testing.assert_array_equal(found["rms_roughness"], [5e-8, 3.1e-7])
+    for point in np.ndindex(2, 2, 2):
+        text = OILED
+        for before, values, index in zip(("6205", "0.06 Pa s", "0.1 um"), axes.values(), point, strict=True):
+            text = text.replace(f'"{before}"', f'"{values[index]}"')
+        alone = friction_torque(parse_scene(text, origin="written"))
+        for name, expected in (("torque_total", alone.torque.total), ("film_inner", alone.film.inner)):
+            assert expected is not None
+            # 1e-12: the values are the same, computed in the same way, but for the round-off of their units
+            np.testing.assert_allclose(found[name].values[point], expected[0], rtol=1e-12)
 
 
 @pytest.mark.usefixtures("in_process")

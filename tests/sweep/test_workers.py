@@ -61,7 +61,7 @@ def test_a_worker_killed_once_costs_nothing_but_time(
             killed.append(multiprocessing.active_children()[0])
             killed[0].kill()
 
-    found = run_sweep(path, out=tmp_path / "out", workers=2, progress=kill_one)
+    found = run_sweep(path, out=tmp_path / "out", workers=1, progress=kill_one)
     assert killed
     assert (found.computed, found.failed, found.lost) == (448, 0, 0)
     data = found.dataset()["torque_total"].transpose("coefficient", "axial_load")
