@@ -8,7 +8,7 @@ radian is not a pure number: `"100 Hz"` is no angular speed.
 import re
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cache
+from functools import cache, lru_cache
 from math import isfinite
 
 import pint
@@ -91,6 +91,7 @@ def _registry() -> pint.UnitRegistry:
     return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]
 
 
+@lru_cache(maxsize=200)  # pint takes half a millisecond for one, and scene files name the same few again and again
 def _unit(text: str) -> pint.Unit | None:
     """The product of the unit's factors, None where a name is unknown."""
     product = _registry().Unit("dimensionless")
@@ -110,6 +111,7 @@ def _unit(text: str) -> pint.Unit | None:
     return product if known else None
 
 
+@lru_cache(maxsize=200)
 def _roots(unit: pint.Unit) -> pint.Unit:
     """The unit in roots (metre, gram, second, kelvin, radian ...): equal for equal dimensions, angles kept apart."""
     return _registry().get_root_units(unit)[1]

@@ -4,9 +4,6 @@
 """
 
 import os
-import re
-import reprlib
-import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
 from difflib import get_close_matches
@@ -37,6 +34,7 @@ from analytic.scene import (
     Scene,
     Surface,
 )
+from analytic.scenetext import parse_text, plain, read_text, shown
 from analytic.tables import (
     CageTable,
     FrictionTable,
@@ -49,9 +47,6 @@ from analytic.tables import (
     Table,
 )
 
-LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
-# Keys of a scene have at most four parts; the TOML parser's memory grows with the square of their number.
-LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
 HEIGHT_MAPS = (".npy", ".csv")
 AS_PRINTED = "as_printed"  # the variant of a cage that may have overlapping pockets: it is the paper's, and warns
 MOST_FAULTS = 5  # shown at once; the rest are counted
@@ -63,23 +58,9 @@ def load_scene(path: str | os.PathLike[str]) -> Scene:
     Raises InputError, in one line, for a file that cannot be read, is too large or is not TOML, and for every key that
     is unknown, missing, without its unit, out of range or at odds with the other keys.
     """
-    origin = _plain(os.fspath(path))
-    try:
-        with Path(path).open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-        if len(content) > LARGEST_FILE:
-            raise InputError(f"{origin}: more than {LARGEST_FILE} bytes; a scene file is short text in TOML")
-        text = content.decode("utf-8-sig")
-    except OSError as problem:
-        known = ", ".join(catalog.names("scenes"))
-        raise InputError(
-            f"{origin}: {problem.strerror or 'cannot be read'}; give the path of a scene file (built in: {known})"
-        ) from problem
-    except UnicodeDecodeError as problem:
-        raise InputError(f"{origin}: byte {problem.start} is not UTF-8; save the scene file as UTF-8 text") from problem
-    except ValueError as problem:  # a path with a null character; InputError is one too
-        raise problem if isinstance(problem, InputError) else InputError(f"{origin}: not a path") from problem
-    return parse_scene(text, origin=origin, folder=Path(path).parent)
+    known = ", ".join(catalog.names("scenes"))
+    text = read_text(path, kind="scene", remedy=f"give the path of a scene file (built in: {known})")
+    return parse_scene(text, origin=plain(os.fspath(path)), folder=Path(path).parent)
 
 
 def builtin_scene(name: str) -> Path:
@@ -87,7 +68,7 @@ def builtin_scene(name: str) -> Path:
     known = catalog.names("scenes")
     if name not in known:
         raise InputError(
-            f"no built-in scene {_shown(name)}; give one of {', '.join(known)}, or the path of a scene file"
+            f"no built-in scene {shown(name)}; give one of {', '.join(known)}, or the path of a scene file"
         )
     return catalog.path("scenes", name)
 
@@ -97,18 +78,14 @@ def parse_scene(text: str, *, origin: str, folder: Path = Path()) -> Scene:
 
     Raises InputError as load_scene does.
     """
-    long_key = LONG_KEY.search(text)
-    if long_key:
-        raise InputError(f"{origin}: {_shown(long_key[0])} has too many parts; keys of a scene have at most four")
-    try:
-        document = tomllib.loads(text)
-    except (ValueError, RecursionError) as problem:  # ValueError: TOMLDecodeError, dates and integers out of range
-        reason = " ".join(str(problem).split())
-        if isinstance(problem, RecursionError):
-            reason = "nested too deep"
-        elif "set_int_max_str_digits" in reason:
-            reason = "a number of thousands of digits"
-        raise InputError(f"{origin}: not TOML: {reason}") from problem
+    return scene_of(parse_text(text, origin=origin), origin=origin, folder=folder)
+
+
+def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) -> Scene:
+    """The scene that a parsed TOML document describes; the catalog's entries are put into the document.
+
+    Raises InputError as load_scene does.
+    """
     faults = _take_catalog(document)
     if not faults:
         try:
@@ -330,20 +307,20 @@ def _fault(document: dict[str, Any], fault: dict[str, Any]) -> str:
     key, table, field = _address(document, fault["loc"])
     if fault["type"] == "missing":
         return f"{key} is missing; {_accepted(field)}"
-    shown = f"{key} = {_shown(fault['input'])}"
+    given = f"{key} = {shown(fault['input'])}"
     match fault["type"]:
         case "extra_forbidden":
             known = list(table.model_fields)
             near = get_close_matches(str(fault["loc"][-1]), known, n=1)
-            return f"{shown} is an unknown key; " + (
+            return f"{given} is an unknown key; " + (
                 f"did you mean {near[0]}?" if near else f"known: {', '.join(known)}"
             )
         case "value_error":
-            return f"{shown} {fault['ctx']['error']}"
+            return f"{given} {fault['ctx']['error']}"
         case "literal_error":
-            return f"{shown} is not a word known here; give {fault['ctx']['expected']}"
+            return f"{given} is not a word known here; give {fault['ctx']['expected']}"
         case _:  # the tables leave only one other: not a table
-            return f"{shown} is not a table; {_accepted(field)}"
+            return f"{given} is not a table; {_accepted(field)}"
 
 
 def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple[str, type[Table], FieldInfo | None]:
@@ -355,7 +332,7 @@ def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple
                 key, node = f"{key}[{part}]", node[part]
             continue
         table, field = inside, inside.model_fields.get(part)
-        key = f"{key}.{_plain(part)}" if key else _plain(part)
+        key = f"{key}.{plain(part)}" if key else plain(part)
         node = node.get(part) if isinstance(node, dict) else None
         for kind in (field.annotation, *get_args(field.annotation)) if field else ():
             if isinstance(kind, type) and issubclass(kind, Table):
@@ -376,20 +353,4 @@ def _complaint(document: dict[str, Any], key: str, problem: str) -> str:
     value: Any = document
     for part in key.split("."):
         value = value.get(part) if isinstance(value, dict) else None
-    return f"{key} {problem}" if value is None else f"{key} = {_shown(value)} {problem}"
-
-
-def _shown(value: object) -> str:
-    """A value from the file on one line of bounded length."""
-    brief = reprlib.Repr()
-    brief.maxstring = brief.maxother = 60
-    brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
-    try:
-        return brief.repr(value)
-    except ValueError:  # Python refuses to write out integers of thousands of digits
-        return "a number of thousands of digits"
-
-
-def _plain(text: str) -> str:
-    """Text as it is, quoted where it would break the line."""
-    return text if text.isprintable() and len(text) <= 200 else _shown(text)
+    return f"{key} {problem}" if value is None else f"{key} = {shown(value)} {problem}"

@@ -9,6 +9,7 @@ import numpy as np
 from analytic.cage_torque import CAGE_KEYS, CagePart
 from analytic.effects import COMPUTED, OF_CAGE, Effect
 from analytic.scene import Array, Scene, Sliding
+from analytic.torque_columns import torque_dataset, torque_html
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -94,6 +95,14 @@ class FrictionTorque:
             "provenance": dict(self.provenance),
             "seconds": self.seconds,
         }
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset over the operating points, with units."""
+        return torque_dataset(self)
+
+    def _repr_html_(self) -> str:
+        """A table in a notebook."""
+        return torque_html(self)
 
     def _point(self, index: int) -> dict[str, Any]:
         def here(group: object) -> dict[str, float | None]:

@@ -5,6 +5,7 @@
     contact = fembearing.solve_contact(scene, pair="inner")
     series = fembearing.solve_load_series(scene, pair="inner", loads=[10.0, 100.0, 1000.0])
     result = fembearing.validate(scene, out="report-folder")
+    found = fembearing.run_sweep("map.toml", out="map-folder").dataset()
 
 Names are imported on first use, so that a program pays only for what it calls.
 """
@@ -18,14 +19,17 @@ if TYPE_CHECKING:
     from fembearing.compare.stiffness_law import LoadSeries, solve_load_series
     from fembearing.compare.validation import Validation
     from fembearing.report.folder import validate
+    from fembearing.sweep.run import Sweep, run_sweep
 
     __version__: str
 
 __all__ = [
     "ContactSolution",
     "LoadSeries",
+    "Sweep",
     "Validation",
     "__version__",
+    "run_sweep",
     "solve_contact",
     "solve_load_series",
     "validate",
@@ -34,7 +38,9 @@ __all__ = [
 _HOME = {
     "ContactSolution": "fembearing.compare.discrepancy",
     "LoadSeries": "fembearing.compare.stiffness_law",
+    "Sweep": "fembearing.sweep.run",
     "Validation": "fembearing.compare.validation",
+    "run_sweep": "fembearing.sweep.run",
     "solve_contact": "fembearing.compare.discrepancy",
     "solve_load_series": "fembearing.compare.stiffness_law",
     "validate": "fembearing.report.folder",

@@ -1,17 +1,12 @@
-"""The command line. Exit status: 0 done and within tolerance, 1 done but a check failed,
-2 the input is at fault, 3 could not be solved to the asked accuracy.
+"""The command line. What it writes where, and the exit status: `fembearing.console`.
 
 `validate` checks Hertz: its tolerance is the limit of the check. `contact` solves a contact: its tolerance is the
 accuracy asked of the finite elements, and how far Hertz is off is shown, not checked.
 """
 
-import errno
-import json
-import os
 import signal
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -19,14 +14,28 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.box import SIMPLE_HEAD
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 from rich.table import Table
 from typer.exceptions import Abort, TyperException
 
 from analytic.errors import ConvergenceError, FembearingError, InputError
 from analytic.scene import Scene
 from analytic.scenefile import builtin_scene, load_scene
+from fembearing.console import (
+    CHECK_FAILED,
+    DONE,
+    INPUT_AT_FAULT,
+    INTERRUPTED,
+    NO_ROOM,
+    NOT_SOLVED,
+    PIPE_CLOSED,
+    TERMINATED,
+    close_output,
+    complain,
+    out,
+    print_json,
+    print_warnings,
+    shown_progress,
+)
 from fembearing.options import (
     LOAD,
     TOLERANCE,
@@ -42,64 +51,39 @@ from fembearing.options import (
     Tolerance,
     read_option,
 )
+from fembearing.sweep_command import sweep
 
 if TYPE_CHECKING:  # the solver takes a second to import: only the commands that solve pay for it
     from fembearing.compare.verdict import Verdict
 
-DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
-INTERRUPTED, PIPE_CLOSED, TERMINATED = 130, 141, 143  # what a shell makes of the three signals
-NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard output can take no more
 BUILTIN = "6205"
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
 
 
-class Output(Console):
-    """Standard output. Rich would end with status 1 when the reader goes away, and that means a failed check here."""
-
-    def on_broken_pipe(self) -> None:
-        _close_output()
-        raise typer.Exit(PIPE_CLOSED)
-
-
-out, err = Output(), Console(stderr=True)
-
-
 def main() -> None:
     """Run the command line; a user's mistake is one line, anything else is our bug and keeps its traceback."""
     if sys.stdout is None:
-        sys.exit(_complain("standard output is closed; give the result somewhere to go", INPUT_AT_FAULT))
+        sys.exit(complain("standard output is closed; give the result somewhere to go", INPUT_AT_FAULT))
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(TERMINATED))  # an exception clears up on its way, the signal not
     try:
         status = app(standalone_mode=False)
         sys.stdout.flush()
     except ConvergenceError as problem:
-        status = _complain(problem, NOT_SOLVED)
+        status = complain(problem, NOT_SOLVED)
     except (FembearingError, TyperException) as problem:
-        status = _complain(problem.format_message() if isinstance(problem, TyperException) else problem, INPUT_AT_FAULT)
+        status = complain(problem.format_message() if isinstance(problem, TyperException) else problem, INPUT_AT_FAULT)
     except Abort:
         status = INTERRUPTED
     except BrokenPipeError:
-        _close_output()
+        close_output()
         status = PIPE_CLOSED
     except OSError as problem:
         if problem.errno not in NO_ROOM:
             raise
-        _close_output()
-        status = _complain(f"cannot write the result: {problem.strerror}; check where it goes", INPUT_AT_FAULT)
+        close_output()
+        status = complain(f"cannot write the result: {problem.strerror}; check where it goes", INPUT_AT_FAULT)
     sys.exit(status)
-
-
-def _close_output() -> None:
-    """Let what is still buffered go nowhere: Python would complain of it on its way out."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-def _complain(problem: object, status: int) -> int:
-    words = " ".join(str(problem).split())
-    if words:  # typer has none where it printed the help
-        typer.echo(f"fembearing: {words}", err=True)
-    return status
 
 
 @app.callback()
@@ -122,13 +106,13 @@ def validate(
     from fembearing.report.folder import validate as run
     from fembearing.report.terminal import print_validation
 
-    with _progress() as report:
+    with shown_progress() as report:
         result = run(given, out=folder, tolerance=asked, hard=hard, cost=with_cost, progress=report)
     if as_json:
-        _print_json(result.to_json())
+        print_json(result.to_json())
     else:
         print_validation(out, result)
-        _print_warnings(result.warnings)
+        print_warnings(result.warnings)
         if folder is not None:
             out.print(f"report: {folder / 'report.html'}", highlight=False, soft_wrap=True, markup=False)
     raise typer.Exit(_status(result.verdict))
@@ -147,13 +131,13 @@ def torque(
     from fembearing.report.torque_folder import torque_with_folder
     from fembearing.report.torque_tables import print_torque
 
-    with _progress() as report:
+    with shown_progress() as report:
         result, lacking = torque_with_folder(given, out=folder, progress=report)
     if as_json:
-        _print_json(result.to_json())
+        print_json(result.to_json())
     else:
         print_torque(out, result)
-        _print_warnings(result.found.warnings)
+        print_warnings(result.found.warnings)
         if folder is not None:
             out.print(f"folder: {folder}", highlight=False, soft_wrap=True, markup=False)
     if lacking is not None:
@@ -190,7 +174,7 @@ def _one_contact(given: Scene, load: float | None, *, accuracy: float, as_json: 
     from fembearing.compare.subsurface import compare_subsurface
     from fembearing.report.terminal import print_contact, print_subsurface
 
-    with _progress() as report:
+    with shown_progress() as report:
         result = solve_contact(given, load=load, accuracy=accuracy, progress=report, **which)
         report(0.8, f"{result.contact.pair}: stress under the contact")
         below = None
@@ -200,14 +184,14 @@ def _one_contact(given: Scene, load: float | None, *, accuracy: float, as_json: 
             result = replace(result, warnings=(*result.warnings, str(problem)))
     if as_json:
         added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
-        _print_json(result.to_json() | added)
+        print_json(result.to_json() | added)
     else:
         print_contact(out, result)
         if below is not None:
             print_subsurface(out, below)
         if result.judged:
             out.print(f"Hertz by the scene's tolerance of {result.tolerance:.3g}: {result.verdict}", highlight=False)
-        _print_warnings(result.warnings)
+        print_warnings(result.warnings)
     asked = COMPARED if result.judged else SHOWN_OF_A_SHEET
     raise typer.Exit(_solved({name: result.estimates[name].total for name in asked}, accuracy))
 
@@ -216,13 +200,13 @@ def _load_series(given: Scene, loads: list[float], *, accuracy: float, as_json: 
     from fembearing.compare.stiffness_law import solve_load_series
     from fembearing.report.terminal import print_series
 
-    with _progress() as report:
+    with shown_progress() as report:
         result = solve_load_series(given, loads=loads, accuracy=accuracy, progress=report, **which)
     if as_json:
-        _print_json(result.to_json())
+        print_json(result.to_json())
     else:
         print_series(out, result)
-        _print_warnings(result.warnings)
+        print_warnings(result.warnings)
     raise typer.Exit(_solved({f"approach at {part.load:g} N": part.approach.total for part in result.points}, accuracy))
 
 
@@ -241,15 +225,18 @@ def cost(
     from fembearing.report.new_folder import whole_folder
     from fembearing.report.terminal import print_cost
 
-    with _progress() as report, nullcontext() if folder is None else whole_folder(folder) as place:
+    with shown_progress() as report, nullcontext() if folder is None else whole_folder(folder) as place:
         result = measure_cost(given, tolerance=asked, progress=report)
         if place is not None:
             write_cost(result, place)
     if as_json:
-        _print_json(result.to_json())
+        print_json(result.to_json())
     else:
         print_cost(out, result)
-        _print_warnings(given.warnings)
+        print_warnings(given.warnings)
+
+
+app.command(epilog="Example: fembearing sweep map.toml --out map-of-my-bearing")(sweep)
 
 
 @app.command(epilog="Example: fembearing mesh --pair inner --level 2 --out meshes-of-the-inner-race")
@@ -299,7 +286,7 @@ def mesh(
     except OSError as problem:
         raise InputError(f"--out {str(folder)!r}: {problem.strerror}") from problem
     if as_json:
-        _print_json(
+        print_json(
             {
                 "pair": pair.value,
                 "geometry": geometry.value,
@@ -309,7 +296,7 @@ def mesh(
             }
         )
         return
-    _print_warnings(given.warnings)
+    print_warnings(given.warnings)
     table = Table("file", "body", "cells", "nodes", "least det J/mean", "there x, y, z, mm", box=SIMPLE_HEAD)
     for path, quality in written.items():
         place = ", ".join(f"{1e3 * part:.3g}" for part in quality["worst_place"])
@@ -339,29 +326,11 @@ def _solved(uncertainties: dict[str, float], accuracy: float) -> int:
     name = max(uncertainties, key=lambda name: uncertainties[name])
     if uncertainties[name] <= accuracy:
         return DONE
-    return _complain(
+    return complain(
         f"not solved to {accuracy:.2g}: {name.replace('_', ' ')} is left uncertain by {uncertainties[name]:.2g}; "
         "ask for a larger --tolerance",
         NOT_SOLVED,
     )
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[float, str], None]]:
-    """A bar on standard error with the time left; silent where that is no terminal."""
-    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task("starting", total=1.0)
-        yield lambda share, step: bar.update(task, completed=share, description=step)
-
-
-def _print_json(content: dict[str, Any]) -> None:
-    out.out(json.dumps(content, indent=1, allow_nan=False), highlight=False)
-
-
-def _print_warnings(warnings: tuple[str, ...]) -> None:
-    for warning in warnings:
-        typer.echo(f"fembearing: warning: {warning}", err=True)
 
 
 if __name__ == "__main__":

@@ -29,8 +29,24 @@ MAY_IMPORT = {
     "analytic.fit": NOUNS,  # does a bearing fit together
     "analytic.quantity": (),  # units: with `tables` and `scenefile` the one place that knows them
     "analytic.tables": (*NOUNS, "analytic.catalog", "analytic.quantity"),
-    "analytic.scenefile": (*NOUNS, "analytic.catalog", "analytic.fit", "analytic.quantity", "analytic.tables"),
-    "fembearing": ("analytic", "fembearing.mesh", "fembearing.fem", "fembearing.compare", "fembearing.report"),
+    "analytic.scenetext": NOUNS,
+    "analytic.scenekeys": (*NOUNS, "analytic.catalog", "analytic.scenetext", "analytic.quantity", "analytic.tables"),
+    "analytic.scenefile": (
+        *NOUNS,
+        "analytic.catalog",
+        "analytic.fit",
+        "analytic.quantity",
+        "analytic.scenetext",
+        "analytic.tables",
+    ),
+    "fembearing": (
+        "analytic",
+        "fembearing.mesh",
+        "fembearing.fem",
+        "fembearing.compare",
+        "fembearing.report",
+        "fembearing.sweep",
+    ),
     "fembearing.mesh": NOUNS,
     "fembearing.fem": (*NOUNS, "fembearing.mesh"),
     "fembearing.compare": ("analytic", "fembearing.mesh", "fembearing.fem"),
@@ -38,7 +54,9 @@ MAY_IMPORT = {
     "fembearing.report.render": ("fembearing.report.render_cage",),  # a process of its own, fed by JSON and .vtu files
     "fembearing.report.render_cage": (),
     "fembearing.sweep": ("analytic", "fembearing.compare"),
+    "fembearing.console": ("analytic",),  # what the commands write
     "fembearing.options": ("analytic",),  # of the commands
+    "fembearing.sweep_command": ("fembearing.console", "fembearing.options", "fembearing.sweep", "fembearing.report"),
     "fembearing.cli": OURS,
 }
 # What a package's `__init__` may import besides, but only on demand, so that importing the package stays light.
@@ -47,14 +65,15 @@ ON_DEMAND = {"analytic": ("analytic.scenefile",)}
 ONLY_IN = {
     "pint": ("analytic.quantity",),
     "pydantic_core": ("analytic.quantity",),
-    "pydantic": ("analytic.tables", "analytic.scenefile"),
+    "pydantic": ("analytic.tables", "analytic.scenefile", "analytic.scenekeys"),
     "meshio": ("fembearing.mesh",),
     "skfem": ("fembearing.mesh", "fembearing.fem"),
     "pypardiso": ("fembearing.fem",),
     "pyvista": ("fembearing.report.render", "fembearing.report.render_cage"),
     "matplotlib": ("fembearing.report",),
     "jinja2": ("fembearing.report",),
-    "xarray": ("analytic",),  # on demand, see HEAVY
+    "xarray": ("analytic", "fembearing.compare", "fembearing.sweep"),  # on demand, see HEAVY
+    "distributed": ("fembearing.sweep",),
     "vtk": ("fembearing.report.render",),
 }
 LONGEST_FILE = 400  # lines; what outgrows it is two things

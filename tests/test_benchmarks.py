@@ -100,3 +100,9 @@ def test_the_motion_of_a_cage_is_measured() -> None:
     told = run("cage.py", "--repeats", "1", "--duration", "0.013", "--bounces", "3")
     for words in ("processor time, us a step", "largest drift of the energy", "steps a contact", "closed form"):
         assert words in told
+
+
+def test_sweeps_are_timed() -> None:
+    told = run("sweep.py", "--points", "80", "--contacts", "0", "--workers", "1")
+    assert told.count("torque map") == 2
+    assert told.count("the same again") == 1

@@ -14,6 +14,7 @@ from analytic.contact import pocket_contact
 from analytic.errors import InputError, require_non_negative
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
+from fembearing.compare.contact_columns import contact_dataset, contact_html
 from fembearing.compare.contact_warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
 from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
 from fembearing.compare.heaviest import heaviest_contact
@@ -161,6 +162,14 @@ class ContactSolution:
             "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": peak_memory()},
             "warnings": list(self.warnings),
         }
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset of what is compared, with units."""
+        return contact_dataset(self)
+
+    def _repr_html_(self) -> str:
+        """A table in a notebook."""
+        return contact_html(self)
 
     def _shoulder_json(self) -> dict[str, Any] | None:
         """What the contact does at the nearer shoulder that cuts it off, above y = 0; uncertainties relative."""

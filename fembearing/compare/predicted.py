@@ -5,12 +5,15 @@ right-hand sides. The shape of that was fitted to 24 solves of six random contac
 speed comes from the mesh at hand. A tensor grid refined in all directions has unknowns as the cube of its level.
 """
 
-from fembearing.fem.solution import MeshSolution
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # the solver takes a second to import, and nothing else here asks for it
+    from fembearing.fem.solution import MeshSolution
 
 FIXED, EACH, EACH_SQUARED = 0.1, 14e-6, 7.7e-10  # s, of which only the ratios count
 
 
-def predicted_seconds(level: int, *, known: MeshSolution) -> float:
+def predicted_seconds(level: int, *, known: "MeshSolution") -> float:
     """Of meshing and solving one level of a recipe, s.
 
     known : the largest mesh solved so far, of the same contact and recipe

@@ -9,7 +9,8 @@ from hypothesis import given
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from analytic.scenefile import LARGEST_FILE, builtin_scene, load_scene
+from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenetext import LARGEST_FILE
 from tests.analytic.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
 
 BEARING = 'catalog = "6205"'

@@ -1,0 +1,63 @@
+"""TOML text from a person: read within limits, and shown back in one line where something is wrong with it."""
+
+import os
+import re
+import reprlib
+import tomllib
+from pathlib import Path
+from typing import Any
+
+from analytic.errors import InputError
+
+LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
+# Keys of a scene have at most four parts; the TOML parser's memory grows with the square of their number.
+LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
+
+
+def read_text(path: str | os.PathLike[str], *, kind: str, remedy: str) -> str:
+    """The text of a file of this kind. Raises InputError, with the remedy where there is no such file."""
+    origin = plain(os.fspath(path))
+    try:
+        with Path(path).open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+        if len(content) > LARGEST_FILE:
+            raise InputError(f"{origin}: more than {LARGEST_FILE} bytes; a {kind} file is short text in TOML")
+        return content.decode("utf-8-sig")
+    except OSError as problem:
+        raise InputError(f"{origin}: {problem.strerror or 'cannot be read'}; {remedy}") from problem
+    except UnicodeDecodeError as problem:
+        raise InputError(f"{origin}: byte {problem.start} is not UTF-8; save the {kind} file as UTF-8") from problem
+    except ValueError as problem:  # a path with a null character; InputError is one too
+        raise problem if isinstance(problem, InputError) else InputError(f"{origin}: not a path") from problem
+
+
+def parse_text(text: str, *, origin: str) -> dict[str, Any]:
+    """The TOML document. Raises InputError, in one line, for text that is none."""
+    long_key = LONG_KEY.search(text)
+    if long_key:
+        raise InputError(f"{origin}: {shown(long_key[0])} has too many parts; keys of a scene have at most four")
+    try:
+        return tomllib.loads(text)
+    except (ValueError, RecursionError) as problem:  # ValueError: TOMLDecodeError, dates and integers out of range
+        reason = " ".join(str(problem).split())
+        if isinstance(problem, RecursionError):
+            reason = "nested too deep"
+        elif "set_int_max_str_digits" in reason:
+            reason = "a number of thousands of digits"
+        raise InputError(f"{origin}: not TOML: {reason}") from problem
+
+
+def shown(value: object) -> str:
+    """A value from the file on one line of bounded length."""
+    brief = reprlib.Repr()
+    brief.maxstring = brief.maxother = 60
+    brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
+    try:
+        return brief.repr(value)
+    except ValueError:  # Python refuses to write out integers of thousands of digits
+        return "a number of thousands of digits"
+
+
+def plain(text: str) -> str:
+    """Text as it is, quoted where it would break the line."""
+    return text if text.isprintable() and len(text) <= 200 else shown(text)

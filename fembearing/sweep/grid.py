@@ -1,0 +1,320 @@
+"""What a sweep asks: a grid file, TOML, with a scene and the axes whose product is computed.
+
+    what = "torque"           # or "contact", by finite elements
+    scene = "bearing.toml"    # its path from the grid file's folder, the name of a built-in one, or a table
+    [axes]                    # keys of the scene, and of the sweep itself: conformity, pair, ball_load, geometry
+    operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
+    operation.inner_speed = ["100 rpm", "300 rpm"]
+
+`pair`, `ball_load`, `geometry` and `accuracy` of a contact may stand above [axes] too, for the whole sweep.
+"""
+
+import os
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import prod
+from pathlib import Path
+from typing import Any, Literal, get_args
+
+import numpy as np
+
+from analytic import catalog
+from analytic.errors import InputError
+from analytic.quantity import Dimension
+from analytic.scene import Pair, Scene
+from analytic.scenefile import scene_of
+from analytic.scenekeys import Value, scene_key, with_key
+from analytic.scenetext import parse_text, plain, read_text, shown
+
+What = Literal["torque", "contact"]
+CONFORMITY = "conformity"
+# Of both grooves: radius over ball diameter. Their bottoms stay, and so does the clearance.
+OWN_QUANTITIES = {
+    CONFORMITY: Dimension(unit="", low=0.5, high=1, example="0.52"),
+    "ball_load": Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"'),
+    "accuracy": Dimension(unit="", low=1e-6, high=1, example='"1 %"'),
+}
+OWN_WORDS = {"pair": get_args(Pair), "geometry": ("real", "hertzian", "wall")}
+OF_CONTACT = ("pair", "ball_load", "geometry", "accuracy")
+RANGE = ("from", "to", "count", "spacing")
+MOST_COUNT = 1_000_000  # values of one axis
+BYTES_A_POINT = 400  # of the whole dataset in memory, or of a map while it is drawn
+SHARE_OF_MEMORY = 0.5
+MEMORY_UNKNOWN = 8e9  # bytes, taken where the system does not say
+
+
+@dataclass(frozen=True, kw_only=True)
+class Axis:
+    """One thing that is varied."""
+
+    key: str
+    unit: str | None  # SI; "" of a pure number, None of words and counts
+    values: tuple[Value, ...]  # SI
+    in_series: bool = False  # a key of [operation]: the torque model takes all its values at once
+
+    def in_scene(self, index: int) -> Value:
+        """The value as a scene file has it."""
+        value = self.values[index]
+        return f"{value!r} {self.unit}" if self.unit else value
+
+
+@dataclass(frozen=True, kw_only=True)
+class Grid:
+    """A scene, what to compute of it, and the axes; the last axis varies fastest.
+
+    Points are numbered with the axes in the order of `order`: those of a series come last.
+    """
+
+    what: What
+    document: dict[str, Any]  # of the scene
+    folder: str  # from which the scene's files are sought
+    asked: dict[str, Value]  # OF_CONTACT for the whole sweep
+    axes: tuple[Axis, ...]
+    text: str  # of the grid file
+    origin: str
+
+    @property
+    def order(self) -> tuple[Axis, ...]:
+        return (*self.outside, *self.series)
+
+    @property
+    def outside(self) -> tuple[Axis, ...]:
+        """The axes that make another scene at each value."""
+        return tuple(axis for axis in self.axes if axis not in self.series)
+
+    @property
+    def series(self) -> tuple[Axis, ...]:
+        """The axes whose product is one series of the torque model."""
+        return tuple(axis for axis in self.axes if self.what == "torque" and axis.in_series)
+
+    @property
+    def size(self) -> int:
+        return prod(len(axis.values) for axis in self.axes)
+
+    @property
+    def length(self) -> int:
+        """Points of one series."""
+        return prod(len(axis.values) for axis in self.series)
+
+    def chosen(self, variant: int) -> dict[str, int]:
+        """Key to index of the axes outside."""
+        shape = tuple(len(axis.values) for axis in self.outside)
+        places = np.unravel_index(variant, shape) if shape else ()
+        return {axis.key: int(place) for axis, place in zip(self.outside, places, strict=True)}
+
+    def settings(self, variant: int) -> dict[str, Value]:
+        """OF_CONTACT at one choice of the axes outside."""
+        chosen = self.chosen(variant)
+        return self.asked | {a.key: a.values[chosen[a.key]] for a in self.outside if a.key in OF_CONTACT}
+
+    def scene(self, variant: int) -> Scene:
+        """At one choice of the axes outside, and at the first point of its series. Raises InputError as load_scene."""
+        chosen = self.chosen(variant)
+        document = self.document
+        for axis in self.order:
+            if axis.key not in (*OF_CONTACT, CONFORMITY):
+                document = with_key(document, axis.key, axis.in_scene(chosen.get(axis.key, 0)))
+        conformity = next((a.values[chosen[a.key]] for a in self.outside if a.key == CONFORMITY), None)
+        if conformity is not None:
+            diameter = self._read(document).bearing.ball_diameter
+            for ring in ("inner", "outer"):
+                radius = f"{float(conformity) * diameter!r} m"
+                document = with_key(document, f"bearing.{ring}.groove_radius", radius)
+        return self._read(document)
+
+    def first_scene(self) -> Scene:
+        """Of the first choice of the axes outside that makes one. Raises InputError if none does."""
+        problem = InputError(f"{self.origin}: no point is a scene")
+        for variant in range(self.size // self.length):
+            try:
+                return self.scene(variant)
+            except InputError as found:
+                problem = found
+        raise problem
+
+    def _read(self, document: dict[str, Any]) -> Scene:
+        # A copy: the catalog's entries are put into it.
+        return scene_of(dict(document), origin=self.origin, folder=Path(self.folder))
+
+
+def load_grid(path: str | os.PathLike[str]) -> Grid:
+    """The grid that a TOML file describes.
+
+    Raises InputError, in one line, for a file that cannot be read or is not TOML, for an axis that is unknown, empty or
+    in a wrong unit, for a scene that is none, and for a product that memory does not hold.
+    """
+    origin = plain(os.fspath(path))
+    text = read_text(path, kind="grid", remedy="give the path of a grid file: a scene and a table [axes]")
+    try:
+        return _grid(text, origin=origin, folder=Path(path).absolute().parent)
+    except InputError as problem:
+        words = str(problem)
+        raise problem if words.startswith(origin) else InputError(f"{origin}: {words}") from problem
+
+
+def _grid(text: str, *, origin: str, folder: Path) -> Grid:
+    given = parse_text(text, origin=origin)
+    known = ("what", "scene", "axes", *OF_CONTACT)
+    for key in given:
+        if key not in known:
+            raise InputError(f"{plain(key)} is an unknown key; known: {', '.join(known)}")
+    what = given.get("what", "torque")
+    if what not in ("torque", "contact"):
+        raise InputError(f'what = {shown(what)} is not a word known here; give "torque" or "contact"')
+    axes = tuple(_axis(key, values) for key, values in _listed(given.get("axes")))
+    asked = {key: _own(key)(key, given[key]) for key in OF_CONTACT if key in given}
+    for key in (*asked, *(axis.key for axis in axes)):
+        if key in OF_CONTACT and what != "contact":
+            raise InputError(f'{key} is of a contact; write what = "contact", or leave it out')
+    _require_distinct([axis.key for axis in axes], asked)
+    document, scene_folder = _document(given.get("scene"), folder)
+    _require_one_point(document, axes)
+    _require_memory(axes)
+    return Grid(
+        what=what,
+        document=document,
+        folder=str(scene_folder),
+        asked=asked,
+        axes=axes,
+        text=text,
+        origin=origin,
+    )
+
+
+def _listed(given: object, before: str = "") -> Iterator[tuple[str, object]]:
+    """The axes by their whole keys, which may be quoted or not."""
+    if not isinstance(given, dict) or not given:
+        raise InputError('[axes] is missing; give for example operation.axial_load = ["100 N", "200 N"]')
+    for key, inside in given.items():
+        if isinstance(inside, dict) and inside and not set(inside) & set(RANGE[:3]):
+            yield from _listed(inside, f"{before}{key}.")
+        else:
+            yield before + key, inside
+
+
+def _own(key: str) -> Any:
+    """What reads a value of a key of the sweep itself."""
+
+    def read(name: str, given: object) -> Value:
+        if key in OWN_WORDS:
+            if given not in OWN_WORDS[key]:
+                raise InputError(f"{name} = {shown(given)} is not a word known here; give {_either(OWN_WORDS[key])}")
+            return str(given)
+        try:
+            return OWN_QUANTITIES[key].read(given)
+        except ValueError as problem:
+            raise InputError(f"{name} = {shown(given)} {problem}") from None
+
+    return read
+
+
+def _axis(key: str, given: object) -> Axis:
+    name = f"axes.{plain(key)}"
+    if key in OWN_WORDS or (key in OWN_QUANTITIES and key != "accuracy"):
+        read, in_series = _own(key), False
+        dimension = OWN_QUANTITIES.get(key)
+    else:
+        try:
+            found = scene_key(key)
+        except InputError as problem:
+            own = ", ".join((CONFORMITY, "pair", "ball_load", "geometry"))
+            raise InputError(f"axes: {problem} (or one of the sweep's own: {own})") from None
+        dimension, in_series = found.dimension, found.in_series
+
+        def read(name: str, given: object) -> Value:
+            try:
+                return found.read(given)
+            except ValueError as problem:
+                raise InputError(f"{name} = {shown(given)} {problem}") from None
+
+    if isinstance(given, dict):
+        if dimension is None:
+            raise InputError(f"{name} has no order to step through; give a list of its values")
+        values = _steps(name, given, read)
+    elif isinstance(given, list) and given:
+        values = tuple(read(f"{name}[{number}]", value) for number, value in enumerate(given))
+    elif given == []:
+        raise InputError(f"{name} is empty; give at least one value, or leave the axis out")
+    else:
+        raise InputError(f"{name} = {shown(given)} is no list; give [..., ...] or {{ from, to, count, spacing }}")
+    if len(set(values)) < len(values):
+        twice = next(value for value, count in Counter(values).items() if count > 1)
+        raise InputError(f"{name} has {shown(twice)} twice; leave one of them out")
+    return Axis(key=key, unit=None if dimension is None else dimension.unit, values=values, in_series=in_series)
+
+
+def _steps(name: str, given: dict[str, Any], read: Any) -> tuple[float, ...]:
+    """from, to, count and spacing, "linear" where it is not told."""
+    for key in given:
+        if key not in RANGE:
+            raise InputError(f"{name}.{plain(key)} is an unknown key; known: {', '.join(RANGE)}")
+    for key in RANGE[:3]:
+        if key not in given:
+            raise InputError(f'{name}.{key} is missing; give {{ from = ..., to = ..., count = 20, spacing = "log" }}')
+    begin, end = (float(read(f"{name}.{key}", given[key])) for key in ("from", "to"))
+    count, spacing = given["count"], given.get("spacing", "linear")
+    if isinstance(count, bool) or not isinstance(count, int) or not 2 <= count <= MOST_COUNT:
+        raise InputError(f"{name}.count = {shown(count)} is no count; give a whole number from 2 to {MOST_COUNT}")
+    if spacing not in ("linear", "log"):
+        raise InputError(f'{name}.spacing = {shown(spacing)} is not a word known here; give "linear" or "log"')
+    if begin == end:
+        raise InputError(f"{name}: from and to are the same, {begin:g}; give a list of that one value")
+    if spacing == "log" and begin * end <= 0:
+        raise InputError(f'{name}: from {begin:g} to {end:g} has no logarithm; give spacing = "linear"')
+    steps = np.geomspace(begin, end, count) if spacing == "log" else np.linspace(begin, end, count)
+    steps[[0, -1]] = begin, end  # as they were written
+    return tuple(steps.tolist())
+
+
+def _document(given: object, folder: Path) -> tuple[dict[str, Any], Path]:
+    """The scene as a table, and the folder from which its files are sought."""
+    if isinstance(given, dict):
+        return given, folder
+    builtin = catalog.names("scenes")
+    if not isinstance(given, str) or not given:
+        raise InputError(f"scene is missing; give its path, one of {', '.join(builtin)}, or a table [scene]")
+    path = catalog.path("scenes", given) if given in builtin else folder / given
+    text = read_text(path, kind="scene", remedy=f"give the path of a scene file (built in: {', '.join(builtin)})")
+    return parse_text(text, origin=plain(str(path))), path.parent
+
+
+def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None:
+    """A list in the scene pairs its points, and a sweep multiplies: one of them has to go."""
+    operation = document.get("operation")
+    keys = {axis.key for axis in axes}
+    for key, value in operation.items() if isinstance(operation, dict) else ():
+        if isinstance(value, list) and len(value) != 1 and f"operation.{key}" not in keys:
+            raise InputError(
+                f"operation.{plain(key)} has {len(value)} values in the scene; make it an axis, or give it one value"
+            )
+
+
+def _require_distinct(keys: list[str], asked: dict[str, Value]) -> None:
+    """What one axis sets, no other may set again: a coordinate would say what no scene has."""
+    for key, count in Counter(keys).items():
+        if count > 1:
+            raise InputError(f"axes.{key} is there twice, with quotes and without; leave one of them out")
+        if key in asked:
+            raise InputError(f"{key} is an axis and has one value for the whole sweep; leave one of them out")
+        if key.endswith(".groove_radius") and CONFORMITY in keys:
+            raise InputError(f"axes: conformity sets {key} too; leave one of them out")
+
+
+def _require_memory(axes: tuple[Axis, ...]) -> None:
+    size = prod(len(axis.values) for axis in axes)
+    try:
+        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, ValueError, OSError):
+        memory = MEMORY_UNKNOWN
+    most = int(SHARE_OF_MEMORY * memory / BYTES_A_POINT)
+    if size > most:
+        counts = " x ".join(str(len(axis.values)) for axis in axes)
+        raise InputError(
+            f"axes: {counts} = {size:,} points are too many for this machine's memory, which holds the results of "
+            f"{most:,}; shorten an axis, or sweep in parts"
+        )
+
+
+def _either(words: tuple[str, ...]) -> str:
+    return ", ".join(f'"{word}"' for word in words[:-1]) + f' or "{words[-1]}"'

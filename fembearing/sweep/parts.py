@@ -1,0 +1,160 @@
+"""A sweep in pieces: which points go together, and what is computed at them.
+
+Points that differ in load and speed alone are one long series of the torque model, which costs little a point; every
+other point is a scene of its own. What a piece holds follows from the grid alone, never from how many work on it, so
+that a sweep gives the same numbers on any machine. Effects are decided for the points of one scene in one piece; a jump
+between pieces is within the scene's tolerance, as the uncertainty of both sides is.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+from math import ceil
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.errors import FembearingError
+from analytic.scene import Array, Scene
+from analytic.sliding import SERIES
+from analytic.torque import friction_torque
+from analytic.torque_columns import COLUMNS, torque_values
+from analytic.uncertainty import with_model_uncertainty
+from fembearing.compare import contact_columns as of_contact
+from fembearing.sweep.grid import Grid
+
+LONGEST = 25_000  # points of a series in one piece: some 3 s
+MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: some 5 s
+MOST_SCENES = 50  # in one piece: some 3 s
+MOST_WARNINGS = 20  # kept of a piece
+
+
+@dataclass(frozen=True, kw_only=True)
+class Piece:
+    """Points start to stop, numbered in the grid's order."""
+
+    start: int
+    stop: int
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Part:
+    """What was computed at the points of a piece."""
+
+    columns: dict[str, Array]  # (n,), NaN where there is nothing
+    words: dict[str, NDArray[np.str_]] = field(default_factory=dict)  # (n,), empty where there is nothing
+    reasons: dict[int, str]  # why a point, counted from the start, failed
+    warnings: tuple[str, ...]
+
+
+def pieces(grid: Grid) -> Iterator[Piece]:
+    """All points, in pieces of a few seconds; a contact, and a cage that may move, is one by itself."""
+    length, size = grid.length, grid.size
+    if grid.what == "contact" or _cage_may_move(grid):
+        ends = range(size + 1)
+    elif length >= SERIES:
+        each = ceil(length / LONGEST)
+        inside = [length * number // each for number in range(each)]
+        ends = [*(scene * length + end for scene in range(size // length) for end in inside), size]
+    else:
+        ends = [*range(0, size, length * max(1, min(MOST_SCENES, MOST_UNSAMPLED // length))), size]
+    for start, stop in pairwise(ends):
+        yield Piece(start=start, stop=stop)
+
+
+def column_notes(grid: Grid) -> dict[str, Any]:
+    """Name to unit and meaning of what is computed."""
+    return COLUMNS if grid.what == "torque" else of_contact.COLUMNS
+
+
+def compute_part(grid: Grid, piece: Piece) -> Part:
+    """All points of a piece. What fails at one of them is told by its reason, whatever it is, and the others go on."""
+    count = piece.stop - piece.start
+    found = Part(
+        columns={name: np.full(count, np.nan) for name in column_notes(grid)},
+        words={} if grid.what == "torque" else {of_contact.VERDICT: np.zeros(count, dtype="U16")},
+        reasons={},
+        warnings=(),
+    )
+    warnings: dict[str, None] = {}  # a set that keeps its order
+    for variant in range(piece.start // grid.length, ceil(piece.stop / grid.length)):
+        first = variant * grid.length
+        points = np.arange(max(first, piece.start), min(first + grid.length, piece.stop))
+        try:
+            scene = grid.scene(variant)
+        except Exception as problem:
+            found.reasons.update(dict.fromkeys((points - piece.start).tolist(), _reason(problem)))
+            continue
+        compute = _contact if grid.what == "contact" else _torque
+        for warning in compute(grid, scene, variant, points - first, points - piece.start, found):
+            warnings[warning] = None
+    return replace(found, warnings=tuple(warnings)[:MOST_WARNINGS])
+
+
+def _cage_may_move(grid: Grid) -> bool:
+    """Which takes seconds a point."""
+    cage = grid.document.get("cage")
+    return (isinstance(cage, dict) and "start" in cage) or any(axis.key == "cage.start" for axis in grid.axes)
+
+
+def _contact(
+    grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp], at: NDArray[np.intp], found: Part
+) -> tuple[str, ...]:
+    from fembearing.compare.discrepancy import solve_contact
+
+    settings: dict[str, Any] = grid.settings(variant)
+    try:
+        solution = solve_contact(
+            scene,
+            pair=settings.get("pair", "inner"),
+            load=settings.get("ball_load"),
+            accuracy=settings.get("accuracy"),
+            geometry=settings.get("geometry", "real"),
+        )
+    except Exception as problem:
+        found.reasons[int(at[0])] = _reason(problem)
+        return ()
+    for name, value in of_contact.contact_values(solution).items():
+        found.columns[name][at] = value
+    found.words[of_contact.VERDICT][at] = of_contact.shown_verdict(solution)
+    return solution.warnings
+
+
+def _torque(
+    grid: Grid, scene: Scene, variant: int, places: NDArray[np.intp], at: NDArray[np.intp], found: Part
+) -> tuple[str, ...]:
+    """The whole series, or where it fails both of its halves: one point does not take the others with it."""
+    series = _at(grid, scene, places)
+    try:
+        result = with_model_uncertainty(series, friction_torque(series))
+    except Exception as problem:
+        if places.size == 1:
+            found.reasons[int(at[0])] = _reason(problem)
+            return ()
+        middle = places.size // 2
+        halves = (slice(None, middle), slice(middle, None))
+        return tuple(
+            warning for half in halves for warning in _torque(grid, scene, variant, places[half], at[half], found)
+        )
+    for name, values in torque_values(result).items():
+        found.columns[name][at] = values
+    return result.warnings
+
+
+def _at(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> Scene:
+    """The scene at some points of its series."""
+    series = grid.series
+    if not series:
+        return scene
+    indices = np.unravel_index(places, tuple(len(axis.values) for axis in series))
+    values = {name: np.resize(value, places.size) for name, value in vars(scene.operation).items()}
+    for axis, index in zip(series, indices, strict=True):
+        values[axis.key.rpartition(".")[2]] = np.array(axis.values, dtype=np.float64)[index]
+    return replace(scene, operation=replace(scene.operation, **values))
+
+
+def _reason(problem: Exception) -> str:
+    """In one line; one that is no complaint of ours by its class too."""
+    words = " ".join(str(problem).split())
+    return words if isinstance(problem, FembearingError) else f"{type(problem).__name__}: {words}"

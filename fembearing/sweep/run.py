@@ -1,0 +1,147 @@
+"""Do a sweep: compute what its folder does not hold yet, and gather all of it."""
+
+import time
+from collections.abc import Container, Iterator
+from contextlib import closing
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from analytic.errors import InputError
+from fembearing.compare.predicted import about
+from fembearing.compare.progress import Progress, silent
+from fembearing.sweep.dataset import write_dataset
+from fembearing.sweep.grid import Grid, load_grid
+from fembearing.sweep.parts import Part, Piece, compute_part, pieces
+from fembearing.sweep.store import RESULT, Store, opened_store
+from fembearing.sweep.workers import LostWorkerError, each_done, each_done_by_cluster
+
+SHOWN_REASONS = 5
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sweep:
+    """What a sweep came to."""
+
+    folder: str
+    file: str  # the dataset, netCDF
+    points: int
+    computed: int  # in this run
+    kept: int  # from runs before
+    failed: int  # of all
+    lost: int  # of all, whose process died: tried again in the next run
+    reasons: tuple[str, ...]  # of the first that failed
+    seconds: float
+
+    def dataset(self, *names: str) -> Any:
+        """What was found as an xarray.Dataset, in memory: all of it, or these variables where they are in it."""
+        import xarray  # on demand: it takes a second
+
+        with xarray.open_dataset(self.file, engine="netcdf4") as found:
+            return (found[[name for name in names if name in found]] if names else found).load()
+
+    def to_json(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def run_sweep(
+    grid: Grid | Path | str,
+    *,
+    out: Path | str,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    progress: Progress = silent,
+) -> Sweep:
+    """Compute every point of a grid and gather all in `out`/sweep.nc; started again, it goes on where it was.
+
+    grid : of `load_grid`, or the path of a grid file
+    out : folder, made if it is missing; one of the same sweep is gone on with
+    workers : processes of this machine; one a core unless given
+    scheduler : address of a Dask cluster that computes in their place
+    progress : called with the share done, 0 to 1, and how many points that is, with the time left
+    Raises InputError for a mistake in the grid or a folder that holds something else. A point that cannot be computed
+    is told in the dataset's `failure` instead, and the others go on.
+    """
+    begun = time.perf_counter()
+    if workers is not None and workers < 1:
+        raise InputError(f"--workers {workers}: give a whole number from 1, or leave it out for one a core")
+    asked = grid if isinstance(grid, Grid) else load_grid(grid)
+    with opened_store(Path(out), asked) as store:
+        finished = store.finished()
+        if finished is not None:
+            return _told(store, asked, begun, computed=0, **finished)
+        known = list(pieces(asked))
+        missing = [piece for piece in known if store.load(piece) is None]
+        asked.first_scene()  # where there is none, all of it is a mistake
+        lost = _computed(store, asked, missing, workers=workers, scheduler=scheduler, progress=progress)
+        progress(1.0, "gathering")
+        reasons: list[str] = []
+        store.keep_result(lambda file: reasons.extend(write_dataset(file, asked, partial(_parts, store, known, lost))))
+        counts = {
+            "failed": len(reasons),
+            "lost": sum(piece.stop - piece.start for piece in lost),
+            "reasons": tuple(dict.fromkeys(reasons))[:SHOWN_REASONS],
+        }
+        if not lost:
+            store.finish(counts)
+        done = sum(piece.stop - piece.start for piece in missing if piece not in lost)
+        return _told(store, asked, begun, computed=done, **counts)
+
+
+def _computed(
+    store: Store, grid: Grid, missing: list[Piece], *, workers: int | None, scheduler: str | None, progress: Progress
+) -> dict[Piece, str]:
+    """Compute and keep what is missing; the pieces that were lost, and why."""
+    lost: dict[Piece, str] = {}
+    if not missing:
+        return lost
+    left, failed, begun = sum(piece.stop - piece.start for piece in missing), 0, time.perf_counter()
+    kept = grid.size - left
+    tasks = {piece: (grid, piece) for piece in missing}
+    if scheduler is None:
+        results = each_done(compute_part, tasks, workers=workers)
+    else:
+        results = each_done_by_cluster(compute_part, tasks, address=scheduler)
+    progress(kept / grid.size, f"{kept} of {grid.size} points")
+    with closing(results):
+        for piece, part in results:
+            if isinstance(part, LostWorkerError):
+                lost[piece] = str(part)
+            else:
+                store.save(piece, part)
+                failed += len(part.reasons)
+            left -= piece.stop - piece.start
+            done = grid.size - left
+            words = f"{done} of {grid.size} points" + (f", {failed} failed" if failed else "")
+            expected = (time.perf_counter() - begun) / (done - kept) * left
+            progress(done / grid.size, f"{words}, {about(expected)} left" if left else words)
+    return lost
+
+
+def _parts(
+    store: Store, known: list[Piece], lost: dict[Piece, str], names: Container[str]
+) -> Iterator[tuple[Piece, Part]]:
+    """One piece after the other, so that memory holds one."""
+    for piece in known:
+        if piece in lost:
+            reasons = dict.fromkeys(range(piece.stop - piece.start), lost[piece])
+            yield piece, Part(columns={}, reasons=reasons, warnings=())
+        else:
+            part = store.load(piece, names)
+            assert part is not None, piece
+            yield piece, part
+
+
+def _told(store: Store, grid: Grid, begun: float, *, computed: int, failed: int, lost: int, reasons: Any) -> Sweep:
+    return Sweep(
+        folder=str(store.folder),
+        file=str(store.folder / RESULT),
+        points=grid.size,
+        computed=computed,
+        kept=grid.size - computed - lost,
+        failed=failed,
+        lost=lost,
+        reasons=tuple(reasons),
+        seconds=time.perf_counter() - begun,
+    )

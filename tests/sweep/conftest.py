@@ -1,0 +1,42 @@
+"""Grid files, and sweeps without processes of their own."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.sweep.swept import SCENE
+
+
+@pytest.fixture
+def grid_file(tmp_path: Path) -> Callable[..., Path]:
+    """Writes a grid of `SCENE` with these lines below [axes], and others above."""
+
+    def write(axes: str, *, head: str = "", scene: str = SCENE, name: str = "grid.toml") -> Path:
+        path = tmp_path / name
+        path.write_text(f"{head}\n{scene}\n[axes]\n{axes}\n", "utf-8")
+        return path
+
+    return write
+
+
+@pytest.fixture
+def short_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One scene a piece, so that a small sweep has several."""
+    monkeypatch.setattr("fembearing.sweep.parts.MOST_SCENES", 1)
+
+
+@pytest.fixture
+def in_process(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """Every piece is computed in this process, one after the other; the pieces that were, in order."""
+    computed: list[Any] = []
+
+    def one_by_one(function: Any, tasks: dict[Any, Any], workers: int | None = None) -> Iterator[tuple[Any, Any]]:
+        assert workers is None
+        for key, task in tasks.items():
+            computed.append(key)
+            yield key, function(*task)
+
+    monkeypatch.setattr("fembearing.sweep.run.each_done", one_by_one)
+    return computed

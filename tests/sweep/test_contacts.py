@@ -1,0 +1,65 @@
+"""Contacts in a sweep, and results that show themselves as datasets and tables."""
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic.scenefile import builtin_scene, load_scene
+from analytic.torque import friction_torque
+from fembearing.compare import discrepancy
+from fembearing.compare.discrepancy import ContactSolution
+from fembearing.sweep.run import run_sweep
+
+QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
+
+
+@pytest.mark.usefixtures("in_process")
+def test_contacts_of_half_spaces_come_out_as_hertz_says(
+    grid_file: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Finite elements hold Hertz's exact answer within their own intervals, at every point of the sweep."""
+    solved: list[ContactSolution] = []
+    solve = discrepancy.solve_contact
+    monkeypatch.setattr(discrepancy, "solve_contact", lambda *a, **k: solved.append(solve(*a, **k)) or solved[-1])
+    path = grid_file(
+        'pair = ["inner", "outer"]\nball_load = ["90 N"]',
+        head='what = "contact"\ngeometry = "hertzian"\naccuracy = 0.03',
+    )
+    found = run_sweep(path, out=tmp_path / "out").dataset().squeeze("ball_load")
+    assert len(solved) == 2
+    assert found["pair"].values.tolist() == ["inner", "outer"]
+    for name in QUANTITIES:
+        off, allowed = found[f"discrepancy_{name}"], found[f"uncertainty_{name}"]
+        assert bool((abs(off) <= allowed).all()), name
+        assert bool((allowed <= 0.03).all()), name
+    assert found["peak_pressure"].attrs["units"] == "Pa"
+    assert float(found["load"][0]) == 90
+    assert set(found["verdict"].values) == {"pass"}
+
+    alone = solved[0].to_xarray()
+    assert alone.attrs["pair"] == "inner"
+    for name in QUANTITIES:
+        assert float(alone[name]) == float(found[name][0]) == solved[0].estimates[name].value
+        assert float(alone[f"hertz_{name}"]) == getattr(solved[0].hertz, name)
+        assert alone[name].attrs["units"]
+    table = solved[0]._repr_html_()
+    assert f"<td>{solved[0].estimates['approach'].value:.5g}</td>" in table
+    assert table.count("<tr>") == 6
+
+
+def test_a_torque_shows_itself_as_a_dataset_and_a_table() -> None:
+    result = friction_torque(load_scene(builtin_scene("6205")))
+    found = result.to_xarray()
+    np.testing.assert_array_equal(found["torque_total"], result.torque.total)
+    np.testing.assert_array_equal(found["peak_pressure_outer"], result.outer.peak_pressure)
+    np.testing.assert_array_equal(found["inner_speed"], result.inner_speed)
+    assert "film_inner" not in found  # no lubricant
+    assert {part.attrs["units"] for part in found.values()} == {"N m", "1", "rad", "N", "m", "Pa"}
+    table = result._repr_html_()
+    assert table.count("<tr>") == 6
+    assert f"<td>{1e3 * result.torque.total[0]:.4g}</td>" in table
+    assert "<td>100</td>" in table  # rpm
+    assert re.fullmatch(r"<table>.*</table>", table)

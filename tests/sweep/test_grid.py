@@ -1,0 +1,162 @@
+"""Grid files: what they make of a scene, and what they refuse."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.scenefile import load_scene
+from fembearing.sweep.grid import load_grid
+from fembearing.sweep.parts import pieces
+
+LOADS = 'operation.axial_load = ["100 N", "0.7 kN"]\n'
+
+
+def test_values_come_out_in_si_and_in_order(grid_file: Callable[..., Path]) -> None:
+    grid = load_grid(
+        grid_file(
+            LOADS
+            + '"operation.inner_speed" = { from = "60 rpm", to = "600 rpm", count = 3 }\n'
+            + 'surface.rms_roughness = { from = "0.1 um", to = "1.6 um", count = 5, spacing = "log" }'
+        )
+    )
+    load, speed, roughness = grid.axes
+    assert load.values == (100.0, 700.0)
+    np.testing.assert_allclose(
+        np.array(speed.values, float), 2 * np.pi * np.array([1.0, 5.5, 10.0]), rtol=1e-14
+    )  # round-off
+    np.testing.assert_allclose(
+        np.array(roughness.values, float), [1e-7, 2e-7, 4e-7, 8e-7, 1.6e-6], rtol=1e-14
+    )  # round-off
+    assert [axis.key for axis in grid.order] == [
+        "surface.rms_roughness",
+        "operation.axial_load",
+        "operation.inner_speed",
+    ]
+    assert (grid.size, grid.length) == (30, 6)
+
+
+def test_a_point_is_the_scene_that_a_person_would_write(grid_file: Callable[..., Path], tmp_path: Path) -> None:
+    """All keys of the scene but the conformity, which no scene file has."""
+    axes = 'friction.coefficient = [0.06, 0.08]\nbearing.inner.groove_radius = ["4.14 mm", "4.17 mm"]\n'
+    grid = load_grid(grid_file(axes + 'operation.axial_load = ["120 N", "340 N"]'))
+    text = grid.text.partition("[axes]")[0].replace("[scene]\n", "").replace("[scene.", "[")
+    text = text.replace("0.09", "0.08").replace("300 N", "120 N")
+    text = text.replace("[operation]", '[bearing.inner]\ngroove_radius = "4.14 mm"\n[operation]')
+    (tmp_path / "written.toml").write_text(text, "utf-8")
+    written, found = load_scene(tmp_path / "written.toml"), grid.scene(2)
+    assert (found.bearing, found.friction_coefficient) == (written.bearing, 0.08)
+    assert found.operation.axial_load == written.operation.axial_load
+
+
+def test_conformity_sets_both_grooves_and_nothing_else(grid_file: Callable[..., Path]) -> None:
+    grid = load_grid(grid_file("conformity = [0.515, 0.53]\n" + LOADS))
+    plain = load_grid(grid_file(LOADS)).scene(0).bearing
+    found = grid.scene(1).bearing
+    for ring in ("inner", "outer"):
+        assert getattr(found, ring).groove_radius == pytest.approx(0.53 * plain.ball_diameter, rel=1e-15)
+        assert getattr(found, ring).bottom_radius == getattr(plain, ring).bottom_radius
+    assert found.diametral_clearance == plain.diametral_clearance
+
+
+@pytest.mark.parametrize(
+    "axes",
+    [
+        LOADS,
+        'operation.axial_load = { from = "100 N", to = "1 kN", count = 300 }\n'
+        'operation.inner_speed = { from = "100 rpm", to = "9000 rpm", count = 200 }\nfriction.coefficient = [0.1, 0.2]',
+        "friction.coefficient = { from = 0.01, to = 0.1, count = 173 }\n" + LOADS,
+    ],
+)
+def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str) -> None:
+    grid = load_grid(grid_file(axes))
+    found = [point for piece in pieces(grid) for point in range(piece.start, piece.stop)]
+    assert found == list(range(grid.size))
+
+
+@pytest.mark.parametrize(
+    ("axes", "complaint"),
+    [
+        ("", r"\[axes\] is missing; give for example operation.axial_load"),
+        ('load = ["1 N"]', "axes: load is no key of a scene file; did you mean cage.pocket_approach.load"),
+        ('operation.axial_lod = ["1 N"]', r"did you mean operation.axial_load or operation.radial_load\?"),
+        ("bearing = 3", "bearing is a table of a scene file; give one of its keys"),
+        ('operation.axial_load = ["3 mm"]', r"axial_load\[0\] = '3 mm' is not in a unit like N; give 0 to"),
+        ('operation.axial_load = ["3 N", 4]', r"axial_load\[1\] = 4 has no unit"),
+        ("operation.axial_load = []", "axial_load is empty; give at least one value"),
+        ('operation.axial_load = "3 N"', "is no list; give"),
+        ('operation.axial_load = ["3 N", "0.003 kN"]', "has 3.0 twice"),
+        ('operation.axial_load = { from = "1 N", to = "3 N" }', "axial_load.count is missing"),
+        ('operation.axial_load = { from = "1 N", to = "3 N", count = 1 }', "count = 1 is no count"),
+        ('operation.axial_load = { from = "1 N", to = "1 N", count = 4 }', "from and to are the same"),
+        ('operation.axial_load = { from = "1 N", to = "3 N", steps = 4 }', "steps is an unknown key"),
+        ('operation.axial_load = { from = "0 N", to = "3 N", count = 4, spacing = "log" }', "has no logarithm"),
+        ('operation.axial_load = { from = "1 N", to = "3 N", count = 4, spacing = "even" }', "spacing = 'even' is not"),
+        ('bearing.catalog = ["6205", "nought"]', r"catalog\[1\] = 'nought' is not in the catalog; give one of 6205"),
+        ('bearing.catalog = { from = "6205", to = "6208", count = 2 }', "has no order to step through"),
+        ('effects.spin = ["on", "perhaps"]', "'perhaps' is not a word known here; give 'auto', 'on' or 'off'"),
+        (
+            'operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]',
+            "axial_load is there twice",
+        ),
+        (
+            'conformity = [0.52]\nbearing.inner.groove_radius = ["4.2 mm"]',
+            r"conformity sets bearing\.inner\.groove_radius too; leave one of them out",
+        ),
+        ('pair = ["inner"]', 'pair is of a contact; write what = "contact"'),
+        ('bearing.ball_material.hardness = ["7 GPa"]', None),  # a table that the scene has as a word: found at a point
+        (
+            'operation.axial_load = { from = "1 N", to = "9 N", count = 90000 }\n'
+            'operation.inner_speed = { from = "1 rpm", to = "9 rpm", count = 90000 }',
+            "90000 x 90000 = 8,100,000,000 points are too many for this machine's memory",
+        ),
+    ],
+)
+def test_a_mistake_is_one_line(grid_file: Callable[..., Path], axes: str, complaint: str | None) -> None:
+    path = grid_file(axes)
+    if complaint is None:
+        assert load_grid(path).axes
+        return
+    with pytest.raises(InputError, match=complaint) as found:
+        load_grid(path)
+    assert "\n" not in str(found.value)
+    assert str(path) in str(found.value)
+
+
+@pytest.mark.parametrize(
+    ("head", "axes", "complaint"),
+    [
+        ('what = "talk"', LOADS, 'what = \'talk\' is not a word known here; give "torque" or "contact"'),
+        ("seen = 3", LOADS, "seen is an unknown key; known: what, scene, axes"),
+        ('pair = "inner"', LOADS, "pair is of a contact"),
+        ('what = "contact"\npair = "between"', LOADS, 'give "inner", "outer" or "pocket"'),
+        ('what = "contact"\npair = "inner"', 'pair = ["outer"]', "pair is an axis and has one value"),
+        ('what = "contact"\nball_load = "3 mm"', LOADS, "ball_load = '3 mm' is not in a unit like N"),
+    ],
+)
+def test_a_mistake_above_the_axes_is_one_line(
+    grid_file: Callable[..., Path], head: str, axes: str, complaint: str
+) -> None:
+    with pytest.raises(InputError, match=complaint):
+        load_grid(grid_file(axes, head=head))
+
+
+def test_a_series_in_the_scene_is_no_axis(grid_file: Callable[..., Path]) -> None:
+    scene = '[scene]\n[scene.operation]\ninner_speed = ["1 rpm", "2 rpm"]'
+    with pytest.raises(InputError, match=r"operation\.inner_speed has 2 values in the scene; make it an axis"):
+        load_grid(grid_file(LOADS, scene=scene))
+
+
+def test_a_scene_has_a_path_or_is_built_in(grid_file: Callable[..., Path], tmp_path: Path) -> None:
+    axes = 'operation.inner_speed = ["90 rpm"]'
+    builtin = load_grid(grid_file(axes, head='scene = "6205"', scene="")).scene(0)
+    text = grid_file("").read_text("utf-8").partition("[axes]")[0]
+    (tmp_path / "own.toml").write_text(text.replace("[scene]", "").replace("[scene.", "["), "utf-8")
+    assert load_grid(grid_file(axes, head='scene = "own.toml"', scene="")).scene(0).name == "swept"
+    assert builtin.name == "6205 under 1000 N thrust"
+    with pytest.raises(InputError, match=r"nowhere\.toml: No such file or directory; give the path of a scene file"):
+        load_grid(grid_file(axes, head='scene = "nowhere.toml"', scene=""))
+    with pytest.raises(InputError, match="scene is missing; give its path"):
+        load_grid(grid_file(axes, scene=""))

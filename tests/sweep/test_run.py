@@ -1,0 +1,372 @@
+"""Sweeps from beginning to end: numbers, units, failures, and going on after a stop."""
+
+import re
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic import catalog
+from analytic.errors import InputError
+from analytic.scenefile import parse_scene
+from analytic.torque import friction_torque
+from fembearing.sweep import parts
+from fembearing.sweep.grid import Grid, load_grid
+from fembearing.sweep.run import run_sweep
+from fembearing.sweep.store import opened_store
+from tests.sweep.swept import SCENE
+
+AXES = """
+friction.coefficient = [0.05, 0.11]
+"operation.inner_speed" = ["100 rpm", "450 rpm"]
+conformity = [0.515, 0.52, 0.53]
+"operation.axial_load" = { from = "100 N", to = "900 N", count = 4, spacing = "log" }
+"""  # a series before an axis outside it: the order of the file is not the one in which it is computed
+Write = Callable[..., Path]
+
+
+@pytest.mark.usefixtures("in_process", "short_pieces")
+def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: Path) -> None:
+    path = grid_file(AXES)
+    found = run_sweep(path, out=tmp_path / "out").dataset()
+    assert found["torque_total"].dims == ("coefficient", "inner_speed", "conformity", "axial_load")
+    base = load_grid(path).scene(0)
+    diameter = base.bearing.ball_diameter
+    assert found["torque_total"].size == 48
+    for point in np.ndindex(found["torque_total"].shape):
+        here = found[dict(zip(found["torque_total"].dims, point, strict=True))]
+        inner, outer = (
+            replace(ring, groove_radius=float(here["conformity"]) * diameter)
+            for ring in (base.bearing.inner, base.bearing.outer)
+        )
+        operation = replace(
+            base.operation,
+            axial_load=np.array([float(here["axial_load"])]),
+            inner_speed=np.array([float(here["inner_speed"])]),
+        )
+        scene = replace(
+            base,
+            bearing=replace(base.bearing, inner=inner, outer=outer),
+            friction_coefficient=float(here["coefficient"]),
+            operation=operation,
+        )
+        alone = friction_torque(scene)
+        # 1e-9: the angle is iterated; all effects of the scene are on or off by its own word, whatever the series
+        np.testing.assert_allclose(float(here["torque_total"]), alone.torque.total[0], rtol=1e-9)
+        np.testing.assert_allclose(float(here["contact_angle"]), alone.contact_angle[0], rtol=1e-9)
+        np.testing.assert_allclose(float(here["load_outer"]), alone.outer.load[0], rtol=1e-9)
+
+
+OILED = """
+name = "oiled"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "solved", free = "0.18 rad" }
+[operation]
+axial_load = "700 N"
+inner_speed = "300 rpm"
+[lubricant]
+viscosity = "0.06 Pa s"
+pressure_viscosity = "2e-8 1/Pa"
+eyring_stress = "5 MPa"
+[surface]
+rms_roughness = "0.1 um"
+autocorrelation = { kind = "gaussian", length = "60 um", spacing = "2 um" }
+"""
+
+
+@pytest.mark.usefixtures("in_process")
+def test_bearings_oils_and_surfaces_are_those_that_a_person_would_write(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = catalog.path("bearings", "6205").read_text("utf-8").replace("ball_count = 9", "ball_count = 8")
+    (tmp_path / "6299.toml").write_text(other, "utf-8")
+    places, names = catalog.path, catalog.names
+    monkeypatch.setattr(catalog, "path", lambda k, name: tmp_path / "6299.toml" if name == "6299" else places(k, name))
+    monkeypatch.setattr(catalog, "names", lambda kind: (*names(kind), *(["6299"] if kind == "bearings" else [])))
+    (tmp_path / "oiled.toml").write_text(OILED, "utf-8")
+    axes = {
+        "bearing.catalog": ["6205", "6299"],
+        "lubricant.viscosity": ["0.013 Pa s", "77 mPa s"],
+        "surface.rms_roughness": ["0.05 um", "310 nm"],
+    }
+    lines = "\n".join(f"{key} = {values}" for key, values in axes.items())
+    found = run_sweep(grid_file(lines, head='scene = "oiled.toml"', scene=""), out=tmp_path / "out").dataset()
+    assert found["torque_total"].dims == ("bearing", "viscosity", "rms_roughness")
+    assert found["bearing"].values.tolist() == axes["bearing.catalog"]
+    np.testing.assert_array_equal(found["viscosity"], [0.013, 0.077])
+    np.testing.assert_array_equal(found["rms_roughness"], [5e-8, 3.1e-7])
+    for point in np.ndindex(2, 2, 2):
+        text = OILED
+        for before, values, index in zip(("6205", "0.06 Pa s", "0.1 um"), axes.values(), point, strict=True):
+            text = text.replace(f'"{before}"', f'"{values[index]}"')
+        alone = friction_torque(parse_scene(text, origin="written"))
+        for name, expected in (("torque_total", alone.torque.total), ("film_inner", alone.film.inner)):
+            assert expected is not None
+            # 1e-12: the values are the same, computed in the same way, but for the round-off of their units
+            np.testing.assert_allclose(found[name].values[point], expected[0], rtol=1e-12)
+
+
+@pytest.mark.usefixtures("in_process")
+def test_the_dataset_tells_units_and_where_it_comes_from(grid_file: Write, tmp_path: Path) -> None:
+    path = grid_file(AXES)
+    found = run_sweep(path, out=tmp_path / "out").dataset()
+    assert found["torque_total"].attrs["units"] == "N m"
+    assert found["inner_speed"].attrs == {
+        "units": "rad/s",
+        "long_name": "speed of the inner ring",
+        "key": "operation.inner_speed",
+    }
+    assert found["coefficient"].attrs["units"] == "1"
+    for name, variable in found.data_vars.items():
+        assert variable.attrs["long_name"], name
+    assert found.attrs["grid"] == path.read_text("utf-8")
+    assert {"title", "seed", "date", "command", "versions", "scene_sha256", "fembearing", "warnings"} <= set(
+        found.attrs
+    )
+
+
+@pytest.mark.usefixtures("short_pieces")
+def test_an_interrupted_sweep_goes_on_where_it_was(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
+    path, out = grid_file(AXES), tmp_path / "out"
+    whole = run_sweep(path, out=tmp_path / "whole").dataset()
+    in_process.clear()
+
+    def stop_half_way(share: float, _step: str) -> None:
+        if share >= 0.5:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run_sweep(path, out=out, progress=stop_half_way)
+    before, files = list(in_process), {file: file.stat() for file in (out / "parts").iterdir()}
+    assert len(before) == len(files) == 3  # of 6
+    told: list[tuple[float, str]] = []
+    found = run_sweep(path, out=out, progress=lambda *step: told.append(step))
+    assert (found.points, found.computed, found.kept) == (48, 24, 24)
+    assert not set(before) & set(in_process[3:])  # nothing twice
+    assert len(in_process) == 6
+    assert told[0] == (0.5, "24 of 48 points")
+    for file, stat in files.items():
+        assert (file.stat().st_ino, file.stat().st_mtime_ns) == (stat.st_ino, stat.st_mtime_ns)
+    assert found.dataset().drop_attrs().identical(whole.drop_attrs())
+    again = run_sweep(path, out=out)
+    assert (again.computed, again.kept, again.failed) == (0, 48, 0)
+    assert len(in_process) == 6
+
+
+@pytest.mark.usefixtures("short_pieces")
+def test_what_is_lost_of_a_folder_is_computed_again(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
+    path, out = grid_file(AXES), tmp_path / "out"
+    whole = run_sweep(path, out=out).dataset()
+    first, second, *_ = sorted((out / "parts").iterdir())
+    first.write_bytes(first.read_bytes()[:900])  # as a power failure leaves it
+    second.unlink()
+    for half_written in (
+        out / "parts" / f".{second.name}",
+        out / ".sweep.nc",
+    ):  # as a process leaves it that was killed
+        half_written.write_text("half")
+    (out / "done.json").unlink()
+    found = run_sweep(path, out=out)
+    assert (found.computed, found.kept, len(in_process)) == (16, 32, 8)
+    assert found.dataset().drop_attrs().identical(whole.drop_attrs())
+    assert [file.name for file in out.rglob(".*")] == [".lock"]
+    (out / "sweep.nc").write_bytes(b"")
+    assert run_sweep(path, out=out).dataset().drop_attrs().identical(whole.drop_attrs())
+    (out / "done.json").write_text("{}", "utf-8")
+    assert run_sweep(path, out=out).computed == 0
+    (out / "sweep.json").write_text('{"made_from": 3}', "utf-8")
+    with pytest.raises(InputError, match=r"sweep\.json in it is damaged; give a new name, or remove the folder"):
+        run_sweep(path, out=out)
+
+
+@pytest.mark.usefixtures("in_process")
+@pytest.mark.parametrize(("room", "kept"), [(200, 0), (9_000, 0), (40_000, 48)])
+def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path: Path, room: int, kept: int) -> None:
+    """It ends while the grid, a piece, or the dataset is written."""
+    resource = pytest.importorskip("resource")
+    path, out = grid_file(AXES), tmp_path / "out"
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (room, limits[1]))
+    try:
+        with pytest.raises(InputError, match=r"cannot be written: .*; make room: what is done is kept") as found:
+            run_sweep(path, out=out)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert "\n" not in str(found.value)
+    assert run_sweep(path, out=out).kept == kept
+
+
+@pytest.mark.usefixtures("in_process", "short_pieces")
+def test_few_columns_in_memory_make_the_same_dataset(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    together = run_sweep(grid_file(AXES), out=tmp_path / "together").dataset()
+    monkeypatch.setattr("fembearing.sweep.dataset.BYTES_TOGETHER", 3 * 8 * 48)
+    apart = run_sweep(grid_file(AXES), out=tmp_path / "apart")
+    assert apart.dataset().drop_attrs(deep=False).identical(together.drop_attrs(deep=False))
+    assert list(apart.dataset("torque_total", "nothing").data_vars) == ["torque_total"]
+
+
+@pytest.mark.usefixtures("short_pieces")
+def test_the_order_in_which_pieces_get_done_does_not_matter(
+    grid_file: Write, tmp_path: Path, in_process: list[Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = grid_file(AXES)
+    forward = run_sweep(path, out=tmp_path / "forward").dataset()
+
+    def backward(function: Any, tasks: dict[Any, Any], **_: Any) -> Any:
+        yield from ((key, function(*task)) for key, task in reversed(tasks.items()))
+
+    monkeypatch.setattr("fembearing.sweep.run.each_done", backward)
+    assert run_sweep(path, out=tmp_path / "backward").dataset().drop_attrs().identical(forward.drop_attrs())
+    assert in_process
+
+
+@pytest.mark.usefixtures("in_process")
+@pytest.mark.parametrize(
+    ("before", "after", "changed"),
+    [
+        ('"100 N"', '"101 N"', "the axes changed since"),
+        ("0.007", "0.008", "the scene changed since"),
+        ("[scene]", 'what = "contact"\n[scene]', "what is computed changed since"),
+    ],
+)
+def test_a_changed_grid_is_refused(grid_file: Write, tmp_path: Path, before: str, after: str, changed: str) -> None:
+    path, out = grid_file(AXES), tmp_path / "out"
+    run_sweep(path, out=out)
+    path.write_text(path.read_text("utf-8").replace(before, after, 1), "utf-8")
+    with pytest.raises(InputError, match=f"holds another sweep: {changed}; give a new name, or remove it first"):
+        run_sweep(path, out=out)
+
+
+@pytest.mark.usefixtures("in_process")
+def test_words_that_change_no_number_are_no_other_sweep(grid_file: Write, tmp_path: Path) -> None:
+    path, out = grid_file(AXES), tmp_path / "out"
+    run_sweep(path, out=out)
+    text = path.read_text("utf-8").replace('"100 rpm", "450 rpm"', '"100 rpm", "4.5e2 rpm"')
+    path.write_text("# a note\n" + text, "utf-8")
+    assert run_sweep(path, out=out).computed == 0
+
+
+@pytest.mark.parametrize("asked", ["scene", "axis"])
+def test_a_changed_height_map_is_another_sweep(grid_file: Write, tmp_path: Path, asked: str) -> None:
+    heights = np.random.default_rng(4).normal(scale=1e-7, size=(64, 64))
+    np.save(tmp_path / "race.npy", heights)
+    axes = """surface.height_map.path = ["race.npy"]\nsurface.height_map.spacing = ["2 um", "3 um"]"""
+    in_scene = """[scene.surface]\nheight_map = { path = "race.npy", spacing = "2 um" }"""
+    text = axes if asked == "axis" else """operation.axial_load = ["30 N"]"""
+    mapped = load_grid(grid_file(text, scene=SCENE + ("" if asked == "axis" else in_scene)))
+    with opened_store(tmp_path / "out", mapped):
+        pass
+    np.save(tmp_path / "race.npy", 2 * heights)
+    with pytest.raises(InputError, match="a height map changed since"), opened_store(tmp_path / "out", mapped):
+        pass
+
+
+def test_a_folder_that_holds_something_else_is_left_alone(grid_file: Write, tmp_path: Path) -> None:
+    path, out = grid_file(AXES), tmp_path / "out"
+    out.mkdir()
+    (out / "mine.txt").write_text("mine")
+    with pytest.raises(InputError, match="exists and holds no sweep: give a new name"):
+        run_sweep(path, out=out)
+    assert [file.name for file in out.iterdir()] == ["mine.txt"]
+    with pytest.raises(InputError, match="exists and holds no sweep"):
+        run_sweep(path, out=path)
+    with pytest.raises(InputError, match="cannot be made: Not a directory; give a folder that you may write"):
+        run_sweep(path, out=path / "below")
+    shutil.rmtree(out)
+    with pytest.raises(InputError, match="--workers 0: give a whole number from 1"):
+        run_sweep(path, out=out, workers=0)
+
+
+@pytest.mark.usefixtures("in_process")
+def test_two_at_once_in_one_folder_are_refused(grid_file: Write, tmp_path: Path) -> None:
+    path, out = grid_file(AXES), tmp_path / "out"
+    with (
+        opened_store(out, load_grid(path)),
+        pytest.raises(InputError, match="another sweep is at work there; wait for it"),
+    ):
+        run_sweep(path, out=out)
+    assert run_sweep(path, out=out).computed == 48
+
+
+@pytest.mark.usefixtures("in_process")
+def test_points_that_fail_tell_why_and_leave_the_others_alone(grid_file: Write, tmp_path: Path) -> None:
+    """A load that drives balls over the shoulder, within a series; a groove as narrow as the ball, in its own scene."""
+    rest = 'conformity = {}\noperation.axial_load = {}\noperation.inner_speed = ["90 rpm"]'
+    good = rest.format([0.52], ["200 N", "500 N"])
+    known = run_sweep(grid_file(good), out=tmp_path / "good").dataset()
+    more = rest.format([0.5, 0.52], ["200 N", "90 MN", "500 N"])
+    result = run_sweep(grid_file(more), out=tmp_path / "more")
+    found = result.dataset()
+    assert (result.failed, result.lost, len(result.reasons)) == (4, 0, 2)
+    failed = found["failure"].values[..., 0] != ""
+    np.testing.assert_array_equal(failed, [[True, True, True], [False, True, False]])
+    np.testing.assert_array_equal(failed, np.isnan(found["torque_total"].values[..., 0]))
+    reasons = found["failure"].values[..., 0]
+    assert "shoulder" in reasons[1, 1] or "load" in reasons[1, 1]
+    assert "groove" in reasons[0, 0]
+    assert not any(re.search(r"\n", reason) for reason in reasons.ravel())
+    kept = found["torque_total"].isel(conformity=1, axial_load=[0, 2]).values
+    np.testing.assert_allclose(
+        kept, known["torque_total"].isel(conformity=0).values, rtol=1e-9
+    )  # the angle is iterated
+    again = run_sweep(grid_file(more), out=tmp_path / "more")
+    assert (again.computed, again.failed) == (0, 4)
+
+
+@pytest.mark.usefixtures("in_process")
+def test_good_points_are_computed_however_many_fail(grid_file: Write, tmp_path: Path) -> None:
+    """Bad at both ends and at every second point, so that no even choice of points meets a good one; and all bad."""
+    loads = [text for number in range(6) for text in (f"{90 + number} MN", f"{200 + 70 * number} N")]
+    found = run_sweep(grid_file(f"operation.axial_load = {[*loads, '99 MN']}"), out=tmp_path / "out")
+    assert (found.points, found.failed) == (13, 7)
+    good = [number % 2 == 1 for number in range(13)]
+    np.testing.assert_array_equal(np.isfinite(found.dataset()["torque_total"]), good)
+    none = run_sweep(grid_file('operation.axial_load = ["90 MN", "91 MN"]'), out=tmp_path / "none")
+    assert (none.failed, none.computed) == (2, 2)
+    assert "torque_total" not in none.dataset()
+
+
+@pytest.mark.usefixtures("in_process")
+def test_a_bug_in_a_scene_is_told_at_its_points(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = Grid.scene
+
+    def broken(grid: Grid, variant: int) -> Any:
+        if variant == 1:
+            raise KeyError("groove")
+        return whole(grid, variant)
+
+    monkeypatch.setattr(Grid, "scene", broken)
+    found = run_sweep(grid_file("conformity = [0.515, 0.52, 0.53]"), out=tmp_path / "out").dataset()
+    assert found["failure"].values.tolist() == ["", "KeyError: 'groove'", ""]
+
+
+@pytest.mark.usefixtures("in_process")
+def test_a_bug_at_one_point_is_told_there_with_its_class(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(scene: Any) -> Any:
+        if np.any(scene.operation.axial_load == 300):
+            raise ZeroDivisionError("by nothing")
+        return friction_torque(scene)
+
+    monkeypatch.setattr(parts, "friction_torque", broken)
+    axes = 'operation.axial_load = ["100 N", "200 N", "300 N", "400 N", "500 N"]'
+    found = run_sweep(grid_file(axes), out=tmp_path / "out").dataset()
+    assert found["failure"].values.tolist() == ["", "", "ZeroDivisionError: by nothing", "", ""]
+
+
+@pytest.mark.usefixtures("in_process")
+def test_a_scene_that_fails_everywhere_is_a_mistake(grid_file: Write, tmp_path: Path) -> None:
+    path = grid_file('bearing.ball_material.hardness = ["6 GPa", "7 GPa"]')  # the catalog's word is no table
+    with pytest.raises(InputError, match=r"bearing\.ball_material\.youngs_modulus is missing"):
+        run_sweep(path, out=tmp_path / "out")

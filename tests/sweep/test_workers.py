@@ -1,0 +1,199 @@
+"""Processes that are killed, here and on a Dask cluster: nothing is lost with them, and nothing left of them."""
+
+import multiprocessing
+import operator
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from analytic.errors import InputError
+from fembearing.sweep import parts
+from fembearing.sweep.grid import load_grid
+from fembearing.sweep.parts import Piece
+from fembearing.sweep.run import run_sweep
+from fembearing.sweep.workers import LostWorkerError, cores, each_done, each_done_by_cluster
+
+Write = Callable[..., Path]
+SERIES = 'operation.axial_load = { from = "100 N", to = "900 N", count = 7, spacing = "log" }\n'
+SCENES = "friction.coefficient = { from = 0.02, to = 0.13, count = 200 }\n"
+EACH = 8  # scenes in a piece, so that there are 25: a second's work
+PATIENCE = 60.0  # s, for what takes one
+
+
+def wait_until(holds: Callable[[], bool]) -> None:
+    end = time.monotonic() + PATIENCE
+    while not holds():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+def test_a_task_that_ends_its_process_is_told_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OMP_NUM_THREADS", "3")
+    monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
+    tasks = {number: (operator.neg, number) for number in range(7)}
+    tasks |= {name: (os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")}
+    found = dict(each_done(operator.call, tasks | {"deadly": (os._exit, 3)}, workers=2))
+    assert found.pop("OMP_NUM_THREADS") == "3"  # as a person said
+    assert found.pop("MKL_NUM_THREADS") == str(max(1, cores() // 2))
+    assert "MKL_NUM_THREADS" not in os.environ
+    assert isinstance(found.pop("deadly"), LostWorkerError)
+    assert found == {number: -number for number in range(7)}
+    assert not multiprocessing.active_children()
+
+
+def test_a_worker_killed_once_costs_nothing_but_time(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(parts, "MOST_SCENES", EACH)
+    path, killed = grid_file(SERIES + SCENES.replace("200", "64")), []
+
+    def kill_one(share: float, _step: str) -> None:
+        if 0 < share < 1 and not killed:
+            killed.append(multiprocessing.active_children()[0])
+            killed[0].kill()
+
+    found = run_sweep(path, out=tmp_path / "out", workers=1, progress=kill_one)
+    assert killed
+    assert (found.computed, found.failed, found.lost) == (448, 0, 0)
+    data = found.dataset()["torque_total"].transpose("coefficient", "axial_load")
+    assert bool((data.diff("coefficient") > 0).all())  # every part at its place: torque grows with friction
+
+
+def test_points_of_a_worker_that_dies_are_tried_again_next_time(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(parts, "MOST_SCENES", 1)
+    path, out, deadly = grid_file(SERIES + "friction.coefficient = [0.03, 0.07, 0.09]"), tmp_path / "out", [7]
+
+    def dying(function, tasks, **_):
+        for piece, task in tasks.items():
+            yield piece, LostWorkerError("killed") if piece.start in deadly else function(*task)
+
+    monkeypatch.setattr("fembearing.sweep.run.each_done", dying)
+    first = run_sweep(path, out=out)
+    assert (first.computed, first.kept, first.lost, first.failed) == (14, 0, 7, 7)
+    assert set(first.dataset()["failure"].sel(coefficient=0.07).values) == {"killed"}
+    deadly.clear()
+    second = run_sweep(path, out=out)
+    assert (second.computed, second.kept, second.lost, second.failed) == (7, 14, 0, 0)
+
+
+def test_a_process_stopped_or_killed_in_the_middle_goes_on_where_it_was(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
+) -> None:
+    path, out = grid_file(SERIES + SCENES), tmp_path / "out"
+    patched = f"from fembearing.sweep import parts; parts.MOST_SCENES = {EACH}; from fembearing import cli; cli.main()"
+    command = [sys.executable, "-c", patched, "sweep", str(path), "--out", str(out), "--workers", "2"]
+
+    def done() -> set[Path]:
+        return set((out / "parts").glob("[0-9]*.npz"))
+
+    def has_more(count: int) -> bool:
+        return len(done()) >= count
+
+    before: dict[Path, int] = {}
+    for stop in (signal.SIGINT, signal.SIGKILL):
+        with subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+        ) as process:
+            wait_until(partial(has_more, len(before) + 2))
+            process.send_signal(signal.SIGSTOP)  # so that it is surely in the middle
+            with pytest.raises(InputError, match="another sweep is at work there"):
+                run_sweep(path, out=out)
+            if stop is signal.SIGINT:
+                os.killpg(process.pid, stop)  # as a terminal does: to the workers too
+                process.send_signal(signal.SIGCONT)
+            else:
+                process.kill()
+            told, complaint = process.communicate(timeout=PATIENCE)
+            assert told == ""
+        if stop is signal.SIGINT:
+            assert process.returncode == 130
+            words = f"fembearing: stopped; what is done is kept in {out}: the same command goes on"
+            assert complaint.split() == words.split()  # and no progress where there is no terminal
+        wait_until(lambda: not lives(process.pid))  # its workers end with it
+        assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
+        before = {file: file.stat().st_mtime_ns for file in done()}
+        assert len(before) < 25
+
+    monkeypatch.setattr(parts, "MOST_SCENES", EACH)
+    found = run_sweep(path, out=out)
+    assert (found.kept, found.computed) == (56 * len(before), 1400 - 56 * len(before))
+    assert len(in_process) == 25 - len(before)
+    assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
+
+
+def lives(group: int) -> bool:
+    """Whether a process of the group does."""
+    try:
+        os.killpg(group, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+class Unreadable:
+    """What the modules of a cluster do not know."""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return import_module, ("nowhere",)
+
+
+def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
+) -> None:
+    distributed = pytest.importorskip("distributed", exc_type=ImportError)
+    dask = pytest.importorskip("dask")
+    path = grid_file(SERIES + "friction.coefficient = { from = 0.02, to = 0.13, count = 60 }\n")
+    whole = run_sweep(path, out=tmp_path / "here").dataset()
+    assert len(in_process) == 2
+    options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": None, "silence_logs": "CRITICAL"}
+    with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 0}),
+        distributed.LocalCluster(**options) as cluster,
+    ):
+        address = cluster.scheduler_address
+        found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
+        tasks = {number: (operator.neg, number) for number in range(4)} | {"deadly": (os._exit, 3)}
+        with monkeypatch.context() as patch:
+            own = os.getpid()
+            versions = lambda _name: "0.0.7" if os.getpid() == own else "0.0.6"  # noqa: E731, to be sent by value
+            patch.setattr("fembearing.sweep.workers.version", versions)
+            with pytest.raises(InputError, match=r"a worker has not fembearing 0\.0\.7 as here \(0\.0\.6\); install"):
+                list(each_done_by_cluster(operator.call, tasks, address=address))
+        with pytest.raises(InputError, match="cannot read what it is sent; its scheduler needs fembearing"):
+            list(each_done_by_cluster(operator.call, {1: (operator.neg, Unreadable())}, address=address))
+        done = dict(each_done_by_cluster(operator.call, tasks, address=address))
+        monkeypatch.setattr("fembearing.sweep.workers.PATIENCE", 1.0)
+        going = each_done_by_cluster(operator.call, {1: (operator.neg, 7), 2: (time.sleep, 60)}, address=address)
+        assert next(going) == (1, -7)
+        cluster.close()
+        with pytest.raises(InputError, match="the cluster went away; what is done is kept"):
+            next(going)
+    assert isinstance(done.pop("deadly"), LostWorkerError)
+    assert done == {number: -number for number in range(4)}
+    assert found.dataset().drop_attrs().identical(whole.drop_attrs())
+
+
+def test_a_scheduler_that_is_not_there_is_one_line(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("distributed", exc_type=ImportError)
+    monkeypatch.setattr("fembearing.sweep.workers.PATIENCE", 0.3)
+    with pytest.raises(InputError, match="no Dask cluster answers there; start one, or check it"):
+        run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="tcp://127.0.0.1:9")
+    with pytest.raises(InputError, match="no Dask cluster answers there"):
+        run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="nonsense")
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(InputError, match=r"needs Dask, which is not installed: pip install 'fembearing\[cluster\]'"):
+        run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="tcp://127.0.0.1:9")
+    assert load_grid(grid_file(SERIES)).size == 7
