@@ -1,6 +1,11 @@
-"""The report as one HTML page with everything in it: no other file, no address."""
+"""The report as one HTML page with everything in it: no other file, no address.
 
-import base64
+A plot of the page is an entry of PLOTS, a `fembearing.report.plot.Plot`: the section that it ends, its heading, and a
+function of the document (what report.json holds, plain types, SI) that gives a matplotlib figure and its caption, or
+None and in place of the caption why there is nothing to draw. The template shows the plots of each section at its end,
+in the order of PLOTS. A file beside report.json that the page embeds is listed in the document's "pictures".
+"""
+
 from collections.abc import Callable, Sequence
 from itertools import groupby
 from operator import itemgetter
@@ -18,6 +23,7 @@ from fembearing.compare.validation import Validation
 from fembearing.report.figures import convergence_figure, png
 from fembearing.report.ladders import cost_figure
 from fembearing.report.pictures import Picture
+from fembearing.report.plot import Plot, embedded, plots_of
 from fembearing.report.wording import (
     AXES,
     PER_MINUTE,
@@ -34,6 +40,7 @@ from fembearing.report.wording import (
 )
 
 LONGEST_LIST = 12  # values in a table's cell
+PLOTS: tuple[Plot, ...] = ()  # in their order on the page
 
 
 def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str | None, file: Path) -> None:
@@ -69,6 +76,7 @@ def write_page(result: Validation, *, pictures: Sequence[Picture], trouble: str 
         convergence=embedded(png(convergence_figure(result))),
         pictures=[(title_of(p.contact), p.caption, embedded(p.file.read_bytes())) for p in pictures],
         trouble=trouble,
+        plots=plots_of(result.to_json(), PLOTS),
         ladders=ladders,
         cost=embedded(png(cost_figure(ladders, tolerance=result.tolerance))),
         provenance=provenance_of(result.scene),
@@ -111,10 +119,6 @@ def _listed(values: Array) -> str:
     if len(distinct) > LONGEST_LIST:
         return f"{distinct[0]} to {distinct[-1]}, {len(distinct)} values"
     return ", ".join(distinct)
-
-
-def embedded(png: bytes) -> str:
-    return f"data:image/png;base64,{base64.b64encode(png).decode()}"
 
 
 def _rows(row: Callable[[ContactSolution, str], dict[str, Any]], contact: ContactSolution) -> list[dict[str, Any]]:
