@@ -227,6 +227,7 @@ class Scene:
     sliding: Sliding = "auto"  # the rung by which it is integrated over a contact; auto: as the tolerance asks
     microslip: Microslip = "derived"  # its moments; `as_printed` is the paper's, misprints included
     effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
+    calibration: str | None = None  # which inputs were chosen until which numbers came out, in words; None: none said
     warnings: tuple[str, ...] = ()
 
     @property

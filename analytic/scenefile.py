@@ -229,6 +229,7 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         **({} if table.friction is None else _friction(table.friction)),
         losses=Losses(**table.losses.model_dump()),
         effects=MappingProxyType(table.effects.model_dump()),
+        calibration=table.calibration,
         warnings=tuple(fit.doubts(bearing, cage)),
     )
     return scene, misfits

@@ -237,6 +237,9 @@ class EffectsTable(Table):
 
 class SceneTable(Table):
     name: Text
+    calibration: Text | None = Field(
+        default=None, description="say which inputs were chosen until which numbers came out"
+    )
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
     bearing: BearingTable = Field(description='give a table [bearing] with catalog = "6205" or every dimension')
     operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")

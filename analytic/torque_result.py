@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from analytic.cage_torque import CAGE_KEYS, CagePart
-from analytic.effects import COMPUTED, OF_CAGE, Effect
+from analytic.effects import COMPUTED, DECLARED, OF_CAGE, Effect
 from analytic.scene import Array, Scene, Sliding
 from analytic.torque_columns import torque_dataset, torque_html
 
@@ -87,14 +87,26 @@ class FrictionTorque:
         """Plain Python numbers, texts, lists and dicts, all SI; None where a part was left out or is not modelled."""
         return {
             "points": [self._point(index) for index in range(self.inner_speed.size)],
-            "effects": [
-                asdict(effect) | {"share": None if effect.share is None else _finite(effect.share)}
-                for effect in self.effects
-            ],
+            "effects": self.effects_to_json(),
             "warnings": list(self.warnings),
             "provenance": dict(self.provenance),
             "seconds": self.seconds,
         }
+
+    def effects_to_json(self) -> list[dict[str, Any]]:
+        """Each effect with what its share is: of a part of its own, a bound, unbounded or unknown (both None)."""
+        return [
+            asdict(effect)
+            | {"share": None if effect.share is None else _finite(effect.share), "share_is": self._kind_of(effect)}
+            for effect in self.effects
+        ]
+
+    def _kind_of(self, effect: Effect) -> Literal["part", "bound", "unbounded", "unknown"]:
+        if effect.share is None:
+            return "unknown"
+        if not np.isfinite(effect.share):
+            return "unbounded"
+        return "part" if getattr(self.torque, effect.name, None) is not None or effect.name in DECLARED else "bound"
 
     def to_xarray(self) -> Any:
         """An xarray.Dataset over the operating points, with units."""

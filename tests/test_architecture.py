@@ -50,7 +50,8 @@ MAY_IMPORT = {
     "fembearing.mesh": NOUNS,
     "fembearing.fem": (*NOUNS, "fembearing.mesh"),
     "fembearing.compare": ("analytic", "fembearing.mesh", "fembearing.fem"),
-    "fembearing.report": ("analytic", "fembearing.compare"),
+    "fembearing.report": ("analytic", "fembearing.compare", "fembearing.report.sections"),
+    "fembearing.report.sections": ("analytic", "fembearing.compare", "fembearing.report"),
     "fembearing.report.render": ("fembearing.report.render_cage",),  # a process of its own, fed by JSON and .vtu files
     "fembearing.report.render_cage": (),
     "fembearing.sweep": ("analytic", "fembearing.compare"),

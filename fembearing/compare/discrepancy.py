@@ -145,7 +145,11 @@ class ContactSolution:
             "corrected": self.corrected
             and {**self.corrected.to_json(), "interpolation_error": self.interpolation_error},
             "verdict": self.verdict if self.judged else "shown",
+            "judged": self.judged,
             "rung": self.rung,
+            "meshes": [
+                {"level": mesh.level, "unknowns": mesh.unknowns, "seconds": mesh.seconds} for mesh in self.meshes
+            ],
             "ring": None if self.ring is None else self.ring.to_json(),
             "convergence": {
                 name: {
@@ -158,7 +162,7 @@ class ContactSolution:
                 }
                 for name, part in self.estimates.items()
             },
-            "shoulder": self._shoulder_json(),
+            "shoulder": self._shoulder_to_json(),
             "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": peak_memory()},
             "warnings": list(self.warnings),
         }
@@ -171,12 +175,13 @@ class ContactSolution:
         """A table in a notebook."""
         return contact_html(self)
 
-    def _shoulder_json(self) -> dict[str, Any] | None:
+    def _shoulder_to_json(self) -> dict[str, Any] | None:
         """What the contact does at the nearer shoulder that cuts it off, above y = 0; uncertainties relative."""
         if not self.shoulder:
             return None
         return {
             "sides": {"above" if y > 0 else "below": abs(y) for y in self.shoulders},  # of y = 0; distances, m
+            "half": self.meshes[-1].pair.footprint.half,  # whether half of the contact is meshed, not a quarter
             "peak_pressure_at": 0.0,  # y, m: what "fe" and "hertz" compare, not the largest, which is at the edge
             "strip_width": self.strip_width,
             "hertz_line_load": self.hertz_line_load,

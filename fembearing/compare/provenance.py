@@ -5,10 +5,11 @@ import json
 import os
 import platform
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -30,13 +31,24 @@ PACKAGES = (
 )
 
 
-def provenance_of(scene: Scene) -> dict[str, Any]:
-    """The scene in full, SI, and its hash; time, command, machine, and the versions of what computed a result."""
+# What another run of the same scene with the same seeds may tell otherwise; all else of its JSON is the same.
+TIMES = ("seconds", "spread", "warm_up", "predicted", "price", "chosen", "choices")  # with what is chosen by them
+MEMORY = ("memory", "peak_memory")
+ORIGIN = ("date", "command", "python", "platform", "processor", "cores", "versions")
+VARYING = frozenset((*TIMES, *MEMORY, *ORIGIN))
+
+
+def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingProxyType({})) -> dict[str, Any]:
+    """The scene in full, SI, and its hash; time, command, machine, and the versions of what computed a result.
+
+    seeds : of all that is random, by what it is; nothing is without them
+    """
     content = _plain(scene)
     return {
         "scene": scene.name,
         "scene_content": content,
         "scene_sha256": hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest(),
+        "seeds": {name: list(values) for name, values in seeds.items()},
         "date": datetime.now(UTC).isoformat(timespec="seconds"),
         "command": sys.argv,
         "python": platform.python_version(),
@@ -45,6 +57,13 @@ def provenance_of(scene: Scene) -> dict[str, Any]:
         "cores": os.cpu_count(),
         "versions": {package: _version(package) for package in PACKAGES},
     }
+
+
+def repeatable(content: Any) -> Any:
+    """A result's JSON without what another run may tell otherwise."""
+    if isinstance(content, dict):
+        return {key: repeatable(value) for key, value in content.items() if key not in VARYING}
+    return [repeatable(value) for value in content] if isinstance(content, list) else content
 
 
 def _plain(value: Any) -> Any:

@@ -1,7 +1,8 @@
 """The main job: every contact of a scene, formula against finite elements, and what it does to the torque."""
 
 import time
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
 from typing import Any
 
@@ -13,18 +14,22 @@ from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
 from analytic.torque_result import FrictionTorque
 from fembearing.compare.catalogue import beside_catalogue
+from fembearing.compare.comparison import WHY, comparison_of
 from fembearing.compare.contact_ladder import contact_ladder_of
 from fembearing.compare.cost import Cost, measure_cost
 from fembearing.compare.discrepancy import ContactSolution, contact_of, solve_contact, with_ring
+from fembearing.compare.formula_ladders import SEED
 from fembearing.compare.hard_cases import HardOutcome, run_hard_cases
 from fembearing.compare.ladder import Ladder
 from fembearing.compare.memory import peak_memory
 from fembearing.compare.progress import Progress, part_of, silent
 from fembearing.compare.provenance import provenance_of
+from fembearing.compare.published import beside_paper
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
 from fembearing.mesh.recipe import Geometry
 
+KIND, FORMAT = "fembearing validation", 1  # what the JSON is; the number rises when a key changes its meaning
 # Contacts with the seconds that they took on one machine, for the progress alone.
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
 POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
@@ -77,39 +82,69 @@ class Validation:
     def to_json(self) -> dict[str, Any]:
         """The result as plain types, SI; discrepancies and uncertainties relative."""
         return {
+            "kind": KIND,
+            "format": FORMAT,
+            "verdict": self.verdict,
             "verdicts": [
                 {
                     "pair": contact.contact.pair,
+                    "geometry": contact.geometry,
                     "quantity": name,
                     "production": getattr(contact.hertz, name),
                     "reference": part.value,
                     "discrepancy": contact.discrepancy[name],
                     "uncertainty": part.total,
                     "exceeds_uncertainty": abs(contact.discrepancy[name]) > part.total,
+                    "comparison": comparison_of(getattr(contact.hertz, name), part).to_json(),
                     "verdict": contact.verdicts[name],
                 }
                 for contact in self.contacts
                 if contact.judged
                 for name, part in contact.estimates.items()
             ],
+            "uncertainties": WHY,
             "torque_change": None if self.torque is None else self.torque.to_json(),
             "torque": None
             if self.torque is None
             else self.torque.hertz.to_json() | {"catalogue_band": beside_catalogue(self.scene).to_json()},
-            "cage_motion": None
-            if self.moving_cage is None
-            else [self.moving_cage.at(point) for point in range(self.moving_cage.torque.size)],
+            "cage_motion": self._cage_to_json(),
+            "published": beside_paper(self.scene, self.production).to_json(),
             "tolerance": self.tolerance,
             "contacts": [contact.to_json() for contact in self.contacts],
             "cost": {
+                "measured": self.cost is not None,  # every ladder, with repeats; else the rungs that the check ran
                 "seconds": self.seconds,
                 "peak_memory": peak_memory(),
                 "ladders": [ladder.to_json() for ladder in self.ladders],
             },
             "hard": [outcome.to_json() for outcome in self.hard],
             "warnings": list(self.warnings),
-            "provenance": provenance_of(self.scene),
+            "provenance": provenance_of(self.scene, seeds=self._seeds),
         }
+
+    @property
+    def _seeds(self) -> dict[str, Sequence[int]]:
+        """Of what was random in this check."""
+        cage, surface = self.scene.cage, self.scene.surface
+        found: dict[str, Sequence[int]] = {}
+        if self.moving_cage is not None and cage is not None:
+            found["motion of the cage"] = range(cage.seeds)
+        if self.cost is not None and surface is not None and surface.autocorrelation is not None:
+            found["generated surface"] = (SEED,)
+        return found
+
+    def _cage_to_json(self) -> list[dict[str, Any]] | None:
+        """Each operating point; torque, start and block are None where the cage rests in closed form."""
+        part, found = self.moving_cage, self.production
+        if part is None or found is None:
+            return None
+        return [
+            part.at(point)
+            | {"inner_speed": float(found.inner_speed[point])}
+            | {name: None if motion is None else getattr(motion, name) for name in ("torque", "start", "block")}
+            | {"other": None if motion is None or motion.other is None else asdict(motion.other)}
+            for point, motion in enumerate(part.motion)
+        ]
 
 
 def check_scene(

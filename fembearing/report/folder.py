@@ -52,9 +52,11 @@ def write_report(result: Validation, folder: Path) -> Validation:
     if trouble:
         result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
     content = result.to_json() | {"pictures": [picture.to_json() for picture in pictures], "renderer": trouble or "VTK"}
-    (folder / "report.json").write_text(json.dumps(content, indent=1, allow_nan=False), "utf-8")
-    write_page(result, pictures=pictures, trouble=trouble, file=folder / "report.html")
-    (folder / "cost.csv").write_text(cost_table(result.ladders), "utf-8")
+    numbers = json.dumps(content, indent=1, allow_nan=False)
+    (folder / "report.json").write_text(numbers, "utf-8")
+    document = json.loads(numbers)  # as who reads the file has it
+    write_page(document, folder=folder, file=folder / "report.html")
+    (folder / "cost.csv").write_text(cost_table(document["cost"]["ladders"]), "utf-8")
     return result
 
 
@@ -63,6 +65,7 @@ def write_cost(cost: Cost, folder: Path) -> None:
     from fembearing.report.figures import png
     from fembearing.report.ladders import cost_figure, cost_table
 
-    (folder / "cost.png").write_bytes(png(cost_figure(cost.ladders, tolerance=cost.tolerance)))
-    (folder / "cost.csv").write_text(cost_table(cost.ladders), "utf-8")
+    ladders = [ladder.to_json() for ladder in cost.ladders]
+    (folder / "cost.png").write_bytes(png(cost_figure(ladders, tolerance=cost.tolerance)))
+    (folder / "cost.csv").write_text(cost_table(ladders), "utf-8")
     (folder / "cost.json").write_text(json.dumps(cost.to_json(), indent=1, allow_nan=False), "utf-8")

@@ -58,7 +58,7 @@ def draw_map(
         mark = axes.axhline if frame.rolling_is_horizontal else axes.axvline
         mark(shoulder, color="darkorange", linewidth=1.5)
         figure.text(380 / frame.width, 1 - 52 / frame.height, "orange: shoulder", fontsize=10, color="darkorange")
-    figure.text(12 / frame.width, 1 - 28 / frame.height, title_of(contact), fontsize=12)
+    figure.text(12 / frame.width, 1 - 28 / frame.height, title_of(contact.to_json()), fontsize=12)
     figure.text(12 / frame.width, 1 - 52 / frame.height, "red: Hertz's ellipse", fontsize=10, color="red")
     figure.text(170 / frame.width, 1 - 52 / frame.height, "black: the computed one", fontsize=10)
     bar = figure.add_axes((1 - 440 / frame.width, 56 / frame.height, 420 / frame.width, 20 / frame.height))

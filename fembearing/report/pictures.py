@@ -106,7 +106,7 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
     common = {
         **meshes,
         **scale,
-        "title": title_of(contact),
+        "title": title_of(contact.to_json()),
         "hertz": [contact.hertz.semi_axis_rolling, contact.hertz.semi_axis_transverse],
         "computed": [contact.reference.semi_axis_rolling, contact.reference.semi_axis_transverse],
         "centroid": contact.centroid,
@@ -165,7 +165,7 @@ def _scale(contact: ContactSolution) -> dict[str, Any]:
 def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
     across = contact.discrepancy["semi_axis_transverse"]
     return (
-        f"Contact pressure by finite elements, seen along the load and drawn to scale, {place_of(contact)}. "
+        f"Contact pressure by finite elements, seen along the load and drawn to scale, {place_of(contact.to_json())}. "
         f"{'Grey lines are the mesh, the' if mesh else 'The'} red line is Hertz's ellipse: transverse it reaches "
         f"{abs(across):.1%} {'beyond' if across > 0 else 'less far than'} the computed semi-axis, drawn in black. The "
         f"painted edge is only as sharp as one cell. {_shoulder_caption(contact)}{AXES}."
@@ -176,7 +176,7 @@ def _shoulder_caption(contact: ContactSolution) -> str:
     if not contact.shoulder:
         return ""
     return (
-        f"{' '.join(shoulder_lines(contact))} Orange: the shoulder; the black ellipse has the semi-axes of "
+        f"{' '.join(shoulder_lines(contact.to_json()))} Orange: the shoulder; the black ellipse has the semi-axes of "
         "the load about its centroid. "
     )
 
@@ -184,7 +184,7 @@ def _shoulder_caption(contact: ContactSolution) -> str:
 def _section_caption(contact: ContactSolution) -> str:
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
-        f"The meshed bodies cut along the plane x = 0, {place_of(contact)}. Left: the ball is drawn "
+        f"The meshed bodies cut along the plane x = 0, {place_of(contact.to_json())}. Left: the ball is drawn "
         f"{_lifted(contact) * 1e3:.2g} mm off its {body}. Right: the {body} alone where it is "
         "loaded; cells follow the contact's ellipse and shrink towards its edge."
     )

@@ -51,11 +51,12 @@ def print_validation(out: Console, result: Validation) -> None:
 
 
 def print_contact(out: Console, contact: ContactSolution) -> None:
-    table = Table(title=title_of(contact), **PLAIN)
+    told = contact.to_json()
+    table = Table(title=title_of(told), **PLAIN)
     for head, width in COLUMNS.items():
         left = head in ("quantity", "verdict")
         table.add_column(head, justify="left" if left else "right", no_wrap=True, min_width=width)
-    for name, shown in quantities_of(contact).items():
+    for name, shown in quantities_of(told).items():
         part, discrepancy = contact.estimates[name], contact.discrepancy[name]
         table.add_row(
             shown.heading(),
@@ -68,7 +69,7 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
         )
     out.print(table)
     _print_corrected(out, contact)
-    for line in shoulder_lines(contact):
+    for line in shoulder_lines(told):
         out.print(line, highlight=False)
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
@@ -78,7 +79,7 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
         highlight=False,
     )
     if contact.ring is not None:
-        out.print(f"{ring_line(contact.ring)}\n", highlight=False)
+        out.print(f"{ring_line(told['ring'])}\n", highlight=False)
 
 
 def _print_corrected(out: Console, contact: ContactSolution) -> None:
@@ -118,7 +119,7 @@ def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
 
 def print_series(out: Console, series: LoadSeries) -> None:
     """Each load with approach and tangent stiffness, and the law through all of them."""
-    table = Table(title=title_of(series), **PLAIN)
+    table = Table(title=title_of(series.to_json()), **PLAIN)
     for head in ("load, N", "Hertz, um", "FE, um", "Hertz/FE-1", "+-", "tangent FE, N/um", "+-", "Hertz"):
         table.add_column(head, justify="right")
     for point in series.points:
@@ -181,7 +182,7 @@ def _print_torque(out: Console, change: TorqueChange, scene: Scene) -> None:
         f"Race torque with Hertz's contacts {before.torque.total[point] * 1e3:.4g} N mm, with those of FE "
         f"{after.torque.total[point] * 1e3:.4g} N mm: {relative[point]:+.2%} +- {change.uncertainty:.2%} (numerical).\n"
         f"Contact angle {before.contact_angle[point]:.4f} rad and {after.contact_angle[point]:.4f} rad. "
-        f"Friction: {friction_of(scene)}.\n",
+        f"Friction: {friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)}.\n",
         highlight=False,
     )
     fitted = change.fitted

@@ -27,9 +27,10 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     _print_parts(out, result, points)
     if points.size < count:
         out.print(f"{points.size} of {count} operating points; --json has all of them.", highlight=False)
-    band = result.catalogue.note
+    band, scene = result.catalogue.note, result.scene
+    model = None if found.model_uncertainty is None else float(found.model_uncertainty.max())
     out.print(
-        f"In N mm about the bearing axis; +-: numerical uncertainty. {uncertainty_of(found)}\n"
+        f"In N mm about the bearing axis; +-: numerical uncertainty. {uncertainty_of(model)}\n"
         f"{band[0].upper()}{band[1:]}.\n",
         style="dim",
         highlight=False,
@@ -40,7 +41,8 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     _print_effects(out, found)
     names = ("loads", "contacts", "sliding", *(() if found.cage is None else ("cage",)))
     rungs = [f"{name} by {found.provenance[name]}".replace("_", " ") for name in names]
-    out.print(f"Rungs: {'; '.join(rungs)}. Friction: {friction_of(result.scene)}.\n", highlight=False, markup=False)
+    friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
+    out.print(f"Rungs: {'; '.join(rungs)}. Friction: {friction}.\n", highlight=False, markup=False)
     reached = float(np.max(found.numerical_uncertainty, initial=0.0))
     out.print(
         f"{'within' if result.within_tolerance else 'beyond'} the tolerance {result.scene.tolerance:g}: numerical "
@@ -153,8 +155,8 @@ def _print_effects(out: Console, found: FrictionTorque) -> None:
     for head in ("effect", "", "share"):
         table.add_column(head, justify="right" if head == "share" else "left", no_wrap=True)
     table.add_column("reason")
-    for effect in found.effects:
-        table.add_row(effect.name, effect.decision, share_of(effect, found.torque), escape(effect.reason))
+    for effect in found.effects_to_json():
+        table.add_row(effect["name"], effect["decision"], share_of(effect), escape(effect["reason"]))
     out.print(table)
     out.print(f"{SHARES}\n", style="dim", highlight=False)
 

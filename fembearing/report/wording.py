@@ -1,4 +1,7 @@
-"""How results are named to a reader: quantities with their units, contacts with their place."""
+"""How results are named to a reader: quantities with their units, contacts with their place.
+
+Everything is read off the JSON of a result, so that a page made from a file says the same as a terminal did.
+"""
 
 from itertools import groupby
 from operator import attrgetter
@@ -7,14 +10,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from rich.box import SIMPLE_HEAD
 
-from analytic.effects import DECLARED
 from analytic.film import FORMULA_UNCERTAINTY
-from analytic.scene import Scene
-from analytic.torque_result import Effect, FrictionTorque, TorqueParts
-from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.ladder import Ladder
-from fembearing.compare.ring import RingStructure
-from fembearing.compare.stiffness_law import LoadSeries
+
+Told = dict[str, Any]  # a result as its to_json tells it, SI
 
 
 class Shown(NamedTuple):
@@ -58,64 +57,63 @@ SHARES = (
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 
-def quantities_of(contact: ContactSolution) -> dict[str, Shown]:
+def quantities_of(contact: Told) -> dict[str, Shown]:
     """`QUANTITIES`, where a shoulder cuts the contact off with another word: the pressure is largest at its edge."""
-    return QUANTITIES | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else QUANTITIES
+    return QUANTITIES | {"peak_pressure": AT_THE_CENTRE} if contact["shoulder"] else QUANTITIES
 
 
-def place_of(contact: ContactSolution | LoadSeries) -> str:
-    """Where the ball sits, for example "ball on inner race"."""
-    if contact.contact.pair == "pocket":
-        return "ball in cage pocket, " + ("sheet on its rim" if contact.geometry == "wall" else "thick seat")
-    ideal = ", idealised" if contact.geometry == "hertzian" else ""
-    return f"ball on {contact.contact.pair} race{ideal}"
+def place_of(contact: Told) -> str:
+    """Where the ball sits, for example "ball on inner race"; of a contact or of a series of loads."""
+    if contact["pair"] == "pocket":
+        return "ball in cage pocket, " + ("sheet on its rim" if contact["geometry"] == "wall" else "thick seat")
+    ideal = ", idealised" if contact["geometry"] == "hertzian" else ""
+    return f"ball on {contact['pair']} race{ideal}"
 
 
-def ring_line(ring: RingStructure) -> str:
+def ring_line(ring: Told) -> str:
     """What the ring adds to the approach, in one sentence."""
     return (
-        f"Ring on a rigid seat: approach {ring.approach * 1e6:+.3f} um ({ring.share:+.1%} of the contact's), "
-        f"+- {ring.uncertainty * 1e6:.3f} um: structure, not contact."
+        f"Ring on a rigid seat: approach {ring['approach'] * 1e6:+.3f} um ({ring['share']:+.1%} of the contact's), "
+        f"+- {ring['uncertainty'] * 1e6:.3f} um: structure, not contact."
     )
 
 
-def title_of(contact: ContactSolution | LoadSeries) -> str:
-    """Place and load, or the number of loads, for the head of a table or a picture."""
-    noun = contact.contact
-    angle = "" if noun.pair == "pocket" else f" at {noun.contact_angle:.4f} rad"
-    place = place_of(contact)
-    load = f"{len(contact.points)} loads" if isinstance(contact, LoadSeries) else f"{noun.load:.4g} N"
-    return f"{place[0].upper()}{place[1:]}{angle}: {load}"
+def title_of(contact: Told) -> str:
+    """Place and load, or of a series the number of loads, for the head of a table or a picture."""
+    angle = "" if contact["pair"] == "pocket" else f" at {contact['contact_angle']:.4f} rad"
+    load = f"{len(contact['loads'])} loads" if "loads" in contact else f"{contact['load']:.4g} N"
+    return f"{capital(place_of(contact))}{angle}: {load}"
 
 
-def friction_of(scene: Scene) -> str:
+def capital(words: str) -> str:
+    """As at the beginning of a sentence; what follows the first letter is left as it is."""
+    return words[:1].upper() + words[1:]
+
+
+def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:
     """Where the friction of ball on race comes from."""
-    if scene.friction_coefficient is not None:
-        return (
-            f"coefficient {scene.friction_coefficient:g} at each race, given by the scene and by no lubrication model"
-        )
-    if scene.has_friction:
+    if coefficient is not None:
+        return f"coefficient {coefficient:g} at each race, given by the scene and by no lubrication model"
+    if is_lubricated:
         return "coefficient of each race by mixed lubrication, from the scene's lubricant and surface"
     return "neither a coefficient nor both lubricant and surface in the scene: no torque"
 
 
-def share_of(effect: Effect, torque: TorqueParts) -> str:
+def share_of(effect: Told) -> str:
     """An effect's largest share of the total; a bound says so."""
-    if effect.share is None:
-        return "not known"
-    if not np.isfinite(effect.share):
-        return "no bound"
-    is_part = getattr(torque, effect.name, None) is not None or effect.name in DECLARED
-    return f"{'' if is_part else '<= '}{100 * effect.share:{'.0f' if effect.share > 1 else '.3g'}} %"
+    kind, share = effect["share_is"], effect["share"]
+    if kind in ("unknown", "unbounded"):
+        return "not known" if kind == "unknown" else "no bound"
+    return f"{'' if kind == 'part' else '<= '}{100 * share:{'.0f' if share > 1 else '.3g'}} %"
 
 
-def uncertainty_of(found: FrictionTorque) -> str:
-    """What is known of the model's uncertainty, in a sentence."""
-    if found.model_uncertainty is None:
+def uncertainty_of(model: float | None) -> str:
+    """What is known of the model's uncertainty, at most of all operating points and relative, in a sentence."""
+    if model is None:
         return "Model uncertainty: not known, as no film is computed, and no measurement was found."
     return (
         f"Model uncertainty: the film formula's, {200 * FORMULA_UNCERTAINTY:.0f} % of the film, moves the total by up "
-        f"to {100 * found.model_uncertainty.max():.2g} %; what else the model leaves is not known, as no "
+        f"to {100 * model:.2g} %; what else the model leaves is not known, as no "
         "measured torque of such a bearing was found."
     )
 
@@ -137,28 +135,29 @@ def choices_line(ladder: Ladder) -> str:
     return "; ".join(parts)
 
 
-def shoulder_lines(contact: ContactSolution) -> list[str]:
+def shoulder_lines(contact: Told) -> list[str]:
     """What a contact cut off at a shoulder does there, a sentence each; none where it ends before."""
-    if not contact.shoulder:
+    shoulder = contact["shoulder"]
+    if not shoulder:
         return []
-    centroid, share, line = (contact.shoulder[name] for name in ("centroid", "strip_share", "strip_line_load"))
-    half, ends = contact.meshes[-1].pair.footprint.half, [f"{y * 1e3:.4g} mm" for y in contact.shoulders]
+    centroid, share, line = (shoulder[name] for name in ("centroid", "strip_share", "strip_line_load"))
+    ends = [f"{y * 1e3:.4g} mm" for y in sorted(-y if side == "below" else y for side, y in shoulder["sides"].items())]
     found = []
     if len(ends) == 1:
         where, beside = f"Cut off at the shoulder, y = {ends[0]}, on one side", "the shoulder"
     else:
         where, beside = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {ends[1]}"
-    if half:
+    if shoulder["half"]:
         found.append(
             f"{where}: half of the contact is meshed, semi-axes are about the load's centroid, at y = "
-            f"{centroid.value * 1e3:.3g} mm (+-{centroid.total:.1%} of that)."
+            f"{centroid['fe'] * 1e3:.3g} mm (+-{centroid['uncertainty']:.1%} of that)."
         )
     else:
         found.append(f"{where}.")
-    times = line.value / contact.hertz_line_load
+    times = line["fe"] / shoulder["hertz_line_load"]
     found.append(
-        f"Edge load: the strip of {contact.strip_width * 1e3:.3g} mm beside {beside} carries {share.value:.2%} of "
-        f"the load (+-{share.total:.1%} of that), {line.value * 1e-3:.4g} N/mm or {times:.3g} times Hertz's greatest "
-        "line load. The pressure shown is that at y = 0, not at the edge, where it has no bound."
+        f"Edge load: the strip of {shoulder['strip_width'] * 1e3:.3g} mm beside {beside} carries {share['fe']:.2%} of "
+        f"the load (+-{share['uncertainty']:.1%} of that), {line['fe'] * 1e-3:.4g} N/mm or {times:.3g} times Hertz's "
+        "greatest line load. The pressure shown is that at y = 0, not at the edge, where it has no bound."
     )
     return found

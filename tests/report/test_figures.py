@@ -21,7 +21,7 @@ def check_points(line: Line2D, x: list[float], y: list[float]) -> None:
 
 @pytest.fixture(scope="module")
 def panels(made: Validation) -> dict[str, Axes]:
-    return {axes.get_title(): axes for axes in convergence_figure(made).axes}
+    return {axes.get_title(): axes for axes in convergence_figure(made.to_json()).axes}
 
 
 def test_meshes_with_an_order_are_drawn_by_their_distance_from_the_limit(panels: dict[str, Axes]) -> None:

@@ -15,9 +15,9 @@ from analytic.torque import friction_torque
 from fembearing.compare.hard_case import HardOutcome
 from fembearing.compare.uncertainty import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.compare.validation import Validation
-from fembearing.report.page import write_page
 from fembearing.report.pictures import Picture
 from fembearing.report.terminal import print_validation
+from tests.report.page_writer import written_page
 from tests.report.test_cage_pictures import MOVING
 
 ORDER = (
@@ -30,6 +30,7 @@ ORDER = (
     "What accuracy costs",
     "Published numbers",
     "Hard cases",
+    "What to run next",
     "Provenance",
 )
 
@@ -64,15 +65,12 @@ class Page(HTMLParser):
 
 
 def page_of(result: Validation, folder: Path) -> Page:
-    write_page(result, pictures=[], trouble=None, file=folder / "page.html")
-    return Page((folder / "page.html").read_text("utf-8"))
+    return Page(written_page(result, folder))
 
 
 @pytest.fixture(scope="module")
 def page(checked: Validation, pictures: list[Picture], tmp_path_factory: pytest.TempPathFactory) -> Page:
-    file = tmp_path_factory.mktemp("page") / "page.html"
-    write_page(checked, pictures=pictures, trouble=None, file=file)
-    return Page(file.read_text("utf-8"))
+    return Page(written_page(checked, tmp_path_factory.mktemp("page"), pictures=pictures))
 
 
 def test_the_sections_stand_in_their_order(page: Page) -> None:
@@ -123,7 +121,7 @@ def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Va
         "viscosity 0.06 Pa s",
         "rms roughness 1 um of each, gaussian autocorrelation of 165 um",
         "by mixed lubrication, from the scene's lubricant and surface",
-        "that is a fit and no prediction",
+        "Calibration: oil, hardness, boundary friction, hysteresis loss and autocorrelation to the paper's race torque",
     ):
         assert said in words
     assert "no torque" not in words
@@ -159,8 +157,7 @@ def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: V
 
 def test_hard_cases_and_a_missing_renderer_are_shown(checked: Validation, tmp_path: Path) -> None:
     hard = (HardOutcome(case="an odd one", outcome="wrong", detail="3, expected 2"),)
-    write_page(replace(checked, hard=hard), pictures=[], trouble="VTK ended with signal 6", file=tmp_path / "page.html")
-    page = Page((tmp_path / "page.html").read_text("utf-8"))
+    page = Page(written_page(replace(checked, hard=hard), tmp_path, trouble="VTK ended with signal 6"))
     assert re.search(r"an odd one\s*wrong\s*3, expected 2", page.text)
     assert "maps by matplotlib: VTK ended with signal 6" in page.text
     assert replace(checked, hard=hard).verdict == "fail"  # whatever the contacts say

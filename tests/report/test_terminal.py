@@ -118,12 +118,21 @@ def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:
     ):
         assert rows[pair, quantity] == {
             "pair": pair,
+            "geometry": "real",
             "quantity": quantity,
             "production": production,
             "reference": reference,
             "discrepancy": pytest.approx(discrepancy, rel=1e-12),  # round-off
             "uncertainty": pytest.approx(uncertainty, rel=1e-12),
             "exceeds_uncertainty": exceeds,
+            "comparison": {
+                "error": pytest.approx(production - reference, rel=1e-9),  # a difference of near values
+                "numerical": 0.0,
+                "input": 0.0,
+                "reference": pytest.approx(uncertainty * reference, rel=1e-12),
+                "total": pytest.approx(uncertainty * reference, rel=1e-12),
+                "resolved": exceeds,
+            },
             "verdict": verdict,
         }
 

@@ -1,0 +1,29 @@
+"""What each mesh gave, and what they say together."""
+
+from typing import Any
+
+from fembearing.report.wording import Shown, Told, capital, place_of, quantities_of
+
+
+def mesh_section(document: Told) -> dict[str, Any]:
+    return {
+        "meshes": [
+            (
+                capital(place_of(contact)),
+                [_row(contact["convergence"][name], shown) for name, shown in quantities_of(contact).items()],
+            )
+            for contact in document["contacts"]
+        ]
+    }
+
+
+def _row(part: Told, shown: Shown) -> dict[str, str]:
+    limit = part["richardson"]
+    return {
+        "quantity": shown.heading(),
+        "values": ", ".join(f"{value * shown.factor:.5g}" for value in part["values"]),
+        "order": "none" if part["order"] is None else f"{part['order']:.1f}",
+        "richardson": "" if limit is None else f"{limit * shown.factor:.5g}",
+        "mesh": f"{part['mesh']:.2%}",
+        "domain": f"{part['domain']:.2%}",
+    }
