@@ -51,6 +51,7 @@ from fembearing.options import (
     Tolerance,
     read_option,
 )
+from fembearing.page_command import EXAMPLE, report
 from fembearing.sweep_command import sweep
 
 if TYPE_CHECKING:  # the solver takes a second to import: only the commands that solve pay for it
@@ -237,6 +238,7 @@ def cost(
 
 
 app.command(epilog="Example: fembearing sweep map.toml --out map-of-my-bearing")(sweep)
+app.command(epilog=EXAMPLE)(report)
 
 
 @app.command(epilog="Example: fembearing mesh --pair inner --level 2 --out meshes-of-the-inner-race")

@@ -30,6 +30,8 @@ SECTIONS = (
     *(scene_section, verdict_section, torque_section, mesh_section, cost_section),
     *(published_section, standing_section),
 )
+GENERATOR = "fembearing"
+MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
 PNG = b"\x89PNG\r\n\x1a\n"  # how such a file begins
 
 
@@ -73,6 +75,7 @@ def write_page(document: Document, *, folder: Path, file: Path) -> None:
         context |= section(document)
     page = environment.get_template("page.html").render(
         document=document,
+        generator=GENERATOR,
         tolerance=f"{100 * document['tolerance']:g} %",
         plots=plots_of(document, PLOTS),
         pictures=[_picture(picture, document, folder) for picture in document.get("pictures", ())],

@@ -1,0 +1,328 @@
+"""What report.json must hold for the page to be made from it. Numbers are SI, uncertainties and discrepancies relative.
+
+A key that no section and no plot reads may be anything or missing; one that they read has a line here.
+"""
+
+from typing import Annotated, Generic, Literal, TypeVar
+
+from pydantic import Field, model_validator
+
+from fembearing.report.scene_shape import Positive, Scene, Shape
+
+T = TypeVar("T")
+Pair = Literal["inner", "outer", "pocket"]
+Geometry = Literal["real", "hertzian", "wall", "ring"]
+Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
+Verdict = Literal["pass", "fail", "undecided", "outside validity"]
+FileName = Annotated[str, Field(pattern=r"^\w[\w.-]*$")]  # beside report.json, never elsewhere
+
+
+class OfQuantities(Shape, Generic[T]):
+    approach: T
+    semi_axis_rolling: T
+    semi_axis_transverse: T
+    peak_pressure: T
+    stiffness: T
+
+
+class Comparison(Shape):
+    total: float
+    resolved: bool
+
+
+class VerdictRow(Shape):
+    pair: Pair
+    geometry: Geometry
+    quantity: Quantity
+    production: float
+    reference: Positive
+    discrepancy: float
+    verdict: Verdict
+    comparison: Comparison
+
+
+class Uncertainties(Shape):
+    numerical: str
+    input: str
+    reference: str
+
+
+class Corrected(Shape):
+    values: OfQuantities[float]
+    interpolation_error: OfQuantities[float]
+
+
+class Ring(Shape):
+    approach: float
+    share: float
+    uncertainty: float
+
+
+class Estimated(Shape):
+    fe: float
+    uncertainty: float
+
+
+class Sides(Shape):
+    above: float
+    below: float = 0.0
+
+
+class Shoulder(Shape):
+    sides: Sides
+    half: bool
+    strip_width: float
+    hertz_line_load: Positive
+    centroid: Estimated
+    strip_share: Estimated
+    strip_line_load: Estimated
+
+
+class Study(Shape):
+    values: list[Positive]
+    order: float | None
+    richardson: Positive | None
+    mesh: float
+    domain: float
+
+
+class Mesh(Shape):
+    unknowns: Annotated[int, Field(gt=0)]
+
+
+class Contact(Shape):
+    pair: Pair
+    geometry: Geometry
+    load: float
+    contact_angle: float
+    judged: bool
+    fe: OfQuantities[float]
+    hertz: OfQuantities[Positive]
+    uncertainty: OfQuantities[float]
+    corrected: Corrected | None
+    ring: Ring | None
+    convergence: OfQuantities[Study]
+    meshes: Annotated[list[Mesh], Field(min_length=2)]
+    shoulder: Shoulder | None
+
+    @model_validator(mode="after")
+    def each_mesh_has_its_value(self) -> "Contact":
+        for name, study in self.convergence:
+            if len(study.values) != len(self.meshes):
+                raise ValueError(f"has {len(study.values)} values of {name} on {len(self.meshes)} meshes")
+        return self
+
+
+class Uncertainty(Shape):
+    numerical: float | None
+    model: float | None
+
+
+class Point(Shape):
+    axial_load: float
+    inner_speed: float
+    contact_angle: float
+    torque: dict[str, float | None]
+    uncertainty: Uncertainty
+
+
+class Effect(Shape):
+    name: str
+    decision: str
+    share: float | None
+    share_is: Literal["part", "bound", "unbounded", "unknown"]
+    reason: str
+
+    @model_validator(mode="after")
+    def what_has_a_share_tells_it(self) -> "Effect":
+        if self.share is None and self.share_is in ("part", "bound"):
+            raise ValueError("has no share")
+        return self
+
+
+class Band(Shape):
+    low: list[float] | None
+    high: list[float] | None
+    note: str
+
+
+class Torque(Shape):
+    points: Annotated[list[Point], Field(min_length=1)]
+    effects: list[Effect]
+    catalogue_band: Band
+
+    @model_validator(mode="after")
+    def points_have_the_same_parts(self) -> "Torque":
+        if len({frozenset(point.torque) for point in self.points}) > 1:
+            raise ValueError("has points with different parts")
+        band = self.catalogue_band
+        if (band.low is None) != (band.high is None):
+            raise ValueError("has half a catalogue_band")
+        if band.low is not None and band.high is not None and len(band.low) == len(band.high) != len(self.points):
+            raise ValueError(f"has {len(band.low)} values of catalogue_band at {len(self.points)} points")
+        return self
+
+
+class Corrections(Shape):
+    corrected: list[float | None]
+
+
+class Total(Shape):
+    total: list[float | None]
+
+
+class FiniteGeometry(Shape):
+    change: list[float | None]
+
+
+class TorqueChange(Shape):
+    contact_angle: Corrections
+    torque: Corrections
+    change: Total
+    uncertainty: float
+    finite_geometry: FiniteGeometry
+    verdict: Verdict
+
+    @property
+    def lengths(self) -> set[int]:
+        series = (self.contact_angle.corrected, self.torque.corrected, self.change.total, self.finite_geometry.change)
+        return set(map(len, series))
+
+
+class Interval(Shape):
+    torque: tuple[float, float]
+    max_force: tuple[float, float]
+
+
+class OtherStart(Shape):
+    state: str
+    start: str
+    torque: float
+
+
+class CageAtRest(Shape):
+    start: None
+
+
+class MovedCage(Shape):
+    start: str
+    state: str
+    inner_speed: float
+    torque: float
+    interval: Interval
+    signed_moment: float
+    mean_force: float
+    max_force: float
+    duration: float
+    block: float
+    other: OtherStart | None
+
+
+class Chosen(Shape):
+    value: float
+    unit: str
+
+
+class Printed(Shape):
+    quantity: Annotated[str, Field(pattern="_(torque|force)$")]
+    rms_roughness: float
+    inner_speed: float
+    value: float
+    note: str
+    ours: float | None
+    deviation: float | None
+
+
+class Published(Shape):
+    paper: str
+    absent: str | None
+    calibration: str | None
+    chosen: dict[str, Chosen]
+    rows: list[Printed]
+
+
+class Rung(Shape):
+    name: str
+    error: float | None
+    bound: float | None
+    seconds: float | None
+    memory: int | None
+    unknowns: int | None
+    chosen: bool
+    failed: str | None
+
+
+class Ladder(Shape):
+    quantity: str
+    absent: str | None
+    rungs: list[Rung]
+
+
+class Cost(Shape):
+    measured: bool
+    seconds: float
+    ladders: list[Ladder]
+
+
+class HardCase(Shape):
+    case: str
+    outcome: Literal["right", "refused", "wrong"]
+    detail: str
+
+
+class PictureFile(Shape):
+    file: FileName
+    pair: Pair
+    geometry: Geometry
+    caption: str
+
+
+class Provenance(Shape):
+    scene: str
+    scene_content: Scene
+    scene_sha256: str
+    seeds: dict[str, list[int]]
+    date: str
+    command: list[str]
+    python: str
+    platform: str
+    processor: str
+    cores: int | None
+    versions: dict[str, str | None]
+
+
+class Report(Shape):
+    verdict: Verdict
+    tolerance: Positive
+    verdicts: list[VerdictRow]
+    uncertainties: Uncertainties
+    contacts: Annotated[list[Contact], Field(min_length=2, max_length=4)]
+    torque: Torque | None
+    torque_change: TorqueChange | None
+    cage_motion: list[CageAtRest | MovedCage] | None
+    published: Published
+    cost: Cost
+    hard: list[HardCase]
+    warnings: list[str]
+    provenance: Provenance
+    pictures: Annotated[list[PictureFile], Field(default_factory=list)]
+    renderer: str = "VTK"
+
+    @model_validator(mode="after")
+    def parts_fit_together(self) -> "Report":
+        places = [(contact.pair, contact.geometry) for contact in self.contacts]
+        for picture in self.pictures:
+            if (picture.pair, picture.geometry) not in places:
+                raise ValueError(f"has no contact for the picture {picture.file}")
+        for contact in self.contacts:
+            rows = [row for row in self.verdicts if (row.pair, row.geometry) == (contact.pair, contact.geometry)]
+            named = sorted(row.quantity for row in rows)
+            if contact.judged and named != sorted(OfQuantities.model_fields):
+                raise ValueError(f"has no verdict on every quantity of {contact.pair}, once")
+        if (self.torque is None) != (self.torque_change is None):
+            raise ValueError("has torque without torque_change, or the other way round")
+        if self.torque is not None and self.torque_change is not None:
+            count = len(self.torque.points)
+            if self.torque_change.lengths != {count}:
+                raise ValueError(f"has a torque_change of other than the {count} points of torque")
+        return self
