@@ -66,7 +66,7 @@ def main() -> None:
     """Run the command line; a user's mistake is one line, anything else is our bug and keeps its traceback."""
     if sys.stdout is None:
         sys.exit(complain("standard output is closed; give the result somewhere to go", INPUT_AT_FAULT))
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(TERMINATED))  # an exception clears up on its way, the signal not
+    signal.signal(signal.SIGTERM, end)
     try:
         status = app(standalone_mode=False)
         sys.stdout.flush()
@@ -85,6 +85,12 @@ def main() -> None:
         close_output()
         status = complain(f"cannot write the result: {problem.strerror}; check where it goes", INPUT_AT_FAULT)
     sys.exit(status)
+
+
+def end(*_: object) -> None:
+    """An exception clears up on its way, the signal not; another signal does not stop that."""
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    sys.exit(TERMINATED)
 
 
 @app.callback()

@@ -12,9 +12,9 @@ from typing import Any
 from fembearing.compare.uncertainty import Estimate
 
 WHY = {  # of each uncertainty
-    "numerical": "0: the closed form is solved to round-off",
-    "input": "0: both models take the same dimensions, load and materials, whose uncertainty does not set them apart",
-    "reference": "of the finite elements, from their meshes and their far boundary",
+    "numerical": "0, as the closed form is solved to round-off",
+    "input": "0, as both models take the same dimensions, load and materials, whose errors do not set them apart",
+    "reference": "that of the finite elements, from their meshes and their far boundary",
 }
 
 

@@ -1,8 +1,8 @@
 """A folder that is written whole or not at all."""
 
 import os
+import secrets
 import shutil
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -20,15 +20,17 @@ def whole_folder(target: Path) -> Iterator[Path]:
     if os.path.lexists(target):
         raise InputError(f"{place} exists already: give a new name, or remove it first")
     parent = target.absolute().parent
+    apart = parent / f".{target.name}-{secrets.token_hex(4)}"
     try:
-        apart = Path(tempfile.mkdtemp(dir=parent, prefix=f".{target.name}-"))
-    except OSError as problem:
-        raise InputError(
-            f"{place} cannot be made in {str(parent)!r}: {problem.strerror}; give a name in a folder that you may write"
-        ) from problem
-    try:
+        try:
+            apart.mkdir(mode=0o700)  # nobody but its owner looks in before it is whole
+        except OSError as problem:
+            raise InputError(
+                f"{place} cannot be made in {str(parent)!r}: {problem.strerror}; give a name in a folder that you may "
+                "write"
+            ) from problem
         yield apart
-        apart.chmod(0o777 & ~_umask())  # mkdtemp lets in nobody but its owner
+        apart.chmod(0o777 & ~_umask())
         try:
             apart.rename(target)
         except OSError as problem:  # somebody made it meanwhile

@@ -14,6 +14,7 @@ Pair = Literal["inner", "outer", "pocket"]
 Geometry = Literal["real", "hertzian", "wall", "ring"]
 Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
+Ends = Annotated[list[float], Field(min_length=2, max_length=2)]
 FileName = Annotated[str, Field(pattern=r"^\w[\w.-]*$")]  # beside report.json, never elsewhere
 
 
@@ -190,8 +191,8 @@ class TorqueChange(Shape):
 
 
 class Interval(Shape):
-    torque: tuple[float, float]
-    max_force: tuple[float, float]
+    torque: Ends
+    max_force: Ends
 
 
 class OtherStart(Shape):
@@ -299,7 +300,7 @@ class Report(Shape):
     contacts: Annotated[list[Contact], Field(min_length=2, max_length=4)]
     torque: Torque | None
     torque_change: TorqueChange | None
-    cage_motion: list[CageAtRest | MovedCage] | None
+    cage_motion: list[MovedCage | CageAtRest] | None
     published: Published
     cost: Cost
     hard: list[HardCase]

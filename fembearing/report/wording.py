@@ -90,6 +90,11 @@ def capital(words: str) -> str:
     return words[:1].upper() + words[1:]
 
 
+def digits(value: float, count: int = 5) -> str:
+    """A value with its significant digits, zeros at the end included: numbers below each other are as exact."""
+    return f"{value:#.{count}g}".removesuffix(".")
+
+
 def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:
     """Where the friction of ball on race comes from."""
     if coefficient is not None:

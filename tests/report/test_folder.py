@@ -2,6 +2,8 @@
 
 import json
 import os
+import shutil
+import signal
 import stat
 import subprocess
 import sys
@@ -13,6 +15,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile import builtin_scene, load_scene
+from fembearing import cli
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
 from fembearing.report import page, pictures
@@ -122,6 +125,38 @@ def test_a_renderer_that_fails_is_told_in_the_result(
     result = validate(solved.scene, out=tmp_path / "report")
     assert "maps by matplotlib: the renderer could not be started" in result.warnings[-1]
     assert json.loads((tmp_path / "report" / "report.json").read_text("utf-8"))["warnings"] == list(result.warnings)
+
+
+@pytest.mark.usefixtures("solved")
+def test_a_renderer_that_fails_is_told_on_the_terminal(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": ("/nowhere/python",)})
+    monkeypatch.setattr(page, "PLOTS", ())
+    monkeypatch.setattr("sys.argv", ["fembearing", "validate", "--out", str(tmp_path / "report")])
+    with pytest.raises(SystemExit):
+        cli.main()
+    told = capsys.readouterr()
+    assert told.err.count("the pictures are maps by matplotlib: the renderer could not be started") == 1
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows ends a process without a signal")
+def test_a_second_signal_does_not_stop_the_clearing_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first is an exception; the second comes while the folder is removed."""
+    remove = shutil.rmtree
+
+    def signalled(*given: object, **how: object) -> None:
+        os.kill(os.getpid(), signal.SIGTERM)
+        remove(*given, **how)  # pyright: ignore[reportArgumentType, reportCallIssue]
+
+    monkeypatch.setattr(shutil, "rmtree", signalled)
+    before = signal.signal(signal.SIGTERM, cli.end)
+    try:
+        with pytest.raises(SystemExit), whole_folder(tmp_path / "report"):
+            os.kill(os.getpid(), signal.SIGTERM)
+    finally:
+        signal.signal(signal.SIGTERM, before)
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows ends a process without a signal")

@@ -12,12 +12,14 @@ from rich.console import Console
 
 from analytic.scenefile import load_scene, parse_scene
 from analytic.torque import friction_torque
+from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.hard_case import HardOutcome
 from fembearing.compare.uncertainty import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.compare.validation import Validation
 from fembearing.report.pictures import Picture
+from fembearing.report.shape import Report
 from fembearing.report.terminal import print_validation
-from tests.report.page_writer import written_page
+from tests.report.page_writer import document_of, written_page
 from tests.report.test_cage_pictures import MOVING
 
 ORDER = (
@@ -193,3 +195,14 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     content = moved.to_json()["cage_motion"]
     assert [point["state"] for point in content] == ["whirl"]
     assert checked.to_json()["cage_motion"] is None
+    seeds = replace(moved, scene=scene).to_json()["provenance"]["seeds"]
+    assert seeds == {"motion of the cage": [0, 1]}
+    Report.model_validate(document_of(moved))  # what `fembearing report` reads
+
+
+def test_a_contact_cut_off_at_a_shoulder_can_be_read_back(
+    checked: Validation, cut_contact: ContactSolution, tmp_path: Path
+) -> None:
+    cut = replace(checked, contacts=(cut_contact, *checked.contacts[1:]))
+    Report.model_validate(document_of(cut))
+    assert "Ball on inner race: cut off at the shoulder, y = 0.8 mm, on one side" in page_of(cut, tmp_path).text

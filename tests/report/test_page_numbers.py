@@ -82,36 +82,63 @@ def test_each_verdict_stands_with_its_numbers(tables: Tables) -> None:
     assert outer.endswith("368.5 N")
     assert seat == "Ball in cage pocket, thick seat: 28.5 N"
     assert blocks[inner] == [
-        ("approach, um", "5.3295", "5.225", "+2.00%", "1.40%", "yes", "pass", "5.2198", "-0.10%"),
-        ("semi-axis a, mm", "0.1176", "0.12", "-2.00%", "2.50%", "no", "pass", "0.1203", "+0.25%"),
-        ("semi-axis b, mm", "0.968", "0.88", "+10.00%", "2.30%", "yes", "fail", "0.8778", "-0.25%"),
-        ("peak pressure, GPa", "1.785", "1.7", "+5.00%", "1.90%", "yes", "undecided", "1.7085", "+0.50%"),
+        ("approach, um", "5.3295", "5.2250", "+2.00%", "1.40%", "yes", "pass", "5.2198", "-0.10%"),
+        ("semi-axis a, mm", "0.11760", "0.12000", "-2.00%", "2.50%", "no", "pass", "0.12030", "+0.25%"),
+        ("semi-axis b, mm", "0.96800", "0.88000", "+10.00%", "2.30%", "yes", "fail", "0.87780", "-0.25%"),
+        ("peak pressure, GPa", "1.7850", "1.7000", "+5.00%", "1.90%", "yes", "undecided", "1.7085", "+0.50%"),
         (
             "stiffness, GN/m^1.5",
-            "24.25",
-            "25",
+            "24.250",
+            "25.000",
             "-3.00%",
             "1.60%",
             "yes",
             "undecided",
-            "25.05",
+            "25.050",
             "+0.20%",
         ),  # its meshes show no order
     ]
     assert blocks[outer] == [
-        ("approach, um", "6.08", "6.4", "-5.00%", "0.90%", "yes", "outside validity", "-", "-"),
-        ("semi-axis a, mm", "0.1414", "0.14", "+1.00%", "1.67%", "no", "outside validity", "-", "-"),
-        ("semi-axis b, mm", "0.78", "0.75", "+4.00%", "3.06%", "yes", "outside validity", "-", "-"),
-        ("peak pressure, GPa", "1.568", "1.6", "-2.00%", "0.33%", "yes", "outside validity", "-", "-"),
-        ("stiffness, GN/m^1.5", "22.8", "24", "-5.00%", "5.03%", "no", "outside validity", "-", "-"),
+        ("approach, um", "6.0800", "6.4000", "-5.00%", "0.90%", "yes", "outside validity", "-", "-"),
+        ("semi-axis a, mm", "0.14140", "0.14000", "+1.00%", "1.67%", "no", "outside validity", "-", "-"),
+        ("semi-axis b, mm", "0.78000", "0.75000", "+4.00%", "3.06%", "yes", "outside validity", "-", "-"),
+        ("peak pressure, GPa", "1.5680", "1.6000", "-2.00%", "0.33%", "yes", "outside validity", "-", "-"),
+        ("stiffness, GN/m^1.5", "22.800", "24.000", "-5.00%", "5.03%", "no", "outside validity", "-", "-"),
     ]
     assert blocks[seat] == [
-        ("approach, um", "0.609", "0.58", "+5.00%", "0.67%", "yes", "undecided", "-", "-"),
-        ("semi-axis a, mm", "0.3131", "0.31", "+1.00%", "0.30%", "yes", "pass", "-", "-"),
-        ("semi-axis b, mm", "0.3168", "0.32", "-1.00%", "0.35%", "yes", "pass", "-", "-"),
-        ("peak pressure, GPa", "0.1372", "0.14", "-2.00%", "3.08%", "no", "undecided", "-", "-"),
-        ("stiffness, GN/m^1.5", "60.8", "64", "-5.00%", "0.73%", "yes", "undecided", "-", "-"),
+        ("approach, um", "0.60900", "0.58000", "+5.00%", "0.67%", "yes", "undecided", "-", "-"),
+        ("semi-axis a, mm", "0.31310", "0.31000", "+1.00%", "0.30%", "yes", "pass", "-", "-"),
+        ("semi-axis b, mm", "0.31680", "0.32000", "-1.00%", "0.35%", "yes", "pass", "-", "-"),
+        ("peak pressure, GPa", "0.13720", "0.14000", "-2.00%", "3.08%", "no", "undecided", "-", "-"),
+        ("stiffness, GN/m^1.5", "60.800", "64.000", "-5.00%", "0.73%", "yes", "undecided", "-", "-"),
     ]
+
+
+def test_each_contact_is_told_what_is_resolved(tables: Tables) -> None:
+    """E and u_val of every quantity, on the side of |E| > u_val where it belongs."""
+    words = " ".join(tables.text.split())
+    for said in (
+        "Ball on inner race: |E| > u_val: the difference is resolved, and is Hertz's error: approach +2.00% +- 1.40%, "
+        "semi-axis b +10.00% +- 2.30%, peak pressure +5.00% +- 1.90%, stiffness -3.00% +- 1.60%.",
+        "Ball on inner race: |E| <= u_val: the difference is not resolved, Hertz's error is somewhere in semi-axis a "
+        "-2.00% +- 2.50%.",
+        "not resolved, Hertz's error is somewhere in semi-axis a +1.00% +- 1.67%, stiffness -5.00% +- 5.03%.",
+    ):
+        assert said in words
+
+
+def test_the_next_steps_follow_from_the_verdicts(tables: Tables) -> None:
+    words = " ".join(tables.text.split()).partition("What to run next ")[2]
+    for said in (
+        'ball on inner race: Hertz fails in semi-axis b: effects.finite_geometry = "on" corrects Hertz, to 0.50% of',
+        "ball on inner race: undecided in peak pressure, stiffness: fembearing contact SCENE --pair inner --tolerance "
+        '"0.25 %"',
+        "ball on outer race: outside the validity of Hertz",
+        "fembearing validate SCENE --hard",
+        "fembearing cost SCENE",
+        "the torque is not validated: measure it",
+    ):
+        assert said in words
 
 
 def test_no_verdict_wears_the_colour_of_another(tables: Tables) -> None:
@@ -132,18 +159,18 @@ def test_a_ring_stands_apart_from_its_contact(made: Validation, tmp_path: Path) 
 def test_the_pocket_is_set_against_hertz(tables: Tables) -> None:
     (heading,) = (each for each in tables.rows if each.startswith("Cage pocket"))
     assert [row[1:] for row in tables.rows[heading][1:]] == [
-        ("60.8", "", "+0.0%", "0.609"),
-        ("64", "0.73%", "+5.3%", "0.58"),  # 64/60.8; the other way round it would be -5.0 %
-        ("39.52", "0.57%", "-35.0%", "0.87"),
+        ("60.80", "", "+0.0%", "0.6090"),
+        ("64.00", "0.73%", "+5.3%", "0.5800"),  # 64/60.8; the other way round it would be -5.0 %
+        ("39.52", "0.57%", "-35.0%", "0.8700"),
     ]
 
 
 def test_the_torque_of_each_operating_point_stands_before_and_after(tables: Tables) -> None:
     """load, speed; by Hertz angle, total, spin, conformity, hysteresis; by finite elements angle, total; changes."""
     assert tables.rows["What this does to the race torque"][2:] == [
-        ("700", "150", "0.2810", "31", "17.1", "11.4", "2.5", "-", "-", "-", "-"),
-        ("900", "300", "0.3012", "40", "22.5", "14.3", "3.2", "0.2998", "41", "+2.50%", "-2.13%"),
-        ("910", "600", "0.3031", "50", "27", "19", "4", "0.3019", "48.5", "-3.00%", "-2.67%"),
+        ("700", "150", "0.2810", "31.00", "17.10", "11.40", "2.500", "-", "-", "-", "-"),
+        ("900", "300", "0.3012", "40.00", "22.50", "14.30", "3.200", "0.2998", "41.00", "+2.50%", "-2.13%"),
+        ("910", "600", "0.3031", "50.00", "27.00", "19.00", "4.000", "0.3019", "48.50", "-3.00%", "-2.67%"),
     ]
     assert "1.37 %" in tables.text
 
@@ -163,15 +190,15 @@ def test_the_mesh_study_shows_what_each_mesh_gave(tables: Tables) -> None:
     """quantity, values, order, extrapolated, uncertainty from the meshes, from the far boundary"""
     inner, outer, seat, sheet = tables.blocks("Mesh convergence").values()
     assert inner == [
-        ("approach, um", "4.4, 5.06, 5.5", "3.6", "5.225", "1.10%", "0.30%"),
-        ("semi-axis a, mm", "0.126, 0.1212, 0.1195", "2.7", "0.12", "1.95%", "0.55%"),
-        ("semi-axis b, mm", "0.792, 0.8624, 0.89", "1.4", "0.88", "1.70%", "0.60%"),
-        ("peak pressure, GPa", "1.87, 1.734, 1.69", "4.2", "1.7", "1.20%", "0.70%"),
-        ("stiffness, GN/m^1.5", "32.5, 27.5, 25", "none", "", "1.40%", "0.20%"),
+        ("approach, um", "4.4000, 5.0600, 5.5000", "3.6", "5.2250", "1.10%", "0.30%"),
+        ("semi-axis a, mm", "0.12600, 0.12120, 0.11950", "2.7", "0.12000", "1.95%", "0.55%"),
+        ("semi-axis b, mm", "0.79200, 0.86240, 0.89000", "1.4", "0.88000", "1.70%", "0.60%"),
+        ("peak pressure, GPa", "1.8700, 1.7340, 1.6900", "4.2", "1.7000", "1.20%", "0.70%"),
+        ("stiffness, GN/m^1.5", "32.500, 27.500, 25.000", "none", "", "1.40%", "0.20%"),
     ]
-    assert outer[0] == ("approach, um", "7.1, 6.5, 6.3", "3.3", "6.4", "0.80%", "0.10%")
-    assert seat[3] == ("peak pressure, GPa", "0.16, 0.15, 0.135", "2.4", "0.14", "2.87%", "0.21%")
-    assert sheet[4] == ("stiffness, GN/m^1.5", "43, 41, 39", "3.2", "39.52", "0.57%", "0.00%")
+    assert outer[0] == ("approach, um", "7.1000, 6.5000, 6.3000", "3.3", "6.4000", "0.80%", "0.10%")
+    assert seat[3] == ("peak pressure, GPa", "0.16000, 0.15000, 0.13500", "2.4", "0.14000", "2.87%", "0.21%")
+    assert sheet[4] == ("stiffness, GN/m^1.5", "43.000, 41.000, 39.000", "3.2", "39.520", "0.57%", "0.00%")
 
 
 def test_each_mesh_is_shown_with_its_error_and_its_price(tables: Tables) -> None:

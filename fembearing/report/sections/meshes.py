@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from fembearing.report.wording import Shown, Told, capital, place_of, quantities_of
+from fembearing.report.wording import Shown, Told, capital, digits, place_of, quantities_of
 
 
 def mesh_section(document: Told) -> dict[str, Any]:
@@ -21,9 +21,9 @@ def _row(part: Told, shown: Shown) -> dict[str, str]:
     limit = part["richardson"]
     return {
         "quantity": shown.heading(),
-        "values": ", ".join(f"{value * shown.factor:.5g}" for value in part["values"]),
+        "values": ", ".join(digits(value * shown.factor) for value in part["values"]),
         "order": "none" if part["order"] is None else f"{part['order']:.1f}",
-        "richardson": "" if limit is None else f"{limit * shown.factor:.5g}",
+        "richardson": "" if limit is None else digits(limit * shown.factor),
         "mesh": f"{part['mesh']:.2%}",
         "domain": f"{part['domain']:.2%}",
     }

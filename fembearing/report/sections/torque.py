@@ -6,7 +6,7 @@ from operator import itemgetter
 from typing import Any
 
 from fembearing.report.sections.scene import speeds
-from fembearing.report.wording import PER_MINUTE, Told, capital, uncertainty_of
+from fembearing.report.wording import PER_MINUTE, Told, capital, digits, uncertainty_of
 
 
 def torque_section(document: Told) -> dict[str, Any]:
@@ -41,9 +41,9 @@ def _rows(torque: Told, change: Told, parts: Sequence[str]) -> list[dict[str, An
             {
                 "load": f"{point['axial_load']:.4g}",
                 "angle": f"{point['contact_angle']:.4f}",
-                "parts": [_known(point["torque"][name], ".4g", 1e3) for name in parts],
+                "parts": [_digits(point["torque"][name]) for name in parts],
                 "corrected_angle": _known(corrected["contact_angle"], ".4f"),
-                "corrected": _known(corrected["torque"], ".4g", 1e3),
+                "corrected": _digits(corrected["torque"]),
                 "change": _known(change["change"]["total"][number], "+.2%"),
                 "fitted": _known(change["finite_geometry"]["change"][number], "+.2%"),
                 "catalogue": "-"
@@ -57,8 +57,13 @@ def _rows(torque: Told, change: Told, parts: Sequence[str]) -> list[dict[str, An
     return [{**rows[run[0]], "speed": speeds([found[number] for number in run])} for run in runs]
 
 
-def _known(value: float | None, form: str, factor: float = 1.0) -> str:
-    return "-" if value is None else f"{value * factor:{form}}"
+def _known(value: float | None, form: str) -> str:
+    return "-" if value is None else f"{value:{form}}"
+
+
+def _digits(value: float | None) -> str:
+    """Of N m, in N mm."""
+    return "-" if value is None else digits(value * 1e3, 4)
 
 
 def _cage(point: Told) -> dict[str, str]:

@@ -8,6 +8,7 @@ from fembearing.report.wording import (
     Shown,
     Told,
     capital,
+    digits,
     place_of,
     quantities_of,
     ring_line,
@@ -43,8 +44,8 @@ def _rows(document: Told, contact: Told) -> list[dict[str, Any]]:
     return [
         {
             "quantity": shown.heading(),
-            "production": f"{rows[name]['production'] * shown.factor:.5g}",
-            "reference": f"{rows[name]['reference'] * shown.factor:.5g}",
+            "production": digits(rows[name]["production"] * shown.factor),
+            "reference": digits(rows[name]["reference"] * shown.factor),
             "discrepancy": f"{rows[name]['discrepancy']:+.2%}",
             "uncertainty": f"{_relative(rows[name]):.2%}",
             "resolved": "yes" if rows[name]["comparison"]["resolved"] else "no",
@@ -66,23 +67,22 @@ def _corrected(contact: Told, name: str, shown: Shown) -> dict[str, str]:
     if not corrected:
         return {"corrected": "-", "interpolation": "-"}
     value = corrected["values"][name] * shown.factor
-    return {"corrected": f"{value:.5g}", "interpolation": f"{corrected['interpolation_error'][name]:+.2%}"}
+    return {"corrected": digits(value), "interpolation": f"{corrected['interpolation_error'][name]:+.2%}"}
 
 
 def _resolved(document: Told, contact: Told) -> list[str]:
     """In sentences, what |E| against u_val says of Hertz in one contact."""
     rows, names = verdicts_of(document, contact), quantities_of(contact)
     parts: dict[bool, list[str]] = {True: [], False: []}
-    for name, row in rows.items():
-        error, u_val = row["discrepancy"], _relative(row)
-        text = f"{names[name].name} {error:+.2%} +- {u_val:.2%}"
-        parts[row["comparison"]["resolved"]].append(text)
+    for name, shown in names.items():
+        error, u_val = rows[name]["discrepancy"], _relative(rows[name])
+        parts[rows[name]["comparison"]["resolved"]].append(f"{shown.name} {error:+.2%} +- {u_val:.2%}")
     found = []
     if parts[True]:
-        found.append(f"|E| > u_val, the difference is resolved, and Hertz's error is {'; '.join(parts[True])}.")
+        found.append(f"|E| > u_val: the difference is resolved, and is Hertz's error: {', '.join(parts[True])}.")
     if parts[False]:
         found.append(
-            f"|E| <= u_val, the difference is not resolved, and Hertz's error is lost in {'; '.join(parts[False])}."
+            f"|E| <= u_val: the difference is not resolved, Hertz's error is somewhere in {', '.join(parts[False])}."
         )
     return found
 
@@ -98,9 +98,9 @@ def _pocket(contacts: list[Told]) -> list[dict[str, Any]]:
     return [
         {
             "model": model,
-            "stiffness": f"{found['stiffness'] * QUANTITIES['stiffness'].factor:.4g}",
+            "stiffness": digits(found["stiffness"] * QUANTITIES["stiffness"].factor, 4),
             "uncertainty": "" if uncertainty is None else f"{uncertainty:.2%}",
-            "approach": f"{found['approach'] * QUANTITIES['approach'].factor:.4g}",
+            "approach": digits(found["approach"] * QUANTITIES["approach"].factor, 4),
             "change": f"{found['stiffness'] / formula['stiffness'] - 1:+.1%}",
         }
         for model, found, uncertainty in rows

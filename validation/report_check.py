@@ -1,0 +1,160 @@
+"""A report's page in a real browser: python validation/report_check.py REPORT.html [--shots FOLDER]
+
+Opens the page in a headless Chromium or Chrome, found on PATH, at the width of a desk and of a telephone, and asserts
+that no script or loader complains, that nothing is wider than the window, that every picture is there, and that the
+page names no address outside itself. With --shots it keeps what the browser shows, and the pages that it would print
+(A4). Exit status: 0 all holds, 1 something does not, 2 no browser or no page.
+"""
+
+import argparse
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from html import unescape
+from pathlib import Path
+from typing import Any, NoReturn
+
+from rich.console import Console
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
+SILENT = (  # no window, no first-run questions, no traffic of its own
+    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--hide-scrollbars"),
+    *("--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions"),
+    *("--enable-logging=stderr", "--v=0", "--virtual-time-budget=5000"),
+)
+WIDTHS = (1100, 390)  # pixels: a desk, a telephone
+HEIGHT = 900
+PATIENCE = 120  # s for one look
+# The page stands in a frame, which may be narrower than the browser lets its window be. The probe runs in the page when
+# all is loaded and tells the frame's owner what it found, who leaves it where --dump-dom shows it.
+FRAME = """<!DOCTYPE html><body style="margin: 0"><script>
+addEventListener("message", (told) => {{
+  const note = document.createElement("pre");
+  note.id = "probe";
+  note.textContent = told.data;
+  document.body.append(note);
+}});
+</script><iframe src="page.html" style="border: 0; width: {width}px; height: {height}px"></iframe></body>"""
+PROBE = """<script>
+addEventListener("load", () => {
+  const wide = document.documentElement.clientWidth;
+  const beyond = [...document.querySelectorAll("body *")].filter((part) => {
+    const scrolled = part.parentElement.closest(".wide");
+    return !scrolled && part.getBoundingClientRect().right > wide + 1;
+  });
+  const scrolling = [...document.querySelectorAll(".wide")].filter((part) => part.scrollWidth > part.clientWidth + 1);
+  const found = {
+    width: wide,
+    scroll: document.documentElement.scrollWidth,
+    beyond: beyond.slice(0, 5).map((part) => part.outerHTML.slice(0, 80)),
+    scrolling: scrolling.map((part) => part.textContent.trim().slice(0, 60)),
+    images: document.images.length,
+    broken: [...document.images].filter((image) => !image.naturalWidth).map((image) => image.alt),
+    fetched: performance.getEntriesByType("resource").map((entry) => entry.name).filter((name) => !/^data:/.test(name)),
+  };
+  parent.postMessage(JSON.stringify(found), "*");
+});
+</script>"""
+ADDRESS = re.compile(
+    r"""(?:src|href|action|data|poster)\s*=\s*["'](?!data:|#)([^"']+)|url\(\s*["']?(?!data:|#)([^)"']+)"""
+)
+COMPLAINT = re.compile(r"CONSOLE[^\]]*\]\s*(.*)")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Look:
+    """What a browser found at one width."""
+
+    asked: int  # pixels
+    found: dict[str, Any]
+    complaints: tuple[str, ...]
+
+    def faults(self, *, desk: bool) -> list[str]:
+        """Of this look, in words; tables may scroll in their own frame on a telephone alone."""
+        found, at = self.found, f"at {self.asked} pixels"
+        faults = [f"{at}: the console says {text}" for text in self.complaints]
+        if found["width"] != self.asked:
+            faults.append(f"{at}: the window is {found['width']} wide: nothing can be said")
+        if found["scroll"] > found["width"]:
+            faults.append(f"{at}: the page is {found['scroll']} pixels wide")
+        faults += [f"{at}: reaches beyond the window: {part}" for part in found["beyond"]]
+        faults += [f"{at}: a table scrolls: {part}" for part in found["scrolling"] if desk]
+        faults += [f"{at}: the picture {name!r} is not loaded" for name in found["broken"]]
+        faults += [f"{at}: fetches {name}" for name in found["fetched"]]
+        return faults
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("page", type=Path, metavar="REPORT.html")
+    parser.add_argument("--shots", type=Path, help="folder for what the browser shows and prints")
+    asked = parser.parse_args()
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if browser is None:
+        _leave(f"no browser on PATH: looked for {', '.join(BROWSERS)}", 2)
+    try:
+        text = asked.page.read_text("utf-8")
+    except (OSError, UnicodeDecodeError) as problem:
+        _leave(f"{asked.page} cannot be read: {problem}", 2)
+    looks = [look(browser, text, width) for width in WIDTHS]
+    faults = [fault for one in looks for fault in one.faults(desk=one.asked == WIDTHS[0])]
+    faults += [f"names the address {address}" for address in addresses(text)]
+    if asked.shots is not None:
+        shoot(browser, asked.page, asked.shots)
+    out = Console(highlight=False, markup=False, soft_wrap=True)
+    for one in looks:
+        out.print(f"{one.asked} pixels: {one.found['images']} pictures, page {one.found['scroll']} wide")
+    for fault in faults:
+        out.print(fault)
+    out.print("all holds" if not faults else f"{len(faults)} faults")
+    sys.exit(1 if faults else 0)
+
+
+def look(browser: str, text: str, width: int) -> Look:
+    """Open the page in a frame of this width, with the probe in it."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "page.html").write_text(text.replace("</body>", f"{PROBE}</body>"), "utf-8")
+        frame = Path(folder) / "frame.html"
+        frame.write_text(FRAME.format(width=width, height=HEIGHT), "utf-8")
+        done = _run(browser, folder, f"--window-size={max(WIDTHS)},{HEIGHT}", "--dump-dom", frame.as_uri())
+    note = re.search(r'<pre id="probe">(.*?)</pre>', done.stdout, re.DOTALL)
+    if note is None:
+        _leave(f"the page did not load within {PATIENCE} s: {done.stderr.strip()[-200:]}", 1)
+    return Look(asked=width, found=json.loads(unescape(note[1])), complaints=tuple(COMPLAINT.findall(done.stderr)))
+
+
+def addresses(text: str) -> list[str]:
+    """Outside the page: what an element or a style would fetch, or a link leads to."""
+    return sorted({first or second for first, second in ADDRESS.findall(text)})
+
+
+def shoot(browser: str, page: Path, folder: Path) -> None:
+    """Keep what the browser shows at each width, and the printed pages."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as profile:
+        for width in WIDTHS:
+            target = f"--screenshot={(folder / f'{width}.png').absolute()}"
+            _run(browser, profile, f"--window-size={width},12000", target, page.absolute().as_uri())
+        target = f"--print-to-pdf={(folder / 'printed.pdf').absolute()}"
+        _run(browser, profile, "--no-pdf-header-footer", target, page.absolute().as_uri())
+
+
+def _run(browser: str, profile: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    command = (browser, *SILENT, f"--user-data-dir={profile}/browser", *arguments)
+    try:
+        return subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
+    except subprocess.TimeoutExpired:
+        _leave(f"the browser did not finish within {PATIENCE} s", 1)
+
+
+def _leave(words: str, status: int) -> NoReturn:
+    Console(stderr=True, highlight=False, markup=False, soft_wrap=True).print(f"report_check: {words}")
+    sys.exit(status)
+
+
+if __name__ == "__main__":
+    main()
