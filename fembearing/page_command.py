@@ -1,11 +1,11 @@
 """The command that makes the page of a report again."""
 
-import json
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from fembearing.console import out, print_json
 from fembearing.options import AsJson
 
 EXAMPLE = "Example: fembearing report report-of-my-bearing/report.json --out for-my-customer.html"
@@ -13,7 +13,7 @@ EXAMPLE = "Example: fembearing report report-of-my-bearing/report.json --out for
 
 def report(
     numbers: Annotated[Path, typer.Argument(metavar="REPORT.JSON", help="The numbers of a report.")],
-    out: Annotated[
+    page: Annotated[
         Path | None,
         typer.Option(
             "--out", help="The page; report.html beside the numbers without it. Only such a page is replaced."
@@ -24,7 +24,10 @@ def report(
     """Make the page of a report again from its numbers, with the pictures that lie beside them."""
     from fembearing.report.rebuilt import rebuild_page
 
-    found = rebuild_page(numbers, out=out)
-    typer.echo(json.dumps(found.to_json(), indent=1) if as_json else f"page: {found.file}")
+    found = rebuild_page(numbers, out=page)
+    if as_json:
+        print_json(found.to_json())
+    else:
+        out.print(f"page: {found.file}", highlight=False, soft_wrap=True, markup=False)
     for name in found.missing:
         typer.echo(f"fembearing: the picture {name} does not lie beside {numbers}; the page says so", err=True)

@@ -58,7 +58,7 @@ MAY_IMPORT = {
     "fembearing.console": ("analytic",),  # what the commands write
     "fembearing.options": ("analytic",),  # of the commands
     "fembearing.sweep_command": ("fembearing.console", "fembearing.options", "fembearing.sweep", "fembearing.report"),
-    "fembearing.page_command": ("fembearing.options", "fembearing.report"),
+    "fembearing.page_command": ("fembearing.console", "fembearing.options", "fembearing.report"),
     "fembearing.cli": OURS,
 }
 # What a package's `__init__` may import besides, but only on demand, so that importing the package stays light.
