@@ -121,6 +121,7 @@ def friction_torque(
         outer=_loaded(balls, 1, at),
         effects=tuple(_with_share(choices.made[name], parts, total) for name in EFFECTS if name in choices.made),
         sliding="auto" if slid is None else slid.rung,
+        gap_roughness=None if oiled is None else oiled.roughness.rms_roughness,
         warnings=tuple(
             doubts(scene, choices, watched=watched, oiled=oiled, shared=shared, resistance=resistance) + warnings
         ),

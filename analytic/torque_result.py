@@ -77,6 +77,7 @@ class FrictionTorque:
     seconds: float  # that the computation took
     cage: CagePart | None = None  # what its torque comes from; None: left out
     model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.uncertainty
+    gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
 
     def settled(self, scene: Scene) -> Scene:
         """The scene with every effect and rung decided as here, whatever bounds would say of a change of it."""
@@ -87,6 +88,7 @@ class FrictionTorque:
         """Plain Python numbers, texts, lists and dicts, all SI; None where a part was left out or is not modelled."""
         return {
             "points": [self._point(index) for index in range(self.inner_speed.size)],
+            "gap_roughness": self.gap_roughness,
             "effects": self.effects_to_json(),
             "warnings": list(self.warnings),
             "provenance": dict(self.provenance),

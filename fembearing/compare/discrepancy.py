@@ -14,13 +14,15 @@ from analytic.contact import pocket_contact
 from analytic.errors import InputError, require_non_negative
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
+from fembearing.compare.approach_curve import approach_curve
 from fembearing.compare.contact_columns import contact_dataset, contact_html
 from fembearing.compare.contact_warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
 from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
 from fembearing.compare.heaviest import heaviest_contact
 from fembearing.compare.memory import peak_memory
+from fembearing.compare.profile import profiles_json
 from fembearing.compare.progress import Progress, silent
-from fembearing.compare.reference import COMPARED, Estimates, solve_reference
+from fembearing.compare.reference import COMPARED, FORMAL_ORDERS, Estimates, solve_reference
 from fembearing.compare.ring import RingStructure, structure_of_ring
 from fembearing.compare.uncertainty import Estimate
 from fembearing.compare.verdict import Verdict, could_be_decided, verdict_on, worst
@@ -155,6 +157,7 @@ class ContactSolution:
                 name: {
                     "values": list(part.values),
                     "order": part.order,
+                    "formal_order": FORMAL_ORDERS[name],
                     "richardson": part.richardson,
                     "mesh": part.mesh,
                     "beyond": part.beyond,
@@ -162,6 +165,10 @@ class ContactSolution:
                 }
                 for name, part in self.estimates.items()
             },
+            "pressure_profile": profiles_json(self.meshes[-1], self.hertz),
+            "approach_curve": approach_curve(
+                self.contact, hertz=self.hertz, correctable=is_correctable(self.contact, self.geometry)
+            ).to_json(),
             "shoulder": self._shoulder_to_json(),
             "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": peak_memory()},
             "warnings": list(self.warnings),
@@ -314,7 +321,7 @@ def compare_contact(
         *solve_warnings([(meshes[-1], estimates)], accuracy=asked, watched=watched, thin=thin),
     )
     corrected, beyond = None, ()
-    if recipe.geometry == "real" and contact.pair != "pocket":  # the correction is of ball and race
+    if is_correctable(contact, recipe.geometry):
         corrected, beyond = corrected_hertz(contact, hertz=hertz)
     return ContactSolution(
         contact=contact,
@@ -329,6 +336,11 @@ def compare_contact(
         corrected=corrected,
         valid=not thin and not overrun,
     )
+
+
+def is_correctable(contact: Contact, geometry: Shape) -> bool:
+    """Whether the correction for finite geometry is of such a contact: ball and race, as they really are."""
+    return geometry in ("real", "ring") and contact.pair != "pocket"
 
 
 def hertz_quantities(contact: Contact) -> Quantities:

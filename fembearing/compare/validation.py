@@ -13,6 +13,7 @@ from analytic.errors import InputError
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
 from analytic.torque_result import FrictionTorque
+from fembearing.compare.cage_record import CageRecord, record_cage
 from fembearing.compare.catalogue import beside_catalogue
 from fembearing.compare.comparison import WHY, comparison_of
 from fembearing.compare.contact_ladder import contact_ladder_of
@@ -25,6 +26,7 @@ from fembearing.compare.memory import peak_memory
 from fembearing.compare.progress import Progress, part_of, silent
 from fembearing.compare.provenance import provenance_of
 from fembearing.compare.published import beside_paper
+from fembearing.compare.sensitivity import Sensitivity, sensitivity_of
 from fembearing.compare.torque_change import TorqueChange, change_of_torque
 from fembearing.compare.verdict import Verdict, worst
 from fembearing.mesh.recipe import Geometry
@@ -34,6 +36,7 @@ KIND, FORMAT = "fembearing validation", 1  # what the JSON is; the number rises 
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
 POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
 HARD_SECONDS, COST_SECONDS = 30.0, 45.0
+INSTANTS = 400  # of a cage's motion that are kept
 ENOUGH = 0.2  # uncertainty that is asked of a reference, as a share of the tolerance that it is to judge
 
 
@@ -49,6 +52,8 @@ class Validation:
     cost: Cost | None  # every ladder, measured; None unless that was asked for
     seconds: float
     production: FrictionTorque | None = None  # as the scene asks for it, its cage in motion; the change leaves that out
+    sensitivity: Sensitivity | None = None  # None: not computed
+    cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
     trouble: tuple[str, ...] = ()  # met while the report was written
 
     @property
@@ -109,6 +114,8 @@ class Validation:
             else self.torque.hertz.to_json() | {"catalogue_band": beside_catalogue(self.scene).to_json()},
             "cage_motion": self._cage_to_json(),
             "published": beside_paper(self.scene, self.production).to_json(),
+            "cage_records": [record.to_json(most=INSTANTS) for record in self.cage_records],
+            "sensitivity": None if self.sensitivity is None else self.sensitivity.to_json(),
             "tolerance": self.tolerance,
             "contacts": [contact.to_json() for contact in self.contacts],
             "cost": {
@@ -197,7 +204,17 @@ def check_scene(
         cost=measure_cost(scene, tolerance=asked, progress=part_of(progress, extra[1], 1.0)) if cost else None,
         seconds=time.perf_counter() - start,
         production=production,
+        sensitivity=sensitivity_of(scene),
+        cage_records=() if production is None else _recorded(scene, production),
     )
+
+
+def _recorded(scene: Scene, found: FrictionTorque) -> tuple[CageRecord, ...]:
+    """The slowest and the fastest point whose cage moved: one that stands in the torque by its statistics alone."""
+    moved = [] if found.cage is None else [point for point, motion in enumerate(found.cage.motion) if motion]
+    by_speed = sorted(moved, key=lambda point: abs(found.inner_speed[point]))
+    records = (record_cage(scene, found, point) for point in dict.fromkeys(by_speed[:1] + by_speed[-1:]))
+    return tuple(record for record in records if record is not None)
 
 
 def _ring_beside(contact: ContactSolution) -> ContactSolution:

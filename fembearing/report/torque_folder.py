@@ -48,7 +48,7 @@ def write_torque(
     points = result.found.inner_speed.size
     for point in range(points):
         progress(COMPUTED + (RECORDED - COMPUTED) * point / points, f"cage, point {point + 1}")
-        record = record_cage(result, point)
+        record = record_cage(result.scene, result.found, point)
         if record is not None:
             records.append(record)
     if records:
@@ -81,13 +81,14 @@ def _write_motions(
         dataset = record.to_dataset()
         packed = {name: {"zlib": True, "complevel": 1} for name in dataset.data_vars}  # most forces are 0
         dataset.to_netcdf(series, engine="netcdf4", encoding=packed)
-        plot.write_bytes(png(orbit_figure(record)))
+        motion = record.to_json()
+        plot.write_bytes(png(orbit_figure([motion])))
         told.append(
             {
                 "point": record.point,
                 "state": record.statistics.state,
                 "series": series.name,
-                "plot": {"file": plot.name, "caption": cage_caption(record)},
+                "plot": {"file": plot.name, "caption": cage_caption(motion)},
                 "picture": None if trouble else {"file": picture.name, "caption": picture_caption(record)},
             }
         )
