@@ -157,7 +157,6 @@ def _evenly(values: np.ndarray, most: int | None) -> np.ndarray:
     return values[:: -_step(len(values), most)][::-1]
 
 
-
 def _greatest(values: np.ndarray, most: int | None) -> np.ndarray:
     """Of each group of neighbours, counted from the end."""
     step = _step(values.size, most)

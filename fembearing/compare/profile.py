@@ -1,7 +1,7 @@
 """Contact pressure along both axes through a contact's centre, at the nodes of a mesh and by Hertz.
 
-A quarter of a contact is meshed where it is symmetric: positions then run from the centre outwards. Half is meshed where
-one shoulder cuts it off: those across rolling then run from one side to the other.
+A quarter of a contact is meshed where it is symmetric: positions then run from the centre outwards. Half is meshed
+where one shoulder cuts it off: those across rolling then run from one side to the other.
 """
 
 from dataclasses import dataclass

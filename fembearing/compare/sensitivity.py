@@ -118,9 +118,7 @@ def sensitivity_of(scene: Scene) -> Sensitivity:
                 refused.append(f"{value:.4g} {variation.unit}: {problem}")
         described = {name: part for name, part in vars(variation).items() if name != "scene_at"}
         found.append(Input(**described, change_low=ends[0], change_high=ends[1], refused=tuple(refused)))
-    return Sensitivity(
-        outputs=tuple(outputs), inputs=tuple(sorted(found, key=lambda each: each.swing, reverse=True))
-    )
+    return Sensitivity(outputs=tuple(outputs), inputs=tuple(sorted(found, key=lambda each: each.swing, reverse=True)))
 
 
 Watched = tuple[Scene, Callable[[Scene], Array], list[Output]]  # what is varied, its outputs, and their names
@@ -262,7 +260,9 @@ def with_clearance(bearing: Bearing, clearance: float) -> Bearing:
 
 def _of_operation(scene: Scene) -> Iterator[Variation]:
     operation = scene.operation
-    largest = {name: float(np.max(np.abs(getattr(operation, name)))) for name in ("axial_load", "radial_load", "moment")}
+    largest = {
+        name: float(np.max(np.abs(getattr(operation, name)))) for name in ("axial_load", "radial_load", "moment")
+    }
     first = "axial_load" if largest["axial_load"] else "radial_load" if largest["radial_load"] else "moment"
     value = largest[first]
     together = [name.replace("_", " ") for name, most in largest.items() if most]
@@ -291,7 +291,8 @@ def _of_oil(scene: Scene) -> Iterator[Variation]:
     yield about("oil temperature", "K", oil.temperature, 5.0, at("temperature"), "judgement, at the inlet of a contact")
     yield times(
         *("pressure-viscosity", "1/Pa", oil.pressure_viscosity, (0.7, 1.3), at("pressure_viscosity")),
-        "mineral oils of 0.03 to 0.05 Pa s: 14 to 28 1/GPa (Stachowiak and Batchelor, Engineering Tribology, table 2.3)",
+        "mineral oils of 0.03 to 0.05 Pa s: 14 to 28 1/GPa (Stachowiak and Batchelor, Engineering Tribology, table "
+        "2.3)",
     )
     yield times(
         *("Eyring stress", "Pa", oil.eyring_stress, (0.5, 2.0), at("eyring_stress")),

@@ -202,10 +202,10 @@ def check_scene(
         torque=change_of_torque(scene, inner=inner, outer=outer) if scene.has_friction else None,
         hard=run_hard_cases(progress=part_of(progress, extra[0], extra[1])) if hard else (),
         cost=measure_cost(scene, tolerance=asked, progress=part_of(progress, extra[1], 1.0)) if cost else None,
-        seconds=time.perf_counter() - start,
         production=production,
         sensitivity=sensitivity_of(scene),
         cage_records=() if production is None else _recorded(scene, production),
+        seconds=time.perf_counter() - start,
     )
 
 

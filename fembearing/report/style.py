@@ -1,0 +1,46 @@
+"""How plots look alike: colours that a colour-blind reader tells apart, legends beside the data, scales that fit."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import NullFormatter, ScalarFormatter
+
+BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"  # the palette of M. Okabe and K. Ito
+PURPLE, SKY, YELLOW = "#CC79A7", "#56B4E9", "#F0E442"
+BLACK, GREY = "black", "0.55"
+CONTACTS = {  # pair and geometry -> colour and mark
+    ("inner", "real"): (BLUE, "o"),
+    ("outer", "real"): (RED, "s"),
+    ("pocket", "real"): (GREEN, "^"),
+    ("pocket", "wall"): (PURPLE, "D"),
+}
+DECADE = 10.0  # what spans more is drawn on a logarithmic scale
+MANY = 25  # points on a line: more have no marks
+
+
+def look_of(contact: dict[str, Any]) -> tuple[str, str]:
+    """Colour and mark of a contact of the document."""
+    return CONTACTS.get((contact["pair"], contact["geometry"]), (BLACK, "x"))
+
+
+def legend_below(panel: Axes, *, columns: int = 2, size: float = 8) -> None:
+    """Under the axis' label, where no data are."""
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=columns, fontsize=size, frameon=False)
+
+
+def scaled(panel: Axes, values: np.ndarray, *, axis: str = "y") -> None:
+    """Logarithmic where values cross a decade and all are above 0; plain numbers at the ticks."""
+    known = values[np.isfinite(values)]
+    if known.size == 0 or known.min() <= 0 or known.max() < DECADE * known.min():
+        return
+    (panel.set_yscale if axis == "y" else panel.set_xscale)("log")
+    if known.max() < 1e4 * known.min():
+        (panel.yaxis if axis == "y" else panel.xaxis).set_major_formatter("{x:g}")
+
+
+def plain_ticks(panel: Axes, ticks: np.ndarray) -> None:
+    """Ticks of a logarithmic x-axis at the values themselves."""
+    panel.set_xticks(ticks)
+    panel.xaxis.set_major_formatter(ScalarFormatter())
+    panel.xaxis.set_minor_formatter(NullFormatter())
