@@ -157,7 +157,7 @@ class ContactSolution:
                 name: {
                     "values": list(part.values),
                     "order": part.order,
-                    "formal_order": FORMAL_ORDERS[name],
+                    "formal_order": None if self.shoulder else FORMAL_ORDERS[name],  # a cut edge has none
                     "richardson": part.richardson,
                     "mesh": part.mesh,
                     "beyond": part.beyond,

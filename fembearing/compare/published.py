@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.scene import Bearing, Scene
+from analytic.scene import Bearing, Operation, Scene
 from analytic.torque_result import FrictionTorque
 
 PAPER = "Effect of Surface Roughness on the Friction Moment in a Ball Bearing"
@@ -44,6 +44,7 @@ class BesidePaper:
     """The paper's numbers, and the scene's where it is the same case."""
 
     same_bearing: bool  # as the paper's
+    same_load: bool  # likewise
     absent: str | None  # why nothing of the scene stands beside them
     calibration: str | None  # what was chosen until it came out, in the scene's words
     chosen: dict[str, tuple[float, str]]  # what the paper does not give, as the scene has it: SI, with its unit
@@ -54,6 +55,7 @@ class BesidePaper:
         return {
             "paper": PAPER,
             "same_bearing": self.same_bearing,
+            "same_load": self.same_load,
             "absent": self.absent,
             "calibration": self.calibration,
             "chosen": {name: {"value": value, "unit": unit} for name, (value, unit) in self.chosen.items()},
@@ -88,6 +90,7 @@ def beside_paper(scene: Scene, found: FrictionTorque | None) -> BesidePaper:
     absent = _other_case(scene, found)
     return BesidePaper(
         same_bearing=is_papers_bearing(scene.bearing),
+        same_load=is_papers_load(scene.operation),
         absent=absent,
         calibration=scene.calibration,
         chosen={} if absent else _chosen(scene),
@@ -97,11 +100,9 @@ def beside_paper(scene: Scene, found: FrictionTorque | None) -> BesidePaper:
 
 def _other_case(scene: Scene, found: FrictionTorque | None) -> str | None:
     """In what the scene is not the paper's case."""
-    operation = scene.operation
     if not is_papers_bearing(scene.bearing):
         return "the scene has another bearing"
-    sideways = np.any(operation.radial_load) or np.any(operation.moment)
-    if sideways or not np.allclose(operation.axial_load, THRUST, rtol=SAME):
+    if not is_papers_load(scene.operation):
         return f"the paper has {THRUST:g} N of thrust alone, and the scene another load"
     if scene.surface is None or scene.lubricant is None or scene.friction_coefficient is not None:
         return (
@@ -115,6 +116,12 @@ def is_papers_bearing(bearing: Bearing) -> bool:
     """Whether balls and pitch are those of the paper's 6205."""
     found = bearing.ball_count, bearing.ball_diameter, bearing.pitch_diameter
     return bool(np.allclose(found, (BALLS, BALL_DIAMETER, PITCH_DIAMETER), rtol=SAME))
+
+
+def is_papers_load(operation: Operation) -> bool:
+    """Whether it is the paper's thrust alone, at every operating point."""
+    sideways = np.any(operation.radial_load) or np.any(operation.moment)
+    return not sideways and bool(np.allclose(operation.axial_load, THRUST, rtol=SAME))
 
 
 def _chosen(scene: Scene) -> dict[str, tuple[float, str]]:

@@ -272,7 +272,7 @@ def _of_operation(scene: Scene) -> Iterator[Variation]:
         return replace(scene, operation=replace(operation, **moved))
 
     if value:
-        words = first.replace("_", " ") if len(together) == 1 else " and ".join(together)
+        words = together[0] if len(together) == 1 else f"{together[0]}, with it {' and '.join(together[1:])}"
         yield times(words, "N m" if first == "moment" else "N", value, (0.9, 1.1), loaded, "judgement")
 
 

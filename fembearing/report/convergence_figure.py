@@ -35,10 +35,10 @@ def convergence_figure(document: Document) -> tuple[Figure | None, str]:
         panel.set(title=f"{shown.name}{', cut off: at y = 0' if cut else ''}", xscale="log", yscale="log")
         panel.set_xlabel("unknowns")
         panel.grid(alpha=0.3, which="both")
-        panel.xaxis.set_major_locator(LogLocator(subs=(1, 3)))
-        panel.xaxis.set_major_formatter("{x:,.0f}")
-        panel.xaxis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
-        panel.yaxis.set_major_formatter("{x:g}")
+        for axis, numbers in ((panel.xaxis, "{x:,.0f}"), (panel.yaxis, "{x:g}")):
+            axis.set_major_locator(LogLocator(subs=(1, 3)))
+            axis.set_major_formatter(numbers)
+            axis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
         legend_below(panel, columns=1, size=8)
     for panel in (panels[0], panels[3]):
         panel.set_ylabel("distance from the limit, %")
@@ -70,11 +70,12 @@ def _distances(contact: dict[str, Any], name: str) -> tuple[np.ndarray, np.ndarr
 
 
 def _formal_slope(panel: Axes, contacts: list[dict[str, Any]], name: str) -> None:
-    """Below all points; nothing for a quantity without a formal order."""
-    order = contacts[0]["convergence"][name]["formal_order"]
-    if order is None:
+    """Below all points of the contacts that have a formal order in this quantity."""
+    ordered = [contact for contact in contacts if contact["convergence"][name]["formal_order"] is not None]
+    if not ordered:
         return
-    unknowns, distance = (np.concatenate(parts) for parts in zip(*(_distances(c, name) for c in contacts), strict=True))
+    order = ordered[0]["convergence"][name]["formal_order"]  # one for all contacts
+    unknowns, distance = (np.concatenate(parts) for parts in zip(*(_distances(c, name) for c in ordered), strict=True))
     ends = np.array([unknowns.min(), unknowns.max()])
     slope = (ends / ends[0]) ** (-order / DIMENSIONS)
     lowest = np.min(distance / (unknowns / ends[0]) ** (-order / DIMENSIONS))

@@ -30,7 +30,7 @@ def friction_figure(document: Document) -> tuple[Figure | None, str]:
     caption = "Friction coefficient of the heaviest ball on each race"
     caption += ", and of ball on pocket." if "pocket" in coefficients else "."
     if films:
-        shown.append((films, "film thickness over roughness of the gap", "Film"))
+        shown.append((films, "film over roughness", "Film"))
         caption += (
             " Film: central thickness over the rms roughness of both surfaces together; above some "
             f"{PARTED:g} hardly a summit touches."

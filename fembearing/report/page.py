@@ -3,20 +3,18 @@
 It is made from the document alone, which is what report.json holds (plain types, SI), and from the pictures that the
 document lists under "pictures" and that lie beside it. What a section shows comes from `fembearing.report.sections`.
 
-A plot of the page is an entry of PLOTS, a `fembearing.report.plot.Plot`: the section that it ends, its heading, and a
-function of the document that gives a matplotlib figure and its caption, or None and in place of the caption why there
-is nothing to draw. The template shows the plots of each section at its end, in the order of PLOTS.
+A plot of the page is an entry of `fembearing.report.plots`: the section that it ends, its heading, and a function of
+the document that gives a matplotlib figure and its caption, or None and in place of the caption why there is nothing to
+draw. The template shows the plots of each section at its end, in the order of PLOTS.
 """
 
 from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from matplotlib.figure import Figure
 
-from fembearing.report.figures import convergence_figure
-from fembearing.report.ladders import cost_figure
-from fembearing.report.plot import Document, Plot, embedded, plots_of
+from fembearing.report.plot import Document, embedded, plots_of
+from fembearing.report.plots import PLOTS
 from fembearing.report.sections.cost import cost_section
 from fembearing.report.sections.meshes import mesh_section
 from fembearing.report.sections.published import published_section
@@ -33,29 +31,6 @@ SECTIONS = (
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
 PNG = b"\x89PNG\r\n\x1a\n"  # how such a file begins
-
-
-def _convergence(document: Document) -> tuple[Figure, str]:
-    return convergence_figure(document), (
-        "Distance of each quantity from its extrapolated value, in per cent, against the number of unknowns. A "
-        "straight falling line is convergence with one order. Dashed: not extrapolated, and the distance is that from "
-        "the finest mesh."
-    )
-
-
-def _cost(document: Document) -> tuple[Figure, str]:
-    ran = " and its memory" if document["cost"]["measured"] else ", for the rungs that this check ran"
-    return cost_figure(document["cost"]["ladders"], tolerance=document["tolerance"]), (
-        f"Error of each rung against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "
-        "seconds. A bar reaches to the bound on the error; the reference is hollow. Rungs whose error and bound are "
-        "below the dotted line are within the tolerance; the cheapest of them is enough, and has a ring."
-    )
-
-
-PLOTS: tuple[Plot, ...] = (  # in their order on the page
-    Plot(section="convergence", heading="Error against unknowns", draw=_convergence),
-    Plot(section="cost", heading="Error against time", draw=_cost),
-)
 
 
 def write_page(document: Document, *, folder: Path, file: Path) -> None:

@@ -16,12 +16,17 @@ ALONG = {  # axis of the profile -> semi-axis, words, colour, mark, line
     "rolling": ("semi_axis_rolling", "along rolling, x/a", BLUE, "o", "-"),
     "transverse": ("semi_axis_transverse", "across rolling, y/b", RED, "s", "--"),
 }
-EDGE = 0.9  # semi-axes: up to there differences set the scale, beyond they are those of two edges
+EDGE = 0.9  # of the way to the edge: up to there differences set the scale, beyond they are those of two edges
+HIGHEST = 1.5  # of Hertz's peak: beside a shoulder the pressure has no bound
 CAPTION = (
     "Above: pressure at the nodes of the finest mesh on both axes through the contact's centre, and Hertz's "
     "semi-ellipse; positions in Hertz's semi-axes a along and b across rolling. Below: the nodes less Hertz; lines: "
     "the semi-ellipse of the finite elements' own a, b and peak pressure less Hertz's. Single nodes scatter about "
     "it, most in the cell of the edge; the peak pressure is a fit to many."
+)
+CUT = (
+    " Dotted: the shoulder that cuts a contact off; the pressure beside it has no bound, and nodes there may be off "
+    "the scale."
 )
 
 
@@ -38,7 +43,8 @@ def pressure_figure(document: Document) -> tuple[Figure | None, str]:
     below[0].set_ylabel("finite elements less Hertz,\n% of Hertz's peak")
     handles, labels = above[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False, fontsize=9)
-    return figure, CAPTION
+    cut = any(contact["shoulder"] for contact in contacts)
+    return figure, CAPTION + (CUT if cut else "")
 
 
 def _profile(panel: Axes, contact: dict[str, Any]) -> None:
@@ -59,7 +65,7 @@ def _profile(panel: Axes, contact: dict[str, Any]) -> None:
     place = place_of(contact).replace(", ", ",\n")
     axes = f"a {hertz['semi_axis_rolling'] * MILLI:.4g}, b {hertz['semi_axis_transverse'] * MILLI:.4g} mm"
     panel.set_title(f"{place[0].upper()}{place[1:]}\n{contact['load']:.4g} N; {axes}", fontsize=9)
-    panel.set_ylim(0, None)
+    panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * GIGA * hertz["peak_pressure"]))
     panel.grid(alpha=0.3)
 
 
@@ -69,9 +75,12 @@ def _difference(panel: Axes, contact: dict[str, Any]) -> None:
         nodes = contact["pressure_profile"][axis]["fe"]
         position = np.array(nodes["position"])
         apart = 100 * (np.array(nodes["pressure"]) - _semi_ellipse(position, hertz, name)) / hertz["peak_pressure"]
-        inside = np.abs(position) <= EDGE * hertz[name]
+        room = min(map(abs, _shoulders(contact)), default=np.inf) if axis == "transverse" else np.inf
+        inside = np.abs(position) <= EDGE * min(hertz[name], room)
         largest = max(largest, float(np.abs(apart[inside]).max(initial=0.0)))
         panel.plot(position / hertz[name], apart, mark, color=colour, markersize=4, markerfacecolor="white")
+        if contact["shoulder"]:  # a cut contact is no semi-ellipse
+            continue
         fine = np.linspace(position.min(), position.max(), 400)
         expected = _semi_ellipse(fine, found, name) - _semi_ellipse(fine, hertz, name)
         panel.plot(fine / hertz[name], 100 * expected / hertz["peak_pressure"], line, color=colour, linewidth=1)
@@ -88,7 +97,7 @@ def _semi_ellipse(position: Array, quantities: dict[str, float], semi_axis: str)
 
 def _is_whole(contact: dict[str, Any]) -> bool:
     """Whether both sides of the centre are meshed: across rolling, where a shoulder cuts the contact off."""
-    return min(contact["pressure_profile"]["transverse"]["fe"]["position"]) < 0
+    return bool(contact["shoulder"]) and contact["shoulder"]["half"]
 
 
 def _shoulders(contact: dict[str, Any]) -> list[float]:

@@ -34,7 +34,7 @@ def torque_figure(document: Document) -> tuple[Figure | None, str]:
     panel = figure.subplots()
     _parts(panel, axis)
     known = _total(panel, axis)
-    printed = _paper(panel, axis, document.get("published"))
+    printed = _paper(panel, axis, document["published"])
     axis.apply(panel)
     panel.set_ylabel("friction torque, N mm")
     panel.set_ylim(0, None)
@@ -81,9 +81,9 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
     return " and ".join(word for word in words if word) or "not known"
 
 
-def _paper(panel: Axes, axis: SeriesAxis, published: dict[str, Any] | None) -> str:
+def _paper(panel: Axes, axis: SeriesAxis, published: dict[str, Any]) -> str:
     """The paper's totals where the scene has its bearing and its load; a word on what they are."""
-    if published is None or not published["same_case"] or axis.label != "inner speed, rpm":
+    if not (published["same_bearing"] and published["same_load"] and axis.label == "inner speed, rpm"):
         return ""
     rows = [row for row in published["rows"] if row["quantity"] == "total_torque"]
     roughness = sorted({row["rms_roughness"] for row in rows}, reverse=True)

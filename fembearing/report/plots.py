@@ -1,0 +1,34 @@
+"""Every plot of the page, in the order of its sections."""
+
+from matplotlib.figure import Figure
+
+from fembearing.report.approach_figure import approach_figure
+from fembearing.report.cage_figure import cage_figure
+from fembearing.report.convergence_figure import convergence_figure
+from fembearing.report.friction_figure import friction_figure
+from fembearing.report.ladders import cost_figure
+from fembearing.report.plot import Document, Plot
+from fembearing.report.pressure_figure import pressure_figure
+from fembearing.report.sensitivity_figure import sensitivity_figure
+from fembearing.report.torque_figure import torque_figure
+
+
+def _cost(document: Document) -> tuple[Figure, str]:
+    ran = " and its memory" if document["cost"]["measured"] else ", for the rungs that this check ran"
+    return cost_figure(document["cost"]["ladders"], tolerance=document["tolerance"]), (
+        f"Error of each rung against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "
+        "seconds. A bar reaches to the bound on the error; the reference is hollow. Rungs whose error and bound are "
+        "below the dotted line are within the tolerance; the cheapest of them is enough, and has a ring."
+    )
+
+
+PLOTS: tuple[Plot, ...] = (
+    Plot(section="verdicts", heading="Stiffness: load over approach", draw=approach_figure),
+    Plot(section="torque", heading="Torque by effect", draw=torque_figure),
+    Plot(section="torque", heading="Friction, film and asperities", draw=friction_figure),
+    Plot(section="torque", heading="Sensitivity to inputs", draw=sensitivity_figure),
+    Plot(section="torque", heading="Orbit of the cage and its forces", draw=cage_figure),
+    Plot(section="convergence", heading="Order of convergence", draw=convergence_figure),
+    Plot(section="pressure", heading="Pressure along both axes", draw=pressure_figure),
+    Plot(section="cost", heading="Error against time", draw=_cost),
+)
