@@ -32,7 +32,7 @@ class ApproachCurve:
         }
 
 
-def approach_curve(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
+def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
     """From a twentieth of the contact's load to half more.
 
     hertz : of the contact under its own load: semi-axes, peak pressure and approach are powers of the load

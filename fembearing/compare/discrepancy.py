@@ -14,7 +14,7 @@ from analytic.contact import pocket_contact
 from analytic.errors import InputError, require_non_negative
 from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Pair, Scene
-from fembearing.compare.approach_curve import approach_curve
+from fembearing.compare.approach_curve import approach_over_load
 from fembearing.compare.contact_columns import contact_dataset, contact_html
 from fembearing.compare.contact_warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
 from fembearing.compare.corrected import CorrectedHertz, corrected_hertz
@@ -166,7 +166,7 @@ class ContactSolution:
                 for name, part in self.estimates.items()
             },
             "pressure_profile": profiles_json(self.meshes[-1], self.hertz),
-            "approach_curve": approach_curve(
+            "approach_curve": approach_over_load(
                 self.contact, hertz=self.hertz, correctable=is_correctable(self.contact, self.geometry)
             ).to_json(),
             "shoulder": self._shoulder_to_json(),

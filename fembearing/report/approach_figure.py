@@ -18,7 +18,7 @@ CAPTION = (
 )
 
 
-def approach_figure(document: Document) -> tuple[Figure | None, str]:
+def approach_plot(document: Document) -> tuple[Figure | None, str]:
     """A column for each contact."""
     contacts = document["contacts"]
     figure = Figure(figsize=(3.4 * max(len(contacts), 2), 6.2), layout="constrained")

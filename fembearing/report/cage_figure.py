@@ -27,7 +27,7 @@ WHAT_TO_SEE = {
 }
 
 
-def cage_figure(document: Document) -> tuple[Figure | None, str]:
+def cage_plot(document: Document) -> tuple[Figure | None, str]:
     """A row for each motion that was kept: of the slowest and the fastest point whose cage moved."""
     motions = document["cage_records"]
     if not motions:

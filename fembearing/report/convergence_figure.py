@@ -22,7 +22,7 @@ CAPTION = (
 )
 
 
-def convergence_figure(document: Document) -> tuple[Figure | None, str]:
+def convergence_plot(document: Document) -> tuple[Figure | None, str]:
     """A panel for each quantity."""
     contacts = document["contacts"]
     figure = Figure(figsize=(11, 8.6), layout="constrained")

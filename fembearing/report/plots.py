@@ -2,15 +2,15 @@
 
 from matplotlib.figure import Figure
 
-from fembearing.report.approach_figure import approach_figure
-from fembearing.report.cage_figure import cage_figure
-from fembearing.report.convergence_figure import convergence_figure
-from fembearing.report.friction_figure import friction_figure
+from fembearing.report.approach_figure import approach_plot
+from fembearing.report.cage_figure import cage_plot
+from fembearing.report.convergence_figure import convergence_plot
+from fembearing.report.friction_figure import friction_plot
 from fembearing.report.ladders import cost_figure
 from fembearing.report.plot import Document, Plot
-from fembearing.report.pressure_figure import pressure_figure
-from fembearing.report.sensitivity_figure import sensitivity_figure
-from fembearing.report.torque_figure import torque_figure
+from fembearing.report.pressure_figure import pressure_plot
+from fembearing.report.sensitivity_figure import sensitivity_plot
+from fembearing.report.torque_figure import torque_plot
 
 
 def _cost(document: Document) -> tuple[Figure, str]:
@@ -23,12 +23,12 @@ def _cost(document: Document) -> tuple[Figure, str]:
 
 
 PLOTS: tuple[Plot, ...] = (
-    Plot(section="verdicts", heading="Stiffness: load over approach", draw=approach_figure),
-    Plot(section="torque", heading="Torque by effect", draw=torque_figure),
-    Plot(section="torque", heading="Friction, film and asperities", draw=friction_figure),
-    Plot(section="torque", heading="Sensitivity to inputs", draw=sensitivity_figure),
-    Plot(section="torque", heading="Orbit of the cage and its forces", draw=cage_figure),
-    Plot(section="convergence", heading="Order of convergence", draw=convergence_figure),
-    Plot(section="pressure", heading="Pressure along both axes", draw=pressure_figure),
+    Plot(section="verdicts", heading="Stiffness: load over approach", draw=approach_plot),
+    Plot(section="torque", heading="Torque by effect", draw=torque_plot),
+    Plot(section="torque", heading="Friction, film and asperities", draw=friction_plot),
+    Plot(section="torque", heading="Sensitivity to inputs", draw=sensitivity_plot),
+    Plot(section="torque", heading="Orbit of the cage and its forces", draw=cage_plot),
+    Plot(section="convergence", heading="Order of convergence", draw=convergence_plot),
+    Plot(section="pressure", heading="Pressure along both axes", draw=pressure_plot),
     Plot(section="cost", heading="Error against time", draw=_cost),
 )

@@ -30,7 +30,7 @@ CUT = (
 )
 
 
-def pressure_figure(document: Document) -> tuple[Figure | None, str]:
+def pressure_plot(document: Document) -> tuple[Figure | None, str]:
     """A column for each contact."""
     contacts = document["contacts"]
     figure = Figure(figsize=(3.4 * max(len(contacts), 2), 6.4), layout="constrained")

@@ -22,7 +22,7 @@ HEIGHT = 0.36  # of a bar; two on one side stand one above the other
 NOT_COMPUTED = "No sensitivity was computed."
 
 
-def sensitivity_figure(document: Document) -> tuple[Figure | None, str]:
+def sensitivity_plot(document: Document) -> tuple[Figure | None, str]:
     """A panel for each output, inputs from the one that moves them most."""
     found = document["sensitivity"]
     if found is None:

@@ -54,7 +54,7 @@ class SeriesAxis:
                 panel.xaxis.set_major_formatter("{x:g}")
 
 
-def series_axis(points: list[dict[str, Any]]) -> SeriesAxis:
+def axis_of(points: list[dict[str, Any]]) -> SeriesAxis:
     """Over speed where the load is one and speeds differ; over load the other way round; else point by point."""
     speed = np.array([abs(point["inner_speed"]) for point in points]) * PER_MINUTE
     load = np.array([point["axial_load"] for point in points])

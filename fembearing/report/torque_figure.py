@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.report.plot import Document
-from fembearing.report.series_axis import SeriesAxis, series_axis
+from fembearing.report.series_axis import SeriesAxis, axis_of
 from fembearing.report.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, legend_below
 from fembearing.report.wording import PER_MINUTE
 
@@ -25,11 +25,11 @@ PAPER_MARKS = "Dv^<"
 NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both lubricant and surface."
 
 
-def torque_figure(document: Document) -> tuple[Figure | None, str]:
+def torque_plot(document: Document) -> tuple[Figure | None, str]:
     """Parts stacked up to the total, in N mm, with the uncertainty of the total."""
     if document["torque"] is None:
         return None, NO_TORQUE
-    axis = series_axis(document["torque"]["points"])
+    axis = axis_of(document["torque"]["points"])
     figure = Figure(figsize=(9, 5.4), layout="constrained")
     panel = figure.subplots()
     _parts(panel, axis)
@@ -96,6 +96,8 @@ def _paper(panel: Axes, axis: SeriesAxis, published: dict[str, Any]) -> str:
         " Open marks: totals that the paper prints, its cage in motion among them; computed there, not measured, with "
         "an oil and a hardness that it does not name."
     )
+    if published["absent"]:
+        words += f" Of another case: {published['absent']}."
     if published["calibration"]:
         words += f" This scene is a calibration ({published['calibration']}): that it comes near is no agreement."
     return words

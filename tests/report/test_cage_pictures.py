@@ -8,16 +8,15 @@ import pytest
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.transforms import BboxBase
-from numpy.typing import NDArray
 
 from analytic.scenefile import parse_scene
-from fembearing.compare.cage_record import CageRecord, record_cage
-from fembearing.compare.scene_torque import torque_of_scene
-from fembearing.report.cage_figure import orbit_figure
+from analytic.torque import friction_torque
+from fembearing.compare.cage_record import CageRecord, exceedance, record_cage
+from fembearing.report.cage_figure import cage_plot, orbit_figure
 from fembearing.report.cage_picture import cage_job, picture_caption, view_of
 from fembearing.report.pictures import RENDERER, rendered
+from tests.report.figure_reader import line_of, points_of
 from tests.report.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
 
 MOVING = """\
@@ -46,7 +45,8 @@ FOOT = 100  # pixels with the scales
 @pytest.fixture(scope="module")
 def record() -> CageRecord:
     """A cage at rest: below the middle, a little to the right."""
-    found = record_cage(torque_of_scene(parse_scene(MOVING, origin="here")), 0)
+    scene = parse_scene(MOVING, origin="here")
+    found = record_cage(scene, friction_torque(scene), 0)
     assert found is not None
     return found
 
@@ -68,17 +68,7 @@ def known(record: CageRecord) -> CageRecord:
 
 @pytest.fixture(scope="module")
 def panels(record: CageRecord) -> list[Axes]:
-    return orbit_figure(record).axes
-
-
-def line_of(axes: Axes, label: str) -> Line2D:
-    (found,) = (line for line in axes.get_lines() if str(line.get_label()).startswith(label))
-    return found
-
-
-def points_of(line: Line2D) -> NDArray[np.float64]:
-    """(n, 2)"""
-    return np.column_stack([np.asarray(line.get_xdata(), dtype=float), np.asarray(line.get_ydata(), dtype=float)])
+    return orbit_figure([record.to_json()]).axes
 
 
 def test_the_orbit_is_x_to_the_right_and_y_up_inside_the_room(record: CageRecord, panels: list[Axes]) -> None:
@@ -110,7 +100,7 @@ def test_forces_are_drawn_over_time_in_ms(record: CageRecord, panels: list[Axes]
 
 def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
     known = replace(record, statistics=replace(record.statistics, block_maxima=(0.3, 0.7, 0.5, 0.9)))
-    excess = orbit_figure(known).axes[2]
+    excess = orbit_figure([known.to_json()]).axes[2]
     drawn = points_of(line_of(excess, "blocks of all seeds"))
     np.testing.assert_allclose(drawn, [(0.3, 100), (0.5, 75), (0.7, 50), (0.9, 25)], rtol=1e-12)
     for force in (0.4, 0.6, 0.8):  # between two of them the curve is the share that lies above
@@ -123,12 +113,65 @@ def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
 
 @pytest.mark.parametrize("state", ["rest", "whirl", "irregular", "mixed"])
 def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecord, state: str) -> None:
-    figure = orbit_figure(replace(record, statistics=replace(record.statistics, state=state)))
-    title = figure.get_suptitle()
+    told = replace(record, statistics=replace(record.statistics, state=state)).to_json()
+    figure = orbit_figure([told])
+    title = figure.subfigs[0].get_suptitle()
     assert f'6205 at 500 rpm: regime "{state}", started "rest"' in title
     assert f"cage torque {1e3 * record.statistics.torque:.3g} N mm" in title
     figure.draw_without_rendering()  # lays it out
     check_apart(figure)
+
+
+def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -> None:
+    whole, thin = record.to_json(), record.to_json(most=60)
+    for name in ("largest", "sum"):
+        assert len(thin["forces"][name]) <= 60
+        assert max(thin["forces"][name]) == max(whole["forces"][name])
+        assert thin["forces"][name][-1] >= whole["forces"][name][-1]
+    assert thin["forces"]["time"][-1] == whole["forces"]["time"][-1]
+    assert thin["orbit"]["measured"][-1] == whole["orbit"]["measured"][-1]
+    assert {tuple(place) for place in thin["orbit"]["measured"]} <= {
+        tuple(place) for place in whole["orbit"]["measured"]
+    }
+    assert thin["exceedance"]["force"][-1] == max(whole["exceedance"]["force"])
+    figure, caption = cage_plot({"cage_records": [thin, thin | {"inner_speed": 100.0, "state": "whirl"}]})
+    assert figure is not None
+    assert len(figure.axes) == 6  # a row for each motion
+    assert "The cage rests" in caption
+    assert "The cage whirls" in caption
+    orbit = line_of(figure.axes[0], "measured")
+    np.testing.assert_allclose(points_of(orbit), 1e6 * np.array(thin["orbit"]["measured"]), rtol=1e-12)
+    assert orbit.get_linestyle() == "None"  # neighbours in the list are none in time
+    figure.draw_without_rendering()
+    check_apart(figure)
+
+
+def test_a_group_of_instants_is_told_by_its_greatest(record: CageRecord) -> None:
+    force = record.series.max_force.size - np.arange(record.series.max_force.size, dtype=float)  # falls to 1 N
+    series = replace(record.series, max_force=force)
+    thin = replace(record, series=series).to_json(most=60)["forces"]
+    step = -(-force.size // 60)
+    expected = [force[max(0, end - step + 1)] for end in range(force.size - 1, -1, -step)][::-1]
+    np.testing.assert_array_equal(thin["largest"], expected)  # the first of each group
+
+
+def test_a_thinned_exceedance_keeps_the_rarest() -> None:
+    force = np.concatenate([np.zeros(500), 3.0 + np.arange(500) / 100])
+    whole, share = exceedance(force)
+    assert (share[0], share[-1]) == (0.5, 1e-3)  # half of the instants touch nothing
+    kept, of = exceedance(force, 20)
+    assert kept.size <= 20
+    np.testing.assert_array_equal(of, [np.mean(force >= each) for each in kept])
+    np.testing.assert_array_equal(kept[-3:], whole[-3:])
+
+
+def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -> None:
+    assert cage_plot({"cage_records": [], "torque": {}}) == (
+        None,
+        "No cage moved: the torque has the closed form of a cage that rests on its balls, or none. Where the scene "
+        "gives a cage and its start, and the tolerance can see the motion, it is computed.",
+    )
+    assert cage_plot({"cage_records": [], "torque": None})[1] == "No cage moved: the scene has no torque."
 
 
 def box_of(part: Artist | None) -> BboxBase:
@@ -140,11 +183,12 @@ def box_of(part: Artist | None) -> BboxBase:
 def check_apart(figure: Figure) -> None:
     """Titles, labels, legends and caption keep off each other and inside the figure."""
     legends = [axes.get_legend() for axes in figure.axes]
+    texts = [*figure.texts, *(text for part in figure.subfigs for text in part.texts)]
     for axes, legend in zip(figure.axes, legends, strict=True):
         assert not box_of(axes.xaxis).overlaps(box_of(legend))
-        for text in figure.texts:
+        for text in texts:
             assert not box_of(text).overlaps(box_of(axes))
-    for part in (*figure.axes, *legends, *figure.texts):
+    for part in (*figure.axes, *legends, *texts):
         assert box_of(part).x0 >= 0
         assert box_of(part).x1 <= figure.bbox.x1 + 1  # pixel
 

@@ -9,10 +9,10 @@ from matplotlib.lines import Line2D
 
 from fembearing.compare.discrepancy import ContactSolution
 from fembearing.compare.validation import Validation
-from fembearing.report.approach_figure import approach_figure
-from fembearing.report.convergence_figure import convergence_figure
+from fembearing.report.approach_figure import approach_plot
+from fembearing.report.convergence_figure import convergence_plot
 from fembearing.report.plot import Document
-from fembearing.report.pressure_figure import pressure_figure
+from fembearing.report.pressure_figure import pressure_plot
 from tests.report.conftest import CORRECTED, INNER
 from tests.report.figure_reader import labels_of, line_of, points_of
 
@@ -31,7 +31,7 @@ def check_points(line: Line2D, x: list[float], y: list[float]) -> None:
 
 @pytest.fixture(scope="module")
 def panels(document: Document) -> dict[str, Axes]:
-    figure, _ = convergence_figure(document)
+    figure, _ = convergence_plot(document)
     assert figure is not None
     return {axes.get_title(): axes for axes in figure.axes if axes.get_title()}
 
@@ -76,13 +76,13 @@ def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
 
 def test_a_cut_contact_has_no_formal_order(cut_contact: ContactSolution) -> None:
     found = cut_contact.to_json()
-    figure, _ = convergence_figure({"contacts": [found]})
+    figure, _ = convergence_plot({"contacts": [found]})
     assert figure is not None
     assert not any("formal" in label for axes in figure.axes for label in labels_of(axes))
 
 
 def test_approaches_are_in_micrometres_with_their_intervals(document: Document) -> None:
-    figure, _ = approach_figure(document)
+    figure, _ = approach_plot(document)
     assert figure is not None
     above, below = figure.axes[0], figure.axes[4]
     assert (above.get_xlabel(), above.get_ylabel()) == ("approach, µm", "load, N")
@@ -105,7 +105,7 @@ def test_approaches_are_in_micrometres_with_their_intervals(document: Document) 
 
 def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> None:
     document = checked.to_json()
-    figure, _ = pressure_figure(document)
+    figure, _ = pressure_plot(document)
     assert figure is not None
     for column, contact in enumerate(document["contacts"]):
         above, below = figure.axes[column], figure.axes[4 + column]
@@ -130,7 +130,7 @@ def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> N
 
 
 def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: ContactSolution) -> None:
-    figure, caption = pressure_figure({"contacts": [cut_contact.to_json()]})
+    figure, caption = pressure_plot({"contacts": [cut_contact.to_json()]})
     assert figure is not None
     above, below = figure.axes
     semi_axis = cut_contact.hertz.semi_axis_transverse

@@ -17,6 +17,7 @@ from fembearing.compare.hard_case import HardOutcome
 from fembearing.compare.uncertainty import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.compare.validation import Validation
 from fembearing.report.pictures import Picture
+from fembearing.report.plots import PLOTS
 from fembearing.report.shape import Report
 from fembearing.report.terminal import print_validation
 from tests.report.page_writer import document_of, written_page
@@ -72,7 +73,7 @@ def page_of(result: Validation, folder: Path) -> Page:
 
 @pytest.fixture(scope="module")
 def page(checked: Validation, pictures: list[Picture], tmp_path_factory: pytest.TempPathFactory) -> Page:
-    return Page(written_page(checked, tmp_path_factory.mktemp("page"), pictures=pictures))
+    return Page(written_page(checked, tmp_path_factory.mktemp("page"), pictures=pictures, plots=PLOTS))
 
 
 def test_the_sections_stand_in_their_order(page: Page) -> None:
@@ -80,7 +81,8 @@ def test_the_sections_stand_in_their_order(page: Page) -> None:
 
 
 def test_every_picture_is_inside(page: Page) -> None:
-    assert len(page.sources) == 2 * 4 + 2  # two of each contact, convergence and cost
+    assert len(page.sources) == 2 * 4 + 7  # two of each contact; every plot but that of a cage, which rests
+    assert "No cage moved" in page.text
     for source in page.sources:
         head, _, content = source.partition(",")
         assert head == "data:image/png;base64"

@@ -8,9 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from fembearing.report.friction_figure import friction_figure
+from fembearing.report.friction_figure import friction_plot
 from fembearing.report.plot import Document
-from fembearing.report.torque_figure import torque_figure
+from fembearing.report.torque_figure import torque_plot
 from tests.report.figure_reader import area_of, labels_of, line_of, points_of
 
 RPM = np.pi / 30
@@ -59,7 +59,7 @@ def panel_of(found: tuple[Figure | None, str]) -> Axes:
 
 
 def test_the_parts_are_stacked_up_to_the_total_in_order_of_speed(document: Document) -> None:
-    panel = panel_of(torque_figure(document))
+    panel = panel_of(torque_plot(document))
     order = np.argsort(SPEEDS)
     below = np.zeros(3)
     for name, words in (
@@ -83,14 +83,14 @@ def test_the_parts_are_stacked_up_to_the_total_in_order_of_speed(document: Docum
 
 
 def test_the_band_holds_both_uncertainties(document: Document) -> None:
-    found = torque_figure(document)
+    found = torque_plot(document)
     _, low, high = area_of(panel_of(found), "uncertainty of it")
     np.testing.assert_allclose(high, np.array([25.8, 33.2, 40.3]) * (1 + np.array([0.05, 0.05, 0.05])), rtol=1e-9)
     np.testing.assert_allclose(low, np.array([25.8, 33.2, 40.3]) * 0.95, rtol=1e-9)
     assert "numerical and of the film formula at 95 %" in found[1]
     for each in document["torque"]["points"]:
         each["uncertainty"] = {"numerical": None, "model": None}
-    found = torque_figure(document)
+    found = torque_plot(document)
     assert "its uncertainty, not known" in found[1]
 
 
@@ -101,21 +101,28 @@ def published(**changes: Any) -> dict[str, Any]:
         for speed, value in zip((100, 500), values, strict=True)
     ]
     other = {"quantity": "race_torque", "rms_roughness": 1e-6, "inner_speed": 100 * RPM, "value": 17e-3}
-    return {"rows": [other, *rows], "same_bearing": True, "same_load": True, "calibration": None} | changes
+    return {
+        "rows": [other, *rows],
+        "same_bearing": True,
+        "same_load": True,
+        "absent": None,
+        "calibration": None,
+    } | changes
 
 
 def test_the_papers_totals_stand_beside_and_a_calibration_is_named(document: Document) -> None:
     document["published"] = published(calibration="viscosity to the race torque")
-    found = torque_figure(document)
+    found = torque_plot(document)
     for rms, values in PRINTED.items():
         drawn = points_of(line_of(panel_of(found), f"paper, Sq {1e6 * rms:g} µm"))
         np.testing.assert_allclose(drawn, np.column_stack([[100, 500], 1e3 * np.array(values)]), rtol=1e-12)
     assert "calibration (viscosity to the race torque)" in found[1]
     assert "not measured" in found[1]
-    document["published"] = published()
-    assert "calibration" not in torque_figure(document)[1]
+    document["published"] = published(absent="it has mixed lubrication")
+    assert "calibration" not in torque_plot(document)[1]
+    assert "Of another case: it has mixed lubrication." in torque_plot(document)[1]
     document["published"] = published(same_load=False)
-    plain = torque_figure(document)
+    plain = torque_plot(document)
     assert "paper" not in plain[1]
     assert not any("paper" in label for label in labels_of(panel_of(plain)))
 
@@ -124,13 +131,13 @@ def test_a_series_of_loads_is_drawn_over_the_load_and_a_mixed_one_point_by_point
     loads = (900.0, 300.0, 600.0)
     document["torque"]["points"] = [point(number, speed=200.0, load=load) for number, load in enumerate(loads)]
     document["published"] = published()
-    panel = panel_of(torque_figure(document))
+    panel = panel_of(torque_plot(document))
     total = points_of(line_of(panel, "total"))
     np.testing.assert_allclose(total, [(300, 25.8), (600, 33.2), (900, 40.3)], rtol=1e-12)
     assert panel.get_xlabel() == "axial load, N"
     assert not any("paper" in label for label in labels_of(panel))  # its values are over speed
     document["torque"]["points"][2]["inner_speed"] = 250 * RPM
-    panel = panel_of(torque_figure(document))
+    panel = panel_of(torque_plot(document))
     assert panel.get_xlabel() == "operating point"
     bars = [patch for patch in panel.patches if isinstance(patch, Rectangle)]
     tops = [max(bar.get_y() + bar.get_height() for bar in bars if round(bar.get_x() + 0.3) == at) for at in range(3)]
@@ -143,13 +150,13 @@ def test_a_series_of_loads_is_drawn_over_the_load_and_a_mixed_one_point_by_point
 
 
 def test_speeds_over_more_than_a_decade_are_on_a_logarithmic_scale(document: Document) -> None:
-    assert panel_of(torque_figure(document)).get_xscale() == "linear"
+    assert panel_of(torque_plot(document)).get_xscale() == "linear"
     document["torque"]["points"][0]["inner_speed"] = 1500 * RPM
-    assert panel_of(torque_figure(document)).get_xscale() == "log"
+    assert panel_of(torque_plot(document)).get_xscale() == "log"
 
 
 def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(document: Document) -> None:
-    figure, caption = friction_figure(document)
+    figure, caption = friction_plot(document)
     assert figure is not None
     friction, film, asperities = figure.axes
     inner = points_of(line_of(friction, "inner"))
@@ -173,17 +180,17 @@ def test_a_given_coefficient_has_no_film(document: Document) -> None:
     for each in document["torque"]["points"]:
         each["film"] = each["asperity_share"] = {"inner": None, "outer": None}
         each["friction_coefficient"] = {"inner": 0.1, "outer": 0.1, "pocket": 0.07}
-    figure, caption = friction_figure(document)
+    figure, caption = friction_plot(document)
     assert figure is not None
     (friction,) = figure.axes
     assert labels_of(friction) == ["inner", "outer", "pocket"]
     assert "No film is computed" in caption
     for each in document["torque"]["points"]:
         each["friction_coefficient"] = dict.fromkeys(("inner", "outer", "pocket"))
-    assert friction_figure(document) == (None, "Nothing that slides was computed: there is no friction coefficient.")
+    assert friction_plot(document) == (None, "Nothing that slides was computed: there is no friction coefficient.")
 
 
-@pytest.mark.parametrize("draw", [torque_figure, friction_figure])
+@pytest.mark.parametrize("draw", [torque_plot, friction_plot])
 def test_without_a_torque_there_is_a_reason_in_place_of_a_figure(draw: Any) -> None:
     figure, why = draw({"torque": None})
     assert figure is None
