@@ -40,7 +40,8 @@ def _curve(panel: Axes, contact: dict[str, Any]) -> None:
     panel.plot(MICRO * np.array(curve["hertz"]), load, color=BLACK, label="Hertz")
     panel.plot(MICRO * _known(curve["corrected"]), load, "--", color=BLUE, label="Hertz, corrected for finite geometry")
     panel.errorbar(
-        *(MICRO * found, contact["load"]),
+        MICRO * found,
+        contact["load"],
         xerr=MICRO * found * contact["uncertainty"]["approach"],
         fmt="o",
         color=RED,
@@ -59,17 +60,13 @@ def _apart(panel: Axes, contact: dict[str, Any]) -> None:
     corrected, half = _known(curve["corrected"]), _known(curve["uncertainty"])
     panel.axhline(0, color=BLACK)
     if np.isfinite(corrected).any():
-        panel.fill_between(
-            load,
-            *(100 * (corrected * (1 + side * half) / hertz - 1) for side in (-1, 1)),
-            color=BLUE,
-            alpha=0.2,
-            linewidth=0,
-        )
+        low, high = (100 * (corrected * (1 + side * half) / hertz - 1) for side in (-1, 1))
+        panel.fill_between(load, low, high, color=BLUE, alpha=0.2, linewidth=0)
         panel.plot(load, 100 * (corrected / hertz - 1), "--", color=BLUE)
     ratio = found / contact["hertz"]["approach"]
     panel.errorbar(
-        *(contact["load"], 100 * (ratio - 1)),
+        contact["load"],
+        100 * (ratio - 1),
         yerr=100 * ratio * contact["uncertainty"]["approach"],
         fmt="o",
         color=RED,

@@ -60,7 +60,7 @@ def cage_caption(motion: dict[str, Any]) -> str:
 def orbit_figure(motions: Sequence[dict[str, Any]], *, captioned: bool = True) -> Figure:
     """Orbit of the cage's centre, forces over time, and how often each force is exceeded; a row for each motion."""
     figure = Figure(figsize=(14, 5.6 * len(motions)), layout="constrained")
-    for part, motion in zip(np.ravel(figure.subfigures(len(motions), 1)), motions, strict=True):
+    for part, motion in zip(figure.subfigures(len(motions), 1, squeeze=False).ravel(), motions, strict=True):
         orbit, forces, excess = part.subplots(1, 3, width_ratios=(1.0, 1.25, 1.0))
         _orbit(orbit, motion)
         _forces(forces, motion)

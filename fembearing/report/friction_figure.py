@@ -43,7 +43,7 @@ def friction_plot(document: Document) -> tuple[Figure | None, str]:
             " No film is computed: the scene gives the coefficient of the races, so that it is one at all speeds."
         )
     figure = Figure(figsize=(4.4 * max(len(shown), 1.4), 4.2), layout="constrained")
-    for panel, (curves, label, title) in zip(np.ravel(figure.subplots(1, len(shown))), shown, strict=True):
+    for panel, (curves, label, title) in zip(figure.subplots(1, len(shown), squeeze=False)[0], shown, strict=True):
         _curves(panel, axis, curves)
         panel.set(ylabel=label, title=title)
         if title == "Film" and panel.get_ylim()[0] < PARTED < panel.get_ylim()[1]:
@@ -55,8 +55,8 @@ def friction_plot(document: Document) -> tuple[Figure | None, str]:
 def _curves(panel: Axes, axis: SeriesAxis, curves: dict[str, Array]) -> None:
     for name, values in curves.items():
         colour, mark, line = LOOKS[name]
-        style = {"marker": mark if axis.mark else "", "linestyle": line if axis.joined else "none"}
-        panel.plot(axis.values, values, color=colour, markersize=5, label=name, **style)
+        style = f"{line if axis.joined else ''}{mark if axis.mark else ''}"
+        panel.plot(axis.values, values, style, color=colour, markersize=5, label=name)
     every = np.concatenate(list(curves.values()))
     scaled(panel, every)
     if panel.get_yscale() == "linear":

@@ -24,11 +24,7 @@ class SeriesAxis:
 
     @property
     def mark(self) -> str:
-        return "o" if len(self.points) <= MANY else ""
-
-    @property
-    def line(self) -> str:
-        return "-" if self.joined else ""
+        return "" if self.joined and len(self.points) > MANY else "o"
 
     def of(self, group: str, name: str) -> Array | None:
         """(n,) of `points[...][group][name]`; None where no point has it."""

@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.container import ErrorbarContainer
 from matplotlib.lines import Line2D
 
 from fembearing.compare.discrepancy import ContactSolution
@@ -13,7 +14,7 @@ from fembearing.report.approach_figure import approach_plot
 from fembearing.report.convergence_figure import convergence_plot
 from fembearing.report.plot import Document
 from fembearing.report.pressure_figure import pressure_plot
-from tests.report.conftest import CORRECTED, INNER
+from tests.report.conftest import INNER
 from tests.report.figure_reader import labels_of, line_of, points_of
 
 PLACES = ("inner race", "outer race", "cage pocket, thick seat", "cage pocket, sheet on its rim")
@@ -81,6 +82,10 @@ def test_a_cut_contact_has_no_formal_order(cut_contact: ContactSolution) -> None
     assert not any("formal" in label for axes in figure.axes for label in labels_of(axes))
 
 
+def bars_of(axes: Axes) -> list[ErrorbarContainer]:
+    return [each for each in axes.containers if isinstance(each, ErrorbarContainer)]
+
+
 def test_approaches_are_in_micrometres_with_their_intervals(document: Document) -> None:
     figure, _ = approach_plot(document)
     assert figure is not None
@@ -90,15 +95,14 @@ def test_approaches_are_in_micrometres_with_their_intervals(document: Document) 
     expected = document["contacts"][0]["approach_curve"]
     np.testing.assert_allclose(hertz, np.column_stack([1e6 * np.array(expected["hertz"]), expected["load"]]))
     given = INNER["approach"]
-    (bar,) = above.containers
+    (bar,) = bars_of(above)
     np.testing.assert_allclose(points_of(bar.lines[0]), [(5.225, 371.5)], rtol=1e-9)  # the limit, no far boundary
-    (bar,) = below.containers
+    (bar,) = bars_of(below)
     (point,) = points_of(bar.lines[0])
     np.testing.assert_allclose(point, (371.5, 100 * (5.225e-6 / given.hertz - 1)), rtol=1e-9)
     (segment,) = bar.lines[2][0].get_segments()
     half = 100 * 5.225e-6 / given.hertz * (given.mesh + given.domain)
     np.testing.assert_allclose(np.diff(segment[:, 1]), 2 * half, rtol=1e-9)
-    assert CORRECTED.uncertainty["approach"] > 0
     assert len(figure.axes) == 8
     assert np.isnan(points_of(line_of(figure.axes[2], "Hertz, corrected"))[:, 0]).all()  # no fit reaches a pocket
 

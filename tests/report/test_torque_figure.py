@@ -175,6 +175,20 @@ def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(docum
     assert "pocket" not in caption
 
 
+def test_many_points_that_no_line_joins_keep_their_marks(document: Document) -> None:
+    points = document["torque"]["points"]
+    document["torque"]["points"] = 10 * points  # speeds come again and again
+    figure, _ = friction_plot(document)
+    assert figure is not None
+    inner = line_of(figure.axes[0], "inner")
+    assert (inner.get_marker(), inner.get_linestyle()) == ("o", "None")
+    document["torque"]["points"] = [points[0] | {"inner_speed": 1.0 + number} for number in range(30)]
+    figure, _ = friction_plot(document)
+    assert figure is not None
+    inner = line_of(figure.axes[0], "inner")
+    assert (inner.get_marker(), inner.get_linestyle()) == ("None", "-")
+
+
 def test_a_given_coefficient_has_no_film(document: Document) -> None:
     document["torque"]["gap_roughness"] = None
     for each in document["torque"]["points"]:
