@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 Positive = Annotated[float, Field(gt=0)]
+Two = Annotated[list[float], Field(min_length=2, max_length=2)]  # JSON has no tuples
 
 
 class Shape(BaseModel):

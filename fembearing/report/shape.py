@@ -7,14 +7,21 @@ from typing import Annotated, Generic, Literal, TypeVar
 
 from pydantic import Field, model_validator
 
-from fembearing.report.scene_shape import Positive, Scene, Shape
+from fembearing.report.plot_shape import (
+    ApproachCurve,
+    CageRecord,
+    OnContacts,
+    OnRaces,
+    PressureProfile,
+    Sensitivity,
+)
+from fembearing.report.scene_shape import Positive, Scene, Shape, Two
 
 T = TypeVar("T")
 Pair = Literal["inner", "outer", "pocket"]
 Geometry = Literal["real", "hertzian", "wall", "ring"]
 Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
-Ends = Annotated[list[float], Field(min_length=2, max_length=2)]
 FileName = Annotated[str, Field(pattern=r"^\w[\w.-]*$")]  # beside report.json, never elsewhere
 
 
@@ -82,6 +89,7 @@ class Shoulder(Shape):
 class Study(Shape):
     values: list[Positive]
     order: float | None
+    formal_order: float | None
     richardson: Positive | None
     mesh: float
     domain: float
@@ -105,6 +113,8 @@ class Contact(Shape):
     convergence: OfQuantities[Study]
     meshes: Annotated[list[Mesh], Field(min_length=2)]
     shoulder: Shoulder | None
+    pressure_profile: PressureProfile
+    approach_curve: ApproachCurve
 
     @model_validator(mode="after")
     def each_mesh_has_its_value(self) -> "Contact":
@@ -112,6 +122,19 @@ class Contact(Shape):
             if len(study.values) != len(self.meshes):
                 raise ValueError(f"has {len(study.values)} values of {name} on {len(self.meshes)} meshes")
         return self
+
+
+class Parts(Shape):
+    """None where a part was left out."""
+
+    total: float
+    race: float | None
+    spin: float | None
+    conformity: float | None
+    hysteresis: float | None
+    rolling: float | None
+    cage: float | None
+    declared: float | None
 
 
 class Uncertainty(Shape):
@@ -123,8 +146,11 @@ class Point(Shape):
     axial_load: float
     inner_speed: float
     contact_angle: float
-    torque: dict[str, float | None]
+    torque: Parts
     uncertainty: Uncertainty
+    friction_coefficient: OnContacts
+    film: OnRaces
+    asperity_share: OnRaces
 
 
 class Effect(Shape):
@@ -149,13 +175,12 @@ class Band(Shape):
 
 class Torque(Shape):
     points: Annotated[list[Point], Field(min_length=1)]
+    gap_roughness: Positive | None
     effects: list[Effect]
     catalogue_band: Band
 
     @model_validator(mode="after")
-    def points_have_the_same_parts(self) -> "Torque":
-        if len({frozenset(point.torque) for point in self.points}) > 1:
-            raise ValueError("has points with different parts")
+    def the_band_is_whole(self) -> "Torque":
         band = self.catalogue_band
         if (band.low is None) != (band.high is None):
             raise ValueError("has half a catalogue_band")
@@ -191,8 +216,8 @@ class TorqueChange(Shape):
 
 
 class Interval(Shape):
-    torque: Ends
-    max_force: Ends
+    torque: Two
+    max_force: Two
 
 
 class OtherStart(Shape):
@@ -236,6 +261,8 @@ class Printed(Shape):
 
 class Published(Shape):
     paper: str
+    same_bearing: bool
+    same_load: bool
     absent: str | None
     calibration: str | None
     chosen: dict[str, Chosen]
@@ -302,6 +329,8 @@ class Report(Shape):
     torque_change: TorqueChange | None
     cage_motion: list[MovedCage | CageAtRest] | None
     published: Published
+    sensitivity: Sensitivity | None
+    cage_records: list[CageRecord]
     cost: Cost
     hard: list[HardCase]
     warnings: list[str]
