@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.report.plot import Document
-from fembearing.report.style import BLACK, BLUE, RED
+from fembearing.report.style import BLACK, BLUE, RED, column_width
 from fembearing.report.wording import place_of
 
 MICRO = 1e6
@@ -21,7 +21,7 @@ CAPTION = (
 def approach_plot(document: Document) -> tuple[Figure | None, str]:
     """A column for each contact."""
     contacts = document["contacts"]
-    figure = Figure(figsize=(3.4 * max(len(contacts), 2), 6.2), layout="constrained")
+    figure = Figure(figsize=(column_width(len(contacts)) * max(len(contacts), 2), 6.2), layout="constrained")
     above, below = figure.subplots(2, len(contacts), squeeze=False, height_ratios=(1.3, 1))
     for panel, contact in zip(above, contacts, strict=True):
         _curve(panel, contact)
@@ -51,6 +51,7 @@ def _curve(panel: Axes, contact: dict[str, Any]) -> None:
     place = place_of(contact).replace(", ", ",\n")
     panel.set_title(f"{place[0].upper()}{place[1:]}", fontsize=9)
     panel.set(xlabel="approach, µm", xlim=(0, None), ylim=(0, None))
+    panel.tick_params(labelsize=8)
     panel.grid(alpha=0.3)
 
 
@@ -75,6 +76,7 @@ def _apart(panel: Axes, contact: dict[str, Any]) -> None:
     )
     panel.set(xlabel="load, N", xlim=(0, None))
     panel.margins(y=0.25)
+    panel.tick_params(labelsize=8)
     panel.grid(alpha=0.3)
 
 

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from analytic.scene import Array
 from fembearing.report.plot import Document
-from fembearing.report.style import BLACK, BLUE, RED
+from fembearing.report.style import BLACK, BLUE, RED, column_width
 from fembearing.report.wording import place_of
 
 GIGA, MILLI = 1e-9, 1e3
@@ -33,7 +33,7 @@ CUT = (
 def pressure_plot(document: Document) -> tuple[Figure | None, str]:
     """A column for each contact."""
     contacts = document["contacts"]
-    figure = Figure(figsize=(3.4 * max(len(contacts), 2), 6.4), layout="constrained")
+    figure = Figure(figsize=(column_width(len(contacts)) * max(len(contacts), 2), 6.4), layout="constrained")
     above, below = figure.subplots(2, len(contacts), squeeze=False, sharex="col", height_ratios=(1.3, 1))
     for panel, contact in zip(above, contacts, strict=True):
         _profile(panel, contact)
@@ -66,6 +66,7 @@ def _profile(panel: Axes, contact: dict[str, Any]) -> None:
     axes = f"a {hertz['semi_axis_rolling'] * MILLI:.4g}, b {hertz['semi_axis_transverse'] * MILLI:.4g} mm"
     panel.set_title(f"{place[0].upper()}{place[1:]}\n{contact['load']:.4g} N; {axes}", fontsize=9)
     panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * GIGA * hertz["peak_pressure"]))
+    panel.tick_params(labelsize=8)
     panel.grid(alpha=0.3)
 
 
@@ -87,6 +88,7 @@ def _difference(panel: Axes, contact: dict[str, Any]) -> None:
     panel.axhline(0, color=BLACK, linewidth=1)
     panel.set_ylim(-2.5 * max(largest, 0.4), 2.5 * max(largest, 0.4))
     panel.set_xlabel("position in Hertz's semi-axes")
+    panel.tick_params(labelsize=8)
     panel.grid(alpha=0.3)
 
 

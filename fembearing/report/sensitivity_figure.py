@@ -89,8 +89,14 @@ def _caption(found: dict[str, Any], quantity: str, still: list[str]) -> str:
     refused = [f"{each['name']}, {reason}" for each in found["inputs"] for reason in each["refused"]]
     caption = (
         f"One input at a time goes from the scene's value, below its name, to the low end of its range (blue) and the "
-        f"high end (orange), and the {quantity} is computed again by the production model. Ranges are mostly "
-        "judgements; report.json has their sources. What inputs do together is not in it."
+        f"high end (orange), and the {quantity} is computed again by the production model, "
+        + (
+            "without a cage in motion and as `fembearing torque` has it: Hertz corrected for finite geometry where the "
+            "tolerance asks for that. "
+            if quantity == NAMES["total_torque"]
+            else "by Hertz. "
+        )
+        + "Ranges are mostly judgements; report.json has their sources. What inputs do together is not in it."
     )
     if still:
         caption += f" By less than 1e-4 %: {', '.join(still)}."

@@ -16,12 +16,18 @@ CONTACTS = {  # pair and geometry -> colour and mark
     ("pocket", "wall"): (PURPLE, "D"),
 }
 DECADE = 10.0  # what spans more is drawn on a logarithmic scale
+PAGE, WIDEST_COLUMN = 11.0, 3.4  # inches
 MANY = 25  # points on a line: more have no marks
 
 
 def look_of(contact: dict[str, Any]) -> tuple[str, str]:
     """Colour and mark of a contact of the document."""
     return CONTACTS.get((contact["pair"], contact["geometry"]), (BLACK, "x"))
+
+
+def column_width(columns: int) -> float:
+    """Inches, of panels side by side: together no wider than the page, whose letters then stay as large as drawn."""
+    return min(WIDEST_COLUMN, PAGE / columns)
 
 
 def legend_below(panel: Axes, *, columns: int = 2, size: float = 8) -> None:
