@@ -74,7 +74,7 @@ def test_the_json_has_the_keys_of_the_design(scene: Scene) -> None:
             assert point["contact"][race] == shown
         assert point["torque"]["rolling"] is None
     assert [point["axial_load"] for point in found["points"]] == [500.0, 900.0]
-    assert set(found["effects"][0]) == {"name", "decision", "share", "reason"}
+    assert set(found["effects"][0]) == {"name", "decision", "share", "share_is", "reason"}
     assert found["provenance"]["scene"] == "test"
     assert found["provenance"]["contact_angle"] == "given"
     assert found["provenance"]["contacts"] == "Hertz"
