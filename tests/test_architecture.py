@@ -52,8 +52,14 @@ MAY_IMPORT = {
     "fembearing.compare": ("analytic", "fembearing.mesh", "fembearing.fem"),
     "fembearing.report": ("analytic", "fembearing.compare", "fembearing.report.sections"),
     "fembearing.report.sections": ("analytic", "fembearing.compare", "fembearing.report"),
-    "fembearing.report.render": ("fembearing.report.render_cage",),  # a process of its own, fed by JSON and .vtu files
+    "fembearing.report.render": (  # a process of its own, fed by JSON and .vtu files
+        "fembearing.report.render_cage",
+        "fembearing.report.render_mesh",
+        "fembearing.report.render_view",
+    ),
     "fembearing.report.render_cage": (),
+    "fembearing.report.render_mesh": (),
+    "fembearing.report.render_view": ("fembearing.report.render_mesh",),
     "fembearing.sweep": ("analytic", "fembearing.compare"),
     "fembearing.console": ("analytic",),  # what the commands write
     "fembearing.options": ("analytic",),  # of the commands
@@ -71,7 +77,7 @@ ONLY_IN = {
     "meshio": ("fembearing.mesh",),
     "skfem": ("fembearing.mesh", "fembearing.fem"),
     "pypardiso": ("fembearing.fem",),
-    "pyvista": ("fembearing.report.render", "fembearing.report.render_cage"),
+    "pyvista": tuple(f"fembearing.report.render{part}" for part in ("", "_cage", "_mesh", "_view")),
     "matplotlib": ("fembearing.report",),
     "jinja2": ("fembearing.report",),
     "xarray": ("analytic", "fembearing.compare", "fembearing.sweep"),  # on demand, see HEAVY

@@ -85,7 +85,7 @@ def test_the_report_lies_where_it_was_asked_for(validated: dict[str, Any], repor
     assert (report / "report.html").is_file()
     kinds = {(picture["pair"], picture["geometry"], picture["kind"]) for picture in written["pictures"]}
     pairs = [("inner", "real"), ("outer", "real"), ("pocket", "real"), ("pocket", "wall")]
-    assert kinds == {(*pair, kind) for pair in pairs for kind in ("pressure", "section")}
+    assert kinds == {(*pair, kind) for pair in pairs for kind in ("pressure", "section", "view")}
     assert written["renderer"] == "VTK"
 
 

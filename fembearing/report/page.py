@@ -30,7 +30,7 @@ SECTIONS = (
 )
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
-PNG = b"\x89PNG\r\n\x1a\n"  # how such a file begins
+PNG, VIEW = b"\x89PNG\r\n\x1a\n", b"<!DOCTYPE html>"  # how such a file begins
 
 
 def write_page(document: Document, *, folder: Path, file: Path) -> None:
@@ -68,11 +68,13 @@ def _picture(told: Document, document: Document, folder: Path) -> dict[str, Any]
         for contact in document["contacts"]
         if (contact["pair"], contact["geometry"]) == (told["pair"], told["geometry"])
     )
-    found = {"title": title_of(contact), "caption": told["caption"], "source": None, "missing": None}
+    found = {"title": title_of(contact), "caption": told["caption"], "source": None, "view": None, "missing": None}
     try:
         content = (folder / told["file"]).read_bytes()
     except OSError:
         return found | {"missing": f"The picture {told['file']} does not lie beside report.json."}
+    if told["kind"] == "view" and content.startswith(VIEW):
+        return found | {"view": content.decode("utf-8")}
     if not content.startswith(PNG):
         return found | {"missing": f"The file {told['file']} beside report.json is no picture."}
     return found | {"source": embedded(content)}

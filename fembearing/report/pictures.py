@@ -1,7 +1,7 @@
 """Pictures of the contacts, made without a screen.
 
-VTK draws them in a child process (`fembearing.report.render`). Where that cannot be, a plain map of the pressure
-takes the place of each, and the picture says so.
+VTK draws them in a child process (`fembearing.report.render`), and there the view is written that turns in a browser.
+Where that cannot be, a plain map of the pressure takes their place, and the picture says so.
 """
 
 import json
@@ -24,7 +24,7 @@ PATIENCE = 300  # s for all pictures; they take about ten
 LIFTED = 0.35  # of the ball's radius: how far it is drawn off the race
 GIGA_FROM = 0.5e9  # Pa
 
-Kind = Literal["pressure", "section"]
+Kind = Literal["pressure", "section", "view"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,7 +34,7 @@ class Picture:
     file: Path
     kind: Kind
     contact: ContactSolution
-    frame: Frame | None  # where the contact lies in it; a section is not to scale
+    frame: Frame | None  # where the contact lies in it; a section is not to scale, a view turns
     caption: str
 
     def to_json(self) -> dict[str, str]:
@@ -50,11 +50,11 @@ class Picture:
 def draw_pictures(
     contacts: Sequence[ContactSolution], folder: Path, *, renderer: Sequence[str] = RENDERER
 ) -> tuple[list[Picture], str | None]:
-    """Draw each contact's pressure and section into `folder`, its meshes into .vtu beside them.
+    """Draw each contact's pressure, section and view into `folder`, its meshes into .vtu beside them.
 
     renderer : the command that draws; it reads the jobs from standard input
     Gives the pictures, and why VTK could not draw them where it could not: then there are maps in place of its
-    pressure pictures, and no sections.
+    pressure pictures, no sections and no views.
     """
     jobs = [job for contact in contacts for job in _jobs(contact, folder)]
     trouble = rendered(jobs, renderer)
@@ -74,10 +74,11 @@ def draw_pictures(
             )
         )
         if not trouble:
-            file = _file(contact, "section", folder)
-            pictures.append(
-                Picture(file=file, kind="section", contact=contact, frame=None, caption=_section_caption(contact))
-            )
+            besides: dict[Kind, str] = {"section": _section_caption(contact), "view": _view_caption(contact)}
+            pictures += [
+                Picture(file=_file(contact, kind, folder), kind=kind, contact=contact, frame=None, caption=caption)
+                for kind, caption in besides.items()
+            ]
     return pictures, trouble
 
 
@@ -128,6 +129,7 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
             "near": f"{near} near the contact",
             "lifted": _lifted(contact),
         },
+        {**common, "kind": "view", "file": str(_file(contact, "view", folder))},
     ]
 
 
@@ -137,7 +139,8 @@ def _lifted(contact: ContactSolution) -> float:
 
 
 def _file(contact: ContactSolution, kind: Kind, folder: Path) -> Path:
-    return folder / f"{contact.contact.pair}-{contact.geometry}-{kind}.png"
+    name = f"{contact.contact.pair}-{contact.geometry}-{kind}"
+    return folder / f"{name}.{'html' if kind == 'view' else 'png'}"
 
 
 def _frame(contact: ContactSolution) -> Frame:
@@ -187,4 +190,14 @@ def _section_caption(contact: ContactSolution) -> str:
         f"The meshed bodies cut along the plane x = 0, {place_of(contact.to_json())}. Left: the ball is drawn "
         f"{_lifted(contact) * 1e3:.2g} mm off its {body}. Right: the {body} alone where it is "
         "loaded; cells follow the contact's ellipse and shrink towards its edge."
+    )
+
+
+def _view_caption(contact: ContactSolution) -> str:
+    body = "pocket" if contact.contact.pair == "pocket" else "race"
+    return (
+        f"A view to turn, {place_of(contact.to_json())}: drag it, or click it and use arrow keys and wheel. Both "
+        f"loaded surfaces to scale, not deformed: from above the {body} is solid and the ball clear, from below the "
+        "other way round. Every corner of a cell, middle of its side and middle of its face is a node with its own pressure; colours "
+        "and lines are those of the still picture above."
     )

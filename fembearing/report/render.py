@@ -1,7 +1,7 @@
 """Off-screen pictures by VTK, in a process of their own: python -m fembearing.report.render < jobs.json
 
 Where a machine has no GL library VTK ends the process instead of raising, so nothing else may live in it. The jobs
-are those of `fembearing.report.pictures`; each picture is one PNG, whole or not at all.
+are those of `fembearing.report.pictures`; each picture is one PNG, or one page to turn it in, whole or not at all.
 Frame of the meshes: z along the load into the ball, x along rolling, y transverse; lengths are drawn in mm.
 """
 
@@ -15,38 +15,43 @@ import numpy as np
 import pyvista as pv
 
 from fembearing.report.render_cage import cage_front
+from fembearing.report.render_mesh import (
+    BODIES,
+    COLOURS,
+    HERTZ,
+    INK,
+    LEAST_SHOWN,
+    LINES,
+    MM,
+    ROUND,
+    SHOULDER,
+    STEEP,
+    across,
+    cell_edges,
+    loaded_face,
+    mirrored,
+    scaled,
+)
+from fembearing.report.render_view import contact_view
 
-MM = 1e3
-COLOURS, BARE, INK, HERTZ, LINES, SHOULDER = "viridis", "gainsboro", "black", "red", "dimgrey", "darkorange"
-BODIES = {"upper": "lightsteelblue", "lower": "wheat"}
-LEAST_SHOWN = 0.005  # of the peak pressure: below, a surface is bare
-ROUND = 3  # subdivisions that draw a quadratic cell's face as the curve it is
+BARE = "gainsboro"
 FAR = 100.0  # mm, to the eye: no matter in a parallel projection, as long as all lies in front of it
 VIEW = np.array([-0.74, 0.38, 0.55])  # towards the eye, over the cut plane x = 0
-STEEP = np.array([-0.40, 0.10, 0.91])  # the same for an ellipse that would be a sliver from there
 SLENDER = 3.0  # ratio of semi-axes
 AROUND = 4.0  # half widths of the lower body around the contact: what lies farther off need not be in sight
-# Of VTK's triquadratic hexahedron: the ends of each edge with its middle, and the edges around each face.
-EDGES = np.array(
-    [
-        *((0, 1, 8), (1, 2, 9), (2, 3, 10), (3, 0, 11)),
-        *((4, 5, 12), (5, 6, 13), (6, 7, 14), (7, 4, 15)),
-        *((0, 4, 16), (1, 5, 17), (2, 6, 18), (3, 7, 19)),
-    ]
-)
-FACES = np.array([(8, 7, 11, 3), (9, 5, 10, 1), (8, 4, 9, 0), (10, 2, 11, 6), (0, 1, 2, 3), (4, 5, 6, 7)])
-CENTRES = slice(20, 26)  # its nodes in the middle of each face
-NODES = 27
 
 
 def main() -> None:
     pv.OFF_SCREEN = True
     for job in json.load(sys.stdin):
-        plotter = KINDS[job["kind"]](job)
+        made = KINDS[job["kind"]](job)
         target = Path(job["file"])
-        temporary = target.with_name(f".{target.stem}-{os.getpid()}.png")
-        plotter.screenshot(temporary)
-        plotter.close()
+        temporary = target.with_name(f".{target.stem}-{os.getpid()}{target.suffix}")
+        if isinstance(made, str):
+            temporary.write_text(made, "utf-8")
+        else:
+            made.screenshot(temporary)
+            made.close()
         os.replace(temporary, target)
 
 
@@ -116,46 +121,6 @@ def fitted(bodies: dict[str, pv.UnstructuredGrid], job: dict[str, Any]) -> tuple
     seen = points @ np.column_stack([right, up])
     low, high = seen.min(axis=0), seen.max(axis=0)
     return (low + high) / 2 @ np.array([right, up]), 1.2 * float(np.max(high - low)) / 2
-
-
-def scaled(path: str, job: dict[str, Any]) -> pv.UnstructuredGrid:
-    """A quarter or a half of a body in mm, its pressure in the unit of the picture."""
-    body = pv.read(path)
-    body.points *= MM
-    body.point_data["pressure"] *= job["factor"]
-    body.point_data["surface"] = body.point_data["surface"].astype(float)  # VTK rounds what it interpolates in integers
-    return body
-
-
-def across(job: dict[str, Any]) -> tuple[int, ...]:
-    """The axis across the contact, where the meshes end in a plane of symmetry."""
-    return () if job["half"] else (1,)
-
-
-def mirrored(mesh: pv.DataSet, axes: tuple[int, ...]) -> pv.DataSet:
-    for axis in axes:
-        mesh = mesh.merge(mesh.reflect(np.eye(3)[axis], point=(0, 0, 0)))
-    return mesh
-
-
-def loaded_face(body: pv.DataSet) -> pv.PolyData:
-    """The faces whose nodes all lie on the loaded surface."""
-    face = body.extract_surface(nonlinear_subdivision=ROUND, algorithm="dataset_surface")
-    loaded = face.threshold(0.999, scalars="surface", all_scalars=True)
-    return loaded.extract_surface(algorithm="dataset_surface")
-
-
-def cell_edges(body: pv.DataSet, *, loaded: bool = False) -> pv.PolyData:
-    """The edges of the outer faces as the curves they are, as finely divided as the faces; only those loaded."""
-    cells = pv.UnstructuredGrid(body).cell_connectivity.reshape(-1, NODES)
-    centres, count = np.unique(cells[:, CENTRES], return_counts=True)
-    outer = np.isin(cells[:, CENTRES], centres[count == 1])
-    edges = cells[:, EDGES[FACES]][outer].reshape(-1, 3)
-    edges = edges[np.unique(edges[:, 2], return_index=True)[1]]
-    if loaded:
-        edges = edges[(body.point_data["surface"][edges] == 1).all(axis=1)]
-    curves = pv.UnstructuredGrid({pv.CellType.QUADRATIC_EDGE: edges}, body.points)
-    return curves.extract_surface(nonlinear_subdivision=ROUND, algorithm="dataset_surface")
 
 
 def draw(
@@ -232,7 +197,7 @@ def colour_bar(job: dict[str, Any], *, width: float, left: float, height: float)
     }
 
 
-KINDS = {"pressure": pressure_map, "section": section, "cage": cage_front}
+KINDS = {"pressure": pressure_map, "section": section, "view": contact_view, "cage": cage_front}
 
 if __name__ == "__main__":
     main()

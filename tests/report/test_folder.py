@@ -37,7 +37,8 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     validate(solved.scene, out=out, progress=lambda share, step: steps.append((share, step)))
     names = {path.name for path in out.iterdir()}
     made = {f"{pair}-real-{part}" for pair in ("inner", "outer") for part in ("upper.vtu", "lower.vtu")}
-    made |= {f"{pair}-real-{part}.png" for pair in ("inner", "outer") for part in ("pressure", "section")}
+    drawn = ("pressure.png", "section.png", "view.html")
+    made |= {f"{pair}-real-{part}" for pair in ("inner", "outer") for part in drawn}
     assert names == made | {"report.html", "report.json", "cost.csv"}
     assert [path.name for path in tmp_path.iterdir()] == ["report"]  # nothing beside it
     content = json.loads((out / "report.json").read_text("utf-8"))

@@ -14,7 +14,7 @@ from fembearing.compare.validation import Validation
 from fembearing.report import pictures as module
 from fembearing.report.framing import BAR, frame_of
 from fembearing.report.pictures import RENDERER, Picture, draw_pictures
-from fembearing.report.render import ROUND, cell_edges, loaded_face, scaled
+from fembearing.report.render_mesh import ROUND, cell_edges, loaded_face, scaled
 from tests.report.picture_reader import (
     CORNER,
     check_colour_bar,
