@@ -24,6 +24,7 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stab
 SILENT = (  # no window, no first-run questions, no traffic of its own
     *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--hide-scrollbars"),
     *("--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions"),
+    "--enable-unsafe-swiftshader",  # views need WebGL, and there may be no graphics card; the page is our own
     *("--enable-logging=stderr", "--v=0", "--virtual-time-budget=5000"),
 )
 WIDTHS = (1100, 390)  # pixels: a desk, a telephone

@@ -198,6 +198,6 @@ def _view_caption(contact: ContactSolution) -> str:
     return (
         f"A view to turn, {place_of(contact.to_json())}: drag it, or click it and use arrow keys and wheel. Both "
         f"loaded surfaces to scale, not deformed: from above the {body} is solid and the ball clear, from below the "
-        "other way round. Every corner of a cell, middle of its side and middle of its face is a node with its own pressure; colours "
-        "and lines are those of the still picture above."
+        "other way round. Every corner of a cell, middle of its side and middle of its face is a node with its own "
+        "pressure; colours and lines are those of the still picture above."
     )
