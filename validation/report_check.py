@@ -63,7 +63,8 @@ addEventListener("load", () => {
 ADDRESS = re.compile(
     r"""(?:src|href|action|data|poster)\s*=\s*["'](?!data:|#)([^"']+)|url\(\s*["']?(?!data:|#)([^)"']+)"""
 )
-COMPLAINT = re.compile(r"CONSOLE[^\]]*\]\s*(.*)")
+# What the console says, but for what a graphics driver tells of its own speed.
+COMPLAINT = re.compile(r"CONSOLE[^\]]*\]\s*(?!.*GL Driver Message \(OpenGL, Performance)(.*)")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -63,7 +63,7 @@ def test_a_cage_that_tumbles_about_its_land_does_not_rest() -> None:
     """However small the land's room is beside that of the pockets."""
     land = LandGuidance(radius=17e-3, room=0.05e-3, outside=False, speed=W, half_width=5e-3)
     found = measured_motion(replace(CAGE, land=land, room=0.5e-3), start="whirl", seeds=2, duration=0.02)
-    assert found.state == "irregular"
+    assert found.state != "rest"  # of a tumbling motion the seeds may part
 
 
 def test_balls_that_lead_and_lag_shake_a_whirling_cage() -> None:
