@@ -1,8 +1,12 @@
 """One hard case: what is asked, what is right, and the judgement of an answer."""
 
 import math
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, Literal
 
 from analytic.errors import ConvergenceError, FembearingError, InputError
@@ -59,3 +63,13 @@ def outcome_of(case: HardCase) -> HardOutcome:
     right = math.isfinite(found) and abs(off) <= limit
     detail = f"{found:.10g}, expected {case.expected:.10g}: off by {off:.1e}, allowed {limit:.1e} ({reason})"
     return HardOutcome(case=case.name, outcome="right" if right else "wrong", detail=detail)
+
+
+@contextmanager
+def passing_file(name: str) -> Iterator[Path]:
+    """A path for one case's file. A refusal tells it without its folder, which has another name every time."""
+    with TemporaryDirectory() as folder:
+        try:
+            yield Path(folder) / name
+        except InputError as refusal:
+            raise InputError(str(refusal).replace(f"{folder}{os.sep}", "")) from refusal

@@ -6,14 +6,12 @@ symmetry, or another choice of units.
 
 from collections.abc import Iterable
 from dataclasses import replace
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
 
 from analytic.scene import Contact, Material
 from fembearing.compare.discrepancy import hertz_quantities
-from fembearing.compare.hard_case import HardCase
+from fembearing.compare.hard_case import HardCase, passing_file
 from fembearing.compare.hard_contacts import (
     AS_ASKED,
     LEVEL,
@@ -129,8 +127,7 @@ def mesh_file(node: int) -> str:
 
 
 def nodes_read(node: int) -> float:
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "race.vtu"
+    with passing_file("race.vtu") as path:
         path.write_text(mesh_file(node))
         return float(read_body(path, name="race").mesh.p.shape[1])
 

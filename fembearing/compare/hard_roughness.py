@@ -1,8 +1,6 @@
 """Hard cases of roughness: one summit at its kinks, rough surfaces far apart and pressed flat, and odd surfaces."""
 
 import math
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -13,7 +11,7 @@ from analytic.roughness import spectral_moments
 from analytic.scene import Autocorrelation
 from analytic.scenefile import parse_scene
 from analytic.summits import Summits, mccool_summits
-from fembearing.compare.hard_case import HardCase
+from fembearing.compare.hard_case import HardCase, passing_file
 from fembearing.compare.hard_contacts import MODULUS, ROUND_OFF
 
 HARDNESS = 7.8e9  # Pa
@@ -68,8 +66,7 @@ def apart(deviations: float) -> float:
 def mapped(height: float) -> float:
     """Sq, m, of a height map of peaks and pits of that height, m."""
     heights = np.where(np.indices((32, 32)).sum(axis=0) % 2, height, -height)
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "heights.npy"
+    with passing_file("heights.npy") as path:
         np.save(path, heights)
         return float(np.std(read_height_map(path, spacing=2e-6).heights))
 

@@ -263,3 +263,9 @@ def test_one_bug_does_not_stop_the_table() -> None:
 def test_a_case_has_one_right_answer(answer: dict) -> None:
     with pytest.raises(InputError, match="hard case 'n'"):
         HardCase(name="n", asked="a", right="r", evaluate=lambda: 1.5, **answer)
+
+
+@pytest.mark.parametrize("name", ["mesh file: a node that does not exist", "surface: heights near the largest double"])
+def test_a_refused_file_is_told_the_same_way_every_time(name: str) -> None:
+    first, second = (outcome_of(TABLE[name]).detail for _ in range(2))
+    assert first == second
