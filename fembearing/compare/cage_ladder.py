@@ -12,7 +12,8 @@ from analytic.loading import loaded_balls, points
 from analytic.scene import Array, Operation, Scene
 from fembearing.compare.ladder import Question, Way, deviation
 
-# Of each motion, s: shorter than a scene's, so that all rungs with their repeats take less than half a minute.
+# Of each motion, s: shorter than a scene's, so that all rungs with their repeats take less than half a minute, in steps
+# as usual.
 SEEDS, DURATION = 3, 0.02
 SHARES = (0.25, 0.5, 1.0, 2.0)  # of the scene's steps a contact; the last is the reference
 
@@ -51,7 +52,7 @@ def cage_question(scene: Scene) -> Question:
         ball_speed=turning * float(balls.motion.ball_speed.mean()),
         contact_angle=float(np.abs(balls.contact_angle).mean()),
     )
-    start, duration = cage.start or "rest", max(DURATION, driven.crossing_time)
+    start, duration = cage.start or "rest", min(max(DURATION, driven.crossing_time), cage.duration)
     steps = [share * cage.steps_per_contact for share in SHARES]
     longer = cage.seeds * cage.duration / (SEEDS * duration)
 

@@ -38,13 +38,9 @@ class Rung:
     predicted: float | None = None  # s, of a mesh, told before it was solved
     memory: int | None  # largest resident memory of the process while it ran, bytes; see `memory.peak_while`
     unknowns: int | None = None  # of a mesh
+    known_error: float | None = None  # what a tolerance is compared with, see `known_error`; None: nothing is known
     chosen: bool = False  # the cheapest within the tolerance
     failed: str | None = None  # why it gave no answer, in one line
-
-    @property
-    def known_error(self) -> float | None:
-        """What is known of its error: the bound, or what was measured where that is more or the bound is missing."""
-        return max((known for known in (self.bound, self.error) if known is not None), default=None)
 
     def to_json(self) -> dict[str, Any]:
         return dict(vars(self))
@@ -190,6 +186,7 @@ def ladder_of(quantity: str, reference: str, trials: Sequence[Trial], *, toleran
                 name=trial.name,
                 error=error,
                 bound=trial.bound,
+                known_error=known_error(trial.bound, error, None if exact is None else exact.bound),
                 seconds=float(np.median(trial.seconds)) if trial.seconds else None,
                 spread=max(trial.seconds) - min(trial.seconds) if trial.seconds else None,
                 repeats=len(trial.seconds),
@@ -203,6 +200,16 @@ def ladder_of(quantity: str, reference: str, trials: Sequence[Trial], *, toleran
     ladder = Ladder(quantity=quantity, reference=reference, rungs=tuple(rungs))
     chosen = ladder.choose(tolerance)
     return replace(ladder, rungs=tuple(replace(rung, chosen=rung is chosen) for rung in rungs))
+
+
+def known_error(bound: float | None, error: float | None, reference: float | None) -> float | None:
+    """What is known of a rung's error: its bound, or what was measured where that is more.
+
+    reference : the bound of what `error` was measured against, by which it may be off where the rung has no bound
+    """
+    if bound is not None:
+        return bound if error is None else max(bound, error)
+    return None if error is None or reference is None else error + reference
 
 
 def deviation(answer: Array, exact: Array) -> float:

@@ -18,7 +18,17 @@ GIB = 2**30
 
 def rung(name: str, *, error: float | None, seconds: float | None, bound: float | None = None, gib: float = 0) -> Rung:
     memory = int(gib * GIB) or None
-    return Rung(name=name, error=error, bound=bound, seconds=seconds, spread=None, repeats=2, memory=memory)
+    known = max((part for part in (bound, error) if part is not None), default=None)
+    return Rung(
+        name=name,
+        error=error,
+        bound=bound,
+        known_error=known,
+        seconds=seconds,
+        spread=None,
+        repeats=2,
+        memory=memory,
+    )
 
 
 CONTACT = Ladder(
