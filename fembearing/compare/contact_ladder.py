@@ -29,7 +29,7 @@ LEVEL_BOUNDS = {1: 0.105, 2: 0.01, 3: 0.0021, 4: 0.0008}
 def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent) -> Ladder:
     """Hertz, corrected Hertz, then every level of `recipe`, timed apart from the sizing of the mesh.
 
-    Each level's seconds are predicted from the largest mesh solved before it, and run once more than they are timed.
+    Each level's seconds are predicted from the largest mesh solved before it; it is run once more than it is timed.
     """
     trials = _formula_trials(contact)
     try:
@@ -41,7 +41,7 @@ def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, prog
     meshes: list[MeshSolution] = []
     for number, level in enumerate(recipe.levels):
         expected = predicted_seconds(level, known=max([sized, *meshes], key=lambda mesh: mesh.level))
-        step = f"{contact.pair}: mesh {number + 1}, {about((1 + MESH_REPEATS) * expected)}"
+        step = f"{contact.pair}: mesh {number + 1}, {about((1 + _repeats(expected)) * expected)}"
         progress(float(work[number] / work[-1]), step)
 
         def solve(level: int = level) -> MeshSolution:
@@ -50,8 +50,7 @@ def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, prog
         try:
             warm_up = solve().seconds
             mesh, memory = peak_while(solve)
-            repeats = 1 if mesh.seconds > DEAR else MESH_REPEATS
-            seconds = (mesh.seconds, *(solve().seconds for _ in range(repeats - 1)))
+            seconds = (mesh.seconds, *(solve().seconds for _ in range(_repeats(mesh.seconds) - 1)))
         except FembearingError as problem:
             trials.append(Trial(name=_level_name(level), answer=None, failed=str(problem), predicted=expected))
             continue
@@ -131,6 +130,11 @@ def _mesh_trial(
         unknowns=mesh.unknowns,
         may_refer=True,
     )
+
+
+def _repeats(seconds: float) -> int:
+    """How often a mesh that takes so long is timed."""
+    return 1 if seconds > DEAR else MESH_REPEATS
 
 
 def _level_name(level: int) -> str:

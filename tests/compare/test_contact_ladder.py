@@ -6,6 +6,7 @@ from typing import Any, cast
 
 import pytest
 
+from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.compare import contact_ladder
 from fembearing.compare.contact_ladder import LEVEL_BOUNDS, contact_ladder_of
@@ -59,6 +60,26 @@ def test_a_ladder_of_meshes_is_that_of_the_solution_at_hand(
     assert [rung.repeats for rung in run.rungs[2:]] == [1, 1, 1, 1]
     assert steps == sorted(steps)
     assert 0 <= steps[0] < steps[-1] < 1
+
+
+def test_what_is_told_is_the_time_of_all_runs_and_of_a_dear_mesh_there_are_two(
+    contacts: dict[str, Contact], coarse: Recipe, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Meshes that fail end the run at once; what was told before stays."""
+
+    def fail(*_: Any, **__: Any) -> Any:
+        raise InputError("not solved")
+
+    foretold = {1: 0.5, 2: 9.0, 3: 30.0}
+    sized = SimpleNamespace(level=2, pair=SimpleNamespace(semi_axes=(1e-4, 1e-3)))
+    monkeypatch.setattr(contact_ladder, "fitted_solution", lambda *_, **__: sized)
+    monkeypatch.setattr(contact_ladder, "predicted_seconds", lambda level, known: foretold[level])
+    monkeypatch.setattr(contact_ladder, "solve_on_mesh", fail)
+    steps: list[str] = []
+    contact_ladder.measured_contact(
+        contacts["inner"], recipe=coarse, tolerance=0.01, progress=lambda _, step: steps.append(step)
+    )
+    assert [step.partition(", ")[2] for step in steps] == ["about 2 s", "about 40 s", "about 60 s"]
 
 
 def test_corrected_hertz_is_much_nearer_than_hertz(solved: ContactSolution) -> None:
