@@ -19,6 +19,7 @@ from analytic.cage import (
     whirl_force,
     whirl_speed,
 )
+from analytic.cage_motion import STEPS_PER_CONTACT
 from analytic.cage_statistics import CageStatistics, measured_motion
 from analytic.contact import pocket_contact
 from analytic.effects import Choices
@@ -32,7 +33,8 @@ PULL = {
     "along": (0.0, 0.0, -STANDARD_GRAVITY),
     "off": (0.0, 0.0, 0.0),
 }
-LONGEST = 500.0  # s of motion that are simulated unasked, start-up and all seeds counted: some ten minutes
+# s of motion that are simulated unasked, start-up and all seeds counted: some ten minutes in steps as usual
+LONGEST = 500.0
 CAGE_KEYS = ("mean_force", "max_force", "interval", "duration", "state", "signed_moment")
 
 
@@ -232,10 +234,12 @@ def _moves(
         )
     points = np.count_nonzero(speed)
     simulated = 2 * cage.duration * (cage.seeds + 1) * points  # start-up and measured time; the last of another start
-    if asked == "auto" and lacks is None and simulated > LONGEST:
+    longest = LONGEST * STEPS_PER_CONTACT / cage.steps_per_contact
+    if asked == "auto" and lacks is None and simulated > longest:
         lacks = (
-            f"{points} points take {simulated:.3g} s of motion, and beyond {LONGEST:g} s it is not computed unasked: "
-            'give fewer points or seeds, a shorter duration, or effects.cage_dynamics = "on"'
+            f"{points} points take {simulated:.3g} s of motion, and beyond {longest:.3g} s at {cage.steps_per_contact} "
+            "steps a contact it is not computed unasked: give fewer points, seeds or steps, a shorter duration, or "
+            'effects.cage_dynamics = "on"'
         )
     return choices.calls_for("cage_dynamics", share=share, lacks=lacks)
 

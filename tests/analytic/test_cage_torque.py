@@ -113,6 +113,14 @@ def test_a_long_series_is_not_set_in_motion_unasked(scene: Scene, monkeypatch: p
     assert 'effects.cage_dynamics = "on"' in warning
 
 
+def test_more_steps_leave_less_motion_that_is_computed_unasked(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A second of motion in 25 times the steps is as much work as 25 s."""
+    monkeypatch.setattr(analytic.cage_torque, "measured_motion", None)
+    many = Operation(axial_load=np.full(150, 1000.0), inner_speed=np.linspace(100, 500, 150) * RPM)
+    given = with_cage(replace(scene, operation=many), start="rest", steps_per_contact=1000)
+    assert "27 s of motion, and beyond 20 s at 1000 steps" in told(friction_torque(given), "cage_dynamics").reason
+
+
 def test_drag_is_in_the_closed_form_too(scene: Scene) -> None:
     """By what motions from rest come to, of a cage whose weight is small beside the drag and one where it is not."""
     for drag in (1e-3, 2e-6):
