@@ -26,7 +26,7 @@ from fembearing.fem.condensation import condense
 from fembearing.fem.contact import press
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.series import solve_series
-from fembearing.fem.solution import condensed_pair, fitted_solution, pressed
+from fembearing.fem.solution import condensed_pair, fitted_solution, pressed, solve_on_mesh
 from fembearing.mesh.meshfile import SETS, read_body
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.recipe import load_recipe
@@ -130,6 +130,13 @@ def nodes_read(node: int) -> float:
     with passing_file("race.vtu") as path:
         path.write_text(mesh_file(node))
         return float(read_body(path, name="race").mesh.p.shape[1])
+
+
+def folded() -> float:
+    """Approach, m, on a mesh whose core reaches beyond the edge of its own contact."""
+    shape = load_recipe("race")
+    wide = replace(shape, patch=replace(shape.patch, core_size=1.7))
+    return solve_on_mesh(inner(), recipe=wide, level=LEVEL, semi_axes=expected_semi_axes(inner())).quantities.approach
 
 
 MESH_CASES: tuple[HardCase, ...] = (
@@ -280,6 +287,13 @@ MESH_CASES: tuple[HardCase, ...] = (
         right="a refusal: a mesh scales with its ellipse, which has no size",
         evaluate=lambda: referenced(inner(load=0.0)).approach,
         refusal="load must be positive and finite, got 0.0",
+    ),
+    HardCase(
+        name="contact: a cell inside out",
+        asked="a mesh whose core folds the cells around it",
+        right="a refusal with cell and place: the equations would be solved all the same, and look like a result",
+        evaluate=folded,
+        refusal="is inside out at",
     ),
     HardCase(
         name="equations: a body that nothing holds",
