@@ -101,7 +101,7 @@ def load_question(scene: Scene) -> Question:
         return _of_alike(scene, operation)
 
     def beyond_thrust() -> float:
-        return float(np.max(sideways() + _of_still(scene, operation)))
+        return float(np.max(sideways() + _of_still(scene, operation))) + SETTLED
 
     return Question(
         quantity="load of the heaviest ball",

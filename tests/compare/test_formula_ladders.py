@@ -75,6 +75,12 @@ def test_the_load_under_thrust_has_five_rungs(scene: Scene) -> None:
     check_bounds(ladder)
 
 
+def test_at_standstill_two_solvers_of_one_equilibrium_differ_by_their_last_steps(scene: Scene) -> None:
+    """Nothing is left out there, and yet no bound is 0."""
+    still = replace(scene, operation=replace(scene.operation, inner_speed=np.zeros(5)))
+    check_bounds(measured(load_question(still), tolerance=0.01))
+
+
 def test_a_radial_load_leaves_only_the_ring(scene: Scene) -> None:
     """Of balls under Fr and Fa alike the heaviest carries 4.37 Fr/Z and more: no thrust is near."""
     pulled = replace(scene, operation=replace(scene.operation, radial_load=2500.0))
