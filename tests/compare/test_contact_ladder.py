@@ -73,7 +73,7 @@ def test_what_is_told_is_the_time_of_all_runs_and_of_a_dear_mesh_there_are_two(
     foretold = {1: 0.5, 2: 9.0, 3: 30.0}
     sized = SimpleNamespace(level=2, pair=SimpleNamespace(semi_axes=(1e-4, 1e-3)))
     monkeypatch.setattr(contact_ladder, "fitted_solution", lambda *_, **__: sized)
-    monkeypatch.setattr(contact_ladder, "predicted_seconds", lambda level, known: foretold[level])
+    monkeypatch.setattr(contact_ladder, "predicted_seconds", lambda level, **_: foretold[level])
     monkeypatch.setattr(contact_ladder, "solve_on_mesh", fail)
     steps: list[str] = []
     contact_ladder.measured_contact(
