@@ -137,10 +137,20 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
 
 
 def _with_reasons(scene: Scene, found: FrictionTorque) -> FrictionTorque:
-    """The scene did not say what this check leaves out of both torques."""
-    told = {name: why for name, why in BESIDE.items() if scene.effects.get(name) != "off"}
-    effects = (replace(each, reason=told[each.name]) if each.name in told else each for each in found.effects)
-    return replace(found, effects=tuple(effects))
+    """What this check leaves out of both torques is not put down to the scene, nor warned of: it is shown beside."""
+    by_scene = "the scene says off"
+    beside = {
+        each.name: BESIDE[each.name]
+        for each in found.effects
+        if each.name in BESIDE and scene.effects.get(each.name) != "off" and each.reason.startswith(by_scene)
+    }
+    effects = (replace(each, reason=beside.get(each.name, each.reason)) for each in found.effects)
+    warnings = (
+        words
+        for words in found.warnings
+        if not any(words.startswith(f"{name} is left out") and by_scene in words for name in beside)
+    )
+    return replace(found, effects=tuple(effects), warnings=tuple(warnings))
 
 
 def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:

@@ -207,3 +207,11 @@ def test_what_the_check_leaves_out_is_not_put_down_to_the_scene() -> None:
     scene = replace(FIXED, effects={**FIXED.effects, "finite_geometry": "off"})
     told = {effect.name: effect for effect in change_of_torque(scene, inner=solution(), outer=solution()).hertz.effects}
     assert told["finite_geometry"].reason.startswith("the scene says off")
+
+
+def test_what_the_check_leaves_out_is_not_warned_of() -> None:
+    """At a thousandth the finite geometry could be larger than the tolerance, and its change stands beside."""
+    scene = replace(FIXED, tolerance=1e-3)
+    for effects, count in ((FIXED.effects, 0), ({**FIXED.effects, "finite_geometry": "off"}, 1)):
+        found = change_of_torque(replace(scene, effects=effects), inner=solution(), outer=solution()).hertz
+        assert sum(words.startswith("finite_geometry is left out") for words in found.warnings) == count
