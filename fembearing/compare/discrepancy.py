@@ -157,6 +157,7 @@ class ContactSolution:
                 name: {
                     "values": list(part.values),
                     "order": part.order,
+                    "grid_convergence_index": part.index,
                     "formal_order": None if self.shoulder else FORMAL_ORDERS[name],  # a cut edge has none
                     "richardson": part.richardson,
                     "mesh": part.mesh,

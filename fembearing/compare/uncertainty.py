@@ -1,8 +1,9 @@
 """Value and numerical uncertainty of a quantity computed on two or more meshes.
 
 Sources: P. J. Roache, Verification and Validation in Computational Science and Engineering (1998), for extrapolation
-and the grid-convergence index; I. B. Celik et al., J. Fluids Eng. 130 (2008) 078001, for the observed order at
-unequal ratios. Neither seen in the original; the formulas are checked on sequences of known order.
+and the grid-convergence index; W. L. Oberkampf and C. J. Roy, Verification and Validation in Scientific Computing
+(2010), for which factor and order the index takes; I. B. Celik et al., J. Fluids Eng. 130 (2008) 078001, for the
+observed order at unequal ratios. None seen in the original; the formulas are checked on sequences of known order.
 """
 
 from collections.abc import Sequence
@@ -18,6 +19,8 @@ FINEST = 8e-5  # relative: nothing closer is claimed; what all meshes share does
 UNSTEADY = 3.0  # order granted to a quantity that has no steady one, without moving its value
 LEAST = 3e-4  # relative: added for such a quantity, whose last change may be small by chance
 CAUTIOUS = 3.0  # Roache's factor where no order can be relied on
+NEAR, TRUSTED = 0.1, 1.25  # of the formal order, and Roache's factor where the observed one is no farther from it
+LEAST_ORDER = 0.5  # below, an observed order is that of no scheme
 SETTLES = 0.5  # the last change, over the one before, from which meshes do not settle
 
 
@@ -30,6 +33,7 @@ class Estimate:
     richardson: float | None  # extrapolated with the formal order; None where that is not known or not to be relied on
     mesh: float  # from the meshes
     settled: bool = True  # whether the meshes close in on a value
+    index: float | None = None  # Roache's grid-convergence index, relative: shown beside `mesh`, and in no interval
     beyond: float = 0.0  # by which share an endless meshed region would raise the value
     domain: float = 0.0  # from the size of the meshed region
 
@@ -77,6 +81,7 @@ def estimate(
         settled = abs(change) < SETTLES * abs(middle - values[-3]) or change == 0
     ratio = cell_sizes[-2] / cell_sizes[-1]
     step = change / (ratio ** (formal_order or UNSTEADY) - 1)
+    index = None if order is None else grid_convergence_index(change / fine, ratio, order=order, formal=formal_order)
     richardson = None
     if not settled:
         left = 0.0 if order is None else abs(change) / (ratio**order - 1)
@@ -94,7 +99,21 @@ def estimate(
         richardson=richardson,
         mesh=uncertainty / abs(fine) + FINEST,
         settled=settled,
+        index=index,
     )
+
+
+def grid_convergence_index(change: float, ratio: float, *, order: float, formal: float | None) -> float:
+    """F_s |change| / (r^p - 1), of the finest of three meshes, relative.
+
+    change : finest value less the one before, over the finest
+    ratio : r, of their cell sizes, above 1
+    order, formal : observed and formal; p is the formal one with F_s = 1.25 where they are near, else the lower of the
+        two with F_s = 3, but no less than 0.5. Without a formal order F_s is 3 and p at most `UNSTEADY`.
+    """
+    if formal is not None and abs(order / formal - 1) <= NEAR:
+        return TRUSTED * abs(change) / (ratio**formal - 1)
+    return CAUTIOUS * abs(change) / (ratio ** min(max(order, LEAST_ORDER), formal or UNSTEADY) - 1)
 
 
 def observed_order(values: Sequence[float], cell_sizes: Sequence[float]) -> float | None:

@@ -89,6 +89,38 @@ def test_a_crawling_sequence_is_covered(order: float) -> None:
     assert found.mesh * found.value >= abs(found.value - 7.3)
 
 
+@pytest.mark.parametrize(("formal", "off"), [(3.0, 0.2), (4.0, -0.3), (3.0, 0.0)])
+def test_near_the_formal_order_roaches_index_is_five_quarters_of_the_step(formal: float, off: float) -> None:
+    """Of the way to the limit that the formal order says."""
+    found = estimate(sequence(7.3, 0.4, formal + off), SIZES, formal_order=formal)
+    assert found.richardson is not None
+    assert found.index is not None
+    step = abs(found.richardson / found.values[-1] - 1)
+    np.testing.assert_allclose(found.index, 1.25 * step, rtol=1e-9)  # round-off of a change
+
+
+@pytest.mark.parametrize(("formal", "order"), [(3.0, 1.7), (4.0, 2.9), (None, 2.2)])
+def test_below_the_formal_order_roaches_index_is_three_times_the_error(formal: float | None, order: float) -> None:
+    """The sequence has one order: what it leaves is known."""
+    found = estimate(sequence(7.3, 0.4, order), SIZES, formal_order=formal)
+    assert found.index is not None
+    np.testing.assert_allclose(found.index, 3 * abs(7.3 / found.values[-1] - 1), rtol=1e-5)  # order by a root's search
+
+
+@pytest.mark.parametrize(("formal", "order"), [(3.0, 4.4), (None, 3.9)])
+def test_above_the_formal_order_roaches_index_does_not_trust_it(formal: float | None, order: float) -> None:
+    values = sequence(7.3, 0.4, order)
+    found = estimate(values, SIZES, formal_order=formal)
+    cautious = 3 * abs(values[-1] - values[-2]) / values[-1] / ((5 / 3) ** 3 - 1)
+    assert found.index is not None
+    np.testing.assert_allclose(found.index, cautious, rtol=1e-9)  # round-off of a change
+
+
+@pytest.mark.parametrize("values", [(1.3, 1.1, 1.2), (7.2, 7.3)])
+def test_without_an_order_there_is_no_index(values: tuple[float, ...]) -> None:
+    assert estimate(values, SIZES[-len(values) :], formal_order=3.0).index is None
+
+
 def test_only_the_last_three_meshes_decide() -> None:
     fine = sequence(7.3, 0.4, 2.7)
     found, expected = (

@@ -130,6 +130,7 @@ def contact_made(
                 mesh=part.mesh,
                 domain=part.domain,
                 settled=part.order is not None,
+                index=None if part.order is None else 3 * part.mesh,
             )
             for name, part in given.items()
         },

@@ -18,11 +18,12 @@ def mesh_section(document: Told) -> dict[str, Any]:
 
 
 def _row(part: Told, shown: Shown) -> dict[str, str]:
-    limit = part["richardson"]
+    limit, index = part["richardson"], part["grid_convergence_index"]
     return {
         "quantity": shown.heading(),
         "values": ", ".join(digits(value * shown.factor) for value in part["values"]),
         "order": "none" if part["order"] is None else f"{part['order']:.1f}",
+        "index": "none" if index is None else f"{index:.2%}",
         "richardson": "" if limit is None else digits(limit * shown.factor),
         "mesh": f"{part['mesh']:.2%}",
         "domain": f"{part['domain']:.2%}",
