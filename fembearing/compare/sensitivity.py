@@ -95,7 +95,9 @@ class Variation:
 
 
 def sensitivity_of(scene: Scene) -> Sensitivity:
-    """At the slowest and the fastest operating point, or at the one point where all are alike.
+    """At the slowest and the fastest operating point, of equal speeds at the lightest and the heaviest load.
+
+    Where the torque is the same at both, one stands for them.
 
     Effects and rungs stay as they are decided there. Raises InputError as friction_torque and heaviest_contact
     do for the scene itself; an end of a range that they refuse is left open, and tells why.
@@ -125,8 +127,8 @@ Watched = tuple[Scene, Callable[[Scene], Array], list[Output]]  # what is varied
 
 
 def _torques(scene: Scene) -> Watched:
-    speed = np.abs(scene.operation.inner_speed)
-    ends = list(dict.fromkeys([int(np.argmin(speed)), int(np.argmax(speed))]))
+    order = np.lexsort((scene.operation.axial_load, np.abs(scene.operation.inner_speed)))
+    ends = list(dict.fromkeys([int(order[0]), int(order[-1])]))
     watched = at_points(replace(scene, effects={**scene.effects, "cage_dynamics": "off"}), ends)
     found = friction_torque(watched)
     watched = found.settled(watched)

@@ -82,7 +82,8 @@ def _shown(each: dict[str, Any], which: str) -> str:
 def _title(output: dict[str, Any]) -> str:
     if output["quantity"] == "peak_pressure":
         return f"ball on {output['pair']} race: {output['value'] * 1e-9:.4g} GPa"
-    return f"{output['inner_speed'] * PER_MINUTE:.5g} rpm: {output['value'] * 1e3:.4g} N mm"
+    speed, load = output["inner_speed"] * PER_MINUTE, output["axial_load"]
+    return f"{speed:.5g} rpm, {load:.4g} N axial: {output['value'] * 1e3:.4g} N mm"
 
 
 def _caption(found: dict[str, Any], quantity: str, still: list[str]) -> str:

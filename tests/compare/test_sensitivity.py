@@ -142,6 +142,12 @@ def test_a_given_coefficient_makes_all_speeds_one(dry: Scene) -> None:
     np.testing.assert_allclose(changes(found, "friction coefficient"), [[-0.2], [0.2]], rtol=1e-4)
 
 
+def test_equal_speeds_are_told_apart_by_their_loads(dry: Scene) -> None:
+    loads = Operation(axial_load=np.array([700.0, 200.0, 1300.0]), inner_speed=np.full(3, 30.0))
+    outputs = sensitivity_of(replace(dry, friction_coefficient=0.08, cage=None, operation=loads)).outputs
+    assert [output.axial_load for output in outputs] == [200.0, 1300.0]
+
+
 def test_an_end_that_is_refused_is_left_open_and_told(dry: Scene) -> None:
     tight = replace(dry.bearing.inner, groove_radius=0.503 * dry.bearing.ball_diameter)
     found = sensitivity_of(replace(dry, bearing=replace(dry.bearing, inner=tight)))
