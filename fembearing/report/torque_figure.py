@@ -42,6 +42,8 @@ def torque_plot(document: Document) -> tuple[Figure | None, str]:
     legend_below(panel, columns=3, size=9)
     caption = "The parts of the torque, stacked: their upper edge is the total. "
     caption += f"Band: its uncertainty, {known}."
+    if document["cage_records"]:
+        caption += " The cage is in it by its closed form at rest; what it does in motion is told by itself."
     return figure, caption + printed
 
 

@@ -105,10 +105,17 @@ def test_the_numbers_are_those_of_the_result(checked: Validation, page: Page) ->
     assert f"{checked.torque.uncertainty:.2%}".replace("%", " %") in page.text
 
 
+def test_what_is_not_validated_is_said_before_any_verdict(page: Page) -> None:
+    words = " ".join(page.text.split())
+    places = [words.index(said) for said in ("Intended use", "Not validated by measurement", "Contacts against finite")]
+    assert places == sorted(places)
+
+
 def test_it_says_what_is_assumed_and_what_is_not_validated(page: Page) -> None:
     words = " ".join(page.text.split())
     for said in (
         "Not validated by measurement",
+        "Speeds that share a row read the same",
         "coefficient 0.1 at each race, given by the scene",
         "typical values, no single source seen",  # of the steel
         "bends on its rim",

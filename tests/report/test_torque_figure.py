@@ -49,7 +49,16 @@ def point(number: int, *, speed: float, load: float = 1000.0) -> dict[str, Any]:
 @pytest.fixture
 def document() -> Document:
     points = [point(number, speed=speed) for number, speed in enumerate(SPEEDS)]
-    return {"torque": {"points": points, "gap_roughness": GAP}, "published": published(same_bearing=False)}
+    return {
+        "torque": {"points": points, "gap_roughness": GAP},
+        "published": published(same_bearing=False),
+        "cage_records": [],
+    }
+
+
+def test_a_cage_in_motion_is_not_said_to_be_in_the_total(document: Document) -> None:
+    assert "in motion is told" not in torque_plot(document)[1]
+    assert "cage is in it by its closed form" in torque_plot(document | {"cage_records": [{}]})[1]
 
 
 def panel_of(found: tuple[Figure | None, str]) -> Axes:

@@ -15,8 +15,10 @@ def torque_section(document: Told) -> dict[str, Any]:
         return {"torque": [], "cage": [], "parts": [], "change": None}
     models = [point["uncertainty"]["model"] for point in torque["points"]]
     parts = _parts(torque["points"][0])
+    rows = _rows(torque, change, parts)
     return {
-        "torque": _rows(torque, change, parts),
+        "torque": rows,
+        "is_joined": len(rows) < len(torque["points"]),
         "parts": parts,
         "change": change,
         "band": torque["catalogue_band"]["low"] is not None,
@@ -51,7 +53,7 @@ def _rows(torque: Told, change: Told, parts: Sequence[str]) -> list[dict[str, An
                 else f"{band['low'][number] * 1e3:.3g}-{band['high'][number] * 1e3:.3g}",
             }
         )
-    # At a constant coefficient all speeds read the same: one row for each run of them.
+    # At a constant coefficient slow speeds read the same: one row for each run of them.
     runs = [[number for number, _ in run] for _, run in groupby(enumerate(rows), key=itemgetter(1))]
     found = [point["inner_speed"] for point in torque["points"]]
     return [{**rows[run[0]], "speed": speeds([found[number] for number in run])} for run in runs]
