@@ -103,12 +103,25 @@ def _of_contact(document: Told, contact: Told) -> list[tuple[str, str]]:
             worst = max(map(abs, corrected["interpolation_error"].values()))
             remedy = f'effects.finite_geometry = "on" corrects Hertz, to {worst:.2%} of the finite elements here'
         found.append((f"{place}: Hertz fails in {failed}", remedy))
-    if undecided := named("undecided"):
+    open_to_meshes, open_beyond = [], []
+    for name, row in rows.items():
+        if row["verdict"] == "undecided":
+            from_tolerance = abs(abs(row["discrepancy"]) - document["tolerance"])
+            beyond = from_tolerance <= contact["convergence"][name]["domain"]  # which no finer mesh lowers
+            (open_beyond if beyond else open_to_meshes).append(names[name].name)
+    if open_to_meshes:
         asked = 100 * document["tolerance"] / 20
         found.append(
             (
-                f"{place}: undecided in {undecided}",
+                f"{place}: undecided in {', '.join(open_to_meshes)}",
                 f'fembearing contact SCENE --pair {contact["pair"]} --tolerance "{asked:.2g} %"',
+            )
+        )
+    if open_beyond:
+        found.append(
+            (
+                f"{place}: undecided in {', '.join(open_beyond)}, as the size of the meshed block leaves it open",
+                "no finer mesh decides it: ask for a tolerance farther from the discrepancy",
             )
         )
     if named("outside validity"):
