@@ -68,7 +68,8 @@ def orbit_figure(motions: Sequence[dict[str, Any]], *, captioned: bool = True) -
         low, high = (MILLI * end for end in motion["torque_interval"])
         part.suptitle(
             f'{motion["bearing"]} at {motion["inner_speed"] * PER_MINUTE:.5g} rpm: regime "{motion["state"]}", started '
-            f'"{motion["start"]}"; cage torque {motion["torque"] * MILLI:.3g} N mm, {low:.3g} to {high:.3g} at 95 %'
+            f'"{motion["start"]}"; cage torque {motion["torque"] * MILLI:.3g} N mm, {low:.3g} to {high:.3g} at 95 %',
+            parse_math=False,  # a bearing's name is a person's
         )
     if captioned:
         figure.supxlabel(textwrap.fill(cage_caption(motions[0]), 190), x=0.01, ha="left", fontsize=9)

@@ -23,7 +23,8 @@ FAULTS = {
     "dict_type": "is no table",
     "model_type": "is no table",
     "finite_number": "is not finite",
-    "string_pattern_mismatch": "is no plain file name",
+    "extra_forbidden": "is not known",
+    "string_pattern_mismatch": "is not written as it must be",
 }
 
 
@@ -31,6 +32,7 @@ def read_document(path: Path) -> Document:
     """What a report.json holds. Raises InputError, in one line, for what is none or does not hold together."""
     try:
         content = json.loads(path.read_text("utf-8"), parse_constant=_no_number)
+        json.dumps(content, ensure_ascii=False).encode()  # half a character, as an escape lets it in, is refused here
     except OSError as problem:
         raise InputError(
             f"{str(path)!r} cannot be read: {problem.strerror}; give the report.json of a report"

@@ -74,7 +74,7 @@ def _picture(told: Document, document: Document, folder: Path) -> dict[str, Any]
     except OSError:
         return found | {"missing": f"The picture {told['file']} does not lie beside report.json."}
     if told["kind"] == "view" and content.startswith(VIEW):
-        return found | {"view": content.decode("utf-8")}
+        return found | {"view": content.decode("utf-8", "replace")}
     if not content.startswith(PNG):
         return found | {"missing": f"The file {told['file']} beside report.json is no picture."}
     return found | {"source": embedded(content)}

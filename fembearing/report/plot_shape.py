@@ -60,6 +60,7 @@ class ApproachCurve(Shape):
 class TotalTorque(Shape):
     quantity: Literal["total_torque"]
     inner_speed: float
+    axial_load: float
     value: float
 
 
@@ -70,8 +71,8 @@ class PeakPressure(Shape):
 
 
 class Input(Shape):
-    name: str
-    unit: str
+    name: Annotated[str, Field(pattern=r"^[^$]*$")]  # dollars would begin a formula
+    unit: Literal["Pa", "1/Pa", "Pa s", "m", "N", "N m", "rad", "K", "1"]
     value: float
     low: float
     high: float

@@ -5,7 +5,7 @@ A key that no section and no plot reads may be anything or missing; one that the
 
 from typing import Annotated, Generic, Literal, TypeVar
 
-from pydantic import Field, model_validator
+from pydantic import ConfigDict, Field, model_validator
 
 from fembearing.report.plot_shape import (
     ApproachCurve,
@@ -22,6 +22,8 @@ Pair = Literal["inner", "outer", "pocket"]
 Geometry = Literal["real", "hertzian", "wall", "ring"]
 Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
+Count = Annotated[int, Field(gt=0, lt=2**63)]
+Label = Annotated[str, Field(pattern=r"^[^$]*$")]  # in a plot, where dollars would begin a formula
 FileName = Annotated[str, Field(pattern=r"^\w[\w.-]*$")]  # beside report.json, never elsewhere
 
 
@@ -72,6 +74,8 @@ class Estimated(Shape):
 
 
 class Sides(Shape):
+    model_config = ConfigDict(extra="forbid")  # the page reads whatever is there
+
     above: float
     below: float = 0.0
 
@@ -89,6 +93,7 @@ class Shoulder(Shape):
 class Study(Shape):
     values: list[Positive]
     order: float | None
+    grid_convergence_index: float | None
     formal_order: float | None
     richardson: Positive | None
     mesh: float
@@ -96,7 +101,7 @@ class Study(Shape):
 
 
 class Mesh(Shape):
-    unknowns: Annotated[int, Field(gt=0)]
+    unknowns: Count
 
 
 class Contact(Shape):
@@ -126,6 +131,8 @@ class Contact(Shape):
 
 class Parts(Shape):
     """None where a part was left out."""
+
+    model_config = ConfigDict(extra="forbid")  # the page reads whatever is there
 
     total: float
     race: float | None
@@ -184,8 +191,9 @@ class Torque(Shape):
         band = self.catalogue_band
         if (band.low is None) != (band.high is None):
             raise ValueError("has half a catalogue_band")
-        if band.low is not None and band.high is not None and len(band.low) == len(band.high) != len(self.points):
-            raise ValueError(f"has {len(band.low)} values of catalogue_band at {len(self.points)} points")
+        for side in (band.low, band.high):
+            if side is not None and len(side) != len(self.points):
+                raise ValueError(f"has {len(side)} values of catalogue_band at {len(self.points)} points")
         return self
 
 
@@ -270,18 +278,18 @@ class Published(Shape):
 
 
 class Rung(Shape):
-    name: str
+    name: Label
     error: float | None
     bound: float | None
-    seconds: float | None
-    memory: int | None
-    unknowns: int | None
+    seconds: Annotated[float, Field(gt=0, lt=1e12)] | None
+    memory: Count | None
+    unknowns: Count | None
     chosen: bool
     failed: str | None
 
 
 class Ladder(Shape):
-    quantity: str
+    quantity: Label
     absent: str | None
     rungs: list[Rung]
 
@@ -300,6 +308,7 @@ class HardCase(Shape):
 
 class PictureFile(Shape):
     file: FileName
+    kind: Literal["pressure", "section", "view"]
     pair: Pair
     geometry: Geometry
     caption: str

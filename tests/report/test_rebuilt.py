@@ -148,11 +148,17 @@ def put(document: dict[str, Any], place: str, value: object) -> None:
         ("tolerance", float("nan"), ["NaN is no number of JSON"]),
         ("format", 7, ["format 7", "reads 1"]),
         ("kind", "sweep", ["no report of `fembearing validate`"]),
-        ("pictures.0.file", "../secret.png", ["pictures.0.file = '../secret.png' is no plain file name"]),
+        ("pictures.0.file", "../secret.png", ["pictures.0.file = '../secret.png' is not written as it must be"]),
         ("pictures.0.pair", "pocket", ["has no contact for the picture"]),
         ("contacts.0.convergence.stiffness.values", [3.0], ["1 values of stiffness on 3 meshes"]),
         ("torque_change.change.total", [0.1], ["torque_change of other than the 3 points"]),
         ("torque_change", None, ["torque without torque_change"]),
+        ("cost.ladders.0.rungs.0.seconds", -1.5, ["seconds = -1.5"]),
+        ("cost.ladders.0.rungs.0.name", "$\\frac$", ["name = ", "is not written as it must be"]),
+        ("sensitivity.inputs.0.unit", "$", ["sensitivity.inputs.0.unit"]),
+        ("provenance.platform", "\ud800", ["surrogates not allowed"]),
+        ("torque.points.1.torque.drag", "2 N mm", ["torque.points.1.torque.drag = '2 N mm' is not known"]),
+        ("torque.catalogue_band", {"low": [1e-3], "high": [2e-3] * 3, "note": "half"}, ["has 1 values of", "3 points"]),
         ("contacts", {}, ["contacts = {} is no list"]),
         ("provenance.scene_content.bearing", [], ["provenance.scene_content.bearing = [] is no table"]),
     ],
@@ -168,6 +174,17 @@ def test_numbers_that_are_none_get_one_line(
     assert all(word in told for word in [*words, "report.json"]), told
     assert "\n" not in told
     assert [file.name for file in tmp_path.iterdir()] == ["report.json"]
+
+
+@pytest.mark.parametrize("place", ["pictures.0.kind", "contacts.0.convergence.approach.grid_convergence_index"])
+def test_a_key_that_the_page_reads_is_missed(document: dict[str, Any], tmp_path: Path, place: str) -> None:
+    way, _, last = place.rpartition(".")
+    here: Any = document
+    for step in way.split("."):
+        here = here[int(step)] if isinstance(here, list) else here[step]
+    del here[last]
+    with pytest.raises(InputError, match=rf"{place.replace('.', '[.]')} is missing"):
+        rebuild_page(write(tmp_path, document))
 
 
 def test_a_key_of_another_version_is_named_with_both(document: dict[str, Any], tmp_path: Path) -> None:
@@ -225,7 +242,7 @@ def test_no_damage_is_answered_by_a_traceback(document: dict[str, Any], tmp_path
     refused = []
     for place in chance.sample(list(places(document)), 60):
         damaged = copy.deepcopy(document)
-        put(damaged, place, chance.choice([None, "text", -1.5, [], {}, True, 10**400]))
+        put(damaged, place, chance.choice([None, "text", -1.5, [], {}, True, 10**400, {"new": "key"}]))
         try:
             rebuild_page(write(tmp_path, damaged))
         except InputError as refusal:
