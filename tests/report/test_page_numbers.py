@@ -180,7 +180,7 @@ def test_the_torque_of_each_operating_point_stands_before_and_after(tables: Tabl
     ]
     assert "1.37 %" in tables.text
     assert "share a row" not in tables.text  # each speed has its own
-    assert "does not depend on speed" not in tables.text  # no lubricant, and yet it does
+    assert "the torque does not depend on speed" not in tables.text  # no lubricant, and yet it does
 
 
 def test_the_scene_is_told_in_the_units_of_its_reader(tables: Tables) -> None:

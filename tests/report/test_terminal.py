@@ -147,6 +147,7 @@ def test_json_tells_each_contact_with_its_numbers(told: dict[str, Any]) -> None:
     assert inner["convergence"]["approach"] == {
         "values": [4.4e-6, 5.06e-6, 5.5e-6],
         "order": 3.6,
+        "grid_convergence_index": 0.033,
         "formal_order": 4.0,
         "richardson": 5.225e-6,
         "mesh": 0.011,
