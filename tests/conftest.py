@@ -6,7 +6,7 @@ under test; everywhere else they explore, and a failure prints the blob that rep
 
 import os
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import pytest
 from hypothesis import settings
@@ -69,3 +69,24 @@ def cut_contact(contacts: "dict[str, Contact]") -> "ContactSolution":
 
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
     return compare_contact(narrow, recipe=load_recipe("race"), tolerance=0.9)
+
+
+class Result(NamedTuple):
+    status: int
+    out: str
+    err: str
+
+
+@pytest.fixture
+def command(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+    """Runs the command line with these arguments, in this process."""
+    from fembearing import cli
+
+    def run(*arguments: str) -> Result:
+        monkeypatch.setattr("sys.argv", ["fembearing", *arguments])
+        with pytest.raises(SystemExit) as stop:
+            cli.main()
+        captured = capsys.readouterr()
+        return Result(int(stop.value.code or 0), captured.out, captured.err)
+
+    return run

@@ -4,11 +4,9 @@ import csv
 import io
 import json
 import re
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import pytest
 
@@ -18,28 +16,10 @@ from fembearing.compare import contact_ladder, cost, discrepancy, hard_cases, la
 from fembearing.compare.hard_case import HardCase
 from fembearing.fem import solution
 from fembearing.mesh.recipe import load_recipe
+from tests.analytic.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
 QUANTITIES = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach", "stiffness"}
-
-
-class Result(NamedTuple):
-    status: int
-    out: str
-    err: str
-
-
-def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, *arguments: str) -> Result:
-    monkeypatch.setattr("sys.argv", ["fembearing", *arguments])
-    with pytest.raises(SystemExit) as stop:
-        cli.main()
-    captured = capsys.readouterr()
-    return Result(int(stop.value.code or 0), captured.out, captured.err)
-
-
-@pytest.fixture
-def command(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
-    return lambda *arguments: run(capsys, monkeypatch, *arguments)
 
 
 @pytest.fixture(scope="module")
@@ -123,7 +103,7 @@ def test_a_contact_solved_as_asked_is_a_success_whatever_hertz_is_worth(
 ) -> None:
     """Hertz is 1.4 % off in approach and 2.3 % in b at this load: a matter of the scene's tolerance alone."""
     scene = tmp_path / "scene.toml"
-    scene.write_text(SCENE.replace("4 %", scene_tolerance))
+    scene.write_text(MINE.replace("4 %", scene_tolerance))
     result = command("contact", str(scene), "--load", "620 N", "--tolerance", "0.3 %", "--json")
     found = json.loads(result.out)
     assert max(found["uncertainty"][name] for name in COMPARED) <= found["accuracy"] == 0.003
@@ -183,7 +163,7 @@ def test_the_far_boundary_is_judged_apart(validated: dict[str, Any]) -> None:
 def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     """And the pocket of the printed table cannot be made: the warning goes with the answer."""
     scene = tmp_path / "printed.toml"
-    scene.write_text(SCENE + '[cage]\nvariant = "as_printed"\n')
+    scene.write_text(MINE + '[cage]\nvariant = "as_printed"\n')
     result = command("contact", str(scene), "--pair", "pocket", "--geometry", "wall", "--tolerance", "90 %", "--json")
     found = json.loads(result.out)
     assert (found["verdict"], result.status) == ("shown", 0)
@@ -241,7 +221,7 @@ def test_a_series_of_two_loads_says_what_it_assumes(command) -> None:
 def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -> None:
     """A narrow groove, whose shoulder the ellipse of 700 N reaches over."""
     scene = tmp_path / "narrow.toml"
-    scene.write_text(SCENE.replace('catalog = "6205"', 'catalog = "6205"\ninner = { shoulder_half_width = "1.6 mm" }'))
+    scene.write_text(MINE.replace('catalog = "6205"', 'catalog = "6205"\ninner = { shoulder_half_width = "1.6 mm" }'))
     for_mesh = ("mesh", str(scene), "--level", "1", "--load", "700 N", "--json", "--out")
     cells = {}
     for geometry in ("real", "hertzian"):
@@ -255,61 +235,6 @@ def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -
         found = json.loads(command("contact", str(scene), "--geometry", "hertzian", *arguments, "--json").out)
         assert found["verdict"] == "pass"
         assert not found["warnings"]
-
-
-SCENE = """
-name = "mine"
-tolerance = "4 %"
-[bearing]
-catalog = "6205"
-contact_angle = { rule = "given", value = "0.2 rad" }
-[operation]
-axial_load = "700 N"
-inner_speed = "90 rpm"
-[friction]
-coefficient = 0.1
-"""
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["validate", "nowhere.toml"], ["nowhere.toml"]),
-        (["validate", "scene.toml", "--tolerance", "-1 %"], ["--tolerance", "-1 %", "1e-06"]),
-        (["contact", "--load", "620"], ["--load", "620", "N"]),
-        (["contact", "--load", "nan N"], ["--load", "nan N"]),
-        (["contact", "--load", "3 mm"], ["--load", "3 mm", "N"]),
-        (["contact", "--load", "3 N", "--load", "-5 N"], ["--load", "-5 N"]),
-        (["contact", "--geometry", "wall", "--load", "3 N", "--load", "5 N"], ["geometry 'wall'", "pocket", "inner"]),
-        (["mesh", "--geometry", "wall", "--out", "m"], ["geometry 'wall'", "pocket", "inner"]),
-        (["contact", "--load", "3 N", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),
-        (["contact", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),  # plastic long before: no mesh
-        (["validate", "heavy.toml"], ["operation.axial_load = 700000 N", "shoulder"]),
-        (["validate", "wide.toml"], ["operation.axial_load = 90000 N", "too wide"]),
-        (["validate", "--out", "scene.toml"], ["--out", "scene.toml", "exists already"]),
-        (["validate", "--out", "no/report"], ["--out", "no/report", "cannot be made"]),
-        (["validate", "tight.toml"], ["cage.pocket_diameter", "7.9 mm", "7.94 mm"]),
-        (["validate", "deep.toml"], ["cage.pocket_depth", "4.5 mm", "4.07 mm"]),
-        (["mesh", "--out", "scene.toml"], ["--out", "scene.toml", "folder"]),
-        (["mesh", "--out", "new", "--level", "77"], ["--level", "77", "1, 2, 3, 4"]),
-    ],
-)
-def test_a_mistake_gets_one_line_and_status_2(
-    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], words: list[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "scene.toml").write_text(SCENE)
-    (tmp_path / "heavy.toml").write_text(SCENE.replace("700 N", "700000 N").replace('"given", value', '"solved", free'))
-    (tmp_path / "wide.toml").write_text(SCENE.replace("700 N", "90000 N"))
-    (tmp_path / "tight.toml").write_text(SCENE + '[cage]\npocket_diameter = "7.9 mm"')
-    (tmp_path / "deep.toml").write_text(SCENE + '[cage]\npocket_depth = "4.5 mm"')
-    before = sorted(tmp_path.iterdir())
-    result = command(*arguments)
-    assert result.status == 2
-    assert result.out == ""
-    assert result.err.count("\n") == 1
-    assert all(word in result.err for word in words), result.err
-    assert sorted(tmp_path.iterdir()) == before  # nothing half-written
 
 
 def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path: Path) -> None:
@@ -328,34 +253,6 @@ def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
         assert not any("\N{HORIZONTAL ELLIPSIS}" in line for line in lines)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["contact", "--pair", "left"], ["--pair", "left", "inner", "outer"]),
-        (["contact", "--frobnicate"], ["--frobnicate"]),
-        (["mesh"], ["--out"]),
-        (["judge"], ["judge"]),
-        (["validate", "a.toml", "b.toml"], ["b.toml"]),
-    ],
-)
-def test_a_mistyped_command_gets_one_line_too(command, arguments: list[str], words: list[str]) -> None:
-    result = command(*arguments)
-    assert (result.status, result.out, result.err.count("\n")) == (2, "", 1)
-    assert all(word in result.err for word in words), result.err
-
-
-@pytest.mark.parametrize(("target", "status"), [(">/dev/full", 2), ("| true", 141), (">&-", 2)])
-def test_a_result_that_cannot_be_written_is_no_success(tmp_path: Path, target: str, status: int) -> None:
-    if not Path("/dev/full").exists():
-        pytest.skip("this system has no /dev/full")
-    line = f'"{sys.executable}" -m fembearing.cli mesh --level 1 --out "{tmp_path}/made" --json {target}'
-    script = f"{line}; exit ${{PIPESTATUS[0]}}"
-    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=False)
-    assert done.returncode == status, done.stderr
-    assert "Traceback" not in done.stderr
-    assert done.stderr.count("\n") == (0 if status == 141 else 1)
-
-
 def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """One that goes wrong fails the whole, whatever the contacts say."""
     cases = (
@@ -366,7 +263,7 @@ def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPat
     measured = cost.Cost(scene=load_scene(builtin_scene("6205")), tolerance=0.9, ladders=(), seconds=0.5)
     monkeypatch.setattr(validation, "measure_cost", lambda *_, **__: measured)
     scene = tmp_path / "scene.toml"
-    scene.write_text(SCENE)
+    scene.write_text(MINE)
     result = command("validate", str(scene), "--tolerance", "90 %", "--hard", "--cost")
     assert result.status == 1
     assert "three: 4, expected 3" in result.out

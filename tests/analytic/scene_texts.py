@@ -16,6 +16,18 @@ contact_angle = { rule = "solved" }
 axial_load = "700 N"
 inner_speed = ["100 rpm", "30 deg/s"]
 """
+MINE = """\
+name = "mine"
+tolerance = "4 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "given", value = "0.2 rad" }
+[operation]
+axial_load = "700 N"
+inner_speed = "90 rpm"
+[friction]
+coefficient = 0.1
+"""
 INLINE = """\
 name = "by hand"
 tolerance = 0.03

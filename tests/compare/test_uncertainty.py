@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.compare.uncertainty import estimate, observed_order
+from fembearing.compare.uncertainty import estimate, grid_convergence_index, observed_order
 
 LEVELS = (2, 3, 5)  # unequal ratios, 3/2 and 5/3
 SIZES = tuple(1 / level for level in LEVELS)
@@ -145,3 +145,20 @@ def test_two_meshes_say_what_the_last_two_of_settled_ones_do(formal: float | Non
     assert two.settled
     assert two.order is None
     assert (two.value, two.mesh) == (three.value, three.mesh)
+
+
+@pytest.mark.parametrize(
+    ("order", "expected"),
+    [
+        (3.7, 1.25 * 0.02 / (1.7**4 - 1)),  # within a tenth of the formal order of 4, which is taken
+        (3.4, 3 * 0.02 / (1.7**3.4 - 1)),  # farther from it than a tenth: the cautious factor, with the lower order
+        (4.9, 3 * 0.02 / (1.7**4 - 1)),  # so above it
+        (0.6, 3 * 0.02 / (1.7**0.6 - 1)),
+        (0.2, 3 * 0.02 / (1.7**0.5 - 1)),  # no lower than a half
+    ],
+)
+def test_factor_and_order_of_the_grid_convergence_index_change_where_they_are_said_to(
+    order: float, expected: float
+) -> None:
+    found = grid_convergence_index(-0.02, 1.7, order=order, formal=4.0)
+    assert found == pytest.approx(expected, rel=1e-12)
