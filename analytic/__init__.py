@@ -11,11 +11,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from analytic.equilibrium import thrust_equilibrium
-    from analytic.finite_geometry import thrust_correction
-    from analytic.hertz import hertz_contact
-    from analytic.ring import ring_equilibrium
-    from analytic.scenefile import load_scene
+    from analytic.contact.finite_geometry import thrust_correction
+    from analytic.contact.hertz import hertz_contact
+    from analytic.loads.ring import ring_equilibrium
+    from analytic.loads.thrust import thrust_equilibrium
+    from analytic.scenefile.read import load_scene
     from analytic.torque import friction_torque
 
     __version__: str
@@ -32,11 +32,11 @@ __all__ = [
 
 _HOME = {
     "friction_torque": "analytic.torque",
-    "hertz_contact": "analytic.hertz",
-    "load_scene": "analytic.scenefile",
-    "ring_equilibrium": "analytic.ring",
-    "thrust_correction": "analytic.finite_geometry",
-    "thrust_equilibrium": "analytic.equilibrium",
+    "hertz_contact": "analytic.contact.hertz",
+    "load_scene": "analytic.scenefile.read",
+    "ring_equilibrium": "analytic.loads.ring",
+    "thrust_correction": "analytic.contact.finite_geometry",
+    "thrust_equilibrium": "analytic.loads.thrust",
 }
 
 

@@ -1,6 +1,6 @@
 """The nouns of a bearing problem: what it is made of, how it is run, what is asked.
 
-Every field is an SI float (m, kg, N, Pa, rad, rad/s); units live in `analytic.scenefile` alone.
+Every field is an SI float (m, kg, N, Pa, rad, rad/s); units live in `analytic.scenefile.read` alone.
 Axes of a contact: z along the load, x along rolling, y transverse (along the groove's
 profile), origin at the contact's centre. A radius is positive where the body is convex.
 """

@@ -13,24 +13,24 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.balls import LoadedBalls
-from analytic.cage_torque import cage_friction
-from analytic.correction import ContactCorrection
-from analytic.effects import DECLARED, EFFECTS, Choices, Effect, share_in
+from analytic.cage.torque import cage_friction
+from analytic.contact.factors import ContactCorrection
+from analytic.effects.ledger import DECLARED, EFFECTS, Choices, Effect, share_in
+from analytic.effects.limits import watch
+from analytic.effects.loads import RACES, loaded_balls, points
+from analytic.effects.sliding import chosen_lubrication
+from analytic.effects.warnings import doubts
 from analytic.errors import InputError, require_finite, require_non_negative
-from analytic.loading import RACES, loaded_balls, points
-from analytic.lubrication import LubricatedRaces, lubricated_races
-from analytic.mixed import MixedContact
-from analytic.race import hysteresis_moment
-from analytic.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
+from analytic.loads.balls import LoadedBalls
+from analytic.oil.lubricated_races import LubricatedRaces, lubricated_races
+from analytic.oil.mixed import MixedContact
+from analytic.oil.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
+from analytic.oil.traction import CoulombTraction, Traction
+from analytic.oil.viscosity import inlet_viscosity
+from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.scene import Array, Scene
-from analytic.sliding import Sliding, race_sliding
-from analytic.sliding_choices import chosen_lubrication
-from analytic.torque_result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
-from analytic.torque_warnings import doubts
-from analytic.traction import CoulombTraction, Traction
-from analytic.viscosity import inlet_viscosity
-from analytic.watched import watch
+from analytic.sliding.long_ellipse import hysteresis_moment
+from analytic.sliding.methods import Sliding, race_sliding
 
 BY_SLIP = ("spin", "conformity")
 PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
@@ -44,14 +44,14 @@ def friction_torque(
     correction : factors on Hertz's contacts, in place of those of the finite geometry; under the rule `solved` they
         move contact angle and ball loads too
     film_factor : on every film that the formula gives, > 0: what its uncertainty does to the torque
-    The balls are loaded (`analytic.loading`), and each loses power to each race: per unit speed and summed,
+    The balls are loaded (`analytic.effects.loads`), and each loses power to each race: per unit speed and summed,
         race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
-        total = race + cage (`analytic.cage_torque`) + declared, what the scene tells of seals and drag
+        total = race + cage (`analytic.cage.torque`) + declared, what the scene tells of seals and drag
     What slides does so by mixed lubrication where the scene has an oil and a surface. A friction coefficient stands in
     place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
     Rolling takes the oil at the inlet's temperature.
     With microslip "as_printed" the paper's moments replace the derived ones, at the same spin and coefficients.
-    What is computed, and how, follows from the scene's tolerance (`analytic.effects`, `analytic.sliding`); the result
+    What is computed, and how, follows from the scene's tolerance (`analytic.effects.ledger`, `analytic.sliding.methods`); the result
     names it all, with the numerical uncertainty that remains.
     Raises InputError if the scene gives neither or both of coefficient and surface, asks for an effect that lacks its
     input, or loads the balls beyond a shoulder.

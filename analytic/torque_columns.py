@@ -8,7 +8,7 @@ import numpy as np
 from analytic.scene import Array
 
 if TYPE_CHECKING:
-    from analytic.torque_result import FrictionTorque
+    from analytic.result import FrictionTorque
 
 POINT = "point"
 MOST_ROWS = 12  # of the table in a notebook

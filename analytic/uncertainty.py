@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from analytic.correction import ContactCorrection
-from analytic.film import FORMULA_UNCERTAINTY
+from analytic.contact.factors import ContactCorrection
+from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.torque import friction_torque
-from analytic.torque_result import FrictionTorque
 
 COVERAGE = 2.0  # standard uncertainties to a half-width of 95 %
 

@@ -15,8 +15,8 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from fembearing.compare.discrepancy import ContactSolution, solve_contact
-    from fembearing.compare.stiffness_law import LoadSeries, solve_load_series
+    from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact
+    from fembearing.compare.contact.stiffness_law import LoadSeries, solve_load_series
     from fembearing.compare.validation import Validation
     from fembearing.report.folder import validate
     from fembearing.sweep.run import Sweep, run_sweep
@@ -36,13 +36,13 @@ __all__ = [
 ]
 
 _HOME = {
-    "ContactSolution": "fembearing.compare.discrepancy",
-    "LoadSeries": "fembearing.compare.stiffness_law",
+    "ContactSolution": "fembearing.compare.contact.discrepancy",
+    "LoadSeries": "fembearing.compare.contact.stiffness_law",
     "Sweep": "fembearing.sweep.run",
     "Validation": "fembearing.compare.validation",
     "run_sweep": "fembearing.sweep.run",
-    "solve_contact": "fembearing.compare.discrepancy",
-    "solve_load_series": "fembearing.compare.stiffness_law",
+    "solve_contact": "fembearing.compare.contact.discrepancy",
+    "solve_load_series": "fembearing.compare.contact.stiffness_law",
     "validate": "fembearing.report.folder",
 }
 

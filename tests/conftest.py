@@ -13,7 +13,7 @@ from hypothesis import settings
 
 if TYPE_CHECKING:
     from analytic.scene import Contact
-    from fembearing.compare.discrepancy import ContactSolution
+    from fembearing.compare.contact.discrepancy import ContactSolution
 
 if "PYTEST_XDIST_WORKER" in os.environ:  # before NumPy loads: the workers are the parallelism already
     os.environ.setdefault("OMP_NUM_THREADS", "1")
@@ -64,7 +64,7 @@ def contacts() -> "dict[str, Contact]":
 @pytest.fixture(scope="session")
 def cut_contact(contacts: "dict[str, Contact]") -> "ContactSolution":
     """Cut off by its shoulder, where Hertz's ellipse would be 0.946 mm across: half a contact on three meshes, once."""
-    from fembearing.compare.discrepancy import compare_contact
+    from fembearing.compare.contact.discrepancy import compare_contact
     from fembearing.mesh.recipe import load_recipe
 
     narrow = replace(contacts["inner"], shoulder=0.8e-3)

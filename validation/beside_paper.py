@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from analytic.scene import Array, Scene
-from analytic.scenefile import load_scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 
 HERE = Path(__file__).parent

@@ -28,11 +28,11 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from analytic.cage_statistics import measured_motion
-from analytic.cage_torque import driven_cage
-from analytic.kinematics import ball_kinematics
+from analytic.cage.statistics import measured_motion
+from analytic.cage.torque import driven_cage
+from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Cage, CageStart
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenefile.read import builtin_scene, load_scene
 from beside_paper import ROUGH, RPM, SMOOTH, published
 
 HERE = Path(__file__).parent

@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.table import Table
 from scipy.optimize import brentq
 
-from analytic.film import FITTED_ELLIPTICITY, FORMULA_UNCERTAINTY, central_film
+from analytic.oil.film import FITTED_ELLIPTICITY, FORMULA_UNCERTAINTY, central_film
 
 mpl.use("agg")
 

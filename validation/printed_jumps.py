@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from analytic.as_printed import as_printed_moments
-from analytic.kinematics import ball_kinematics
-from analytic.race import FULL_SPIN, deformed_radius, microslip_moments
+from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Array, Scene
+from analytic.sliding.as_printed import as_printed_moments
+from analytic.sliding.long_ellipse import FULL_SPIN, deformed_radius, microslip_moments
 from analytic.torque import friction_torque
 
 ASIDE = 1e-6  # of a load or a ratio: how far from a jump its two sides are taken

@@ -19,9 +19,9 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from rich.table import Table
 
-from analytic.film import FORMULA_UNCERTAINTY
+from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.scene import Array, Autocorrelation, ContactAngle, Scene
-from analytic.scenefile import load_scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 
 mpl.use("agg")

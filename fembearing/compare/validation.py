@@ -8,28 +8,28 @@ from typing import Any
 
 import numpy as np
 
-from analytic.cage_torque import CagePart
+from analytic.cage.torque import CagePart
 from analytic.errors import InputError
+from analytic.result import FrictionTorque
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
-from analytic.torque_result import FrictionTorque
-from fembearing.compare.cage_record import CageRecord, record_cage
-from fembearing.compare.catalogue import beside_catalogue
-from fembearing.compare.comparison import WHY, comparison_of
-from fembearing.compare.contact_ladder import contact_ladder_of
-from fembearing.compare.cost import Cost, measure_cost
-from fembearing.compare.discrepancy import ContactSolution, contact_of, solve_contact, with_ring
-from fembearing.compare.formula_ladders import SEED
-from fembearing.compare.hard_cases import HardOutcome, run_hard_cases
-from fembearing.compare.ladder import Ladder
-from fembearing.compare.memory import peak_memory
-from fembearing.compare.progress import Progress, part_of, silent
-from fembearing.compare.provenance import provenance_of
-from fembearing.compare.published import beside_paper
-from fembearing.compare.sensitivity import Sensitivity, sensitivity_of
-from fembearing.compare.torque_change import TorqueChange, change_of_torque
-from fembearing.compare.verdict import Verdict, worst
+from fembearing.compare.contact.comparison import WHY, comparison_of
+from fembearing.compare.contact.discrepancy import ContactSolution, contact_of, solve_contact, with_ring
+from fembearing.compare.contact.verdict import Verdict, worst
+from fembearing.compare.cost.contact_ladder import contact_ladder_of
+from fembearing.compare.cost.formula_ladders import SEED
+from fembearing.compare.cost.ladder import Ladder
+from fembearing.compare.cost.scene_cost import Cost, measure_cost
+from fembearing.compare.hard.table import HardOutcome, run_hard_cases
+from fembearing.compare.torque.cage_record import CageRecord, record_cage
+from fembearing.compare.torque.catalogue import beside_catalogue
+from fembearing.compare.torque.change import TorqueChange, change_of_torque
+from fembearing.compare.torque.published import beside_paper
+from fembearing.compare.torque.sensitivity import Sensitivity, sensitivity_of
+from fembearing.memory import peak_memory
 from fembearing.mesh.recipe import Geometry
+from fembearing.progress import Progress, part_of, silent
+from fembearing.provenance import provenance_of
 
 KIND, FORMAT = "fembearing validation", 1  # what the JSON is; the number rises when a key changes its meaning
 # Contacts with the seconds that they took on one machine, for the progress alone.

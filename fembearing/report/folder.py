@@ -6,9 +6,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from analytic.scene import Scene
-from fembearing.compare.cost import Cost
-from fembearing.compare.progress import Progress, part_of, silent
+from fembearing.compare.cost.scene_cost import Cost
 from fembearing.compare.validation import Validation, check_scene
+from fembearing.progress import Progress, part_of, silent
 from fembearing.report.new_folder import whole_folder
 
 CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written
@@ -44,9 +44,9 @@ def validate(
 
 def write_report(result: Validation, folder: Path) -> Validation:
     """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
-    from fembearing.report.ladders import cost_table
-    from fembearing.report.page import write_page  # with matplotlib: half a second that only a report pays for
-    from fembearing.report.pictures import draw_pictures
+    from fembearing.report.figures.cost import cost_table
+    from fembearing.report.page.html import write_page  # with matplotlib: half a second that only a report pays for
+    from fembearing.report.pictures.draw import draw_pictures
 
     pictures, trouble = draw_pictures(result.contacts, folder)
     if trouble:
@@ -62,8 +62,8 @@ def write_report(result: Validation, folder: Path) -> Validation:
 
 def write_cost(cost: Cost, folder: Path) -> None:
     """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
-    from fembearing.report.figures import png
-    from fembearing.report.ladders import cost_figure, cost_table
+    from fembearing.report.figures.cost import cost_figure, cost_table
+    from fembearing.report.figures.file import png
 
     ladders = [ladder.to_json() for ladder in cost.ladders]
     (folder / "cost.png").write_bytes(png(cost_figure(ladders, tolerance=cost.tolerance)))

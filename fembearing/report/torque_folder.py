@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from analytic.scene import Scene
-from fembearing.compare.cage_record import CageRecord, record_cage
-from fembearing.compare.progress import Progress, silent
-from fembearing.compare.provenance import provenance_of
-from fembearing.compare.scene_torque import SceneTorque, torque_of_scene
+from fembearing.compare.torque.cage_record import CageRecord, record_cage
+from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
+from fembearing.progress import Progress, silent
+from fembearing.provenance import provenance_of
 from fembearing.report.new_folder import whole_folder
 
 COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and when the series are
@@ -67,10 +67,10 @@ def write_torque(
 def _write_motions(
     records: list[CageRecord], folder: Path, renderer: Sequence[str] | None
 ) -> tuple[list[dict[str, Any]], str | None]:
-    from fembearing.report.cage_figure import cage_caption, orbit_figure  # with matplotlib: only a folder pays for it
-    from fembearing.report.cage_picture import cage_job, picture_caption
-    from fembearing.report.figures import png
-    from fembearing.report.pictures import RENDERER, rendered
+    from fembearing.report.figures.cage import cage_caption, orbit_figure  # with matplotlib: only a folder pays for it
+    from fembearing.report.figures.file import png
+    from fembearing.report.pictures.cage import cage_job, picture_caption
+    from fembearing.report.pictures.draw import RENDERER, rendered
 
     pictures = [folder / f"{record.point}-cage.png" for record in records]
     jobs = [cage_job(record, file) for record, file in zip(records, pictures, strict=True)]

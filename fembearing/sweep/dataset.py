@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.sampled import SEED
-from fembearing.compare.contact_columns import VERDICT
-from fembearing.compare.provenance import provenance_of
+from analytic.numerics.interpolated import SEED
+from fembearing.compare.contact.columns import VERDICT
+from fembearing.provenance import provenance_of
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import Part, Piece, column_notes
 

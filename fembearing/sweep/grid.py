@@ -21,11 +21,11 @@ import numpy as np
 
 from analytic import catalog
 from analytic.errors import InputError
-from analytic.quantity import Dimension
 from analytic.scene import Pair, Scene
-from analytic.scenefile import scene_of
-from analytic.scenekeys import Value, scene_key, with_key
-from analytic.scenetext import parse_text, plain, read_text, shown
+from analytic.scenefile.keys import Value, scene_key, with_key
+from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.read import scene_of
+from analytic.scenefile.text import parse_text, plain, read_text, shown
 
 What = Literal["torque", "contact"]
 CONFORMITY = "conformity"

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from analytic.errors import FembearingError
 from analytic.scene import Array, Scene
-from analytic.sliding import SERIES
+from analytic.sliding.methods import SERIES
 from analytic.torque import friction_torque
 from analytic.torque_columns import COLUMNS, torque_values
 from analytic.uncertainty import with_model_uncertainty
-from fembearing.compare import contact_columns as of_contact
+from fembearing.compare.contact import columns as of_contact
 from fembearing.sweep.grid import Grid
 
 LONGEST = 25_000  # points of a series in one piece: some 3 s
@@ -101,7 +101,7 @@ def _cage_may_move(grid: Grid) -> bool:
 def _contact(
     grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp], at: NDArray[np.intp], found: Part
 ) -> tuple[str, ...]:
-    from fembearing.compare.discrepancy import solve_contact
+    from fembearing.compare.contact.discrepancy import solve_contact
 
     settings: dict[str, Any] = grid.settings(variant)
     try:

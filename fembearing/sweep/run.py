@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from analytic.errors import InputError
-from fembearing.compare.predicted import about
-from fembearing.compare.progress import Progress, silent
+from fembearing.compare.contact.mesh_seconds import about
+from fembearing.progress import Progress, silent
 from fembearing.sweep.dataset import write_dataset
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.parts import Part, Piece, compute_part, pieces

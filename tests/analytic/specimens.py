@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from analytic.effects import COMPUTED
+from analytic.effects.ledger import COMPUTED
+from analytic.result import TorqueParts
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Lubricant, Operation, Scene, Surface
-from analytic.torque_result import TorqueParts
 
 OIL = Lubricant(
     viscosity=0.043,

@@ -7,7 +7,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Losses, Operation, Scene
-from analytic.scenefile import builtin_scene, load_scene, parse_scene
+from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
 from analytic.torque import friction_torque
 
 

@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from analytic.asperity import asperity_contact
-from analytic.contact import race_curvatures
+from analytic.contact.geometry import race_curvatures
+from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError
-from analytic.film import central_film, inlet_heating_factor
-from analytic.hertz import contact_modulus
-from analytic.roughness import gap_roughness
+from analytic.oil.film import central_film, inlet_heating_factor
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
-from analytic.scenefile import builtin_scene, parse_scene
+from analytic.scenefile.read import builtin_scene, parse_scene
+from analytic.surface.asperity import asperity_contact
+from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
 from tests.analytic import specimens
 

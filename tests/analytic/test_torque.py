@@ -10,13 +10,13 @@ from hypothesis import example, given
 from scipy.optimize import brentq
 
 import analytic
-from analytic.correction import ContactCorrection, ContactFactors
-from analytic.equilibrium import thrust_equilibrium
+from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Decision, Scene, SpinRule
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
-from analytic.torque_result import FrictionTorque
 from tests.analytic.specimens import AS_HERTZ, DRY_PARTS, dry, part, thrust, without
 
 GIVEN = ContactAngle(rule="given", value=0.18)

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from analytic.film import FORMULA_UNCERTAINTY
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
 

@@ -8,10 +8,10 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenefile.read import builtin_scene, load_scene
 from fembearing.compare import validation as module
-from fembearing.compare.progress import Progress
 from fembearing.compare.validation import check_scene
+from fembearing.progress import Progress
 
 
 class AskedError(Exception):

@@ -45,7 +45,7 @@ from dataclasses import astuple
 
 import analytic, fembearing.fem.solution as solver
 from analytic.scene import Contact, Material
-from fembearing.compare import discrepancy
+from fembearing.compare.contact import discrepancy
 from fembearing.mesh.recipe import load_recipe
 
 NOUNS = ("analytic.scene", "analytic.errors")

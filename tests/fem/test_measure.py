@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
+from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact
 from fembearing.fem.elasticity import strip_integrals, surface_mass
 from fembearing.fem.guess import expected_semi_axes

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.contact import pocket_contact
+from analytic.contact.geometry import pocket_contact
+from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError
-from analytic.hertz import contact_modulus
 from analytic.scene import Bearing, Cage, Contact, Groove, Material
-from fembearing.compare.discrepancy import hertz_quantities
+from fembearing.compare.contact.discrepancy import hertz_quantities
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.pair import pair_mesh

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.errors import InputError
-from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact
 from fembearing.fem import solution as module
 from fembearing.fem.series import off_mesh, on_level, solve_series

@@ -11,7 +11,7 @@ from skfem import MeshHex2
 
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.fem.condensation import condense, held_stiffness, middle_plane
 from fembearing.fem.elasticity import stiffness
 from fembearing.fem.farfield import point_load, pressed_ellipse

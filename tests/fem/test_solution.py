@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.errors import InputError
-from analytic.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.scene import Contact, Material
 from fembearing.fem.contact import press
 from fembearing.fem.guess import expected_semi_axes

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.hertz import contact_modulus, hertz_contact, relative_curvatures
+from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
+from analytic.contact.subsurface import axis_stress, subsurface_maximum
 from analytic.scene import Contact, Material, Wall
-from analytic.subsurface import axis_stress, subsurface_maximum
 from fembearing.fem import condensation, subsurface
 from fembearing.fem.condensation import condense
 from fembearing.fem.solution import MeshSolution, solve_on_mesh

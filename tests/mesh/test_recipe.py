@@ -9,7 +9,7 @@ import analytic
 import fembearing
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
-from analytic.scenefile import builtin_scene
+from analytic.scenefile.read import builtin_scene
 from fembearing.mesh import recipe as recipes
 from fembearing.mesh.recipe import load_recipe, parse_recipe
 

@@ -10,17 +10,17 @@ import numpy as np
 import pytest
 
 from analytic.scene import Operation
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import Effect, FrictionTorque, TorqueParts
-from fembearing.compare.corrected import CorrectedHertz
-from fembearing.compare.discrepancy import ContactSolution
-from fembearing.compare.torque_change import FittedChange, TorqueChange
-from fembearing.compare.uncertainty import Estimate
+from fembearing.compare.contact.corrected import CorrectedHertz
+from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.torque.change import FittedChange, TorqueChange
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.fem.measure import Quantities
-from fembearing.report.pictures import Picture, draw_pictures
+from fembearing.report.pictures.draw import Picture, draw_pictures
 
-pytest.register_assert_rewrite("tests.report.picture_reader")  # its checks tell what they found
+pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its checks tell what they found
 
 LOOSE = 0.9  # tolerance: no finer mesh is called for
 

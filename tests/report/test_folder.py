@@ -14,13 +14,14 @@ from pathlib import Path
 import pytest
 
 from analytic.errors import InputError
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenefile.read import builtin_scene, load_scene
 from fembearing import cli
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
-from fembearing.report import page, pictures
 from fembearing.report.folder import validate
 from fembearing.report.new_folder import whole_folder
+from fembearing.report.page import html as page
+from fembearing.report.pictures import draw as pictures
 
 
 @pytest.fixture

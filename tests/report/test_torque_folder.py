@@ -12,13 +12,13 @@ import xarray
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from analytic.scenefile import builtin_scene, load_scene, parse_scene
+from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
 from fembearing import cli
-from fembearing.compare.provenance import provenance_of
-from fembearing.compare.scene_torque import SceneTorque, torque_of_scene
+from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
+from fembearing.provenance import provenance_of
 from fembearing.report import torque_folder as module
 from fembearing.report.torque_folder import torque_with_folder, write_torque
-from tests.report.test_cage_pictures import MOVING
+from tests.report.pictures.test_cage_pictures import MOVING
 
 TWO = MOVING.replace('inner_speed = "500 rpm"', 'inner_speed = ["500 rpm", "200 rpm"]')
 DIES = (sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGABRT)")  # as VTK without GL does

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
-from fembearing.compare import discrepancy
-from fembearing.compare.discrepancy import ContactSolution
+from fembearing.compare.contact import discrepancy
+from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.sweep.run import run_sweep
 
 QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")

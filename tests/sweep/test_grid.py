@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.errors import InputError
-from analytic.scenefile import load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import pieces
 

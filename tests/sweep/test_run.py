@@ -12,7 +12,7 @@ import pytest
 
 from analytic import catalog
 from analytic.errors import InputError
-from analytic.scenefile import parse_scene
+from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.sweep import parts
 from fembearing.sweep.grid import Grid, load_grid

@@ -17,13 +17,13 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from analytic.cage import DrivenCage, rest_torque, whirl_force, whirl_speed, whirl_torque
-from analytic.cage_motion import STEPS_PER_CONTACT, CageMotion
-from analytic.cage_statistics import measured_motion
-from analytic.cage_torque import driven_cage
-from analytic.kinematics import ball_kinematics
+from analytic.cage.motion import STEPS_PER_CONTACT, CageMotion
+from analytic.cage.statistics import measured_motion
+from analytic.cage.steady import DrivenCage, rest_torque, whirl_force, whirl_speed, whirl_torque
+from analytic.cage.torque import driven_cage
+from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import CageStart
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenefile.read import builtin_scene, load_scene
 from machine import machine, versions
 
 SPEED = 500 * np.pi / 30  # rad/s

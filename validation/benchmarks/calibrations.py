@@ -2,7 +2,7 @@
 
 Each line names the constant, its value and what is measured beside it, on random contacts of `intervals.py` as half
 spaces, where Hertz is exact, or beside boundary elements. Those that `intervals.py` itself tries (`HALF`, `FINEST`,
-`UNSTEADY`, `LEAST`) are not repeated; `FADING` is held by tests/compare/test_discrepancy.py.
+`UNSTEADY`, `LEAST`) are not repeated; `FADING` is held by tests/compare/contact/test_discrepancy.py.
 """
 
 from dataclasses import replace
@@ -13,14 +13,14 @@ import typer
 from rich.console import Console
 from rich.progress import track
 
-from analytic.contact import race_contact
-from analytic.hertz import contact_modulus, relative_curvatures
+from analytic.contact.geometry import race_contact
+from analytic.contact.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
-from analytic.scenefile import builtin_scene, load_scene
-from fembearing.compare.discrepancy import hertz_quantities
-from fembearing.compare.reference import COMPARED, FORMAL_ORDERS, STRIP_LEAST
-from fembearing.compare.stiffness_law import OFF_MESH
-from fembearing.compare.uncertainty import FINEST, HALF
+from analytic.scenefile.read import builtin_scene, load_scene
+from fembearing.compare.contact.discrepancy import hertz_quantities
+from fembearing.compare.contact.reference import COMPARED, FORMAL_ORDERS, STRIP_LEAST
+from fembearing.compare.contact.stiffness_law import OFF_MESH
+from fembearing.compare.contact.uncertainty import FINEST, HALF
 from fembearing.fem.measure import STRIP
 from fembearing.fem.series import NARROWEST, WIDEST
 from fembearing.fem.solution import GOOD_GUESSES, condensed_pair, fitted_solution, pressed, solve_on_mesh

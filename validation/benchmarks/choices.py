@@ -27,10 +27,10 @@ from rich.table import Table
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
-from fembearing.compare import contact_ladder, formula_ladders, ladder
-from fembearing.compare.cost import QUESTIONS
-from fembearing.compare.discrepancy import RECIPES, contact_of
-from fembearing.compare.ladder import Ladder
+from fembearing.compare.contact.discrepancy import RECIPES, contact_of
+from fembearing.compare.cost import contact_ladder, formula_ladders, ladder
+from fembearing.compare.cost.ladder import Ladder
+from fembearing.compare.cost.scene_cost import QUESTIONS
 from fembearing.mesh.recipe import load_recipe
 from machine import machine, versions
 from random_scenes import random_scene, with_cage

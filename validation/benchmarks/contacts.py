@@ -20,7 +20,7 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic import hertz_contact, load_scene
-from analytic.scenefile import builtin_scene
+from analytic.scenefile.read import builtin_scene
 from fembearing import solve_contact, solve_load_series
 
 LOADS = (50.0, 200.0, 620.0, 2000.0)  # N

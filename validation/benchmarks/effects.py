@@ -30,10 +30,10 @@ from rich.progress import track
 from rich.table import Table
 
 from analytic import friction_torque
-from analytic.effects import COMPUTED
+from analytic.effects.ledger import COMPUTED
 from analytic.errors import FembearingError
+from analytic.result import FrictionTorque
 from analytic.scene import Scene
-from analytic.torque_result import FrictionTorque
 from machine import machine, versions
 from random_scenes import random_scene
 

@@ -20,7 +20,7 @@ from rich.table import Table
 
 from analytic import hertz_contact, load_scene, ring_equilibrium, thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle, Groove, Material
-from analytic.scenefile import builtin_scene
+from analytic.scenefile.read import builtin_scene
 
 PUBLISHED = Path(__file__).parents[1] / "published"
 SOLVED = ContactAngle(rule="solved")

@@ -1,9 +1,9 @@
 """The friction ladder: python validation/benchmarks/friction.py [--errors | --nodes] [--scenes 500] [--seed 40000]
 
 Prints the race torque of a 6205 under 1000 N thrust at a given contact angle of 0.18 rad, without hysteresis, by the
-three rungs of `analytic.friction`, with what the cheaper ones miss and the processor time of each, and the time that
+three rungs of `analytic.sliding.ball`, with what the cheaper ones miss and the processor time of each, and the time that
 the load shared by film and asperities takes. With --errors, what the two cheaper rungs miss in random scenes of oil and
-finish, two contacts each, beside the bound of `analytic.sliding` by which `auto` chooses: the constants there hold as
+finish, two contacts each, beside the bound of `analytic.sliding.methods` by which `auto` chooses: the constants there hold as
 far as that bound does. With --nodes, what the nodes of the dearer rungs leave in such scenes, beside the bound on it.
 Model against model: nothing here is measured. Times are the machine's.
 """
@@ -22,20 +22,20 @@ from rich.progress import track
 from rich.table import Table
 
 from analytic import friction_torque, load_scene, thrust_equilibrium
-from analytic.asperity_table import tabulated_asperities
-from analytic.contact import race_curvatures
-from analytic.effects import COMPUTED
-from analytic.friction import RaceContact, Rung, slip_friction
-from analytic.hertz import contact_modulus
-from analytic.kinematics import ball_kinematics
-from analytic.mixed import mixed_contact
-from analytic.race import deformed_radius
-from analytic.roughness import spectral_moments
+from analytic.contact.geometry import race_curvatures
+from analytic.contact.hertz import contact_modulus
+from analytic.effects.ledger import COMPUTED
+from analytic.loads.kinematics import ball_kinematics
+from analytic.oil.mixed import mixed_contact
+from analytic.oil.traction import MixedTraction
 from analytic.scene import Autocorrelation, ContactAngle, Lubricant, Scene
-from analytic.scenefile import builtin_scene
-from analytic.sliding import WAYS, Way
-from analytic.summits import mccool_summits
-from analytic.traction import MixedTraction
+from analytic.scenefile.read import builtin_scene
+from analytic.sliding.ball import RaceContact, Rung, slip_friction
+from analytic.sliding.long_ellipse import deformed_radius
+from analytic.sliding.methods import WAYS, Way
+from analytic.surface.asperity_table import tabulated_asperities
+from analytic.surface.moments import mccool_summits
+from analytic.surface.roughness import spectral_moments
 from random_scenes import of_oil_and_finish, thrust_scene
 
 RUNGS: tuple[Rung, ...] = ("single_coefficient", "along_axis", "over_ellipse")
@@ -253,7 +253,7 @@ def rungs_of(seed: int) -> list[Trial]:
 
 
 def quadratures(seeds: range, out: Console) -> None:
-    """The dearer ways of `analytic.sliding`, of the torque by sliding, against many nodes on the same rung."""
+    """The dearer ways of `analytic.sliding.methods`, of the torque by sliding, against many nodes on the same rung."""
     missed: dict[tuple[str, Way], list[float]] = defaultdict(list)
     for seed in track(seeds, console=Console(stderr=True)):
         scene = sliding_scene(seed)
@@ -272,7 +272,7 @@ def quadratures(seeds: range, out: Console) -> None:
 
 
 def torque_by(way: Way, scene: Scene) -> float:
-    with patch("analytic.sliding.WAYS", (WAYS[0], way)):
+    with patch("analytic.sliding.methods.WAYS", (WAYS[0], way)):
         return float(friction_torque(replace(scene, sliding=way.rung)).torque.total[0])
 
 

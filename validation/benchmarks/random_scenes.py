@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from analytic.scene import Autocorrelation, ContactAngle, Operation, Scene, Surface
-from analytic.scenefile import builtin_scene, load_scene
+from analytic.scenefile.read import builtin_scene, load_scene
 
 CAGE = load_scene(builtin_scene("6205")).cage
 BASE = load_scene(Path(__file__).parents[1] / "scenes" / "6205_physical.toml")

@@ -136,12 +136,12 @@ def solved(case: dict[str, Any]) -> dict[str, Any]:
     """Errors against exact Hertz, and the level that gave them."""
     from math import inf
 
-    from analytic.hertz import contact_modulus, hertz_contact
+    from analytic.contact.hertz import contact_modulus, hertz_contact
     from analytic.scene import Contact, Material
-    from fembearing.compare.progress import silent
-    from fembearing.compare.reference import solve_reference
+    from fembearing.compare.contact.reference import solve_reference
     from fembearing.fem.solution import solve_on_mesh
     from fembearing.mesh.recipe import load_recipe
+    from fembearing.progress import silent
 
     steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="the case's")
     contact = Contact(

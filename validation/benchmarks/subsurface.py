@@ -15,9 +15,9 @@ from rich.progress import track
 from rich.table import Table
 
 from analytic.scene import Contact
-from analytic.scenefile import builtin_scene, load_scene
-from fembearing.compare.discrepancy import ContactSolution, compare_contact, contact_of
-from fembearing.compare.subsurface import NAMES, compare_subsurface
+from analytic.scenefile.read import builtin_scene, load_scene
+from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact, contact_of
+from fembearing.compare.contact.subsurface import NAMES, compare_subsurface
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
 

@@ -32,10 +32,10 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic import friction_torque, hertz_contact, load_scene, ring_equilibrium
-from analytic.effects import COMPUTED
+from analytic.effects.ledger import COMPUTED
+from analytic.result import FrictionTorque
 from analytic.scene import Array, Operation, Scene
-from analytic.scenefile import builtin_scene
-from analytic.torque_result import FrictionTorque
+from analytic.scenefile.read import builtin_scene
 from machine import machine, versions
 
 VALIDATION = Path(__file__).parents[1]

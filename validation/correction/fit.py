@@ -20,7 +20,7 @@ from rich.table import Table
 from solve import BOX, HERE, QUANTITIES, read_rows
 
 from analytic import catalog
-from analytic.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, monomial, shape_bases
+from analytic.contact.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, monomial, shape_bases
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40
@@ -172,7 +172,7 @@ def spread(error: Array) -> dict[str, float]:
 def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solves) -> Iterator[str]:
     """The stored file, line by line."""
     (head, *rest) = (line for line in (HERE / "solves.csv").read_text("utf-8").splitlines() if line.startswith("#"))
-    yield "# Hertz's contact corrected for the true shape of ball and groove: read by analytic/finite_geometry.py,"
+    yield "# Hertz's contact corrected for the true shape of ball and groove: read by analytic/contact/finite_geometry.py,"
     yield "# written by validation/correction/fit.py from solves.csv beside it. Errors and uncertainties are relative."
     dates = sorted({row["date"] for row in read_rows()})
     yield ""

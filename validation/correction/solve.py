@@ -5,7 +5,7 @@ solves.csv, where fit.py finds them. Three sets: `fit`, a Sobol sequence over th
 contacts of that box; `bearing`, both races of the bearings in bearings.toml under random loads. The fit sees the first
 alone.
 
-A contact is what `analytic.finite_geometry.ContactShape` holds; nothing else matters in elasticity. Rolling curvatures
+A contact is what `analytic.contact.finite_geometry.ContactShape` holds; nothing else matters in elasticity. Rolling curvatures
 are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (of the heavy series 64), r/R is g/(1 - g)
 on the inner and -g/(1 + g) on the outer race, from -0.25 to 0.48.
 A run that was interrupted goes on where it stopped.
@@ -28,14 +28,14 @@ from rich.console import Console
 from rich.progress import track
 from scipy.stats import qmc
 
+from analytic.contact.finite_geometry import OFF_SHOULDER
+from analytic.contact.hertz import contact_modulus
 from analytic.errors import FembearingError
-from analytic.finite_geometry import OFF_SHOULDER
-from analytic.hertz import contact_modulus
 from analytic.scene import Contact, Material
-from fembearing.compare.discrepancy import hertz_quantities
-from fembearing.compare.progress import silent
-from fembearing.compare.reference import solve_reference
+from fembearing.compare.contact.discrepancy import hertz_quantities
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.mesh.recipe import load_recipe
+from fembearing.progress import silent
 
 HERE = Path(__file__).parent
 SOLVES, BEARINGS = HERE / "solves.csv", HERE / "bearings.toml"

@@ -1,0 +1,89 @@
+"""Friction of a ball in its cage pocket: a given coefficient, or mixed lubrication of a contact of nearly equal radii.
+
+The pocket stands still against the turning ball: rolling, sliding and entrainment are one and the same speed halved.
+Far outside the films that any formula was fitted to: the film between nearly equal radii under a cage's small forces
+comes out thicker than the room there is, and is cut off at it. Then oil shears in the contact of Hertz alone, and that
+it also shears in the rest of the pocket is not in the coefficient.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.geometry import pocket_contact
+from analytic.contact.hertz import contact_modulus, hertz_contact
+from analytic.errors import InputError
+from analytic.oil.mixed import mixed_contact
+from analytic.oil.traction import MixedTraction
+from analytic.oil.viscosity import inlet_viscosity
+from analytic.scene import Array, Scene
+from analytic.surface.asperity import softer_hardness
+from analytic.surface.asperity_table import tabulated_asperities
+from analytic.surface.roughness import gap_roughness
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PocketFriction:
+    """The coefficient of each operating point, (n,), and what is to be known of it."""
+
+    coefficient: Array
+    source: str
+    warnings: tuple[str, ...] = ()
+
+
+def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLike) -> PocketFriction:
+    """mu of ball on pocket, by what the scene tells: the cage's own coefficient, oil and finish, or that of the races.
+
+    load : of one ball on the pocket, (n,), N, > 0;  surface_speed : w_b r, (n,), m/s, >= 0
+    """
+    cage, lubricant, surface = scene.cage, scene.lubricant, scene.surface
+    if cage is None:
+        raise InputError("the scene has no [cage], so there is no pocket: add an empty [cage] for the catalog's")
+    force, speed = np.broadcast_arrays(np.asarray(load, dtype=np.float64), np.asarray(surface_speed, dtype=np.float64))
+    given = scene.friction_coefficient if cage.friction_coefficient is None else cage.friction_coefficient
+    if given is not None:
+        key = "friction.coefficient" if cage.friction_coefficient is None else "cage.friction_coefficient"
+        return PocketFriction(coefficient=np.full(force.shape, given), source=key)
+    if lubricant is None or surface is None:
+        raise InputError("the friction of ball on pocket is not known: add [cage] friction_coefficient = 0.1")
+    pocket = pocket_contact(scene.bearing, cage, load=0.0)
+    curvature = 1 / pocket.ball_radius - 1 / pocket.groove_radius
+    modulus = float(contact_modulus(pocket.ball_material, pocket.race_material))
+    contact = hertz_contact(curvature_x=curvature, curvature_y=curvature, load=force, modulus=modulus)
+    area = np.pi * contact.semi_axis_x * contact.semi_axis_y
+    roughness = gap_roughness(surface)
+    asperities = None
+    if roughness.rms_roughness > 0:
+        hardness = softer_hardness(surface, pocket.ball_material, pocket.race_material)
+        asperities = tabulated_asperities(summits=roughness.summits, modulus=modulus, hardness=hardness)
+    oil = inlet_viscosity(lubricant)
+    shared = mixed_contact(
+        curvature_x=curvature,
+        curvature_y=curvature,
+        load=force,
+        modulus=modulus,
+        contact_area=area,
+        entrainment_speed=speed / 2,
+        viscosity=oil.viscosity,
+        pressure_viscosity=oil.pressure_viscosity,
+        asperities=asperities,
+        largest_gap=pocket.groove_radius - pocket.ball_radius,
+    )
+    traction = MixedTraction(
+        lubricant=lubricant,
+        boundary_friction=surface.boundary_friction,
+        asperity_share=shared.asperity_share,
+        area_fraction=shared.area_fraction,
+        film_thickness=shared.film_thickness,
+    )
+    warnings = ()
+    if np.any(shared.capped):
+        warnings = (
+            "the film in the cage pockets comes out thicker than their room: its formula does not hold between so "
+            "nearly equal radii, and oil that shears outside the contact is not counted; [cage] friction_coefficient "
+            "takes the place of both",
+        )
+    return PocketFriction(
+        coefficient=traction.force(load=force, area=area)(speed) / force, source="mixed lubrication", warnings=warnings
+    )

@@ -1,0 +1,65 @@
+"""What a contact of the true geometry changes in Hertz's: factors at the same load.
+
+They come from outside: from a finite-element solution, the same for every load of a series, or from the fit in
+`analytic.contact.finite_geometry`, each load with its own.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from analytic.contact.hertz import HertzContact
+from analytic.errors import require_positive
+from analytic.scene import Array
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ContactFactors:
+    """One contact's size and approach over Hertz's at the same load; 1 leaves Hertz's as it is.
+
+    Each a number, or an array with an element for every load.
+    """
+
+    semi_axis_rolling: float | Array = 1.0
+    semi_axis_transverse: float | Array = 1.0
+    approach: float | Array = 1.0
+    peak_pressure: float | Array | None = None  # None: that of a semi-ellipsoid over the new semi-axes
+
+    def __post_init__(self) -> None:
+        given = {name: value for name, value in vars(self).items() if value is not None}
+        require_positive(**given)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ContactCorrection:
+    """The factors of both races."""
+
+    inner: ContactFactors = ContactFactors()
+    outer: ContactFactors = ContactFactors()
+
+    def mapped(self, change: Callable[[Array], Array]) -> "ContactCorrection":
+        """With every factor that is an array changed."""
+
+        def side(factors: ContactFactors) -> ContactFactors:
+            return ContactFactors(
+                **{n: change(v) if isinstance(v, np.ndarray) else v for n, v in vars(factors).items()}
+            )
+
+        return ContactCorrection(inner=side(self.inner), outer=side(self.outer))
+
+
+def corrected_contact(contact: HertzContact, factors: ContactFactors) -> HertzContact:
+    """Hertz's contact with the factors applied; load and exponent 3/2 stay.
+
+    semi-axes, approach and peak pressure times their factors, K = Q/delta^1.5; without a factor of its own
+    p0 = 3 Q/(2 pi a b), the semi-ellipsoid's. Factors of 1 change no bit.
+    """
+    product, own = factors.semi_axis_rolling * factors.semi_axis_transverse, factors.peak_pressure
+    return HertzContact(
+        semi_axis_x=contact.semi_axis_x * factors.semi_axis_rolling,
+        semi_axis_y=contact.semi_axis_y * factors.semi_axis_transverse,
+        peak_pressure=contact.peak_pressure / product if own is None else contact.peak_pressure * own,
+        approach=contact.approach * factors.approach,
+        stiffness=contact.stiffness * np.asarray(factors.approach) ** -1.5,
+    )

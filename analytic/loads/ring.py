@@ -1,0 +1,397 @@
+"""Five freedoms of the inner ring: every ball takes its own load and contact angle on each race.
+
+The outer ring is fixed; the inner ring is loaded and displaced along the bearing axis z, along x and y, and tilted
+about x and y, right-handed. The rings are rigid apart from the contacts, tilts are small. Displacement, load and moment
+refer to the centre of the circle on which the inner groove's centre of curvature lies, of the radius
+R = bottom_radius + groove_radius: a tilt about it moves each groove along the axis. Ball j sits at the azimuth
+psi_j = 2 pi j/Z, from x towards y. A groove reaches equally far to both sides.
+
+With the contacts' stiffness held, the energy of the ring is convex in its place: there is no second equilibrium,
+and with three balls or more there is always one. The loads of the balls are unique; the place is not where the loaded
+balls leave a freedom, as in a bearing with clearance that hangs on one ball. Then it is one of the possible places.
+Source: A. B. Jones, J. Basic Eng. 82 (1960) 309-320, and T. A. Harris and M. N. Kotzalas, Advanced Concepts of Bearing
+Technology, 5th ed. (2007), sections 1 and 3 (neither seen: derived here from energy and Euler's equation of a ball).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from analytic.contact.factors import ContactCorrection
+from analytic.contact.hertz import HertzContact, loaded_contact
+from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
+from analytic.loads.ball_balance import BallBalance, settled_ball
+from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.thrust import play_and_free_angle, unit_contacts
+from analytic.numerics.rows import merged, part_of
+from analytic.scene import Array, Bearing, ContactAngle
+
+# Of the load and the largest ball load: Newton's quadratic steps reach it at once, and rounding is a thousandth of it.
+TOLERANCE = 1e-12
+# Of a displacement, in the balls' stiffness: what rounding of the ring's place leaves as force.
+PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps
+# Of A0, likewise: the place of a ball under a force of its own is found from the grooves' centres.
+BALL_ROUND_OFF = 16 * np.finfo(np.float64).eps
+LEAST_TANGENT = 1e-13  # of the tangent's trace, well below the softest freedom that a loaded ball holds
+# Newton takes 3 to 15 steps; clearance with balls that touch and part up to some 50.
+MOST_STEPS = 300
+# Contact stiffness, centrifugal and friction force follow the angles: 3 or 4 rounds at rest, about 10 at high speed.
+MOST_ROUNDS = 100
+LEAST_DESCENT = 1e-4  # of what the slope promises: Armijo's customary share
+ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of the balls' loads times A0, whose rounding moves them
+LEAST_BALLS = 3  # that hold a ring in all five freedoms
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RingEquilibrium:
+    """Balls and ring under load; (...) is the broadcast shape of the loads and the speed, Z the number of balls."""
+
+    free_angle: float | None  # al0, rad; None for a preloaded bearing
+    azimuth: Array  # (Z,) psi, rad
+    displacement: Array  # (..., 5) axial, x, y, m; tilt about x, about y, rad; from concentric rings, grooves in line
+    stiffness: Array  # (..., 5, 5) dF/d displacement with each contact's K held, N/m, N, N m
+    inner_load: Array  # (..., Z) Q_i, N
+    outer_load: Array  # (..., Z) Q_o, N
+    inner_angle: Array  # (..., Z) al_i, rad, negative where the ball is pressed towards -z
+    outer_angle: Array  # (..., Z) al_o, rad
+    inner: HertzContact  # (..., Z)
+    outer: HertzContact  # (..., Z)
+    centrifugal_force: Array  # (..., Z) F_c, N
+    gyroscopic_moment: Array  # (..., Z) M_g, N m, with the sign of the contact angle
+    residual: Array  # (...) largest unbalanced force, or moment over R, N
+    iterations: Array  # (...) Newton steps
+
+
+def ring_equilibrium(
+    bearing: Bearing,
+    contact_angle: ContactAngle,
+    *,
+    axial_load: ArrayLike = 0.0,
+    radial_load_x: ArrayLike = 0.0,
+    radial_load_y: ArrayLike = 0.0,
+    moment_x: ArrayLike = 0.0,
+    moment_y: ArrayLike = 0.0,
+    inner_speed: ArrayLike = 0.0,
+    centrifugal: bool = True,
+    gyroscopic: bool = True,
+    correction: ContactCorrection | None = None,
+) -> RingEquilibrium:
+    """Ball loads, contact angles and ring displacement under any load; loads and speed broadcast to (...).
+
+    axial_load, radial_load_x, radial_load_y : N;  moment_x, moment_y : about x and y, N m; any sign
+    inner_speed : rad/s; with it come the balls' centrifugal force and gyroscopic moment, where these are wanted
+    contact_angle : rule "solved"; free, where given, replaces the clearance by A0 (1 - cos al0)
+    correction : factors on Hertz's contacts, each a number or (..., Z); None leaves them as they are
+
+    Each ball settles between groove centres that are V = (A0 cos al0 + u_r, u_a) apart (analytic.loads.ball_balance), with
+        u_r = x cos psi + y sin psi,  u_a = z + R (t_x sin psi - t_y cos psi)
+    and the load is the sum of the ball forces. K of a contact is Hertz's at its own angle, and its force acts along the
+    normal: the work of a K that changes with the angle, (2/5)(delta/A0) d ln K/d al of the force, is left out.
+    At speed w a ball rolls without slip at both contacts' centres and spins alike on both races, about an axis at the
+    pitch (al_i + al_o)/2 (analytic.loads.kinematics), with the cage speed w_m and the ball speed w_b
+        F_c = m (d_m/2) w_m^2,  M_g = (m D^2/10) w_b w_m sin((al_i + al_o)/2)
+    Friction across the groove carries M_g, on each race in proportion to its load (half each where the loads are equal;
+    race control would give it to one race): it needs mu >= M_g/(r (Q_i + Q_o)), which is not asked for here.
+    No load on a bearing with clearance: nothing touches, and the ring is left in the middle of its play.
+    Fewer than three balls hold a ring under thrust alone; its other freedoms are then held, with stiffness 0.
+    Raises InputError for a number that is not finite, the rule `given`, a radial load or moment on fewer than three
+    balls, a load that drives a ball out of its groove (an angle beyond pi/2), and as thrust_equilibrium does for the
+    bearing; ConvergenceError where the iteration stops short.
+    """
+    given = {
+        "axial_load": axial_load,
+        "radial_load_x": radial_load_x,
+        "radial_load_y": radial_load_y,
+        "moment_x": moment_x,
+        "moment_y": moment_y,
+        "inner_speed": inner_speed,
+    }
+    require_finite(**given)
+    require_positive(ball_count=bearing.ball_count)
+    if contact_angle.rule == "given":
+        raise InputError(
+            "the rule 'given' holds the contact angle that a ring equilibrium solves for: use the rule 'solved'"
+        )
+    play, free = play_and_free_angle(bearing, contact_angle)
+    arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given.values()))
+    shape, (axial, x, y, about_x, about_y, speed) = arrays[0].shape, (array.ravel() for array in arrays)
+    factors = (correction or ContactCorrection()).mapped(lambda array: array.reshape(-1, bearing.ball_count))
+    ring = _Ring(bearing, play, factors, centrifugal=float(centrifugal), gyroscopic=float(gyroscopic))
+    load = np.stack([axial, x, y, about_x / ring.arm, about_y / ring.arm], axis=-1)
+    if bearing.ball_count < LEAST_BALLS and np.any(load[:, 1:]):
+        raise InputError(
+            f"ball_count = {bearing.ball_count} carries thrust alone: a radial load or a moment needs at least "
+            f"{LEAST_BALLS} balls"
+        )
+    found, steps = _equilibrium(ring, load, speed, angle=free or 0.0)
+    balls, held = found.balls, found.held
+    angle = np.where(balls.inner_load > 0, np.abs(balls.inner_angle), 0.0)
+    if np.any(angle > np.pi / 2):
+        point, ball = np.unravel_index(np.argmax(angle), angle.shape)
+        # The ball's inertia parts its angles: without it the contact would be about between them.
+        parted = angle[point, ball] + np.abs(balls.outer_angle[point, ball]) < np.pi
+        cause = f"the speed, {speed[point]:.5g} rad/s," if parted else "the load"
+        raise InputError(
+            f"{cause} drives a ball {angle[point, ball]:.3f} rad out of its groove, past pi/2: no contact bears it, "
+            f"lower the {'speed' if parted else 'load'}"
+        )
+    inner, outer = (
+        loaded_contact(contact, load=load)
+        for contact, load in ((held.inner, balls.inner_load), (held.outer, balls.outer_load))
+    )
+    unit = np.array([1.0, 1.0, 1.0, ring.arm, ring.arm])
+    each, whole = (*shape, bearing.ball_count), (*shape, 5)
+    return RingEquilibrium(
+        free_angle=free,
+        azimuth=ring.azimuth,
+        displacement=(found.place / unit).reshape(whole),
+        stiffness=(found.tangent * np.outer(unit, unit)).reshape(*whole, 5),
+        inner_load=balls.inner_load.reshape(each),
+        outer_load=balls.outer_load.reshape(each),
+        inner_angle=balls.inner_angle.reshape(each),
+        outer_angle=balls.outer_angle.reshape(each),
+        inner=_reshaped(inner, each),
+        outer=_reshaped(outer, each),
+        centrifugal_force=held.centrifugal_force.reshape(each),
+        gyroscopic_moment=held.gyroscopic_moment.reshape(each),
+        residual=found.residual.reshape(shape),
+        iterations=steps.reshape(shape),
+    )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Held:
+    """What one round of Newton's method holds, for n points and Z balls."""
+
+    ring_force: Array  # (n, 5) load and friction of the balls, N (moments over R)
+    inner: HertzContact  # (n, Z) under 1 N
+    outer: HertzContact
+    ball_force: Array  # (n, Z, 2) on the ball, N
+    centrifugal_force: Array  # (n, Z) N
+    gyroscopic_moment: Array  # (n, Z) N m
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _State:
+    """n rings at a place, m (tilts times R), with the forces there."""
+
+    place: Array  # (n, 5)
+    held: _Held
+    balls: BallBalance  # (n, Z)
+    energy: Array  # (n,) of balls and load, J
+    gradient: Array  # (n, 5) N
+    tangent: Array  # (n, 5, 5) N/m
+    residual: Array  # (n,) N
+    tolerance: Array  # (n,) N
+
+
+class _Ring:
+    """The bearing as its inner ring sees it: how far each ball's groove travels, and what pushes back."""
+
+    def __init__(
+        self, bearing: Bearing, play: float, correction: ContactCorrection, *, centrifugal: float, gyroscopic: float
+    ) -> None:
+        self.bearing, self.play, self.correction = bearing, play, correction
+        self.centrifugal, self.gyroscopic = centrifugal, gyroscopic  # 1, or 0 where left out
+        self.arm = bearing.inner.bottom_radius + bearing.inner.groove_radius  # R, m
+        self.azimuth = 2 * np.pi * np.arange(bearing.ball_count) / bearing.ball_count
+        cosine, sine, zero = np.cos(self.azimuth), np.sin(self.azimuth), np.zeros(bearing.ball_count)
+        self.radial = np.stack([zero, cosine, sine, zero, zero])  # (5, Z): u_r of each freedom
+        self.axial = np.stack([zero + 1, zero, zero, sine, -cosine])  # (5, Z): u_a
+        if bearing.ball_count < LEAST_BALLS:
+            self.radial[1:], self.axial[1:] = 0.0, 0.0
+        self.travel = np.stack([self.radial.T, self.axial.T], axis=1)  # (Z, 2, 5)
+
+    def held(
+        self,
+        load: Array,
+        speed: Array,
+        rows: NDArray[np.intp],
+        *,
+        inner_angle: Array,
+        outer_angle: Array,
+        shares: tuple[Array | float, Array | float],
+    ) -> _Held:
+        """Contact stiffness, inertia and friction of balls at their angles, (n, Z).
+
+        rows : of all operating points, those at hand
+        shares : Q_i and Q_o over Q_i + Q_o; both 0 where nothing presses and friction cannot be
+        """
+        bearing = self.bearing
+        inner, outer = unit_contacts(
+            bearing,
+            inner_angle=_in_groove(inner_angle),
+            outer_angle=_in_groove(outer_angle),
+            correction=self.correction.mapped(lambda array: array[rows]),
+        )
+        if not (speed.any() and (self.centrifugal or self.gyroscopic)):
+            still = np.zeros_like(inner_angle)
+            return _Held(
+                inner=inner,
+                outer=outer,
+                ball_force=np.zeros((*still.shape, 2)),
+                ring_force=load,
+                centrifugal_force=still,
+                gyroscopic_moment=still,
+            )
+        motion = ball_kinematics(
+            inner_speed=speed[:, None],
+            inner_angle=np.clip(inner_angle, -np.pi / 2, np.pi / 2),  # on its way a ball may leave its groove
+            outer_angle=np.clip(outer_angle, -np.pi / 2, np.pi / 2),
+            pitch_diameter=bearing.pitch_diameter,
+            ball_diameter=bearing.ball_diameter,
+        )
+        centrifugal = self.centrifugal * bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2
+        inertia = self.gyroscopic * bearing.ball_mass * bearing.ball_diameter**2 / 10
+        moment = inertia * motion.ball_speed * motion.cage_speed * np.sin((inner_angle + outer_angle) / 2)
+        friction = moment / bearing.ball_radius * shares[0], moment / bearing.ball_radius * shares[1]
+        at_inner = friction[0][..., None] * np.stack([-np.sin(inner_angle), np.cos(inner_angle)], axis=-1)
+        at_outer = friction[1][..., None] * np.stack([np.sin(outer_angle), -np.cos(outer_angle)], axis=-1)
+        return _Held(
+            inner=inner,
+            outer=outer,
+            ball_force=np.stack([centrifugal, np.zeros_like(centrifugal)], axis=-1) + at_inner + at_outer,
+            ring_force=load - self.resultant(at_inner),
+            centrifugal_force=centrifugal,
+            gyroscopic_moment=moment,
+        )
+
+    def resultant(self, force: Array) -> Array:
+        """(n, 5) of the balls' forces (n, Z, 2) on the inner grooves."""
+        return np.reshape(force, (len(force), -1)) @ self.travel.reshape(-1, 5)
+
+    def tangent(self, balls: BallBalance) -> Array:
+        """(n, 5, 5) N/m."""
+        rows = self.travel.reshape(-1, 5)
+        return rows.T @ (balls.tangent @ self.travel).reshape(len(balls.tangent), -1, 5)
+
+    def at(self, place: Array, held: _Held) -> _State:
+        balls = settled_ball(
+            self.bearing,
+            play=self.play,
+            radial=place @ self.radial,
+            axial=place @ self.axial,
+            inner_stiffness=held.inner.stiffness,
+            outer_stiffness=held.outer.stiffness,
+            ball_force=held.ball_force,
+        )
+        rows = self.travel.reshape(-1, 5)
+        gradient = self.resultant(balls.force) - held.ring_force
+        tangent = rows.T @ (balls.tangent @ self.travel).reshape(len(place), -1, 5)
+        forces = np.max(np.abs(held.ring_force), axis=-1) + np.max(balls.outer_load, axis=-1)
+        pushed = np.any(held.ball_force, axis=(-2, -1)) * self.bearing.groove_centre_distance
+        rounding = PLACE_ROUND_OFF * np.max(np.abs(place), axis=-1) * np.trace(tangent, axis1=-2, axis2=-1)
+        if pushed.any():
+            contacts = 1.5 * np.sum(np.cbrt(held.inner.stiffness**2 * balls.inner_load), axis=-1)  # dQ/d delta, N/m
+            rounding = rounding + BALL_ROUND_OFF * pushed * contacts
+        return _State(
+            place=place,
+            held=held,
+            balls=balls,
+            energy=np.sum(balls.energy, axis=-1) - np.sum(held.ring_force * place, axis=-1),
+            gradient=gradient,
+            tangent=tangent,
+            residual=np.max(np.abs(gradient), axis=-1),
+            tolerance=TOLERANCE * forces + rounding,
+        )
+
+
+def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tuple[_State, Array]:
+    """Rounds of Newton's method, each holding what the angles of the last one give, until one has nothing to do."""
+    angles, active = np.full((len(load), ring.bearing.ball_count), angle), np.arange(len(load))
+    held = ring.held(load, speed, active, inner_angle=angles, outer_angle=angles, shares=(0.0, 0.0))
+    found, steps = _settled(ring, ring.at(_start(ring, load, held), held))
+    left = tolerance = 0.0  # N: change of the forces that a round holds
+    for _ in range(MOST_ROUNDS):
+        balls = part_of(found.balls, active)
+        both = balls.inner_load + balls.outer_load
+        held = ring.held(
+            load[active],
+            speed[active],
+            active,
+            inner_angle=balls.inner_angle,
+            outer_angle=balls.outer_angle,
+            shares=(
+                np.divide(balls.inner_load, both, out=np.zeros_like(both), where=both > 0),
+                np.divide(balls.outer_load, both, out=np.zeros_like(both), where=both > 0),
+            ),
+        )
+        again, more = _settled(ring, ring.at(found.place[active], held))
+        # A ball that floats, or is wedged, follows its forces without the ring's notice.
+        change = np.maximum(
+            np.abs(held.ball_force - found.held.ball_force[active]).max(axis=(-2, -1)),
+            np.abs(held.ring_force - found.held.ring_force[active]).max(axis=-1),
+        )
+        found = merged(found, active, again)
+        steps[active] += more
+        active = active[(more > 0) | (change > again.tolerance)]
+        if not len(active):
+            return found, steps
+        left, tolerance = float(np.max(change)), float(again.tolerance[np.argmax(change)])
+    remedy = "Raise the load or lower the speed: the gyroscopic moment asks for more friction than the balance has."
+    problem = "the balls' own forces in the ring's equilibrium"
+    raise ConvergenceError(iterations=MOST_ROUNDS, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
+
+
+def _start(ring: _Ring, load: Array, held: _Held) -> Array:
+    """A place where balls touch: what each part of the load would reach if one ball took it, the largest in full."""
+    bearing, play = ring.bearing, ring.play
+    parts = np.stack([np.abs(load[:, 0]), np.hypot(load[:, 1], load[:, 2]), np.hypot(load[:, 3], load[:, 4])])
+    softness = held.inner.approach[:, 0] + held.outer.approach[:, 0]
+    approach = softness * np.cbrt(parts) ** 2
+    distance, share = bearing.groove_centre_distance, parts / np.maximum(np.max(parts, axis=0), 1e-300)
+    along = np.sqrt(np.maximum((approach + play) * (2 * distance + approach - play), 0.0))
+    reach = share * np.stack([along[0], approach[1] + max(play, 0.0), along[2]])
+    towards = load / np.maximum(parts, 1e-300)[[0, 1, 1, 2, 2]].T
+    return towards * reach[[0, 1, 1, 2, 2]].T
+
+
+def _settled(ring: _Ring, state: _State) -> tuple[_State, Array]:
+    """Newton's method on the convex energy of what is held, and its steps; one that lowers too little is halved."""
+    steps = np.zeros(len(state.place), dtype=int)
+    distance = ring.bearing.groove_centre_distance
+    for _ in range(MOST_STEPS):
+        open_ = np.flatnonzero(state.residual > state.tolerance)
+        if not len(open_):
+            return state, steps
+        now = part_of(state, open_)
+        # A freedom that nothing holds is left where it is; where nothing touches at all the load leads on.
+        trace = np.trace(now.tangent, axis1=-2, axis2=-1)
+        least = LEAST_TANGENT * trace + LEAST_TANGENT * now.residual / distance
+        step = -np.linalg.solve(now.tangent + least[:, None, None] * np.eye(5), now.gradient[..., None])[..., 0]
+        longest = np.maximum(distance, np.max(np.abs(now.place), axis=-1))
+        step *= np.minimum(1.0, longest / np.maximum(np.max(np.abs(step), axis=-1), longest))[:, None]
+        slope = np.sum(now.gradient * step, axis=-1)
+        rounding = ENERGY_ROUND_OFF * distance * np.sum(now.balls.outer_load, axis=-1)
+        share = np.ones(len(step))
+        while True:
+            trial = ring.at(now.place + share[:, None] * step, now.held)
+            enough = now.energy + LEAST_DESCENT * share * slope + rounding
+            short = trial.energy > enough
+            if not np.any(short):
+                break
+            share = np.where(short, share / 2, share)
+        state = merged(state, open_, trial)
+        steps[open_] += 1
+    raise _not_settled(state)
+
+
+def _not_settled(state: _State) -> ConvergenceError:
+    worst = int(np.argmax(state.residual / np.maximum(state.tolerance, 1e-300)))
+    return ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=float(state.residual[worst]),
+        tolerance=float(state.tolerance[worst]),
+        problem="the ring's equilibrium",
+        remedy="Check the loads, the speed, the clearance and the materials for a slipped unit.",
+    )
+
+
+def _in_groove(angle: Array) -> Array:
+    """The angle whose contact the groove has: its profile is symmetric, and ends at pi/2."""
+    return np.minimum(np.abs(angle), np.pi / 2)
+
+
+def _reshaped(contact: HertzContact, shape: tuple[int, ...]) -> HertzContact:
+    return HertzContact(**{name: field.reshape(shape) for name, field in vars(contact).items()})

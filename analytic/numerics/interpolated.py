@@ -1,0 +1,98 @@
+"""A smooth quantity at many points from a sample of them, when it is dear and follows from a few numbers of the point.
+
+Between the points of the sample radial basis functions interpolate. It grows where it may be wrong, far from what is
+known and where the last two interpolations disagree, and anywhere at random. How wrong one is, the next points tell.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.scene import Array
+
+FIRST, MORE, MOST = 48, 16, 512  # points of a sample: at first, each time it grows by doubt and by chance, in all
+# Of what is missed at the points that join, twice in a row, the bound on what is missed anywhere afterwards: a kink may
+# pass between them (compared in tests/analytic/numerics/test_interpolated.py).
+SAFETY = 4.0
+IN_A_ROW = 2
+SEED = 20
+FLAT = 1e-6  # of the widest extent, below which points lie on a line
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SampledSeries:
+    """n points, q quantities."""
+
+    values: Array  # (n, q)
+    at: NDArray[np.intp]  # the points that were computed
+    error: float  # bound on what is missed, as told by the caller's measure
+
+
+def sampled_series(
+    evaluate: Callable[[NDArray[np.intp]], Array],
+    coordinates: Array,
+    *,
+    missed: Callable[[Array, Array, NDArray[np.intp]], Array],
+    allowed: float,
+) -> SampledSeries | None:
+    """The quantities at all points, or None where no sample is good enough.
+
+    evaluate : indices (k,) -> quantities there, (k, q)
+    coordinates : (n, d) what they follow from, in units in which they are about evenly smooth (logarithms, say)
+    missed : (found, true, indices) -> measure of the error at each of them, (k,);  allowed : of that measure
+    """
+    from scipy.interpolate import RBFInterpolator  # 0.1 s to import, which few scenes need
+
+    if not np.any(np.ptp(coordinates, axis=0)):
+        return None  # one point, over and over
+    along = _principal(coordinates)
+    at = _spread(along, FIRST, known=np.array([], dtype=np.intp), weight=np.ones(len(along)))
+    known = evaluate(at)
+
+    def interpolated(count: int) -> Array:
+        return RBFInterpolator(along[at[:count]], known[:count], kernel="cubic")(along)
+
+    before, last = interpolated(len(at) - len(at) // 3), interpolated(len(at))
+    chance, errors = np.random.default_rng(SEED), [np.inf]
+    while len(at) < min(MOST, len(along)):
+        doubt = np.max(np.abs(last - before), axis=1)
+        joining = _spread(along, MORE, known=at, weight=doubt + np.mean(doubt))
+        joining = np.setdiff1d(np.concatenate([joining, chance.choice(len(along), MORE, replace=False)]), at)
+        if joining.size == 0:
+            break
+        true = evaluate(joining)
+        errors.append(SAFETY * float(np.max(missed(last[joining], true, joining))))
+        at, known = np.concatenate([at, joining]), np.concatenate([known, true])
+        before, last = last, interpolated(len(at))
+        if max(errors[-IN_A_ROW:]) <= allowed:
+            last[at] = known
+            return SampledSeries(values=last, at=at, error=max(errors[-IN_A_ROW:]))
+    return None
+
+
+def _principal(coordinates: Array) -> Array:
+    """Coordinates along the directions in which the points extend at all: a line in a plane has one."""
+    centred = coordinates - coordinates.mean(axis=0)
+    _, extent, directions = np.linalg.svd(centred, full_matrices=False)
+    return centred @ directions[extent > FLAT * extent[0]].T
+
+
+def _spread(points: Array, count: int, *, known: NDArray[np.intp], weight: Array) -> NDArray[np.intp]:
+    """Indices of points far from those known and from each other, by distance squared times weight; none twice."""
+    order = list(known[:0])
+    nearest = np.full(len(points), np.inf)
+    for index in known:
+        nearest = np.minimum(nearest, np.sum((points - points[index]) ** 2, axis=1))
+    if known.size == 0:
+        nearest = np.sum(points**2, axis=1)
+    for _ in range(count):
+        farthest = int(np.argmax(nearest * weight))
+        if nearest[farthest] == 0:
+            break
+        if known.size == 0 and not order:
+            nearest[:] = np.inf
+        order.append(farthest)
+        nearest = np.minimum(nearest, np.sum((points - points[farthest]) ** 2, axis=1))
+    return np.array(order, dtype=np.intp)

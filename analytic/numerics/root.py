@@ -1,0 +1,79 @@
+"""Roots of many rising functions at once, by Newton's method kept in a bracket.
+
+scipy.optimize.elementwise.find_root does without slopes, and its bookkeeping costs more than a closed form: on one
+spin balance of `analytic.sliding.long_ellipse` it takes 5 times as long as this, and on 1000 at once still 3 times.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from analytic.errors import ConvergenceError
+from analytic.scene import Array
+
+# Each step halves the bracket or the step before the last; 4 to 8 are usual, and bisection alone takes 60.
+MOST_STEPS = 200
+
+
+def bracketed_root(
+    rising: Callable[[Array], tuple[Array, Array]],
+    *,
+    start: Array,
+    low: Array,
+    high: Array,
+    relative: float,
+    absolute: float = 0.0,
+    problem: str,
+    unit: str,
+    remedy: str,
+) -> Array:
+    """x between low and high where each function is 0; arrays of one shape.
+
+    rising : x -> (values, slopes); a value that is no more than round-off should be given as 0, which ends the search
+    start : between low and high.  relative, absolute : |last step| <= relative |x| + absolute
+    A slope may be too flat, of the wrong sign, 0 or not finite: the bracket is then halved. One that is far too steep
+    makes a step that looks like the last. Without a change of sign x moves to one end.
+    problem, unit, remedy : words for the ConvergenceError that a function which is not a number raises.
+    """
+    x, last, before = start, high - low, high - low
+    settled = np.zeros(np.shape(start), dtype=bool)
+    for _ in range(MOST_STEPS):
+        value, slope = rising(x)
+        low, high = np.where(value < 0, x, low), np.where(value > 0, x, high)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            step = -value / slope
+            newton = (x + step >= low) & (x + step <= high) & (np.abs(step) <= np.abs(before) / 2)
+        settled = settled | (value == 0)
+        before, last = last, np.where(settled, 0.0, np.where(newton, step, (low + high) / 2 - x))
+        x = x + last
+        settled = settled | ((np.abs(last) <= relative * np.abs(x) + absolute) & ~np.isnan(value))
+        if settled.all():
+            return x
+    raise ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=float(np.max(np.where(settled, 0.0, high - low))),
+        tolerance=max(relative, absolute),
+        unit=unit,
+        problem=problem,
+        remedy=remedy,
+    )
+
+
+def with_secant_slopes(
+    rising: Callable[[Array], Array], *, first_slope: Array
+) -> Callable[[Array], tuple[Array, Array]]:
+    """A function without slopes made fit for `bracketed_root`: the slopes are those between it and the call before.
+
+    first_slope : a guess, for the first call
+    """
+    slope, x_before, value_before = first_slope, np.full_like(first_slope, np.nan), first_slope
+
+    def sloped(x: Array) -> tuple[Array, Array]:
+        nonlocal slope, x_before, value_before
+        value = rising(x)
+        moved = np.abs(x - x_before) > 0  # not where x has settled, nor at first
+        slope = np.divide(value - value_before, x - x_before, out=np.array(slope), where=moved)
+        x_before, value_before = x, value
+        return value, slope
+
+    return sloped

@@ -1,0 +1,171 @@
+"""Rough balls on lubricated rough races: from the scene's oil and finish to film, shared load and law of traction.
+
+The film is that of the oil at the inlet of the contact, rolling nearly without sliding, flooded. Arrays are (2, n, m):
+races, operating points, balls.
+"""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from analytic.errors import require_positive
+from analytic.loads.balls import LoadedBalls
+from analytic.oil.film import CentralFilm, central_film, inlet_heating_factor, thermal_loading
+from analytic.oil.mixed import MixedContact, mixed_contact
+from analytic.oil.traction import MixedTraction, oil_shear_stress
+from analytic.oil.viscosity import inlet_viscosity
+from analytic.scene import Array, Bearing, Lubricant, Surface
+from analytic.surface.asperity import softer_hardness
+from analytic.surface.asperity_table import AsperityTable, tabulated_asperities
+from analytic.surface.roughness import GapRoughness, gap_roughness
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LubricatedRaces:
+    """Both races of loaded balls with the oil and the finish between them."""
+
+    balls: LoadedBalls
+    lubricant: Lubricant
+    surface: Surface
+    roughness: GapRoughness
+    tables: tuple[AsperityTable | None, AsperityTable | None]  # of inner and outer; None: smooth
+    entrainment_speed: Array  # (n, m) u, m/s
+    film: CentralFilm  # (2, n, m) of smooth surfaces, isothermal
+    film_factor: float  # on the formula's, in it
+
+    @property
+    def area(self) -> Array:
+        """A_H = pi a b, m^2."""
+        return np.pi * self.balls.contact.semi_axis_x * self.balls.contact.semi_axis_y
+
+    @cached_property
+    def heating_factor(self) -> Array:
+        """What shear at the inlet leaves of the film; a ball slides by less than a hundredth of its rolling."""
+        oil = inlet_viscosity(self.lubricant)
+        return inlet_heating_factor(
+            peak_pressure=self.balls.contact.peak_pressure,
+            modulus=self.balls.modulus,
+            thermal_loading=thermal_loading(
+                viscosity=oil.viscosity,
+                viscosity_temperature=oil.viscosity_temperature,
+                entrainment_speed=self.entrainment_speed,
+                conductivity=self.lubricant.thermal_conductivity,
+            ),
+            slide_to_roll=0.0,
+        )
+
+    def largest_asperity_share(self, heating_factor: Array | float = 1.0) -> Array:
+        """p_a(h) A_H/F at the film of smooth surfaces, at most 1: the film of a shared load is thicker."""
+        share = np.zeros(self.balls.load.shape)
+        for race, table in enumerate(self.tables):
+            if table is not None:
+                with np.errstate(all="ignore"):  # without load there is nothing to share
+                    log_share = table.log_pressure((self.film.thickness * heating_factor)[race])
+                    log_share = log_share + np.log(self.area[race] / self.balls.load[race])
+                share[race] = np.exp(np.minimum(np.nan_to_num(log_share, nan=-np.inf), 0.0))
+        return np.where(self.film.thickness > 0, share, 1.0)
+
+    def largest_asperity_area(self, heating_factor: Array | float = 1.0) -> Array:
+        """A_a/A_H at the film of smooth surfaces, likewise."""
+        film = self.film.thickness * heating_factor
+        touched = [
+            np.zeros(height.shape) if table is None else table.area_fraction(height)
+            for table, height in zip(self.tables, film, strict=True)
+        ]
+        return np.where(self.film.thickness > 0, np.stack(touched), 1.0)
+
+    def oil_friction(self, slip_speed: Array, *, borne: Array | float = 1.0) -> Array:
+        """(2, n, m) tau A_H of smooth surfaces at slip_speed and their mean pressure, of which oil has `borne`, N."""
+        mean = np.divide(self.balls.load, self.area, out=np.zeros_like(self.area), where=self.area > 0)
+        stress = oil_shear_stress(
+            self.lubricant, pressure=borne * mean, speed=slip_speed, film_thickness=self.film.thickness
+        )
+        return stress * self.area
+
+    def shared(self, *, asperities: bool, heating_factor: Array | float) -> MixedContact:
+        """The load shared by film and asperities, or carried by the film alone."""
+        tables = self.tables if asperities else (None, None)
+        if tables[0] is tables[1]:
+            return self._mixed(slice(None), tables[0], heating_factor)
+        races = [
+            self._mixed(slice(race, race + 1), table, np.broadcast_to(heating_factor, self.balls.load.shape)[race])
+            for race, table in enumerate(tables)
+        ]
+        return MixedContact(
+            **{name: np.concatenate([getattr(race, name) for race in races]) for name in vars(races[0])}
+        )
+
+    def traction(self, shared: MixedContact, race: int) -> MixedTraction:
+        """What resists sliding on one race, (n, m)."""
+        return MixedTraction(
+            lubricant=self.lubricant,
+            boundary_friction=self.surface.boundary_friction,
+            asperity_share=shared.asperity_share[race],
+            area_fraction=shared.area_fraction[race],
+            film_thickness=shared.film_thickness[race],
+        )
+
+    def _mixed(self, races: slice, table: AsperityTable | None, heating_factor: Array | float) -> MixedContact:
+        balls, oil = self.balls, inlet_viscosity(self.lubricant)
+        return mixed_contact(
+            curvature_x=balls.curvature_along[races],
+            curvature_y=balls.curvature_across[races],
+            load=balls.load[races],
+            modulus=balls.modulus[races],
+            contact_area=self.area[races],
+            entrainment_speed=self.entrainment_speed,
+            viscosity=oil.viscosity,
+            pressure_viscosity=oil.pressure_viscosity,
+            asperities=table,
+            heating_factor=self.film_factor * np.asarray(heating_factor),
+        )
+
+
+def lubricated_races(
+    bearing: Bearing,
+    balls: LoadedBalls,
+    *,
+    lubricant: Lubricant,
+    surface: Surface,
+    ring_speed: Array,
+    film_factor: float = 1.0,
+) -> LubricatedRaces:
+    """Oil and finish between balls and races.
+
+    ring_speed : w, (n,), rad/s;  film_factor : on every film that the formula gives, > 0
+    Raises InputError if no hardness is known, if film_factor is not positive, and as the formulas do for their oil.
+    """
+    require_positive(film_factor=film_factor)
+    roughness = gap_roughness(surface)
+    tables: list[AsperityTable | None] = [None, None]
+    if roughness.rms_roughness > 0:
+        tables = [
+            tabulated_asperities(
+                summits=roughness.summits,
+                modulus=float(modulus),
+                hardness=softer_hardness(surface, bearing.ball_material, groove.material),
+            )
+            for modulus, groove in zip(balls.modulus.ravel(), (bearing.inner, bearing.outer), strict=True)
+        ]
+    speed = ring_speed[:, None] * balls.motion.entrainment_speed
+    oil = inlet_viscosity(lubricant)
+    film = central_film(
+        curvature_x=balls.curvature_along,
+        curvature_y=balls.curvature_across,
+        load=balls.load,
+        modulus=balls.modulus,
+        entrainment_speed=speed,
+        viscosity=oil.viscosity,
+        pressure_viscosity=oil.pressure_viscosity,
+    )
+    return LubricatedRaces(
+        balls=balls,
+        lubricant=lubricant,
+        surface=surface,
+        roughness=roughness,
+        tables=(tables[0], tables[1]),
+        entrainment_speed=speed,
+        film=replace(film, thickness=film_factor * film.thickness),
+        film_factor=film_factor,
+    )

@@ -1,0 +1,133 @@
+"""What resists sliding at a point of a contact, and over the whole of it: Coulomb friction, or oil beside asperities.
+
+A law of traction gives the stress against the sliding at one point, and the force of a contact that slides everywhere
+at one speed under its mean pressure. Where nothing slides the stress is the limit of slow sliding: a Coulomb contact
+and `eyring_constant` then jump with the direction of sliding, which only an integral over the contact smooths.
+Source: oil by H. Eyring, J. Chem. Phys. 4 (1936) 283 (not seen), with a limit as in S. Bair and W. O. Winer,
+J. Lubr. Tech. 101 (1979) 251 (not seen).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.oil.viscosity import viscosity_under_pressure
+from analytic.scene import Array, Lubricant
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CoulombTraction:
+    """mu times the pressure, whatever the speed."""
+
+    friction_coefficient: Array | float  # mu, >= 0
+
+    def __post_init__(self) -> None:
+        require_non_negative(friction_coefficient=self.friction_coefficient)
+
+    def stress(self, pressure: Array, speed: Array) -> Array:  # noqa: ARG002
+        """mu p, Pa; the arguments broadcast with mu."""
+        return np.asarray(self.friction_coefficient) * pressure
+
+    @property
+    def asks_speed(self) -> bool:
+        return False
+
+    def force(self, *, load: ArrayLike, area: ArrayLike) -> Callable[[Array], Array]:  # noqa: ARG002
+        """mu Q, N, as a function of the speed; the arguments broadcast with mu."""
+        friction = np.asarray(self.friction_coefficient) * np.asarray(load)
+        return lambda _: friction
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MixedTraction:
+    """Boundary friction on the asperities' share of load and area, oil on the rest; the fields broadcast.
+
+    asperity_share to film_thickness : as `mixed.mixed_contact` finds them
+    The oil bears (1 - s) of the pressure, which sets its viscosity and its limit.
+    """
+
+    lubricant: Lubricant
+    boundary_friction: Array | float  # mu_b, >= 0
+    asperity_share: Array | float  # s, 0 to 1
+    area_fraction: Array | float  # A_a/A_H, 0 to 1
+    film_thickness: Array | float  # h, m; at or below 0 the oil shears at its limit
+
+    def __post_init__(self) -> None:
+        require_non_negative(
+            boundary_friction=self.boundary_friction,
+            asperity_share=self.asperity_share,
+            area_fraction=self.area_fraction,
+        )
+        if np.any(np.asarray(self.asperity_share) > 1) or np.any(np.asarray(self.area_fraction) > 1):
+            raise InputError("asperity_share and area_fraction must be at most 1: they are parts of a whole")
+
+    @property
+    def asks_speed(self) -> bool:
+        return self.lubricant.traction != "eyring_constant"
+
+    def stress(self, pressure: Array, speed: Array) -> Array:
+        """mu_b s p + tau (1 - A_a/A_H), Pa; pressure p >= 0, Pa, and speed |v|, m/s, broadcast with the fields."""
+        share = np.asarray(self.asperity_share)
+        oil = _oil_shear(self.lubricant, (1 - share) * pressure, np.asarray(self.film_thickness))(speed)
+        return np.asarray(self.boundary_friction) * share * pressure + oil * (1 - np.asarray(self.area_fraction))
+
+    def force(self, *, load: ArrayLike, area: ArrayLike) -> Callable[[Array], Array]:
+        """mu_b s F + tau (A_H - A_a), N, as a function of the speed |v|, m/s, with tau at the mean pressure F/A_H.
+
+        load : F, N, >= 0;  area : A_H, m^2, >= 0; they broadcast with the fields
+        A force, because the coefficient has no limit at F = 0.
+        """
+        share, force, nominal = np.asarray(self.asperity_share), np.asarray(load), np.asarray(area)
+        mean = np.divide(force, nominal, out=np.zeros(np.broadcast(force, nominal).shape), where=nominal > 0)
+        shear = _oil_shear(self.lubricant, (1 - share) * mean, np.asarray(self.film_thickness))
+        boundary = np.asarray(self.boundary_friction) * share * force
+        wetted = (1 - np.asarray(self.area_fraction)) * nominal
+        return lambda speed: boundary + shear(speed) * wetted
+
+
+Traction = CoulombTraction | MixedTraction
+
+
+def oil_shear_stress(
+    lubricant: Lubricant, *, pressure: ArrayLike, speed: ArrayLike, film_thickness: ArrayLike
+) -> Array:
+    """tau of the oil between surfaces that slide past each other, Pa; the arguments broadcast.
+
+    pressure : p, of the oil, Pa, >= 0;  speed : |v|, m/s, >= 0;  film_thickness : h, m; at or below 0 there is no film
+    `eyring_constant`: tau_E, whatever slides, and at the limit of no sliding too.
+    `eyring_sinh`: the smaller of tau_E asinh(eta(p, T) |v|/(h tau_E)), with Roelands' viscosity at the temperature of
+    the inlet, and zeta p; without a film zeta p. Each of both is measured where the other is far off. The smaller one
+    keeps them, never falls with |v| and has only a kink; any smooth passage would invent a lower stress between them.
+    Shear heating within the film is left out: it lowers tau where sliding is fast.
+    """
+    require_non_negative(pressure=pressure, speed=speed)
+    try:
+        return _oil_shear(lubricant, np.asarray(pressure), np.asarray(film_thickness))(np.asarray(speed))
+    except ValueError as problem:
+        if isinstance(problem, InputError):
+            raise
+        raise InputError("pressure, speed and film have shapes that do not fit: give equal lengths") from problem
+
+
+def _oil_shear(lubricant: Lubricant, pressure: Array, film_thickness: Array) -> Callable[[Array], Array]:
+    """oil_shear_stress as a function of the speed; the viscosity is computed once, pressure and speed not checked."""
+    require_positive(eyring_stress=lubricant.eyring_stress)
+    require_non_negative(limiting_shear=lubricant.limiting_shear)
+    eyring = lubricant.eyring_stress
+    if lubricant.traction == "eyring_constant":
+        return lambda speed: np.full(np.broadcast(pressure, speed, film_thickness).shape, eyring)
+    if lubricant.traction != "eyring_sinh":
+        raise InputError(f'traction must be "eyring_sinh" or "eyring_constant", got {lubricant.traction!r}')
+    film, limit = np.maximum(film_thickness, 0.0), lubricant.limiting_shear * pressure
+    fluidity = viscosity_under_pressure(lubricant)(pressure) / eyring
+
+    def shear(speed: Array) -> Array:
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # solid oil or no film: the limit holds
+            rate = speed / film * fluidity
+        rate = np.where(np.isnan(rate), np.where(film > 0, 0.0, np.inf), rate)
+        return np.minimum(eyring * np.arcsinh(rate), limit)
+
+    return shear

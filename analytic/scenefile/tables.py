@@ -1,0 +1,257 @@
+"""What a scene file may hold: one class a table, one field a key.
+
+A key that is not here is refused, a key without a default must be given. Values come out in SI.
+"""
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+
+from analytic import catalog
+from analytic.scene import CageGravity, CageStart, Decision, Microslip, PocketAxis, Sliding, SpinRule, Traction
+from analytic.scenefile.quantity import Dimension
+
+
+def _text(given: object) -> str:
+    if not isinstance(given, str) or not given.strip() or len(given) > 200 or not given.isprintable():
+        raise ValueError("is not a name; give printable text of 1 to 200 characters")
+    return given
+
+
+def _whole(of: str, *, low: int, high: int, example: int) -> BeforeValidator:
+    """A whole number of so many things, from low to high."""
+
+    def read(given: object) -> int:
+        if isinstance(given, bool) or not isinstance(given, int) or not low <= given <= high:
+            raise ValueError(
+                f"is not a number of {of}; give a whole number from {low} to {high}, for example {example}"
+            )
+        return given
+
+    return BeforeValidator(read)
+
+
+def _series(given: object) -> list[object]:
+    if given == []:
+        raise ValueError("is empty; give a quantity or a list of them")
+    return given if isinstance(given, list) else [given]
+
+
+def _material(given: object) -> object:
+    if isinstance(given, dict):
+        return given
+    known = catalog.names("materials")
+    if given not in known:
+        raise ValueError(f"is not a material; give one of {', '.join(known)}, or a table with youngs_modulus and so on")
+    return catalog.entry("materials", str(given))
+
+
+Text = Annotated[str, BeforeValidator(_text), Field(description="give a name")]
+Count = Annotated[
+    int, _whole("balls", low=1, high=1000, example=9), Field(description="give a whole number, for example 9")
+]
+Length = Annotated[float, Dimension(unit="m", low=1e-5, high=10, example='"7.94 mm"')]
+Gap = Annotated[float, Dimension(unit="m", low=1e-9, high=10, example='"0.2 mm"')]
+Mass = Annotated[float, Dimension(unit="kg", low=1e-12, high=1e4, example='"2.04 g"')]
+Angle = Annotated[float, Dimension(unit="rad", low=0, high=1.5, example='"0.18 rad"')]
+Force = Annotated[float, Dimension(unit="N", low=1e-15, high=1e12, example='"1000 N"')]
+Thrust = Annotated[float, Dimension(unit="N", low=0, high=1e12, example='"1000 N"')]
+Side = Annotated[float, Dimension(unit="N", low=-1e12, high=1e12, example='"500 N"')]
+Moment = Annotated[float, Dimension(unit="N m", low=-1e12, high=1e12, example='"2 N m"')]
+Clearance = Annotated[float, Dimension(unit="m", low=-1, high=1, example='"10 um"')]
+Speed = Annotated[float, Dimension(unit="rad/s", low=-1e6, high=1e6, example='"300 rpm"')]
+Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1 um"')]
+Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
+Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
+Temperature = Annotated[float, Dimension(unit="K", low=200, high=600, example='"40 degC"')]
+Friction = Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
+Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
+
+
+class Table(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class MaterialTable(Table):
+    name: Text = "unnamed"
+    youngs_modulus: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e13, example='"206 GPa"')]
+    poisson_ratio: Annotated[float, Dimension(unit="", low=0, high=0.49999, example="0.3")]
+    density: Annotated[float, Dimension(unit="kg/m^3", low=1, high=3e4, example='"7850 kg/m^3"')]
+    source: Text = "the scene file"
+    hardness: Pressure | None = None  # of indentation; where it is not given, [surface] hardness has to be
+
+
+MaterialEntry = Annotated[
+    MaterialTable, BeforeValidator(_material), Field(description='give a material, for example "steel"')
+]
+
+
+class GrooveTable(Table):
+    bottom_radius: Length
+    groove_radius: Length
+    shoulder_half_width: Length
+    material: MaterialEntry
+
+
+class ContactAngleTable(Table):
+    rule: Literal["solved", "given"] = Field(description='give "solved" or "given"')
+    value: Angle | None = None
+    free: Angle | None = None
+
+
+class BearingTable(Table):
+    catalog: Text | None = None  # whose dimensions stand where no other is given
+    name: Text = Field(description='give a name, or take a bearing of the catalog with catalog = "6205"')
+    ball_count: Count
+    ball_diameter: Length
+    ball_mass: Mass
+    ball_material: MaterialEntry
+    inner: GrooveTable = Field(description="give a table [bearing.inner] with bottom_radius and so on")
+    outer: GrooveTable = Field(description="give a table [bearing.outer] with bottom_radius and so on")
+    bore_diameter: Length | None = None
+    outside_diameter: Length | None = None
+    width: Length | None = None
+    static_load_rating: Force | None = None  # C0 of a maker's catalogue, for the catalogue band alone
+    diametral_clearance: Clearance | None = None  # set by both bottom radii, with their mean kept; negative is preload
+    contact_angle: ContactAngleTable = Field(
+        description='give { rule = "solved" }, { rule = "solved", free = "0.18 rad" } '
+        'or { rule = "given", value = "0.18 rad" }'
+    )
+
+
+class LandTable(Table):
+    ring: Literal["inner", "outer"] = Field(description='give "inner" or "outer"')
+    clearance: Gap  # on the diameter
+    width: Length  # of the cage
+
+
+class PocketApproachTable(Table):
+    load: Force
+    approach: Gap
+
+
+class CageTable(Table):
+    variant: Text | None = None  # of the catalog's cage
+    pocket_clearance: Gap | None = None  # pocket diameter minus ball diameter
+    pocket_diameter: Length | None = None
+    pocket_depth: Length | None = None  # half the pocket diameter where it is not given
+    wall_thickness: Length
+    mass: Mass
+    material: MaterialEntry
+    pocket_axis: PocketAxis = "axial"
+    pocket_approach: PocketApproachTable | None = Field(
+        default=None,
+        description='give what a test or finite elements found, { load = "28 N", approach = "0.883 um" }; it takes the '
+        "place of Hertz's stiffness",
+    )
+    friction_coefficient: Friction | None = None
+    restitution: Annotated[float, Dimension(unit="", low=0.05, high=1, example="0.8")] = 0.8
+    start: CageStart | None = Field(default=None, description='give "rest", "ramp", "sudden" or "whirl"')
+    seeds: Annotated[int, _whole("seeds", low=2, high=1000, example=4)] = 4
+    duration: Annotated[float, Dimension(unit="s", low=1e-4, high=1e3, example='"0.2 s"')] = 0.2
+    # With fewer, fast cages come out wrong by a half and more (`fembearing cost` shows them); more cost only patience.
+    steps_per_contact: Annotated[int, _whole("steps", low=10, high=1000, example=40)] = 40
+    gravity: CageGravity = "across"
+    drag: Annotated[float, Dimension(unit="N*m*s", low=0, high=1, example='"1e-6 N m s"')] = 0.0
+    ball_lead: Annotated[float, Dimension(unit="m", low=-0.1, high=0.1, example='"0.05 mm"')] = 0.0
+    land: LandTable | None = Field(
+        default=None, description='give { ring = "outer", clearance = "0.3 mm", width = "10 mm" }'
+    )
+
+
+class OperationTable(Table):
+    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = Field(description='give for example "1000 N"')
+    inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
+    radial_load: Annotated[list[Side], BeforeValidator(_series)] = [0.0]
+    moment: Annotated[list[Moment], BeforeValidator(_series)] = [0.0]
+
+
+class LubricantTable(Table):
+    viscosity: Annotated[float, Dimension(unit="Pa*s", low=1e-4, high=1e4, example='"0.06 Pa s"')]
+    pressure_viscosity: Annotated[float, Dimension(unit="1/Pa", low=0, high=1e-7, example='"2e-8 1/Pa"')]
+    eyring_stress: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e9, example='"5 MPa"')]
+    traction: Traction = "eyring_sinh"
+    # Of pressure: lubricants have 0.05 to 0.08 (no source seen).
+    limiting_shear: Annotated[float, Dimension(unit="", low=0, high=1, example="0.065")] = 0.065
+    reference_temperature: Temperature = 313.15  # of the viscosities above: 40 degC, where oils are graded
+    temperature: Temperature | None = None  # of the oil at the inlet; the reference where it is not given
+    # The next three are typical of mineral oils near 40 degC (no source seen).
+    viscosity_temperature: Annotated[float, Dimension(unit="1/K", low=0, high=0.2, example='"0.045 1/K"')] = 0.045
+    thermal_conductivity: Annotated[float, Dimension(unit="W/m/K", low=1e-3, high=100, example='"0.14 W/m/K"')] = 0.14
+    density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] = 870.0
+    supply: Literal["oil_bath", "grease"] = "oil_bath"
+
+
+class AutocorrelationTable(Table):
+    kind: Literal["gaussian", "exponential"] = Field(description='give "gaussian" or "exponential"')
+    length: Spacing
+    spacing: Spacing
+
+
+class HeightMapTable(Table):
+    path: Text = Field(description="give the path of a .npy or .csv file of heights in m, from the scene file's folder")
+    spacing: Spacing
+
+
+class SurfaceTable(Table):
+    rms_roughness: Roughness | None = None  # of each of the two surfaces
+    ball_rms_roughness: Roughness | None = None  # of the ball where it differs
+    autocorrelation: AutocorrelationTable | None = Field(
+        default=None, description='give { kind = "gaussian", length = "60 um", spacing = "2 um" }'
+    )
+    height_map: HeightMapTable | None = Field(default=None, description='give { path = "race.npy", spacing = "2 um" }')
+    hardness: Pressure | None = None  # of the softer of ball and race where it is not given
+    # Steel on steel under mineral oil has 0.1 to 0.15 (no source seen).
+    boundary_friction: Annotated[float, Dimension(unit="", low=0, high=5, example="0.12")] = 0.12
+
+
+class FrictionTable(Table):
+    # Of every race contact, in place of the one that lubricant and surface give.
+    coefficient: Friction | None = None
+    hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
+    spin_rule: SpinRule = "balanced"
+    sliding: Sliding = "auto"
+    microslip: Microslip = "derived"  # "as_printed" shows what the misprints of the paper's equations 2 to 7 do
+
+
+class LossesTable(Table):
+    seals: Loss | None = None  # of both seals together
+    drag: Loss | None = None  # of the oil that balls and cage stir
+
+
+class EffectsTable(Table):
+    load_distribution: Decision = "auto"
+    centrifugal: Decision = "auto"
+    gyroscopic: Decision = "auto"
+    finite_geometry: Decision = "auto"
+    asperities: Decision = "auto"
+    inlet_heating: Decision = "auto"
+    starvation: Decision = "auto"
+    spin: Decision = "auto"
+    conformity: Decision = "auto"
+    hysteresis: Decision = "auto"
+    rolling: Decision = "auto"
+    cage: Decision = "auto"
+    cage_dynamics: Decision = "auto"
+
+
+class SceneTable(Table):
+    name: Text
+    calibration: Text | None = Field(
+        default=None, description="say which inputs were chosen until which numbers came out"
+    )
+    tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
+    bearing: BearingTable = Field(description='give a table [bearing] with catalog = "6205" or every dimension')
+    operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")
+    cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
+    lubricant: LubricantTable | None = Field(
+        default=None, description="give a table [lubricant] with viscosity, pressure_viscosity and eyring_stress"
+    )
+    surface: SurfaceTable | None = Field(
+        default=None, description="give a table [surface] with rms_roughness and autocorrelation, or with height_map"
+    )
+    friction: FrictionTable | None = Field(
+        default=None, description="give a table [friction], with coefficient where no lubricant is given"
+    )
+    losses: LossesTable = Field(default=LossesTable(), description='give a table [losses] of seals = "5 N mm", drag')
+    effects: EffectsTable = Field(default=EffectsTable(), description='give a table [effects] of "auto", "on", "off"')

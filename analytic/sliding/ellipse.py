@@ -1,0 +1,259 @@
+"""Micro-slip with any law of traction, summed over the contact: the accurate limit of `analytic.sliding.long_ellipse`.
+
+x runs along rolling, y across, from the contact's centre; the pressure is p0 sqrt(1 - x^2/a^2 - y^2/b^2). A ball that
+rolls with w_roll and spins with w_s over a surface curved by R slides by
+    v_x = w_roll y^2/(2 R) + w_s y - c,  v_y = -w_s x
+and every point resists with a stress against v that a function of pressure and speed gives. c leaves no net force.
+Over the ellipse both components count; along the major axis v_y is left out, which is the long-ellipse limit, and with
+Coulomb friction that of `analytic.sliding.long_ellipse.microslip_moments`. Elastic creep is not in it (`analytic.sliding.long_ellipse.sliding_number`).
+Source: derived here.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.errors import (
+    InputError,
+    require_finite,
+    require_non_negative,
+    require_positive,
+)
+from analytic.numerics.root import bracketed_root, with_secant_slopes
+from analytic.scene import Array
+
+Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; all (*points, nodes)
+# Net force left over, of all the friction there is: round-off of the sum of a thousand nodes.
+BALANCED = 1e-14
+NARROWEST = 4 * np.finfo(np.float64).eps  # bracket of c, of the largest speed
+NODES = (16, 16)  # across and along rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SlipMoments:
+    """Friction of one or many contacts; every field has the broadcast shape of the arguments."""
+
+    spin_moment: Array  # N m, with the sign of the spin
+    rolling_moment: Array  # N m
+    slip_power: Array  # W: spin moment times w_s + rolling moment times w_roll
+    unit_power: Array  # W: what a friction coefficient of 1 would lose at the same sliding of every point
+    creep_speed: Array  # c, m/s
+
+
+def slip_over_ellipse(
+    *,
+    traction: Traction,
+    peak_pressure: ArrayLike,
+    semi_axis_rolling: ArrayLike,
+    semi_axis_transverse: ArrayLike,
+    deformed_radius: ArrayLike,
+    rolling_rate: ArrayLike,
+    spin_rate: ArrayLike,
+    nodes: tuple[int, int] = NODES,
+) -> SlipMoments:
+    """Moments of one contact from sliding in both directions at every point of it; the numbers broadcast.
+
+    traction : (pressure, speed) -> stress, Pa, >= 0, each of shape (*points, nodes): pressure >= 0 in Pa, speed |v| in
+        m/s. Coulomb friction is `lambda pressure, speed: 0.08 * pressure`. It must not fall where the speed grows, or
+        more than one c may leave no force; a law with a kink, such as a cap, needs more nodes
+    peak_pressure : p0, Pa, >= 0;  semi_axis_rolling, semi_axis_transverse : a, b, m, > 0;  deformed_radius : R, m, > 0
+    rolling_rate : w_roll, rad/s, >= 0;  spin_rate : w_s, rad/s, any sign. If traction does not ask for the speed,
+        both may be per unit ring speed; creep speed and slip power are then, too
+    nodes : of each of three panels, whose sides are where v_x = 0, across rolling and along it
+        M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
+    Raises InputError for an argument of the wrong sign or not finite, ConvergenceError if no c is found.
+    """
+    return _slip(
+        traction,
+        *(peak_pressure, semi_axis_rolling, semi_axis_transverse, deformed_radius, rolling_rate, spin_rate),
+        nodes=nodes,
+        sideways=True,
+    )
+
+
+def slip_along_axis(
+    *,
+    traction: Traction,
+    peak_pressure: ArrayLike,
+    semi_axis_rolling: ArrayLike,
+    semi_axis_transverse: ArrayLike,
+    deformed_radius: ArrayLike,
+    rolling_rate: ArrayLike,
+    spin_rate: ArrayLike,
+    nodes: tuple[int, int] = NODES,
+) -> SlipMoments:
+    """The same with v_y = 0, of a contact much longer across rolling than along it; arguments as `slip_over_ellipse`.
+
+    The traction still follows the pressure of each point along rolling.
+    """
+    return _slip(
+        traction,
+        *(peak_pressure, semi_axis_rolling, semi_axis_transverse, deformed_radius, rolling_rate, spin_rate),
+        nodes=nodes,
+        sideways=False,
+    )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Sliding:
+    """A contact at one c; arrays over the points and its nodes, (*points, across, along) or 1 for either of the last.
+
+    x, y in units of a and b; its fields are even in x, so that the sums over x > 0 stand for both halves.
+    """
+
+    x: Array
+    y: Array
+    slide: Array  # v_x, m/s
+    turn: Array  # |v_y| at x = a, m/s
+    speed: Array  # |v|, m/s
+    unit: Array  # p dA, N
+    friction: Array  # tau dA, N
+
+    @property
+    def pull(self) -> Array:
+        """tau v_x/|v| dA over v_x, N s/m."""
+        return np.divide(self.friction, self.speed, out=np.zeros_like(self.friction), where=self.speed > 0)
+
+
+def _sum(of_nodes: Array) -> Array:
+    return np.sum(of_nodes, axis=(-2, -1))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Contact:
+    """Numbers of shape (*points, 1) and the quadrature; spin is a magnitude, as y may point either way."""
+
+    traction: Traction
+    pressure: Array  # p0
+    along: Array  # a
+    across: Array  # b
+    roll: Array  # w_roll b^2/(2 R), m/s
+    spin: Array  # |w_s| b, m/s
+    sideways: bool
+    nodes: tuple[int, int]
+
+    def at(self, creep: Array) -> _Sliding:
+        """Sliding and friction at every node; creep (*points, 1)."""
+        y, y_weight = self._across_nodes(creep)
+        slide = ((self.roll * y + self.spin) * y - creep)[..., None]
+        half = np.sqrt((1 - y) * (1 + y))[..., None]  # of the contact along rolling, in units of a
+        turn = (self.spin * self.along / self.across)[..., None] * self.sideways
+        tau, weight = _unit_gauss(self.nodes[1])
+        x, x_weight = tau * (2 - tau), 2 * (1 - tau) * weight  # the pressure's root at the rim becomes smooth
+        if self.sideways:
+            # |v| = sqrt(slide^2 + (turn x)^2) is nearly sharp at x = 0 where slide is small: with x ~ sinh(z t) not.
+            least = 1e-200 * np.where(self.roll + self.spin > 0, self.roll + self.spin, 1.0)[..., None]
+            steep = np.maximum(turn * half / np.maximum(np.abs(slide), least), 1e-8)  # at 1e-8 sinh is its argument
+            z = np.arcsinh(steep)
+            x, t = np.exp(z * (x - 1)) * np.expm1(-2 * z * x) / np.expm1(-2 * z), x_weight
+            x_weight = z * np.hypot(1 / steep, x) * t
+        area = 2 * (y_weight * self.along * self.across)[..., None] * half * x_weight
+        speed = np.hypot(slide, turn * half * x)
+        pressure = self.pressure[..., None] * half * np.sqrt((1 - x) * (1 + x))
+        flat = (*speed.shape[:-2], -1)
+        stress = self.traction(pressure.reshape(flat), speed.reshape(flat)).reshape(speed.shape)
+        return _Sliding(
+            x=x * half,
+            y=y[..., None],
+            slide=slide,
+            turn=turn,
+            speed=speed,
+            unit=pressure * area,
+            friction=stress * area,
+        )
+
+    def _across_nodes(self, creep: Array) -> tuple[Array, Array]:
+        """y/b and weights of three panels that meet where v_x = 0, crowded at their ends; (*points, 3 nodes)."""
+        root = np.sqrt(np.maximum(self.spin**2 + 4 * self.roll * creep, 0.0))
+        near = np.divide(2 * creep, self.spin + root, out=np.zeros_like(root), where=self.spin + root > 0)
+        far = np.divide(-(self.spin + root), 2 * self.roll, out=np.full_like(root, -1.0), where=self.roll > 0)
+        one = np.ones_like(root)
+        edges = np.clip(np.concatenate([-one, far, near, one], axis=-1), -1, 1)
+        t, weight = _unit_gauss(self.nodes[0])
+        step, slope = t**3 * (10 - 15 * t + 6 * t**2), 30 * t**2 * (1 - t) ** 2
+        length = np.diff(edges, axis=-1)[..., None]
+        flat = (*root.shape[:-1], -1)
+        return (edges[..., :-1, None] + length * step).reshape(flat), (length * slope * weight).reshape(flat)
+
+
+def _slip(
+    traction: Traction,
+    peak_pressure: ArrayLike,
+    semi_axis_rolling: ArrayLike,
+    semi_axis_transverse: ArrayLike,
+    deformed_radius: ArrayLike,
+    rolling_rate: ArrayLike,
+    spin_rate: ArrayLike,
+    *,
+    nodes: tuple[int, int],
+    sideways: bool,
+) -> SlipMoments:
+    require_non_negative(peak_pressure=peak_pressure, rolling_rate=rolling_rate)
+    require_positive(
+        semi_axis_rolling=semi_axis_rolling,
+        semi_axis_transverse=semi_axis_transverse,
+        deformed_radius=deformed_radius,
+        nodes=nodes,
+    )
+    require_finite(spin_rate=spin_rate)
+    given = (peak_pressure, semi_axis_rolling, semi_axis_transverse, deformed_radius, rolling_rate, spin_rate)
+    try:
+        arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given))
+    except ValueError as problem:
+        raise InputError(
+            "the arguments of a slip have shapes that do not fit together: give equal lengths"
+        ) from problem
+    pressure, along, across, radius, roll, spin = (array[..., None] for array in arrays)
+    contact = _Contact(
+        traction=traction,
+        pressure=pressure,
+        along=along,
+        across=across,
+        roll=roll * across**2 / (2 * radius),
+        spin=np.abs(spin) * across,
+        sideways=sideways,
+        nodes=nodes,
+    )
+    creep = _forceless_creep(contact)
+    at = contact.at(creep)
+    pull, along, across = at.pull, along[..., None], across[..., None]
+    return SlipMoments(
+        spin_moment=np.sign(arrays[5]) * _sum(pull * (at.slide * at.y * across + at.turn * at.x**2 * along)),
+        rolling_moment=_sum(pull * at.slide * at.y**2) * arrays[2] ** 2 / (2 * arrays[3]),
+        slip_power=_sum(at.friction * at.speed),
+        unit_power=_sum(at.unit * at.speed),
+        creep_speed=creep[..., 0],
+    )
+
+
+def _forceless_creep(contact: _Contact) -> Array:
+    """c of no net force, (*points, 1): between the c that turn all friction one way and all the other way."""
+    roll, spin = contact.roll, contact.spin
+    vertex = -np.divide(spin, 2 * roll, out=np.ones_like(spin), where=spin < 2 * roll)
+    low, high = (roll * vertex + spin) * vertex, roll + spin
+
+    def rising(creep: Array) -> Array:
+        at = contact.at(creep)
+        force = _sum(at.pull * at.slide)
+        return np.where(np.abs(force) <= BALANCED * _sum(at.friction), 0.0, -force)[..., None]
+
+    return bracketed_root(
+        with_secant_slopes(rising, first_slope=np.zeros_like(low)),
+        start=(low + high) / 2,
+        low=low,
+        high=high,
+        relative=float(NARROWEST),
+        unit="of the slip speed",
+        problem="the balance of friction along rolling",
+        remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",
+    )
+
+
+@cache
+def _unit_gauss(nodes: int) -> tuple[Array, Array]:
+    """Gauss-Legendre nodes and weights on 0 to 1."""
+    x, weight = np.polynomial.legendre.leggauss(nodes)
+    return (1 + x) / 2, weight / 2

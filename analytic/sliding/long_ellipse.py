@@ -1,0 +1,288 @@
+"""Friction of one ball on its two races: micro-slip from spin and conformity, and elastic hysteresis.
+
+Micro-slip is Coulomb sliding at every point of a contact that is much longer across rolling than along it, so that
+only the major axis counts: y runs along it, from -b to b, and carries the line load (3 Q/4 b)(1 - y^2/b^2). The
+contact surface is curved with the radius R, and a ball that rolls with w_roll and spins with w_s slides by
+    v(y) = w_roll y^2/(2 R) + w_s y - c
+with the c that leaves no net friction force. It needs sliding that is large against what the surfaces give
+elastically (`sliding_number` well above 3). A contact of finite length spins harder: 2 % at b/a = 9, 57 % at a circle.
+Rates here are per unit ring speed difference w, so that every torque exists at standstill: it is slip power / w.
+Source: K. L. Johnson, Contact Mechanics (1985), sections 8.5 and 9.2 (not seen); the moments are derived here, and
+are those of the paper's equations 2 to 7 with the two moments in their right places and a continuous limit.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.errors import InputError, require_finite, require_non_negative, require_positive
+from analytic.numerics.root import bracketed_root
+from analytic.scene import Array, SpinRule
+
+FULL_SPIN = 0.5  # |eps| from which one pure-rolling line has left the contact and the other is its centre
+# Of the share of spin, or of the moments it balances: where Newton's quadratic steps can do no better.
+ROUND_OFF = 4 * np.finfo(np.float64).eps
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SlidingContact:
+    """A ball on one race as its friction sees it: one entry a ball or an operating point; the fields broadcast."""
+
+    friction_coefficient: Array | float  # mu, >= 0
+    load: Array | float  # Q, N, >= 0
+    semi_axis_rolling: Array | float  # a, along rolling, m, >= 0
+    semi_axis_transverse: Array | float  # b, across rolling, m, >= 0
+    deformed_radius: Array | float  # R, of the contact surface across rolling, m, > 0
+    rolling_rate: Array | float  # w_roll/w, > 0
+
+    def __post_init__(self) -> None:
+        require_non_negative(
+            friction_coefficient=self.friction_coefficient,
+            load=self.load,
+            semi_axis_rolling=self.semi_axis_rolling,
+            semi_axis_transverse=self.semi_axis_transverse,
+        )
+        require_positive(deformed_radius=self.deformed_radius, rolling_rate=self.rolling_rate)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MicroslipTorque:
+    """Friction torque of one ball about the bearing axis, with the moments it comes from; arrays of one shape."""
+
+    spin: Array  # N m
+    conformity: Array  # N m
+    inner_spin_rate: Array  # w_s,i/w, >= 0
+    outer_spin_rate: Array  # w_s,o/w, <= 0
+    inner_spin_moment: Array  # N m, with the sign of the spin
+    outer_spin_moment: Array  # N m, with the sign of the spin
+    inner_rolling_moment: Array  # N m, >= 0
+    outer_rolling_moment: Array  # N m, >= 0
+
+
+def deformed_radius(*, groove_radius: ArrayLike, ball_diameter: ArrayLike) -> Array:
+    """R, m: radius of the contact surface across rolling, 2 f D/(2 f + 1) with f = r_g/D; the arguments broadcast.
+
+    groove_radius, ball_diameter : r_g, D, m, > 0
+    Bodies of equal elasticity meet halfway: the curvature of the surface is the mean of ball's and groove's.
+    """
+    require_positive(groove_radius=groove_radius, ball_diameter=ball_diameter)
+    conformity = np.asarray(groove_radius, dtype=np.float64) / np.asarray(ball_diameter, dtype=np.float64)
+    return 2 * conformity * np.asarray(ball_diameter, dtype=np.float64) / (2 * conformity + 1)
+
+
+def pure_rolling_lines(spin_to_roll: ArrayLike) -> tuple[Array, Array]:
+    """(g1, g2) with g1 <= g2: where along the major axis nothing slides, in units of b; shapes of spin_to_roll.
+
+    spin_to_roll : eps = (w_s/w_roll)(R/b), any finite number
+        g1 + g2 = -2 eps,  H(g2) - H(g1) = 2/3 with H(g) = g - g^3/3 (no net force)
+    With g = -eps -/+ d this is d^3 - 3(1 - eps^2) d + 1 = 0, whose root in the contact is, with p^2 = 1 - eps^2,
+        d = 2 p sin(arcsin(1/(2 p^3))/3)
+    From |eps| = 1/2 on d = |eps|: one line stays at the centre, the other has left the contact.
+    """
+    require_finite(spin_to_roll=spin_to_roll)
+    ratio = np.asarray(spin_to_roll, dtype=np.float64)
+    distance = np.where(np.abs(ratio) < FULL_SPIN, _half_distance(np.abs(ratio)), np.abs(ratio))
+    return -ratio - distance, -ratio + distance
+
+
+def microslip_moments(
+    *,
+    friction_coefficient: ArrayLike,
+    load: ArrayLike,
+    semi_axis_transverse: ArrayLike,
+    deformed_radius: ArrayLike,
+    spin_to_roll: ArrayLike,
+) -> tuple[Array, Array]:
+    """(spin moment, rolling moment) of one contact, N m; the arguments broadcast.
+
+    friction_coefficient : mu, >= 0; load : Q, N, >= 0; semi_axis_transverse : b, m, >= 0; deformed_radius : R, m, > 0
+    spin_to_roll : eps = (w_s/w_roll)(R/b), any finite number; the spin moment is odd in it, the rolling moment even
+        M_spin = (3/4) mu Q b [g1^2 (1 - g1^2/2) - g2^2 (1 - g2^2/2)]
+        M_roll = mu Q b^2/(4 R) [2/5 + g1^3 (1 - 3 g1^2/5) - g2^3 (1 - 3 g2^2/5)]
+    with the pure-rolling lines g1, g2. No spin: 0 and 0.0806 mu Q b^2/R; |eps| >= 1/2: (3/8) mu Q b and 0. The power
+    that the contact loses is M_spin w_s + M_roll w_roll, and its derivative by w_s is M_spin.
+    """
+    require_non_negative(
+        friction_coefficient=friction_coefficient, load=load, semi_axis_transverse=semi_axis_transverse
+    )
+    require_positive(deformed_radius=deformed_radius)
+    require_finite(spin_to_roll=spin_to_roll)
+    ratio, half_length = np.asarray(spin_to_roll), np.asarray(semi_axis_transverse)
+    friction = np.asarray(friction_coefficient) * np.asarray(load)
+    spin = friction * half_length * np.sign(ratio) * _spin_moment(np.abs(ratio))
+    return spin, friction * half_length**2 / np.asarray(deformed_radius) * _rolling_moment(np.abs(ratio))
+
+
+def microslip_torque(
+    inner: SlidingContact, outer: SlidingContact, *, spin_difference: ArrayLike, spin_rule: SpinRule
+) -> MicroslipTorque:
+    """Torque of one ball from its slip on both races, N m; all fields and spin_difference broadcast.
+
+    spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) where the contact angles are equal
+    `balanced`: the ball, free about the contact normal, takes the spin that leaves no moment on it,
+        M_spin,i(w_s,i) + M_spin,o(w_s,o) = 0
+    which is also the spin of least slip power. `inner_control`, `outer_control`: the named race does not spin.
+    The slip power of both contacts divided by w gives
+        spin = M_spin,i w_s,i/w + M_spin,o w_s,o/w,  conformity = M_roll,i w_roll,i/w + M_roll,o w_roll,o/w
+    hence Z |M_spin| sin(al) (equation 10) and Z (M_ri R_o + M_ro R_i)/(2 r) (equation 11) for Z equal balls.
+    Raises InputError for a negative spin_difference or an unknown rule.
+    """
+    require_non_negative(spin_difference=spin_difference)
+    difference = np.asarray(spin_difference, dtype=np.float64)
+    match spin_rule:
+        case "balanced":
+            shares = _balanced_shares(inner, outer, difference)
+        case "inner_control":
+            shares = np.zeros_like(difference), np.ones_like(difference)
+        case "outer_control":
+            shares = np.ones_like(difference), np.zeros_like(difference)
+        case _:
+            raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
+    inner_rate, outer_rate = shares[0] * difference, -shares[1] * difference
+    inner_spin, inner_roll = contact_moments(inner, spin_rate=inner_rate)
+    outer_spin, outer_roll = contact_moments(outer, spin_rate=outer_rate)
+    fields = np.broadcast_arrays(
+        inner_spin * inner_rate + outer_spin * outer_rate,
+        inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
+        *(inner_rate, outer_rate, inner_spin, outer_spin, inner_roll, outer_roll),
+    )
+    spin, conformity, inner_rate, outer_rate, inner_spin, outer_spin, inner_roll, outer_roll = fields
+    return MicroslipTorque(
+        spin=spin,
+        conformity=conformity,
+        inner_spin_rate=inner_rate,
+        outer_spin_rate=outer_rate,
+        inner_spin_moment=inner_spin,
+        outer_spin_moment=outer_spin,
+        inner_rolling_moment=inner_roll,
+        outer_rolling_moment=outer_roll,
+    )
+
+
+def contact_moments(contact: SlidingContact, *, spin_rate: ArrayLike) -> tuple[Array, Array]:
+    """(spin moment, rolling moment), N m: microslip_moments of a contact that spins with w_s/w = spin_rate."""
+    return microslip_moments(
+        friction_coefficient=contact.friction_coefficient,
+        load=contact.load,
+        semi_axis_transverse=contact.semi_axis_transverse,
+        deformed_radius=contact.deformed_radius,
+        spin_to_roll=spin_to_roll_ratio(contact, spin_rate=spin_rate),
+    )
+
+
+def spin_to_roll_ratio(contact: SlidingContact, *, spin_rate: ArrayLike) -> Array:
+    """eps = (w_s/w_roll)(R/b) of a contact that spins with w_s/w = spin_rate; its fields and spin_rate broadcast.
+
+    Where the contact is a point it is the largest number if it spins and 0 if it does not.
+    """
+    numerator = np.asarray(spin_rate) * np.asarray(contact.deformed_radius)
+    denominator = np.asarray(contact.rolling_rate) * np.asarray(contact.semi_axis_transverse)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        return np.nan_to_num(numerator / denominator, nan=0.0)
+
+
+def sliding_number(contact: SlidingContact, *, entrainment_speed: ArrayLike, curvature_rolling: ArrayLike) -> Array:
+    """chi = [w_roll b^2/(2 R u)]/(mu a/R_x): sliding from conformity over elastic creep; all arguments broadcast.
+
+    entrainment_speed : u/w, m, > 0
+    curvature_rolling : 1/R_x, relative curvature along rolling, 1/m, > 0
+    Below about 3 part of the contact sticks, and the moments of micro-slip are too large. Infinite where mu or a is 0.
+    """
+    require_positive(entrainment_speed=entrainment_speed, curvature_rolling=curvature_rolling)
+    half_length, radius = np.asarray(contact.semi_axis_transverse), np.asarray(contact.deformed_radius)
+    sliding = np.asarray(contact.rolling_rate) * half_length**2 / (2 * radius * np.asarray(entrainment_speed))
+    creep = np.asarray(contact.friction_coefficient) * np.asarray(contact.semi_axis_rolling)
+    creep = creep * np.asarray(curvature_rolling)
+    return np.divide(sliding, creep, out=np.full(np.broadcast(sliding, creep).shape, np.inf), where=creep > 0)
+
+
+def hysteresis_moment(*, hysteresis_loss: ArrayLike, load: ArrayLike, semi_axis_rolling: ArrayLike) -> Array:
+    """M_h = (3/16) alpha' Q a, N m: what a body that gives back too little resists rolling with; arguments broadcast.
+
+    hysteresis_loss : alpha', share of the elastic energy lost in each cycle, >= 0
+    load : Q, N, >= 0;  semi_axis_rolling : a, along rolling, m, >= 0
+    The paper's equation 8, from Johnson (1985) p. 285 (not seen), where a is the semi-axis along rolling.
+    """
+    require_non_negative(hysteresis_loss=hysteresis_loss, load=load, semi_axis_rolling=semi_axis_rolling)
+    return np.asarray(3 / 16 * np.asarray(hysteresis_loss) * np.asarray(load) * np.asarray(semi_axis_rolling))
+
+
+def hysteresis_torque(inner: SlidingContact, outer: SlidingContact, *, hysteresis_loss: ArrayLike) -> Array:
+    """Torque of one ball from hysteresis on both races, N m: (M_h,i R_o + M_h,o R_i)/(2 r), equation 12 for one ball.
+
+    hysteresis_loss : alpha', >= 0; broadcasts with the fields of both contacts
+    """
+    torque = 0.0
+    for contact in (inner, outer):
+        moment = hysteresis_moment(
+            hysteresis_loss=hysteresis_loss, load=contact.load, semi_axis_rolling=contact.semi_axis_rolling
+        )
+        torque = torque + moment * np.asarray(contact.rolling_rate)
+    return np.asarray(torque)
+
+
+def _balanced_shares(inner: SlidingContact, outer: SlidingContact, difference: Array) -> tuple[Array, Array]:
+    """Shares of w_s,i - w_s,o that inner and outer take so that their moments are opposite; they add up to 1.
+
+    Newton kept in a bracket, for the contact that can carry the larger moment: its share is the one that can be next to
+    nothing, and so keeps its digits. Its moment less the other's grows with the share, from below 0 to above.
+    """
+    limit_inner, limit_outer, ratio_inner, ratio_outer = np.broadcast_arrays(
+        *(
+            np.asarray(c.friction_coefficient) * np.asarray(c.load) * np.asarray(c.semi_axis_transverse)
+            for c in (inner, outer)
+        ),
+        *(spin_to_roll_ratio(c, spin_rate=difference) for c in (inner, outer)),
+    )
+    swap = limit_outer > limit_inner
+    limit, limit_other = np.where(swap, limit_outer, limit_inner), np.where(swap, limit_inner, limit_outer)
+    ratio, ratio_other = np.where(swap, ratio_outer, ratio_inner), np.where(swap, ratio_inner, ratio_outer)
+    stiff, stiff_other = limit * ratio, limit_other * ratio_other
+    total = stiff + stiff_other
+    share = np.divide(stiff_other, total, out=np.full_like(total, 0.5), where=total > 0)  # both moments linear in spin
+
+    def excess(share: Array) -> tuple[Array, Array]:
+        eps, eps_other = ratio * share, ratio_other * (1 - share)
+        moment = limit * _spin_moment(eps)
+        left = moment - limit_other * _spin_moment(eps_other)
+        slope = stiff * _spin_stiffness(eps) + stiff_other * _spin_stiffness(eps_other)  # 0 where both spin in full
+        return np.where(np.abs(left) <= ROUND_OFF * moment, 0.0, left), slope
+
+    share = bracketed_root(
+        excess,
+        start=share,
+        low=np.zeros_like(share),
+        high=np.ones_like(share),
+        relative=ROUND_OFF,
+        unit="of the spin",
+        problem="the balance of spin between both races",
+        remedy="Check that loads, semi-axes and friction coefficients of both contacts are of ordinary size.",
+    )
+    return np.where(swap, 1 - share, share), np.where(swap, share, 1 - share)
+
+
+def _half_distance(ratio: Array) -> Array:
+    """d, half the distance of the pure-rolling lines in units of b, for eps >= 0; that of eps = 1/2 beyond it."""
+    root = np.sqrt(1 - np.minimum(ratio, FULL_SPIN) ** 2)
+    return 2 * root * np.sin(np.arcsin(1 / (2 * root**3)) / 3)
+
+
+def _spin_moment(ratio: Array) -> Array:
+    """M_spin/(mu Q b) for eps >= 0: 3 eps d (1 - eps^2 - d^2), the bracket of the docstring in factors."""
+    eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
+    return 3 * eps * d * (1 - eps**2 - d**2)
+
+
+def _spin_stiffness(ratio: Array) -> Array:
+    """Its derivative by eps, which falls from 0.916 to 0 at eps = 1/2; at most round-off below 0."""
+    eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
+    bracket = 1 - eps**2 - d**2
+    return np.where(ratio < FULL_SPIN, 3 * d * bracket - 12 * eps**2 * d**3 / bracket, 0.0)
+
+
+def _rolling_moment(ratio: Array) -> Array:
+    """M_roll R/(mu Q b^2) for eps >= 0, the bracket of the docstring in eps and d; 0 from 1/2 on."""
+    eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
+    cubes, fifths = 3 * eps**2 + d**2, 5 * eps**4 + 10 * eps**2 * d**2 + d**4
+    return np.where(ratio < FULL_SPIN, np.maximum(0.1 - d * cubes / 2 + 0.3 * d * fifths, 0.0), 0.0)

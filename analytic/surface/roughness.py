@@ -1,0 +1,139 @@
+"""Random rough surfaces with a declared autocorrelation: spectral moments in closed form, and generated height maps.
+
+Heights are Gaussian and isotropic with the mean square Sq^2; rho(r) is exp(-(r/B)^2) (gaussian) or exp(-r/B)
+(exponential).
+A gaussian autocorrelation is smooth. An exponential one has a kink at 0: slope and curvature grow without end as one
+looks closer, so that they are only defined by differences at the declared spacing, which is then part of the input.
+Source: spectral filtering as in Y. Z. Hu and K. Tonder, Int. J. Mach. Tools Manuf. 32 (1992) 83-90 (not seen).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import fft
+
+from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.scene import Array, Autocorrelation, Surface
+from analytic.surface.heightmap import FEWEST_POINTS, MOST_POINTS, WIDEST, HeightMap, measure, read_height_map
+from analytic.surface.moments import SpectralMoments, Summits, mccool_summits
+
+
+@dataclass(frozen=True, kw_only=True)
+class GapRoughness:
+    """Ball and race as one rough surface against a smooth one."""
+
+    ball: SpectralMoments
+    race: SpectralMoments
+    summits: Summits  # of the sum
+    warnings: tuple[str, ...]
+
+    @property
+    def rms_roughness(self) -> float:
+        """Sq of both together, m."""
+        return (self.ball + self.race).rms_roughness
+
+
+def autocorrelation_at(distance: Array, autocorrelation: Autocorrelation) -> Array:
+    """rho(r): 1 at 0, 1/e at the length B; same shape as distance, m."""
+    ratio = np.abs(distance) / autocorrelation.length
+    return np.exp(-(ratio**2) if autocorrelation.kind == "gaussian" else -ratio)
+
+
+def spectral_moments(*, rms_roughness: float, autocorrelation: Autocorrelation) -> SpectralMoments:
+    """m_0, m_2, m_4 in closed form.
+
+    rms_roughness : Sq, m, >= 0
+    gaussian: m_2 = 2 m_0/B^2, m_4 = 12 m_0/B^4, whatever the spacing. exponential: the mean squares of first and second
+    differences of neighbours at the spacing d (those that `heightmap.measure` takes),
+        m_2 = 2 m_0 [1 - rho(d)]/d^2,  m_4 = m_0 [6 - 8 rho(d) + 2 rho(2 d)]/d^4
+    which for d << B are 2 m_0/(B d) and 4 m_0/(B d^3) and diverge with d -> 0.
+    """
+    _require_sound(autocorrelation)
+    require_non_negative(rms_roughness=rms_roughness)
+    square, length, d = rms_roughness**2, autocorrelation.length, autocorrelation.spacing
+    if autocorrelation.kind == "gaussian":
+        return SpectralMoments(height=square, slope=2 * square / length**2, curvature=12 * square / length**4)
+    fall = np.expm1(-d / length)  # rho(d) - 1, to full digits at a small spacing
+    slope = -2 * fall / d**2
+    curvature = (-4 * fall + 2 * fall**2) / d**4  # 6 - 8 rho + 2 rho^2, as rho(2 d) = rho(d)^2
+    return SpectralMoments(height=square, slope=square * float(slope), curvature=square * float(curvature))
+
+
+def generated_surface(*, rms_roughness: float, autocorrelation: Autocorrelation, points: int, seed: int) -> HeightMap:
+    """One random surface of points by points heights, which continues periodically; equal seeds give equal surfaces.
+
+    rms_roughness : Sq of the ensemble, m, >= 0; that of one surface scatters about it, by some length/domain
+    White noise is filtered with the root of the spectrum that belongs to the autocorrelation. Heights are counted from
+    the surface's own mean.
+    Raises InputError if the domain is narrower than 10 lengths or the spacing wider than a tenth of one.
+    """
+    _require_sound(autocorrelation)
+    require_non_negative(rms_roughness=rms_roughness)
+    length, spacing = autocorrelation.length, autocorrelation.spacing
+    if not FEWEST_POINTS <= points <= MOST_POINTS:
+        raise InputError(f"points must be {FEWEST_POINTS} to {MOST_POINTS}, got {points!r}")
+    if spacing > WIDEST * length * (1 + 1e-12):  # round-off: exactly a tenth is fine
+        raise InputError(
+            f"autocorrelation.spacing {spacing:g} m is more than a tenth of its length {length:g} m: give at most "
+            f"{WIDEST * length:.3g} m"
+        )
+    if length > WIDEST * points * spacing * (1 + 1e-12):
+        raise InputError(
+            f"autocorrelation.length {length:g} m is more than a tenth of {points} points at {spacing:g} m; "
+            f"give {int(np.ceil(length / (WIDEST * spacing) - 1e-9))} points or more"
+        )
+    steps = np.minimum(np.arange(points), points - np.arange(points)) * spacing  # the shorter way round
+    correlation = autocorrelation_at(np.hypot(steps[:, None], steps), autocorrelation)
+    # Where the correlation has not died out half way round, its spectrum dips below 0 by as little.
+    gain = np.sqrt(np.maximum(fft.rfft2(correlation).real, 0.0))
+    noise = np.random.default_rng(seed).standard_normal((points, points))
+    heights = rms_roughness * fft.irfft2(fft.rfft2(noise) * gain, s=(points, points))
+    return HeightMap(heights=heights - heights.mean(), spacing=spacing)
+
+
+def gap_roughness(surface: Surface) -> GapRoughness:
+    """The scene's two surfaces, declared or measured, and the summits of both together.
+
+    Warnings say where the numbers depend on the spacing. Raises InputError as read_height_map does, and if the surface
+    has neither a height map nor a roughness with its autocorrelation.
+    """
+    if surface.height_map is not None:
+        try:
+            found = measure(read_height_map(surface.height_map.path, spacing=surface.height_map.spacing))
+        except InputError as problem:
+            raise InputError(f"surface.height_map: {problem}") from problem
+        race, warnings = found.moments, found.warnings
+        if race.height == 0:
+            raise InputError(f"surface.height_map: {surface.height_map.path}: flat; give a map of a rough surface")
+        unit = race.scaled(1 / race.rms_roughness)
+    elif surface.rms_roughness is not None and surface.autocorrelation is not None:
+        unit = spectral_moments(rms_roughness=1.0, autocorrelation=surface.autocorrelation)
+        race, warnings = unit.scaled(surface.rms_roughness), tuple(_doubts(surface.autocorrelation))
+    else:
+        raise InputError("surface needs rms_roughness and autocorrelation, or height_map")
+    ball = race
+    if surface.ball_rms_roughness is not None:
+        require_non_negative(ball_rms_roughness=surface.ball_rms_roughness)
+        ball = unit.scaled(surface.ball_rms_roughness)
+    return GapRoughness(ball=ball, race=race, summits=mccool_summits(ball + race), warnings=warnings)
+
+
+def _require_sound(autocorrelation: Autocorrelation) -> None:
+    require_positive(length=autocorrelation.length, spacing=autocorrelation.spacing)
+    if autocorrelation.kind not in ("gaussian", "exponential"):
+        raise InputError(f"autocorrelation.kind must be gaussian or exponential, got {autocorrelation.kind!r}")
+
+
+def _doubts(autocorrelation: Autocorrelation) -> list[str]:
+    found = []
+    if autocorrelation.kind == "exponential":
+        found.append(
+            "an exponential autocorrelation has no curvature of its own: the summits are those seen at the spacing "
+            f"{autocorrelation.spacing:g} m, by finite differences, and change with it"
+        )
+    if autocorrelation.spacing > WIDEST * autocorrelation.length * (1 + 1e-12):
+        found.append(
+            f"surface.autocorrelation.spacing {autocorrelation.spacing:g} m is more than a tenth of the length "
+            f"{autocorrelation.length:g} m: a surface generated with it would not be smooth"
+        )
+    return found

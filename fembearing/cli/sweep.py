@@ -1,0 +1,77 @@
+"""`fembearing sweep`: the command, what it says at its end, and its maps beside the dataset."""
+
+import shutil
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from fembearing.cli.console import DONE, INTERRUPTED, NOT_SOLVED, complain, out, print_json, shown_progress
+from fembearing.cli.options import AsJson
+
+if TYPE_CHECKING:
+    from fembearing.sweep.run import Sweep
+
+MAPS = "maps"
+
+
+def sweep(
+    grid: Annotated[Path, typer.Argument(metavar="GRID", help="Grid file, TOML: a scene, and axes.")],
+    folder: Annotated[Path, typer.Option("--out", help="Folder of this sweep; made, or gone on with if it is there.")],
+    workers: Annotated[int | None, typer.Option(help="Processes of this machine; one a core without it.")] = None,
+    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask cluster that computes instead.")] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Compute a scene at every point of a product of axes; stopped and started again, it goes on where it was.
+
+    GRID holds scene = "bearing.toml", what = "torque" or "contact", and a table of axes, with lines as
+    operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" } or conformity = [0.51, 0.52].
+    """
+    from fembearing.sweep.run import run_sweep
+
+    try:
+        with shown_progress() as report:
+            result = run_sweep(grid, out=folder, workers=workers, scheduler=scheduler, progress=report)
+            report(1.0, "maps")
+            maps = _maps(result)
+    except KeyboardInterrupt:
+        complain(f"stopped; what is done is kept in {folder}: the same command goes on", INTERRUPTED)
+        raise
+    if as_json:
+        print_json(result.to_json() | {"maps": [str(file) for file in maps]})
+    else:
+        _print(result, maps)
+    raise typer.Exit(NOT_SOLVED if result.failed else DONE)
+
+
+def _maps(result: "Sweep") -> list[Path]:
+    """The maps of the dataset, drawn unless those that are there are newer."""
+    folder, dataset = Path(result.folder) / MAPS, Path(result.file)
+    if folder.exists() and folder.stat().st_mtime_ns < dataset.stat().st_mtime_ns:
+        shutil.rmtree(folder)
+    if not folder.exists():
+        from fembearing.report.figures.sweep_maps import (  # with matplotlib: not for a sweep that is there
+            PLOTTED,
+            write_maps,
+        )
+        from fembearing.report.new_folder import whole_folder
+
+        with whole_folder(folder) as apart:
+            write_maps(result.dataset(*PLOTTED), apart)
+    return sorted(folder.iterdir())
+
+
+def _print(result: "Sweep", maps: list[Path]) -> None:
+    def line(text: str) -> None:
+        out.print(text, highlight=False, soft_wrap=True, markup=False)
+
+    line(
+        f"{result.points} points: {result.computed} computed, {result.kept} from before, {result.failed} failed; "
+        f"{result.seconds:.1f} s"
+    )
+    for reason in result.reasons:
+        line(f"failed: {reason}")
+    if result.lost:
+        line(f"{result.lost} of them will be tried again when the sweep is started again")
+    for file in (result.file, *maps):
+        line(f"written: {file}")

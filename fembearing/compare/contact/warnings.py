@@ -1,0 +1,120 @@
+"""What must be said of a solved contact beside its numbers, a line each: the same under one load and in a series."""
+
+import math
+from collections.abc import Sequence
+
+from analytic.effects.limits import STATIC_LIMIT
+from analytic.scene import Contact
+from fembearing.compare.contact.reference import Estimates, Reference
+from fembearing.fem.solution import MeshSolution
+
+EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
+Solved = tuple[MeshSolution, Estimates]  # a load on its finest mesh, and what all its meshes say
+
+
+def near_shoulder(mesh: MeshSolution, contact: Contact) -> bool:
+    """Whether a solved contact reaches its shoulder, or nearly: what Hertz is not made for."""
+    return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.shoulder
+
+
+def solve_warnings(solved: Sequence[Solved], *, accuracy: float, watched: Sequence[str], thin: bool) -> tuple[str, ...]:
+    """Of one contact under one load or several: what it was solved for and did not reach, and where it is not elastic.
+
+    accuracy : asked of the quantities named in `watched`, relative half-width
+    thin : a sheet stands for the race
+    """
+    warnings = (_missed(solved, accuracy=accuracy, watched=watched), _unsettled(solved, thin=thin), _plastic(solved))
+    return tuple(warning for warning in warnings if warning)
+
+
+def sheet_warning(contact: Contact) -> str:
+    """Why a sheet is shown and not judged."""
+    assert contact.wall is not None  # or it would not have been meshed
+    return (
+        f"{contact.pair}: the sheet of {contact.wall.thickness * 1e3:.3g} mm bends on its rim, which Hertz's half "
+        "space does not know: compare with the stiffness, do not judge by it"
+    )
+
+
+def shoulder_warning(contact: Contact, reference: Reference) -> str:
+    """Of one contact that reaches its shoulder, or nearly."""
+    near, remedy = f"{contact.shoulder * 1e3:.3f} mm", "lower the load or the contact angle"
+    finest = reference.meshes[-1]
+    if finest.shoulder is None:
+        across = f"the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across"
+        return f"{contact.pair}: {across}, the shoulder stands at {near}: outside Hertz; {remedy}"
+    far = finest.pair.footprint.room[0]
+    if math.isinf(far):
+        cut = f"an ellipse of {finest.semi_axes[1] * 1e3:.3f} mm across is cut off, its shoulder stands at {near}"
+    else:
+        cut = f"the contact is cut off on both sides, its shoulders stand at y = -{far * 1e3:.3f} mm and {near}"
+    share = reference.shoulder["strip_share"]
+    return (
+        f"{contact.pair}: {cut}: outside Hertz. The tenth of {near} beside the nearer one carries {share.value:.2%} of "
+        "the load. A sharp shoulder, as it is meshed, bears a pressure without bound, a real one is rounded: it may "
+        f"exceed the one at the centre, and no number here says by how much; {remedy}"
+    )
+
+
+def series_shoulder_warning(contact: Contact, *, load: float) -> str:
+    """Of a series that reaches its shoulder, or nearly, from `load` (N) on."""
+    return (
+        f"{contact.pair}: from {load:g} N on the contact reaches its shoulder, {contact.shoulder * 1e3:.3f} mm "
+        "away: outside Hertz"
+    )
+
+
+def two_loads_warning(contact: Contact) -> str:
+    """Why a law has no uncertainty."""
+    return (
+        f"{contact.pair}: two loads fit any power law, which is assumed: K, n and tangents are without an uncertainty; "
+        "give a third load"
+    )
+
+
+def _missed(solved: Sequence[Solved], *, accuracy: float, watched: Sequence[str]) -> str | None:
+    """The least certain of all quantities and loads, where it is less certain than was asked."""
+    mesh, name, part = max(
+        ((mesh, name, estimates[name]) for mesh, estimates in solved for name in watched),
+        key=lambda each: each[2].total,
+    )
+    if part.total <= accuracy:
+        return None
+    return (
+        f"{mesh.contact.pair}: an uncertainty of {accuracy:.2g} was asked for; that of {_words(name)} at "
+        f"{mesh.contact.load:g} N is {part.total:.2g} on level {mesh.level}, {part.domain:.2g} of it from the block"
+    )
+
+
+def _unsettled(solved: Sequence[Solved], *, thin: bool) -> str | None:
+    """All quantities in which the meshes of some load do not close in on a value."""
+    loose = [
+        (mesh.contact, _words(name))
+        for mesh, estimates in solved
+        for name, part in estimates.items()
+        if not part.settled
+    ]
+    if not loose:
+        return None
+    names = ", ".join(dict.fromkeys(name for _, name in loose))
+    loads = ", ".join(f"{load:g}" for load in dict.fromkeys(contact.load for contact, _ in loose))
+    place = f"{loose[0][0].pair}, sheet" if thin else loose[0][0].pair
+    return f"{place}: the meshes do not settle in {names} at {loads} N"
+
+
+def _plastic(solved: Sequence[Solved]) -> str | None:
+    """From which load on bearing steel would yield."""
+    over = [mesh for mesh, _ in solved if mesh.quantities.peak_pressure > STATIC_LIMIT]
+    if not over:
+        return None
+    least = min(over, key=lambda mesh: mesh.contact.load)
+    what = "peak pressure" if least.shoulder is None else "the pressure at y = 0,"
+    return (
+        f"{least.contact.pair}: {what} {least.quantities.peak_pressure:.3g} Pa at {least.contact.load:g} N is "
+        f"above the static limit {STATIC_LIMIT:.2g} Pa of bearing steel: both sides are elastic, the contact is not; "
+        "lower the load"
+    )
+
+
+def _words(quantity: str) -> str:
+    return quantity.replace("_", " ")

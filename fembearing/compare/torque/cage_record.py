@@ -1,0 +1,164 @@
+"""One motion of a scene's cage, kept instant by instant: the first of those whose statistics stand in the torque."""
+
+import json
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from analytic.cage.series import CageSeries, recorded_motion
+from analytic.cage.statistics import CageStatistics
+from analytic.cage.steady import DrivenCage, whirl_speed
+from analytic.result import FrictionTorque
+from analytic.scene import Scene
+from fembearing.provenance import provenance_of
+
+INSTANTS_A_TURN = 40  # of a cage that whirls: a circle is drawn round
+FEWEST, MOST = 1000, 20000  # instants
+SEED = 0
+DIRECTIONS = 180  # in which the edge of the room is told
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CageRecord:
+    """A cage that moved at one operating point."""
+
+    scene: Scene
+    point: int  # from 1
+    cage: DrivenCage
+    statistics: CageStatistics  # of all seeds
+    series: CageSeries  # of one seed, from its beginning
+    start_up: float  # that no statistics count, s
+
+    @property
+    def measured(self) -> np.ndarray:
+        """(n,) instants after the start-up."""
+        return self.series.time > self.start_up
+
+    def to_json(self, *, most: int | None = None) -> dict[str, Any]:
+        """Orbit and forces of this motion, and the statistics of all, as plain types, SI.
+
+        most : instants of the orbit and of the forces; a force is then the greatest of those that it stands for. None:
+            all of them
+        """
+        series, found, after = self.series, self.statistics, self.measured
+        angle = np.linspace(0, 2 * np.pi, 1 + DIRECTIONS)
+        directions = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
+        way = np.array([self.cage.free_way(direction) for direction in directions])
+        edge = self.cage.middle + way[:, None] * directions
+        places = [_evenly(series.centre[part, :2], most) for part in (~after, after)]
+        total = np.linalg.norm(series.force, axis=2).sum(axis=1)
+        force, share = exceedance(series.max_force[after], most)
+        return {
+            "point": self.point,
+            "inner_speed": self.cage.ring_speed,
+            "bearing": self.scene.bearing.name,
+            "state": found.state,
+            "start": found.start,
+            "start_up": self.start_up,
+            "torque": found.torque,
+            "torque_interval": list(found.torque_interval),
+            "max_force": found.max_force,
+            "max_force_interval": list(found.max_force_interval),
+            "block": found.block,
+            "block_maxima": list(found.block_maxima),
+            "gravity": list(self.cage.gravity),
+            "room": {
+                "size": self.cage.room,
+                "middle": self.cage.middle[:2].tolist(),
+                "edge": edge[:, :2].tolist(),
+            },
+            "orbit": {
+                "joined": most is None,  # neighbours in the list are so in time too
+                "start_up": places[0].tolist(),
+                "measured": places[1].tolist(),
+            },
+            "forces": {
+                "time": _evenly(series.time, most).tolist(),
+                "largest": _greatest(series.max_force, most).tolist(),
+                "sum": _greatest(total, most).tolist(),
+            },
+            "exceedance": {"force": force.tolist(), "share": share.tolist()},
+        }
+
+    def to_dataset(self) -> Any:
+        """The series as an xarray.Dataset that tells where it comes from."""
+        found = self.series.to_dataset()
+        origin = provenance_of(self.scene)
+        found.attrs = {
+            "title": f"motion of the cage of {self.scene.bearing.name}, operating point {self.point}",
+            "scene": self.scene.name,
+            "scene_content": json.dumps(origin["scene_content"]),
+            "scene_sha256": origin["scene_sha256"],
+            "history": f"{origin['date']}: {' '.join(origin['command'])}",
+            "versions": json.dumps(origin["versions"]),
+            "units": "SI; each variable has its own",
+            "inner_speed_rad_per_s": self.cage.ring_speed,
+            "room_m": self.cage.room,
+            "start": self.statistics.start,
+            "seed": SEED,
+            "start_up_s": self.start_up,
+            "state_of_all_seeds": self.statistics.state,
+        }
+        return found
+
+
+def record_cage(scene: Scene, found: FrictionTorque, point: int) -> CageRecord | None:
+    """Run the motion of one operating point, from 0, once more; None where the cage did not move.
+
+    found : friction_torque(scene)
+    Raises MotionError where it comes apart.
+    """
+    part, noun = found.cage, scene.cage
+    if part is None or noun is None:
+        return None
+    cage, statistics = part.driven[point], part.motion[point]
+    if cage is None or statistics is None:
+        return None
+    whirl = whirl_speed(ball_speed=cage.ball_speed, ball_radius=cage.ball_radius, contact_angle=0.0, room=cage.room)
+    turns = 2 * noun.duration * abs(float(whirl) + cage.orbit_speed) / (2 * np.pi)
+    return CageRecord(
+        scene=scene,
+        point=point + 1,
+        cage=cage,
+        statistics=statistics,
+        series=recorded_motion(
+            cage,
+            start=statistics.start,
+            duration=2 * noun.duration,
+            samples=int(np.clip(np.ceil(INSTANTS_A_TURN * turns), FEWEST, MOST)),
+            ramp=noun.duration,
+            seed=SEED,
+            steps_per_contact=noun.steps_per_contact,
+        ),
+        start_up=noun.duration,
+    )
+
+
+def exceedance(force: np.ndarray, most: int | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Forces above 0, rising, and the share of all that no smaller one lies above, (n,) each; the rarest are kept.
+
+    force : (m,) N;  most : of them; None: all
+    """
+    rising = np.sort(force[force > 0])
+    count = np.arange(rising.size, 0, -1)
+    if most is not None and rising.size > most:
+        kept = np.unique(np.geomspace(1, rising.size, most).round().astype(np.intp))  # from the end
+        rising, count = rising[rising.size - kept][::-1], kept[::-1]
+    return rising, count / force.size
+
+
+def _step(size: int, most: int | None) -> int:
+    return 1 if most is None else max(1, -(-size // most))
+
+
+def _evenly(values: np.ndarray, most: int | None) -> np.ndarray:
+    """Every so many, the last among them."""
+    return values[:: -_step(len(values), most)][::-1]
+
+
+def _greatest(values: np.ndarray, most: int | None) -> np.ndarray:
+    """Of each group of neighbours, counted from the end."""
+    step = _step(values.size, most)
+    starts = np.arange(values.size % step or step, values.size, step)
+    return np.maximum.reduceat(values, np.concatenate([[0], starts]).astype(np.intp))

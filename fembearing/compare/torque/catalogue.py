@@ -1,0 +1,40 @@
+"""What bearing catalogues say of a scene's torque, or why they say nothing: shown beside it, never as truth."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from analytic.errors import InputError
+from analytic.scene import Scene
+from fembearing.compare.torque.catalogue_models import CatalogueBand, scene_band
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BesideCatalogue:
+    """The band of both models, or the reason for which there is none."""
+
+    band: CatalogueBand | None  # arrays (n,), N m
+    note: str
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain types, SI; low and high are None where there is no band."""
+        if self.band is None:
+            return {"low": None, "high": None, "values": {}, "note": self.note}
+        return {
+            "low": self.band.low.tolist(),
+            "high": self.band.high.tolist(),
+            "values": {name: values.tolist() for name, values in self.band.values.items()},
+            "note": self.note,
+        }
+
+
+def beside_catalogue(scene: Scene) -> BesideCatalogue:
+    """The catalogue band of a scene."""
+    try:
+        band = scene_band(scene)
+    except InputError as problem:
+        return BesideCatalogue(band=None, note=f"no catalogue band: {problem}")
+    note = (
+        "catalogue band: SKF's and Palmgren's models of an open deep-groove bearing of series 62, two fits with "
+        "constants of their own; it shows an order of magnitude, and is neither truth nor a check"
+    )
+    return BesideCatalogue(band=band, note=note)

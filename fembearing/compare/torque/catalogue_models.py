@@ -1,0 +1,298 @@
+"""What bearing catalogues say of friction torque: two empirical models as a band, never as truth.
+
+For an open deep-groove ball bearing of series 62, one row, without seals. Both are fits to unpublished tests with
+generous constants of their own, and in pure thrust they disagree by factors: they show the order of magnitude, and
+neither checks nor validates anything. Inside, the printed units: mm, mm^2/s, rev/min, N and N mm.
+Sources: SKF, Rolling bearings, chapter Friction (excerpts seen: the friction coefficient's weight and mu_EHL; an older
+edition has 0.15 for mu_bl). A. Palmgren, Ball and Roller Bearing Engineering, 3rd ed. (1959) (not seen).
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.oil.viscosity import inlet_viscosity
+from analytic.scene import Array, Scene
+
+Lubrication = Literal["oil_bath", "grease"]
+STARVATION = {"oil_bath": 3e-8, "grease": 6e-8}  # K_rs
+GEOMETRY = 3.1  # K_Z, deep-groove ball bearings of one row
+ROLLING = (3.9e-7, 1.7)  # R_1, R_2 of series 62
+SLIDING = (3.23e-3, 36.5)  # S_1, S_2 of series 62
+BOUNDARY_FRICTION = 0.12  # mu_bl
+FILM_FRICTION = 0.05  # mu_EHL, mineral oil
+PALMGREN_VISCOUS = 2.0  # f_0
+PALMGREN_LOAD = (4e-4, 6e-4)  # z of f_1 = z (P_0/C_0)^0.55
+# Series 62, bore to outside diameter, mm: boundary dimensions of ISO 15, as every maker lists them (standard not seen).
+SERIES_62 = {
+    10: 30,
+    12: 32,
+    15: 35,
+    17: 40,
+    20: 47,
+    25: 52,
+    30: 62,
+    35: 72,
+    40: 80,
+    45: 85,
+    50: 90,
+    55: 100,
+    60: 110,
+    65: 120,
+    70: 125,
+    75: 130,
+    80: 140,
+    85: 150,
+    90: 160,
+    95: 170,
+    100: 180,
+}
+SAME_SIZE = 0.05  # mm, many times what makers' tolerances are
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CatalogueBand:
+    """Torques of one bearing about its axis, N m; every array has the broadcast shape of the arguments."""
+
+    low: Array  # the least of the values
+    high: Array  # the largest of them
+    values: Mapping[str, Array]  # by name of the model
+
+
+def scene_band(scene: Scene) -> CatalogueBand:
+    """The band at every operating point of a scene, with the oil at its inlet temperature; arrays (n,).
+
+    Raises InputError in one line, the reason for which there is no band: no oil, rating or ring diameter, another
+    series of bearings, a moment or a thrust below 0. That the bearing is a deep-groove one is taken for granted:
+    angular-contact bearings have the same boundary dimensions.
+    """
+    bearing, operation, oil = scene.bearing, scene.operation, scene.lubricant
+    if oil is None:
+        raise InputError("no lubricant is given: add a table [lubricant]")
+    bore, outside, rating = bearing.bore_diameter, bearing.outside_diameter, bearing.static_load_rating
+    for name, value in (("bore_diameter", bore), ("outside_diameter", outside), ("static_load_rating", rating)):
+        if value is None:
+            raise InputError(f"bearing.{name} is not given")
+    assert bore is not None
+    assert outside is not None
+    assert rating is not None
+    of_series = SERIES_62.get(round(1e3 * bore), 0.0)
+    if max(abs(1e3 * bore - round(1e3 * bore)), abs(1e3 * outside - of_series)) > SAME_SIZE:
+        raise InputError(
+            f"bore {1e3 * bore:g} mm and outside diameter {1e3 * outside:g} mm are not of series 62, for which its "
+            "constants are"
+        )
+    if np.any(operation.moment):
+        raise InputError("operation.moment is not 0, and neither model knows moments")
+    axial, radial = np.asarray(operation.axial_load), np.abs(operation.radial_load)
+    if np.any(axial < 0):
+        raise InputError(f"operation.axial_load = {axial.min():g} N is below 0")
+    return catalogue_band(
+        bore_diameter=bore,
+        outside_diameter=outside,
+        static_rating=rating,
+        axial_load=axial,
+        radial_load=radial,
+        ring_speed=np.abs(operation.inner_speed),
+        kinematic_viscosity=inlet_viscosity(oil).viscosity / oil.density,
+        lubrication=oil.supply,
+    )
+
+
+def catalogue_band(
+    *,
+    bore_diameter: ArrayLike,
+    outside_diameter: ArrayLike,
+    static_rating: ArrayLike,
+    axial_load: ArrayLike,
+    radial_load: ArrayLike,
+    ring_speed: ArrayLike,
+    kinematic_viscosity: ArrayLike,
+    lubrication: Lubrication,
+) -> CatalogueBand:
+    """Both models, Palmgren's with the least and the largest of his usual load factors; arguments as `skf_torque`."""
+    values = {
+        "SKF": skf_torque(
+            bore_diameter=bore_diameter,
+            outside_diameter=outside_diameter,
+            static_rating=static_rating,
+            axial_load=axial_load,
+            radial_load=radial_load,
+            ring_speed=ring_speed,
+            kinematic_viscosity=kinematic_viscosity,
+            lubrication=lubrication,
+        )
+    }
+    for factor in PALMGREN_LOAD:
+        values[f"Palmgren, z = {factor:g}"] = palmgren_torque(
+            bore_diameter=bore_diameter,
+            outside_diameter=outside_diameter,
+            static_rating=static_rating,
+            axial_load=axial_load,
+            radial_load=radial_load,
+            ring_speed=ring_speed,
+            kinematic_viscosity=kinematic_viscosity,
+            load_factor=factor,
+        )
+    values = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
+    every = np.array(list(values.values()))
+    return CatalogueBand(low=every.min(axis=0), high=every.max(axis=0), values=MappingProxyType(values))
+
+
+def skf_torque(
+    *,
+    bore_diameter: ArrayLike,
+    outside_diameter: ArrayLike,
+    static_rating: ArrayLike,
+    axial_load: ArrayLike,
+    radial_load: ArrayLike,
+    ring_speed: ArrayLike,
+    kinematic_viscosity: ArrayLike,
+    lubrication: Lubrication,
+) -> Array:
+    """SKF's rolling and sliding torque M_rr + M_sl, N m, without seals and drag; the arguments broadcast.
+
+    bore_diameter, outside_diameter : d < D, of the bearing's rings, m;  static_rating : C_0, N, > 0
+    axial_load, radial_load : F_a, F_r, N, >= 0
+    ring_speed : |w|, rad/s, >= 0;  kinematic_viscosity : nu at running temperature, m^2/s, > 0
+    With d_m = (d + D)/2, n in rev/min, and alpha_F = 24.6 (F_a/C_0)^0.24 degrees:
+        G_rr = R_1 d_m^1.96 (F_r + R_2 F_a/sin alpha_F)^0.54
+        G_sl = S_1 d_m^-0.145 (F_r^5 + S_2 d_m^1.5 F_a^4/sin alpha_F)^(1/3),  but S_1 d_m^-0.26 F_r^(5/3) if F_a = 0
+        M_rr = phi_ish phi_rs G_rr (nu n)^0.6
+        M_sl = G_sl [phi_bl mu_bl + (1 - phi_bl) mu_EHL],  phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m)
+    The two forms of G_sl do not meet: at F_a = 0 it jumps by d_m^0.115, 1.52 for a 6205. For F_a up to about C_0/2 and
+    normal clearance.
+    Raises InputError for an argument of the wrong sign or not finite, and for a bore no smaller than the outside.
+    """
+    bore, outside = _diameters(bore_diameter, outside_diameter)
+    load, thrust, oil, speed = _operation(
+        static_rating, axial_load, radial_load, kinematic_viscosity=kinematic_viscosity, ring_speed=ring_speed
+    )
+    mean = (bore + outside) / 2
+    angle = np.deg2rad(24.6 * (thrust / np.asarray(static_rating)) ** 0.24)
+    steep = np.where(thrust > 0, np.sin(angle), 1.0)  # F_a/sin alpha_F falls to 0 with F_a
+    rolling = ROLLING[0] * mean**1.96 * (load + ROLLING[1] * thrust / steep) ** 0.54
+    sliding = SLIDING[0] * np.where(
+        thrust > 0,
+        mean**-0.145 * np.cbrt(load**5 + SLIDING[1] * mean**1.5 * thrust**4 / steep),
+        mean**-0.26 * load ** (5 / 3),
+    )
+    rolling = rolling * (oil * speed) ** 0.6
+    rolling = rolling * inlet_shear_factor(
+        mean_diameter=mean / 1e3, ring_speed=ring_speed, kinematic_viscosity=kinematic_viscosity
+    )
+    rolling = rolling * replenishment_factor(
+        bore_diameter=bore_diameter,
+        outside_diameter=outside_diameter,
+        ring_speed=ring_speed,
+        kinematic_viscosity=kinematic_viscosity,
+        lubrication=lubrication,
+    )
+    boundary = np.exp(-2.6e-8 * (speed * oil) ** 1.4 * mean)
+    friction = boundary * BOUNDARY_FRICTION + (1 - boundary) * FILM_FRICTION
+    return (rolling + sliding * friction) / 1e3  # N mm to N m
+
+
+def palmgren_torque(
+    *,
+    bore_diameter: ArrayLike,
+    outside_diameter: ArrayLike,
+    static_rating: ArrayLike,
+    axial_load: ArrayLike,
+    radial_load: ArrayLike,
+    ring_speed: ArrayLike,
+    kinematic_viscosity: ArrayLike,
+    load_factor: ArrayLike,
+) -> Array:
+    """Palmgren's torque M_0 + M_1, N m; load_factor is z, > 0, the other arguments are those of `skf_torque`.
+
+    M_0 = 1e-7 f_0 (nu n)^(2/3) d_m^3 from nu n = 2000 on, below it 160e-7 f_0 d_m^3 (a jump of 0.8 %), f_0 = 2
+    M_1 = z (P_0/C_0)^0.55 P_1 d_m,  P_1 = max(3.3 F_a - 0.1 F_r, F_r),  P_0 = max(0.6 F_r + 0.5 F_a, F_r)
+    M_0 does not end at standstill: it is meant for bearings that turn at ordinary speed under ordinary load.
+    """
+    require_positive(load_factor=load_factor)
+    bore, outside = _diameters(bore_diameter, outside_diameter)
+    load, thrust, oil, speed = _operation(
+        static_rating, axial_load, radial_load, kinematic_viscosity=kinematic_viscosity, ring_speed=ring_speed
+    )
+    mean = (bore + outside) / 2
+    stirred = oil * speed
+    viscous = PALMGREN_VISCOUS * mean**3 * np.where(stirred >= 2000, 1e-7 * stirred ** (2 / 3), 160e-7)
+    static = np.maximum(0.6 * load + 0.5 * thrust, load)
+    working = np.maximum(3.3 * thrust - 0.1 * load, load)
+    loaded = np.asarray(load_factor) * (static / np.asarray(static_rating)) ** 0.55 * working * mean
+    return (viscous + loaded) / 1e3  # N mm to N m
+
+
+def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinematic_viscosity: ArrayLike) -> Array:
+    """phi_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 nu^0.64]: what heating of the inlet leaves of SKF's rolling torque, 0 to 1.
+
+    mean_diameter : d_m = (d + D)/2, m, > 0;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
+    """
+    require_positive(mean_diameter=mean_diameter, kinematic_viscosity=kinematic_viscosity)
+    require_non_negative(ring_speed=ring_speed)
+    surface = _per_minute(ring_speed) * np.asarray(mean_diameter) * 1e3  # n d_m, mm/min
+    return 1 / (1 + 1.84e-9 * surface**1.28 * _square_millimetres(kinematic_viscosity) ** 0.64)
+
+
+def replenishment_factor(
+    *,
+    bore_diameter: ArrayLike,
+    outside_diameter: ArrayLike,
+    ring_speed: ArrayLike,
+    kinematic_viscosity: ArrayLike,
+    lubrication: Lubrication,
+) -> Array:
+    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/[2 (D - d)])): what starvation leaves of SKF's rolling torque, 0 to 1.
+
+    bore_diameter, outside_diameter : d < D, m;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
+    lubrication : `oil_bath` (low level; also oil jet) or `grease` (also oil-air), K_rs of 3e-8 or 6e-8; K_Z = 3.1
+    1 - phi_rs bounds what is lost where replenishment is left out.
+    """
+    if lubrication not in STARVATION:
+        raise InputError(f'lubrication must be "oil_bath" or "grease", got {lubrication!r}')
+    bore, outside = _diameters(bore_diameter, outside_diameter)
+    require_positive(kinematic_viscosity=kinematic_viscosity)
+    require_non_negative(ring_speed=ring_speed)
+    passing = _square_millimetres(kinematic_viscosity) * _per_minute(ring_speed) * (bore + outside)
+    return np.exp(-STARVATION[lubrication] * passing * np.sqrt(GEOMETRY / (2 * (outside - bore))))
+
+
+def _diameters(bore_diameter: ArrayLike, outside_diameter: ArrayLike) -> tuple[Array, Array]:
+    """d and D in mm."""
+    require_positive(bore_diameter=bore_diameter, outside_diameter=outside_diameter)
+    bore, outside = 1e3 * np.asarray(bore_diameter), 1e3 * np.asarray(outside_diameter)
+    if not np.all(bore < outside):
+        raise InputError(
+            f"bore_diameter {bore_diameter!r} m must be below outside_diameter {outside_diameter!r} m: "
+            "they are the bearing's own, not the races'"
+        )
+    return bore, outside
+
+
+def _operation(
+    static_rating: ArrayLike,
+    axial_load: ArrayLike,
+    radial_load: ArrayLike,
+    *,
+    kinematic_viscosity: ArrayLike,
+    ring_speed: ArrayLike,
+) -> tuple[Array, Array, Array, Array]:
+    """F_r and F_a in N, nu in mm^2/s, n in rev/min."""
+    require_positive(static_rating=static_rating, kinematic_viscosity=kinematic_viscosity)
+    require_non_negative(axial_load=axial_load, radial_load=radial_load, ring_speed=ring_speed)
+    load, thrust = np.asarray(radial_load, dtype=np.float64), np.asarray(axial_load, dtype=np.float64)
+    return load, thrust, _square_millimetres(kinematic_viscosity), _per_minute(ring_speed)
+
+
+def _per_minute(speed: ArrayLike) -> Array:
+    return np.asarray(speed) * 60 / (2 * np.pi)
+
+
+def _square_millimetres(kinematic_viscosity: ArrayLike) -> Array:
+    return 1e6 * np.asarray(kinematic_viscosity)

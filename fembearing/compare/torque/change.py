@@ -1,0 +1,209 @@
+"""What the contact discrepancies do to the race torque: the number an engineer acts on."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from analytic.contact.factors import ContactCorrection, ContactFactors
+from analytic.contact.finite_geometry import RaceCorrections
+from analytic.effects.ledger import COMPUTED, OF_CAGE
+from analytic.effects.loads import corrections_of
+from analytic.result import FrictionTorque
+from analytic.scene import Scene
+from analytic.torque import friction_torque
+from analytic.uncertainty import with_model_uncertainty
+from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.compare.contact.verdict import Verdict, worst
+from fembearing.compare.torque.heaviest_ball import balls_of
+
+SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
+FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
+# Effects that this check leaves out of the torque, with the reason.
+BESIDE = {
+    "finite_geometry": "left out here: finite elements take its place, and its fit is shown beside them",
+    "cage_dynamics": "left out here: no contact on a race changes it; it is shown by itself",
+}
+PARTS = ("total", "race", "spin", "conformity", "hysteresis", "rolling")
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FittedChange:
+    """The torque with contacts corrected for finite geometry, at every operating point."""
+
+    torque: FrictionTorque
+    relative: np.ndarray  # (n,) over Hertz's, less one; NaN where the correction does not reach
+    uncertainty: np.ndarray  # (n,) of that change, from the factors' uncertainties, 95 %
+    warnings: tuple[str, ...]
+
+    def to_json(self) -> dict[str, Any]:
+        known = np.isfinite(self.relative)
+        return {
+            "contact_angle": _known(self.torque.contact_angle, known),
+            "torque": _known(self.torque.torque.total, known),
+            "change": _known(self.relative, known),
+            "uncertainty": _known(self.uncertainty, known),
+        }
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TorqueChange:
+    """The production torque with Hertz's contacts, and again with finite-element semi-axes and approach."""
+
+    hertz: FrictionTorque
+    corrected: FrictionTorque
+    # From the contacts' numerical uncertainties: of each part's relative change, and of the corrected contact angle,
+    # relative; parts that were left out have none.
+    uncertainties: dict[str, float]
+    fitted: FittedChange
+    verdict: Verdict  # the worst of both contacts: beyond "pass" the change stands on contacts that did not pass
+
+    @property
+    def uncertainty(self) -> float:
+        """Of the relative change of the total."""
+        return self.uncertainties["total"]
+
+    @property
+    def is_solved(self) -> np.ndarray:
+        """(n,) operating points at the ball load that was solved: elsewhere nothing is known of the change."""
+        load = self.hertz.ball_load
+        return load >= (1 - SAME_LOAD) * load.max()
+
+    def relative(self, part: str) -> np.ndarray | None:
+        """Corrected over Hertz minus one at each operating point, NaN where no contact was solved at its load.
+
+        None where the part was left out.
+        """
+        before, after = getattr(self.hertz.torque, part), getattr(self.corrected.torque, part)
+        if before is None:
+            return None
+        return np.where(self.is_solved, _change(after, before), np.nan)
+
+    def to_json(self) -> dict[str, Any]:
+        """Lists over the operating points; SI, changes relative."""
+        changes = {part: self.relative(part) for part in PARTS}
+        return {
+            "contact_angle": {
+                "hertz": self.hertz.contact_angle.tolist(),
+                "corrected": _known(self.corrected.contact_angle, self.is_solved),
+            },
+            "torque": {
+                "hertz": self.hertz.torque.total.tolist(),
+                "corrected": _known(self.corrected.torque.total, self.is_solved),
+            },
+            "change": {
+                part: None if change is None else _known(change, self.is_solved) for part, change in changes.items()
+            },
+            "uncertainty": self.uncertainty,
+            "uncertainties": self.uncertainties,
+            "finite_geometry": self.fitted.to_json(),
+            "verdict": self.verdict,
+        }
+
+
+def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolution) -> TorqueChange:
+    """Race torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
+
+    The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone. Where
+    balls are loaded unequally those of the heaviest stand for all, too much for the lighter ones. The correction for
+    finite geometry knows every load and every ball, and shows the change at each operating point.
+    Raises InputError as friction_torque does.
+    """
+    plain = replace(scene, effects={**scene.effects, **dict.fromkeys(BESIDE, "off")})
+    hertz = _with_reasons(scene, with_model_uncertainty(plain, friction_torque(plain)))
+    scene = replace(
+        scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in COMPUTED + OF_CAGE}
+    )
+    corrected = _corrected(scene, factors(inner), factors(outer))
+    solved = int(np.argmax(hertz.ball_load))
+    expected = _outcome(corrected, solved)
+    spread = dict.fromkeys(expected, 0.0)
+    for name in FACTORS:  # one input at a time, moved by its whole uncertainty; added: they may hang together
+        for moved in (
+            _corrected(scene, factors(inner, up=name), factors(outer)),
+            _corrected(scene, factors(inner), factors(outer, up=name)),
+        ):
+            for part, value in _outcome(moved, solved).items():
+                if value != expected[part]:  # a part that is 0 either way is sure
+                    spread[part] += abs(value / expected[part] - 1)
+    return TorqueChange(
+        hertz=hertz,
+        corrected=corrected,
+        uncertainties=spread,
+        fitted=_fitted(scene, hertz),
+        verdict=worst((inner.verdict, outer.verdict)),
+    )
+
+
+def _with_reasons(scene: Scene, found: FrictionTorque) -> FrictionTorque:
+    """What this check leaves out of both torques is not put down to the scene, nor warned of: it is shown beside."""
+    by_scene = "the scene says off"
+    beside = {
+        each.name: BESIDE[each.name]
+        for each in found.effects
+        if each.name in BESIDE and scene.effects.get(each.name) != "off" and each.reason.startswith(by_scene)
+    }
+    effects = (replace(each, reason=beside.get(each.name, each.reason)) for each in found.effects)
+    warnings = (
+        words
+        for words in found.warnings
+        if not any(words.startswith(f"{name} is left out") and by_scene in words for name in beside)
+    )
+    return replace(found, effects=tuple(effects), warnings=tuple(warnings))
+
+
+def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:
+    """What depends on the contacts, at one operating point: N m, and the angle in rad."""
+    parts = {name: getattr(found.torque, name) for name in PARTS}
+    known = {name: float(part[point]) for name, part in parts.items() if part is not None}
+    return known | {"contact_angle": float(found.contact_angle[point])}
+
+
+def _fitted(scene: Scene, hertz: FrictionTorque) -> FittedChange:
+    balls = balls_of(scene)
+    found = corrections_of(scene.bearing, balls)
+    torque = friction_torque(scene, correction=found.correction)
+    spread = np.zeros_like(hertz.ball_load)
+    for name in FACTORS:
+        for correction in _moved(found, name):
+            moved = friction_torque(scene, correction=correction)
+            spread += np.abs(_change(moved.torque.total, torque.torque.total))
+    covered = np.reshape(found.inner.covered & found.outer.covered, (hertz.ball_load.size, -1)).all(axis=1)
+    return FittedChange(
+        torque=torque,
+        relative=np.where(covered, _change(torque.torque.total, hertz.torque.total), np.nan),
+        uncertainty=np.where(covered, spread, np.nan),
+        warnings=found.warnings,
+    )
+
+
+def _moved(found: RaceCorrections, name: str) -> Iterator[ContactCorrection]:
+    """With one factor of one race moved up by its uncertainty."""
+    plain = found.correction
+    for race, side in (("inner", found.inner), ("outer", found.outer)):
+        up = getattr(side.factors, name) * (1 + np.nan_to_num(side.uncertainty[name]))
+        yield replace(plain, **{race: replace(side.factors, **{name: up})})
+
+
+def _change(after: np.ndarray, before: np.ndarray) -> np.ndarray:
+    """Relative; none of what is 0."""
+    return np.divide(after, before, out=np.ones_like(before), where=before != 0) - 1
+
+
+def _known(values: np.ndarray, is_known: np.ndarray) -> list[float | None]:
+    return [float(value) if known else None for value, known in zip(values, is_known, strict=True)]
+
+
+def factors(solution: ContactSolution, *, up: str = "") -> ContactFactors:
+    """Finite elements over Hertz; the one named by `up` moved up by its uncertainty."""
+    return ContactFactors(
+        **{
+            name: (1 + solution.estimates[name].total if name == up else 1) / (1 + solution.discrepancy[name])
+            for name in FACTORS
+        }
+    )
+
+
+def _corrected(scene: Scene, inner: ContactFactors, outer: ContactFactors) -> FrictionTorque:
+    return friction_torque(scene, correction=ContactCorrection(inner=inner, outer=outer))

@@ -1,0 +1,157 @@
+"""What the paper behind the production model prints, beside what a scene gives.
+
+The paper's numbers are computed too: this is a cross-check. Where a scene says that inputs of it were chosen until the
+paper's numbers came out (its `calibration`), agreement in those is a fit, and no evidence for either.
+"""
+
+import csv
+from dataclasses import asdict, dataclass
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+
+from analytic.result import FrictionTorque
+from analytic.scene import Bearing, Operation, Scene
+
+PAPER = "Effect of Surface Roughness on the Friction Moment in a Ball Bearing"
+BALLS, BALL_DIAMETER, PITCH_DIAMETER, THRUST = 9, 7.94e-3, 39.01e-3, 1000.0  # of the paper's case; m, N
+SAME = 1e-6  # relative: two numbers that a person wrote alike
+UNITS = {"N mm": 1e-3, "N": 1.0}
+NOT_GIVEN = (  # by the paper, and so chosen by every scene: key of the scene file, unit
+    ("lubricant", "viscosity", "Pa s"),
+    ("lubricant", "pressure_viscosity", "1/Pa"),
+    ("lubricant", "eyring_stress", "Pa"),
+    ("surface", "hardness", "Pa"),
+    ("surface", "boundary_friction", ""),
+    ("autocorrelation", "length", "m"),
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Printed:
+    """A number of the paper, SI."""
+
+    quantity: str
+    rms_roughness: float  # Sq of each surface, m
+    inner_speed: float  # rad/s
+    value: float  # N m or N
+    note: str  # printed, or printed as about
+
+
+@dataclass(frozen=True, kw_only=True)
+class BesidePaper:
+    """The paper's numbers, and the scene's where it is the same case."""
+
+    same_bearing: bool  # as the paper's
+    same_load: bool  # likewise
+    absent: str | None  # why nothing of the scene stands beside them
+    calibration: str | None  # what was chosen until it came out, in the scene's words
+    chosen: dict[str, tuple[float, str]]  # what the paper does not give, as the scene has it: SI, with its unit
+    rows: tuple[tuple[Printed, float | None], ...]  # with the scene's own; None where it has no such number
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain types, SI; deviations relative to the paper."""
+        return {
+            "paper": PAPER,
+            "same_bearing": self.same_bearing,
+            "same_load": self.same_load,
+            "absent": self.absent,
+            "calibration": self.calibration,
+            "chosen": {name: {"value": value, "unit": unit} for name, (value, unit) in self.chosen.items()},
+            "rows": [
+                asdict(printed) | {"ours": ours, "deviation": None if ours is None else ours / printed.value - 1}
+                for printed, ours in self.rows
+            ],
+        }
+
+
+def printed_numbers() -> tuple[Printed, ...]:
+    """All that the paper's text gives of torques and forces."""
+    text = (files("fembearing") / "published" / "paper_torque.csv").read_text("utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith("#")]
+    return tuple(
+        Printed(
+            quantity=row["quantity"],
+            rms_roughness=float(row["rms_roughness_um"]) * 1e-6,
+            inner_speed=float(row["inner_speed_rpm"]) * np.pi / 30,
+            value=float(row["value"]) * UNITS[row["unit"]],
+            note=row["note"],
+        )
+        for row in csv.DictReader(lines)
+    )
+
+
+def beside_paper(scene: Scene, found: FrictionTorque | None) -> BesidePaper:
+    """The paper's numbers beside a scene's.
+
+    found : torque of the scene as it asks for it; None where it has none
+    """
+    absent = _other_case(scene, found)
+    return BesidePaper(
+        same_bearing=is_papers_bearing(scene.bearing),
+        same_load=is_papers_load(scene.operation),
+        absent=absent,
+        calibration=scene.calibration,
+        chosen={} if absent else _chosen(scene),
+        rows=tuple((one, None if absent or found is None else _ours(one, scene, found)) for one in printed_numbers()),
+    )
+
+
+def _other_case(scene: Scene, found: FrictionTorque | None) -> str | None:
+    """In what the scene is not the paper's case."""
+    if not is_papers_bearing(scene.bearing):
+        return "the scene has another bearing"
+    if not is_papers_load(scene.operation):
+        return f"the paper has {THRUST:g} N of thrust alone, and the scene another load"
+    if scene.surface is None or scene.lubricant is None or scene.friction_coefficient is not None:
+        return (
+            "the paper's friction coefficient comes from mixed lubrication; the scene gives a coefficient, or lacks a "
+            "lubricant or a surface"
+        )
+    return "the scene has no torque" if found is None else None
+
+
+def is_papers_bearing(bearing: Bearing) -> bool:
+    """Whether balls and pitch are those of the paper's 6205."""
+    found = bearing.ball_count, bearing.ball_diameter, bearing.pitch_diameter
+    return bool(np.allclose(found, (BALLS, BALL_DIAMETER, PITCH_DIAMETER), rtol=SAME))
+
+
+def is_papers_load(operation: Operation) -> bool:
+    """Whether it is the paper's thrust alone, at every operating point."""
+    sideways = np.any(operation.radial_load) or np.any(operation.moment)
+    return not sideways and bool(np.allclose(operation.axial_load, THRUST, rtol=SAME))
+
+
+def _chosen(scene: Scene) -> dict[str, tuple[float, str]]:
+    surface = scene.surface
+    groups = {
+        "lubricant": scene.lubricant,
+        "surface": surface,
+        "autocorrelation": None if surface is None else surface.autocorrelation,
+    }
+    values = {
+        f"{group} {name}".replace("_", " "): (getattr(groups[group], name, None), unit)
+        for group, name, unit in NOT_GIVEN
+    }
+    values["hysteresis loss"] = (scene.hysteresis_loss, "")
+    return {name: (float(value), unit) for name, (value, unit) in values.items() if value is not None}
+
+
+def _ours(printed: Printed, scene: Scene, found: FrictionTorque) -> float | None:
+    """The scene's number at the same speed and roughness."""
+    roughness = None if scene.surface is None else scene.surface.rms_roughness
+    if roughness is None or not np.isclose(roughness, printed.rms_roughness, rtol=SAME):
+        return None
+    (at,) = np.nonzero(np.isclose(np.abs(found.inner_speed), printed.inner_speed, rtol=SAME))
+    if not at.size:
+        return None
+    point = int(at[0])
+    if printed.quantity == "cage_max_force":
+        motion = None if found.cage is None else found.cage.motion[point]
+        return None if motion is None else motion.max_force
+    if printed.quantity == "total_torque" and found.torque.cage is None:
+        return None  # the paper's has the cage in it
+    part = getattr(found.torque, printed.quantity.removesuffix("_torque"))
+    return None if part is None else float(part[point])

@@ -1,0 +1,86 @@
+"""A report.json read and found whole, or one line on what is amiss."""
+
+import json
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, NoReturn
+
+from pydantic import ValidationError
+
+from analytic.errors import InputError
+from fembearing.compare.validation import FORMAT, KIND
+from fembearing.report.document.document import Report
+from fembearing.report.figures.plot import Document
+
+SHOWN = 60  # characters of a value in a message
+FAULTS = {
+    "missing": "is missing",
+    "float_type": "is no number",
+    "int_type": "is no whole number",
+    "bool_type": "is neither true nor false",
+    "string_type": "is no text",
+    "list_type": "is no list",
+    "dict_type": "is no table",
+    "model_type": "is no table",
+    "finite_number": "is not finite",
+    "extra_forbidden": "is not known",
+    "string_pattern_mismatch": "is not written as it must be",
+}
+
+
+def read_document(path: Path) -> Document:
+    """What a report.json holds. Raises InputError, in one line, for what is none or does not hold together."""
+    try:
+        content = json.loads(path.read_text("utf-8"), parse_constant=_no_number)
+        json.dumps(content, ensure_ascii=False).encode()  # half a character, as an escape lets it in, is refused here
+    except OSError as problem:
+        raise InputError(
+            f"{str(path)!r} cannot be read: {problem.strerror}; give the report.json of a report"
+        ) from problem
+    except (ValueError, RecursionError) as problem:
+        raise InputError(
+            f"{str(path)!r} is no JSON, or cut off: {problem}; run `fembearing validate` again"
+        ) from problem
+    if not isinstance(content, dict) or content.get("kind") != KIND:
+        raise InputError(f"{str(path)!r} is JSON, but no report of `fembearing validate`; give the report.json of one")
+    if content.get("format") != FORMAT:
+        raise InputError(
+            f"{str(path)!r} has the format {content.get('format')!r}, and this fembearing {_ours()} reads {FORMAT}: "
+            "take the version that wrote it, or run `fembearing validate` again"
+        )
+    try:
+        Report.model_validate(content)
+    except ValidationError as problem:
+        raise InputError(f"{str(path)!r}: {_fault(problem)}; {_remedy(content)}") from problem
+    return content
+
+
+def _no_number(name: str) -> NoReturn:
+    raise ValueError(f"{name} is no number of JSON")
+
+
+def _fault(problem: ValidationError) -> str:
+    """The first, in words."""
+    first, *others = problem.errors(include_url=False)
+    where = ".".join(map(str, first["loc"])) or "it"
+    words = FAULTS.get(first["type"], first["msg"].removeprefix("Value error, "))
+    shown = "" if first["type"] in ("missing", "value_error") else f" = {_shortened(first['input'])}"
+    more = f" (and {len(others)} more)" if others else ""
+    return f"{where}{shown} {words}{more}"
+
+
+def _shortened(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= SHOWN else f"{text[: SHOWN // 2]}...{text[-SHOWN // 2 :]}"
+
+
+def _remedy(content: dict[str, Any]) -> str:
+    origin = content.get("provenance")
+    versions = origin.get("versions") if isinstance(origin, dict) else None
+    wrote = versions.get("fembearing") if isinstance(versions, dict) else None
+    by = f"was written by fembearing {wrote}, this is {_ours()}" if isinstance(wrote, str) else f"this is {_ours()}"
+    return f"it was changed, or {by}: run `fembearing validate` again"
+
+
+def _ours() -> str:
+    return version("fembearing")

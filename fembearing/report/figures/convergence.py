@@ -1,0 +1,82 @@
+"""How the meshes of each contact converge, with the formal order as a slope to compare with."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullFormatter
+
+from fembearing.report.figures.plot import Document
+from fembearing.report.figures.style import GREY, legend_below, look_of
+from fembearing.report.words import QUANTITIES, place_of
+
+SAME = 1e-6  # relative: what is nearer to its limit is drawn here
+BELOW = 0.4  # of the least point of a panel: where the slope to compare with ends
+DIMENSIONS = 3  # cells of size h are as h^-3 unknowns
+CAPTION = (
+    "Distance of each quantity from the value that its meshes are extrapolated to, against the number of unknowns; the "
+    "dash-dotted slope is the formal order in the size of cells. The extrapolation takes the last two meshes to have "
+    "that order, so that the test is whether the coarser ones lie on the slope too, and the observed order, of the "
+    "last three. Dashed: not extrapolated, and the distance is that from the finest mesh, which is not drawn."
+)
+
+
+def convergence_plot(document: Document) -> tuple[Figure | None, str]:
+    """A panel for each quantity."""
+    contacts = document["contacts"]
+    figure = Figure(figsize=(11, 8.6), layout="constrained")
+    panels = figure.subplots(2, 3).ravel()
+    for panel, (name, shown) in zip(panels, QUANTITIES.items(), strict=False):
+        for contact in contacts:
+            _convergence(panel, contact, name)
+        _formal_slope(panel, contacts, name)
+        cut = name == "peak_pressure" and any(contact["shoulder"] for contact in contacts)
+        panel.set(title=f"{shown.name}{', cut off: at y = 0' if cut else ''}", xscale="log", yscale="log")
+        panel.set_xlabel("unknowns")
+        panel.grid(alpha=0.3, which="both")
+        for axis, numbers in ((panel.xaxis, "{x:,.0f}"), (panel.yaxis, "{x:g}")):
+            axis.set_major_locator(LogLocator(subs=(1, 3)))
+            axis.set_major_formatter(numbers)
+            axis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
+        legend_below(panel, columns=1, size=8)
+    for panel in (panels[0], panels[3]):
+        panel.set_ylabel("distance from the limit, %")
+    panels[-1].set_axis_off()
+    return figure, CAPTION
+
+
+def _convergence(panel: Axes, contact: dict[str, Any], name: str) -> None:
+    colour, mark = look_of(contact)
+    unknowns, distance = _distances(contact, name)
+    order = contact["convergence"][name]["order"]
+    panel.plot(
+        *(unknowns, distance, mark),
+        linestyle="--" if contact["convergence"][name]["richardson"] is None else "-",
+        color=colour,
+        markersize=5,
+        label=f"{place_of(contact)}: {'no order' if order is None else f'order {order:.1f}'}",
+    )
+
+
+def _distances(contact: dict[str, Any], name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Unknowns and distance from the limit, %, mesh by mesh."""
+    part = contact["convergence"][name]
+    values, limit = np.array(part["values"]), part["richardson"]
+    unknowns = np.array([mesh["unknowns"] for mesh in contact["meshes"]])
+    if limit is None:  # its own finest mesh is the limit
+        values, limit, unknowns = values[:-1], values[-1], unknowns[:-1]
+    return unknowns, 100 * np.maximum(np.abs(values / limit - 1), SAME)
+
+
+def _formal_slope(panel: Axes, contacts: list[dict[str, Any]], name: str) -> None:
+    """Below all points of the contacts that have a formal order in this quantity."""
+    ordered = [contact for contact in contacts if contact["convergence"][name]["formal_order"] is not None]
+    if not ordered:
+        return
+    order = ordered[0]["convergence"][name]["formal_order"]  # one for all contacts
+    unknowns, distance = (np.concatenate(parts) for parts in zip(*(_distances(c, name) for c in ordered), strict=True))
+    ends = np.array([unknowns.min(), unknowns.max()])
+    slope = (ends / ends[0]) ** (-order / DIMENSIONS)
+    lowest = np.min(distance / (unknowns / ends[0]) ** (-order / DIMENSIONS))
+    panel.plot(ends, BELOW * lowest * slope, "-.", color=GREY, linewidth=1, label=f"formal order {order:g}")

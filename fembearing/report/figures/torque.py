@@ -1,0 +1,105 @@
+"""The friction torque over the operating points, split by effect, with the paper's values beside it."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from fembearing.report.figures.plot import Document
+from fembearing.report.figures.series_axis import SeriesAxis, axis_of
+from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, legend_below
+from fembearing.report.words import PER_MINUTE
+
+MILLI = 1e3
+PARTS = {  # from the bottom, with words for the legend
+    "spin": ("spin", BLUE),
+    "conformity": ("conformity slip", SKY),
+    "hysteresis": ("hysteresis", GREEN),
+    "rolling": ("rolling against the oil", ORANGE),
+    "cage": ("cage", PURPLE),
+    "declared": ("declared: seals, drag", GREY),
+}
+WIDTH = 0.6  # of a bar
+PAPER_MARKS = "Dv^<"
+NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both lubricant and surface."
+
+
+def torque_plot(document: Document) -> tuple[Figure | None, str]:
+    """Parts stacked up to the total, in N mm, with the uncertainty of the total."""
+    if document["torque"] is None:
+        return None, NO_TORQUE
+    axis = axis_of(document["torque"]["points"])
+    figure = Figure(figsize=(9, 5.4), layout="constrained")
+    panel = figure.subplots()
+    _parts(panel, axis)
+    known = _total(panel, axis)
+    printed = _paper(panel, axis, document["published"])
+    axis.apply(panel)
+    panel.set_ylabel("friction torque, N mm")
+    panel.set_ylim(0, None)
+    panel.grid(alpha=0.3)
+    legend_below(panel, columns=3, size=9)
+    caption = "The parts of the torque, stacked: their upper edge is the total. "
+    caption += f"Band: its uncertainty, {known}."
+    if document["cage_records"]:
+        caption += " The cage is in it by its closed form at rest; what it does in motion is told by itself."
+    return figure, caption + printed
+
+
+def _parts(panel: Axes, axis: SeriesAxis) -> None:
+    below = np.zeros(axis.values.size)
+    for name, (words, colour) in PARTS.items():
+        part = axis.of("torque", name)
+        if part is None:
+            continue
+        above = below + MILLI * part
+        if axis.joined:
+            panel.fill_between(axis.values, below, above, color=colour, alpha=0.75, linewidth=0, label=words)
+        else:
+            panel.bar(axis.values, above - below, WIDTH, bottom=below, color=colour, alpha=0.75, label=words)
+        below = above
+
+
+def _total(panel: Axes, axis: SeriesAxis) -> str:
+    """Draws it with its uncertainty, and tells what that is of."""
+    total = axis.of("torque", "total")
+    assert total is not None  # the total is always there
+    total = MILLI * total
+    numerical, model = axis.of("uncertainty", "numerical"), axis.of("uncertainty", "model")
+    half = sum((part for part in (numerical, model) if part is not None), start=np.zeros(total.size))
+    low, high = total * (1 - half), total * (1 + half)
+    if axis.joined:
+        panel.fill_between(axis.values, low, high, color=BLACK, alpha=0.25, linewidth=0, label="uncertainty of it")
+        panel.plot(axis.values, total, "-" + axis.mark, color=BLACK, markersize=4, label="total")
+    else:
+        panel.errorbar(
+            axis.values, total, (total - low, high - total), fmt="o", color=BLACK, capsize=4, label="total, uncertainty"
+        )
+    words = [
+        "numerical" if numerical is not None else "",
+        "of the film formula at 95 %" if model is not None else "",
+    ]
+    return " and ".join(word for word in words if word) or "not known"
+
+
+def _paper(panel: Axes, axis: SeriesAxis, published: dict[str, Any]) -> str:
+    """The paper's totals where the scene has its bearing and its load; a word on what they are."""
+    if not (published["same_bearing"] and published["same_load"] and axis.label == "inner speed, rpm"):
+        return ""
+    rows = [row for row in published["rows"] if row["quantity"] == "total_torque"]
+    roughness = sorted({row["rms_roughness"] for row in rows}, reverse=True)
+    for mark, rms in zip(PAPER_MARKS, roughness, strict=False):
+        drawn = [(row["inner_speed"] * PER_MINUTE, row["value"] * MILLI) for row in rows if row["rms_roughness"] == rms]
+        x, y = np.transpose(drawn)
+        label = f"paper, Sq {1e6 * rms:g} µm: total"
+        panel.plot(x, y, mark, color=RED, markerfacecolor="white", markersize=8, label=label, linestyle="none")
+    words = (
+        " Open marks: totals that the paper prints, its cage in motion among them; computed there, not measured, with "
+        "an oil and a hardness that it does not name."
+    )
+    if published["absent"]:
+        words += f" Of another case: {published['absent']}."
+    if published["calibration"]:
+        words += f" This scene is a calibration ({published['calibration']}): that it comes near is no agreement."
+    return words

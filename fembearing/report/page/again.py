@@ -1,0 +1,58 @@
+"""The page made again from report.json and the pictures beside it."""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from analytic.errors import InputError
+from fembearing.report.document.read import read_document
+from fembearing.report.page.html import MARK, write_page
+
+PAGE = "report.html"
+ENOUGH = 1000  # characters at the beginning of a page, with its mark
+
+
+@dataclass(frozen=True, kw_only=True)
+class RebuiltPage:
+    """What was written."""
+
+    file: Path
+    missing: tuple[str, ...]  # pictures that do not lie beside report.json
+
+    def to_json(self) -> dict[str, Any]:
+        return {"page": str(self.file), "missing": list(self.missing), "warnings": []}
+
+
+def rebuild_page(numbers: Path, *, out: Path | None = None) -> RebuiltPage:
+    """Write the page of a report.json, whole or not at all.
+
+    out : the page; report.html beside the numbers without it. What exists there is replaced if it is such a page
+    Raises InputError for numbers that are no report, and for a page that would replace something else or cannot be
+    written.
+    """
+    document = read_document(numbers)
+    target = numbers.with_name(PAGE) if out is None else out
+    place = f"--out {str(target)!r}"
+    if os.path.lexists(target) and not _is_page(target):
+        raise InputError(f"{place} exists and is no page of fembearing: give another name, or remove it first")
+    temporary = target.with_name(f".{target.name}-{os.getpid()}")
+    try:
+        write_page(document, folder=numbers.parent, file=temporary)
+        temporary.replace(target)
+    except OSError as problem:
+        raise InputError(
+            f"{place} cannot be written: {problem.strerror}; give a file in a folder of yours"
+        ) from problem
+    finally:
+        temporary.unlink(missing_ok=True)
+    named = [picture["file"] for picture in document.get("pictures", ())]
+    return RebuiltPage(file=target, missing=tuple(name for name in named if not (numbers.parent / name).is_file()))
+
+
+def _is_page(file: Path) -> bool:
+    try:
+        with file.open(encoding="utf-8") as text:
+            return MARK in text.read(ENOUGH)
+    except (OSError, UnicodeDecodeError):
+        return False

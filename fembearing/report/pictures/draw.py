@@ -1,0 +1,203 @@
+"""Pictures of the contacts, made without a screen.
+
+VTK draws them in a child process (`fembearing.report.pictures.render`), and there the view is written that turns in a browser.
+Where that cannot be, a plain map of the pressure takes their place, and the picture says so.
+"""
+
+import json
+import subprocess
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from matplotlib.ticker import MaxNLocator
+
+from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.report.pictures.framing import Frame, frame_of
+from fembearing.report.pictures.plain_map import draw_map
+from fembearing.report.words import AXES, place_of, shoulder_lines, title_of
+
+RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
+PATIENCE = 300  # s for all pictures; they take about ten
+LIFTED = 0.35  # of the ball's radius: how far it is drawn off the race
+GIGA_FROM = 0.5e9  # Pa
+
+Kind = Literal["pressure", "section", "view"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Picture:
+    """One picture in the report's folder."""
+
+    file: Path
+    kind: Kind
+    contact: ContactSolution
+    frame: Frame | None  # where the contact lies in it; a section is not to scale, a view turns
+    caption: str
+
+    def to_json(self) -> dict[str, str]:
+        return {
+            "file": self.file.name,
+            "kind": self.kind,
+            "pair": self.contact.contact.pair,
+            "geometry": self.contact.geometry,
+            "caption": self.caption,
+        }
+
+
+def draw_pictures(
+    contacts: Sequence[ContactSolution], folder: Path, *, renderer: Sequence[str] = RENDERER
+) -> tuple[list[Picture], str | None]:
+    """Draw each contact's pressure, section and view into `folder`, its meshes into .vtu beside them.
+
+    renderer : the command that draws; it reads the jobs from standard input
+    Gives the pictures, and why VTK could not draw them where it could not: then there are maps in place of its
+    pressure pictures, no sections and no views.
+    """
+    jobs = [job for contact in contacts for job in _jobs(contact, folder)]
+    trouble = rendered(jobs, renderer)
+    pictures = []
+    for contact in contacts:
+        frame = _frame(contact)
+        file = _file(contact, "pressure", folder)
+        if trouble:
+            draw_map(contact, frame=frame, **_scale(contact), file=file)
+        pictures.append(
+            Picture(
+                file=file,
+                kind="pressure",
+                contact=contact,
+                frame=frame,
+                caption=_pressure_caption(contact, mesh=not trouble),
+            )
+        )
+        if not trouble:
+            besides: dict[Kind, str] = {"section": _section_caption(contact), "view": _view_caption(contact)}
+            pictures += [
+                Picture(file=_file(contact, kind, folder), kind=kind, contact=contact, frame=None, caption=caption)
+                for kind, caption in besides.items()
+            ]
+    return pictures, trouble
+
+
+def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
+    """Run the renderer on all jobs; None, or one line on why it did not draw them all."""
+    try:
+        done = subprocess.run(
+            renderer, input=json.dumps(jobs), capture_output=True, text=True, timeout=PATIENCE, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return f"VTK did not finish within {PATIENCE} s"
+    except OSError as problem:
+        return f"the renderer could not be started: {problem.strerror}"
+    if done.returncode == 0 and all(Path(job["file"]).is_file() for job in jobs):
+        return None
+    for job in jobs:
+        Path(job["file"]).unlink(missing_ok=True)  # one kind of picture in a report, not a mixture
+    said = done.stderr.strip().splitlines()
+    how = f"signal {-done.returncode}" if done.returncode < 0 else f"status {done.returncode}"
+    return f"VTK ended with {how}" + (f": {said[-1]}" if said else "")
+
+
+def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
+    meshes = {side: str(path) for side, path in contact.write_meshes(folder).items()}
+    scale = _scale(contact)
+    common = {
+        **meshes,
+        **scale,
+        "title": title_of(contact.to_json()),
+        "hertz": [contact.hertz.semi_axis_rolling, contact.hertz.semi_axis_transverse],
+        "computed": [contact.reference.semi_axis_rolling, contact.reference.semi_axis_transverse],
+        "centroid": contact.centroid,
+        "shoulders": list(contact.shoulders),
+        "half": contact.meshes[-1].pair.footprint.half,
+    }
+    near = "The pocket" if contact.contact.pair == "pocket" else "The race"
+    return [
+        {
+            **common,
+            "kind": "pressure",
+            "file": str(_file(contact, "pressure", folder)),
+            "frame": asdict(_frame(contact)),
+        },
+        {
+            **common,
+            "kind": "section",
+            "file": str(_file(contact, "section", folder)),
+            "near": f"{near} near the contact",
+            "lifted": _lifted(contact),
+        },
+        {**common, "kind": "view", "file": str(_file(contact, "view", folder))},
+    ]
+
+
+def _lifted(contact: ContactSolution) -> float:
+    """How far the ball is drawn off what it touches, m: no farther than half the width of that."""
+    return min(LIFTED * contact.contact.ball_radius, float(contact.meshes[-1].pair.lower.mesh.doflocs[1].max()))
+
+
+def _file(contact: ContactSolution, kind: Kind, folder: Path) -> Path:
+    name = f"{contact.contact.pair}-{contact.geometry}-{kind}"
+    return folder / f"{name}.{'html' if kind == 'view' else 'png'}"
+
+
+def _frame(contact: ContactSolution) -> Frame:
+    """Room for both ellipses."""
+    both = contact.hertz, contact.reference
+    return frame_of(
+        semi_axis_rolling=max(part.semi_axis_rolling for part in both),
+        semi_axis_transverse=max(part.semi_axis_transverse for part in both),
+    )
+
+
+def _scale(contact: ContactSolution) -> dict[str, Any]:
+    """The unit of pressure, what Pa are multiplied by, the end of the colour scale and its round ticks."""
+    peak = contact.reference.peak_pressure
+    unit, factor = ("GPa", 1e-9) if peak >= GIGA_FROM else ("MPa", 1e-6)
+    ticks = MaxNLocator(5).tick_values(0, peak * factor)
+    return {
+        "unit": unit,
+        "factor": factor,
+        "peak": peak * factor,
+        "ticks": [float(tick) for tick in ticks if tick <= peak * factor],
+    }
+
+
+def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
+    across = contact.discrepancy["semi_axis_transverse"]
+    return (
+        f"Contact pressure by finite elements, seen along the load and drawn to scale, {place_of(contact.to_json())}. "
+        f"{'Grey lines are the mesh, the' if mesh else 'The'} red line is Hertz's ellipse: transverse it reaches "
+        f"{abs(across):.1%} {'beyond' if across > 0 else 'less far than'} the computed semi-axis, drawn in black. The "
+        f"painted edge is only as sharp as one cell. {_shoulder_caption(contact)}{AXES}."
+    )
+
+
+def _shoulder_caption(contact: ContactSolution) -> str:
+    if not contact.shoulder:
+        return ""
+    return (
+        f"{' '.join(shoulder_lines(contact.to_json()))} Orange: the shoulder; the black ellipse has the semi-axes of "
+        "the load about its centroid. "
+    )
+
+
+def _section_caption(contact: ContactSolution) -> str:
+    body = "pocket" if contact.contact.pair == "pocket" else "race"
+    return (
+        f"The meshed bodies cut along the plane x = 0, {place_of(contact.to_json())}. Left: the ball is drawn "
+        f"{_lifted(contact) * 1e3:.2g} mm off its {body}. Right: the {body} alone where it is "
+        "loaded; cells follow the contact's ellipse and shrink towards its edge."
+    )
+
+
+def _view_caption(contact: ContactSolution) -> str:
+    body = "pocket" if contact.contact.pair == "pocket" else "race"
+    return (
+        f"A view to turn, {place_of(contact.to_json())}: drag it, or click it and use arrow keys and wheel. Both "
+        f"loaded surfaces to scale, not deformed: from above the {body} is solid and the ball clear, from below the "
+        "other way round. Every corner of a cell, middle of its side and middle of its face is a node with its own "
+        "pressure; colours and lines are those of the still picture above."
+    )

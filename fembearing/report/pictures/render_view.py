@@ -1,0 +1,107 @@
+"""A contact to turn in the browser: one page with its own script and numbers, which fetches nothing.
+
+Part of the process of `fembearing.report.pictures.render`; the job is that of `fembearing.report.pictures.draw`. The page,
+templates/view.html, draws the loaded faces of both bodies by WebGL. Its vertices are the nodes of the finest mesh, not
+deformed, so that no value in it is interpolated.
+It has its own script because the exports that exist are five times as heavy or more, and the one of VTK asks a host for
+icons when it is opened.
+"""
+
+import base64
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from matplotlib import colormaps
+from matplotlib.colors import to_rgb
+
+from fembearing.report.pictures.render_mesh import (
+    BODIES,
+    COLOURS,
+    HERTZ,
+    INK,
+    LEAST_SHOWN,
+    LINES,
+    MM,
+    SHOULDER,
+    STEEP,
+    across,
+    distinct_edges,
+    mirrored,
+    outer_faces,
+    scaled,
+)
+
+SHADES = 256  # of the colour scale
+SHOWN = 1.3, 1.7  # from the middle to the nearer edges at first, in longer and in shorter semi-axes
+
+
+def contact_view(job: dict[str, Any]) -> str:
+    """The page; lengths in mm, pressure in the job's unit."""
+    bodies = {side: mirrored(scaled(job[side], job), (0, *across(job))) for side in BODIES}
+    parts = [drawn_body(body, BODIES[side]) for side, body in bodies.items()]
+    shoulders = [MM * y for y in job["shoulders"]]
+    inks = (HERTZ, "hertz", 0.0), (INK, "computed", MM * job["centroid"])
+    scene = {
+        "title": job["title"],
+        "unit": job["unit"],
+        "peak": job["peak"],
+        "ticks": job["ticks"],
+        "least": LEAST_SHOWN * job["peak"],
+        "faces": sum(part["faces"] for part in parts),
+        "bodies": parts,
+        "reach": float(max(np.linalg.norm(body.points, axis=-1).max() for body in bodies.values())),
+        "shoulders": [max((y for y in shoulders if y < 0), default=None), max(shoulders, default=None)],
+        "ellipses": [
+            {"colour": to_rgb(ink), "semi_axes": [MM * part for part in job[name]], "middle": middle}
+            for ink, name, middle in inks
+        ],
+        "lines": to_rgb(LINES),
+        "shoulder": to_rgb(SHOULDER),
+        "shades": packed(colormaps[COLOURS](np.linspace(0, 1, SHADES), bytes=True), "u1"),
+        "eye": STEEP.tolist(),
+        "half_size": MM * max(SHOWN[0] * max(job["computed"]), SHOWN[1] * min(job["computed"])),
+    }
+    environment = Environment(
+        loader=PackageLoader("fembearing.report.page"), autoescape=True, undefined=StrictUndefined, trim_blocks=True
+    )
+    return environment.get_template("view.html").render(scene=scene)
+
+
+def drawn_body(body: pv.DataSet, colour: str) -> dict[str, Any]:
+    """The loaded faces of a body as triangles of their nodes, the edges of its cells as lines.
+
+    Each vertex has its place, the outward normal there, and the pressure: seven numbers.
+    """
+    edges, centres, within = outer_faces(body, loaded=True)
+    halves = edges[..., [0, 2, 2, 1]].reshape(-1, 2)  # eight to a face
+    triangles = np.column_stack([halves, np.repeat(centres, 8)])
+    away = body.points[triangles[:, 2]] - body.points[np.repeat(within, 8)]
+    inwards = np.sum(normals(body.points[triangles]) * away, axis=-1) < 0
+    triangles[inwards] = triangles[inwards][:, ::-1]
+    used, numbers = np.unique(triangles, return_inverse=True)
+    numbers, points = numbers.reshape(-1, 3), body.points[used]
+    smooth = np.zeros(points.shape)  # the mean of the normals of all triangles at a vertex, by their areas
+    for corner in numbers.T:
+        np.add.at(smooth, corner, normals(points[numbers]))
+    smooth /= np.linalg.norm(smooth, axis=-1, keepdims=True)
+    lines = distinct_edges(edges)[:, [0, 2, 2, 1]].reshape(-1, 2)
+    pressure = np.maximum(body.point_data["pressure"][used], 0.0)
+    return {
+        "colour": to_rgb(colour),
+        "faces": len(triangles),
+        "vertices": packed(np.column_stack([points, smooth, pressure]), "<f4"),
+        "triangles": packed(numbers, "<u4"),
+        "lines": packed(np.searchsorted(used, lines), "<u4"),
+    }
+
+
+def normals(corners: np.ndarray) -> np.ndarray:
+    """Of triangles (n, 3, 3) by the right hand, as long as twice their areas, (n, 3)."""
+    first, second, third = np.moveaxis(corners, 1, 0)
+    return np.cross(second - first, third - first)
+
+
+def packed(values: Any, kind: str) -> str:
+    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode()

@@ -1,0 +1,154 @@
+"""What a moving cage comes to: regimes by their closed forms, intervals by their meaning, the same numbers again."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.cage.motion import CageMotion
+from analytic.cage.statistics import measured_motion
+from analytic.cage.steady import LandGuidance, rest_torque
+from analytic.errors import InputError
+from tests.analytic.cage.specimens import CAGE, RATE, W
+
+POWERS = ("slip_power", "land_power", "drag_power", "damping_power")
+
+
+def test_rest_and_whirl_are_both_there_and_the_start_decides() -> None:
+    resting = measured_motion(CAGE, start="rest", seeds=2, duration=0.04)
+    whirling = measured_motion(CAGE, start="whirl", seeds=2, duration=0.04)
+    assert (resting.state, whirling.state) == ("rest", "whirl")
+    assert resting.other is not None
+    assert whirling.other is not None
+    assert (resting.other.start, resting.other.state) == ("whirl", "whirl")
+    assert (whirling.other.start, whirling.other.state) == ("rest", "rest")
+    np.testing.assert_allclose(resting.other.torque, whirling.torque, rtol=0.02)
+    closed = rest_torque(
+        friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
+    )
+    np.testing.assert_allclose([resting.torque, whirling.other.torque], closed, rtol=0.02)
+    assert abs(resting.signed_moment) < 1e-2 * resting.torque
+
+
+def test_a_cage_that_cannot_whirl_has_one_steady_motion() -> None:
+    """A whirl number of 0.5: thrown round, it falls back on its balls."""
+    slow = np.sqrt(0.5 * 9.80665 * CAGE.room) / 3.97e-3
+    cage = replace(CAGE, ball_speed=slow, orbit_speed=slow / RATE * 0.4, ring_speed=slow / RATE)
+    found = measured_motion(cage, start="sudden", seeds=2, duration=0.3)
+    assert (found.state, found.other) == ("rest", None)
+
+
+@pytest.mark.parametrize("rpm", [1.0, 500.0])
+def test_a_resting_cage_slides_alike_at_any_speed(rpm: float) -> None:
+    """The speed below which friction fades is small against that of the balls, however slow they are."""
+    slower = rpm * np.pi / 30 / W
+    driven = {name: slower * getattr(CAGE, name) for name in ("orbit_speed", "ball_speed", "ring_speed")}
+    found = measured_motion(replace(CAGE, **driven), start="rest", seeds=2, duration=0.02)
+    closed = rest_torque(
+        friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
+    )
+    np.testing.assert_allclose(found.torque, closed, rtol=0.02)  # it swings a little
+    assert found.state == "rest"
+
+
+def test_what_swings_slower_than_a_block_does_not_rest() -> None:
+    """Table 1's pocket: a swing takes 0.11 s, a block 5 ms, and the cage lets itself fall."""
+    found = measured_motion(replace(CAGE, room=2.98e-3, centre_offset=0.14e-3), start="sudden", seeds=2, duration=0.05)
+    assert found.state == "irregular"
+    assert found.largest_force > 10
+
+
+def test_a_cage_that_tumbles_about_its_land_does_not_rest() -> None:
+    """However small the land's room is beside that of the pockets."""
+    land = LandGuidance(radius=17e-3, room=0.05e-3, outside=False, speed=W, half_width=5e-3)
+    found = measured_motion(replace(CAGE, land=land, room=0.5e-3), start="whirl", seeds=2, duration=0.02)
+    assert found.state != "rest"  # of a tumbling motion the seeds may part
+
+
+def test_balls_that_lead_and_lag_shake_a_whirling_cage() -> None:
+    """Neither rest nor whirl; what it costs, seeds and the step agree on."""
+    cage = replace(CAGE, ball_lead=0.06e-3)
+    found = measured_motion(cage, start="whirl", seeds=3, duration=0.05)
+    assert found.state == "irregular"
+    low, high = found.torque_interval
+    assert low < found.torque < high
+    assert high - low < 0.06 * found.torque  # within 3 % of the mean
+    assert found.max_force_interval[0] <= found.max_force <= found.max_force_interval[1] <= found.largest_force
+    finer = measured_motion(cage, start="whirl", seeds=2, duration=0.05, steps_per_contact=80)
+    np.testing.assert_allclose(finer.torque, found.torque, rtol=0.03)
+
+
+def test_what_is_told_is_that_of_the_motions() -> None:
+    """Against the blocks themselves, run again: two seeds of an irregular motion at a land that takes a part."""
+    land = LandGuidance(radius=17e-3, room=0.06e-3, outside=False, speed=W, half_width=5e-3)
+    cage = replace(CAGE, ball_lead=0.06e-3, land=land, drag=4e-6)
+    found = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
+    blocks = []
+    for seed in range(2):
+        motion = CageMotion(cage, begin="whirl", seed=seed)
+        motion.advance(0.01)
+        blocks += [motion.advance(1e-3) for _ in range(10)]
+    lost = {name: np.mean([getattr(block, name) for block in blocks]) / W for name in POWERS}
+    assert min(lost.values()) > 0
+    np.testing.assert_allclose(found.torque, lost["slip_power"] + lost["land_power"] + lost["drag_power"], rtol=1e-12)
+    np.testing.assert_allclose([found.damping_torque, found.drag_torque], [lost["damping_power"], lost["drag_power"]])
+    np.testing.assert_allclose(found.signed_moment, np.mean([block.moment for block in blocks]), rtol=1e-12)
+    largest = sorted(block.max_force for block in blocks)
+    np.testing.assert_allclose(found.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)
+    assert found.largest_force == largest[-1]
+    # Order statistics 6 and 15 of 20: 21700 of 2^20 throws of a coin have fewer than 6 heads, 2.07 %.
+    assert found.max_force_interval == (largest[5], largest[14])
+    low, high = found.torque_interval
+    seeds = [np.mean([b.slip_power + b.land_power + b.drag_power for b in blocks[k : k + 10]]) / W for k in (0, 10)]
+    np.testing.assert_allclose((high - low) / 2, 12.706 * abs(seeds[0] - seeds[1]) / 2, rtol=1e-4)  # t of one freedom
+
+
+def test_whether_it_could_whirl_is_by_half_the_clearance() -> None:
+    """A whirl number of 1.3 asks for another start, one of 0.8 does not."""
+    for number in (1.3, 0.8):
+        surface = np.sqrt(number * 9.80665 * CAGE.room) / 3.97e-3
+        cage = replace(CAGE, ball_speed=surface, orbit_speed=surface / RATE * 0.4, ring_speed=surface / RATE)
+        assert (measured_motion(cage, start="rest", seeds=2, duration=8e-3).other is None) == (number < 1)
+
+
+def test_seeds_that_part_are_told() -> None:
+    """Balls that lead so far stop some whirling cages and not others."""
+    found = measured_motion(replace(CAGE, ball_lead=0.1e-3), start="sudden", seeds=3, duration=0.05)
+    assert found.state == "mixed"
+    assert found.torque_interval[1] - found.torque_interval[0] > found.torque
+
+
+def test_the_same_question_has_the_same_answer() -> None:
+    asked: dict[str, Any] = {"start": "sudden", "seeds": 2, "duration": 8e-3}
+    first = measured_motion(CAGE, **asked)
+    measured_motion.cache_clear()
+    assert measured_motion(CAGE, **asked) == first
+    assert first.duration == 0.016
+    assert first.block == 8e-4
+
+
+@pytest.mark.parametrize("start", ["rest", "ramp"])  # which has risen to full speed before anything is measured
+def test_drag_brakes_the_cage_and_the_balls_push_it(start: Any) -> None:
+    """The moment of the balls about the axis is what the drag takes: it averages to nothing without."""
+    cage = replace(CAGE, drag=2e-6)
+    found = measured_motion(cage, start=start, seeds=2, duration=0.05)
+    np.testing.assert_allclose(found.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
+    np.testing.assert_allclose(found.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
+    assert found.torque > found.drag_torque
+
+
+@pytest.mark.parametrize(
+    ("change", "options", "words"),
+    [
+        ({"ring_speed": 0.0}, {"seeds": 3}, "magnitude of ring_speed must be positive"),
+        ({}, {"seeds": 1}, "seeds must be at least 2, got 1"),
+        ({}, {"duration": 0.0}, "duration must be positive"),
+        # sqrt(4 x 0.1 mm/g), and 0.2 mm at the 0.49 m/s of the balls' surfaces
+        ({}, {"duration": 6.3e-3}, r"0\.0063 s .* too short: the cage crosses its pockets once in 0\.00639 s"),
+        ({"gravity": (0.0, 0.0, 0.0)}, {"duration": 4.0e-4}, r"crosses its pockets once in 0\.000408 s"),
+    ],
+)
+def test_what_cannot_be_is_refused(change: dict[str, Any], options: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        measured_motion(replace(CAGE, **change), start="rest", **options)

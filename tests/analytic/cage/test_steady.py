@@ -1,0 +1,197 @@
+"""Closed forms of the cage, against statics, mechanics of rigid bodies, and numbers computed elsewhere."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+from analytic.cage.pocket import impact
+from analytic.cage.steady import (
+    DrivenCage,
+    LandGuidance,
+    require_loose_balls,
+    rest_torque,
+    whirl_bound,
+    whirl_force,
+    whirl_speed,
+    whirl_torque,
+)
+from analytic.errors import InputError
+
+W = 52.36  # rad/s: 500 rpm
+LAND = LandGuidance(radius=17e-3, room=0.02e-3, outside=False, speed=W, half_width=5e-3)
+PITCH, RADIUS, MASS = 39.01e-3, 3.97e-3, 6.58e-3
+RATE = 15.599 * 23.411 / (39.01 * 3.97)  # w_b/w at 0.18 rad
+CAGE = DrivenCage(
+    mass=MASS,
+    ball_count=9,
+    ball_radius=RADIUS,
+    pitch_radius=PITCH / 2,
+    room=0.1e-3,
+    stiffness=6.0e10,
+    restitution=0.8,
+    friction_coefficient=0.1,
+    orbit_speed=W * 15.599 / 39.01,
+    ball_speed=W * RATE,
+    contact_angle=0.18,
+    ring_speed=W,
+)
+
+
+def sliding_power(friction: float, angle: float, balls: int) -> float:
+    """Statics of a cage on balls that press equally hard: the place where forces balance, and the power lost there."""
+    phi = 2 * np.pi * np.arange(balls) / balls
+    axis = np.stack([-np.sin(angle) * np.cos(phi), -np.sin(angle) * np.sin(phi), np.full(balls, np.cos(angle))], axis=1)
+
+    def loads(place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        normal = np.array([np.cos(place[0]), np.sin(place[0]), 0])
+        slip = -W * RATE * RADIUS * np.cross(axis, normal)
+        speed = np.linalg.norm(slip, axis=1)
+        return (place[1] * (normal + friction * slip / speed[:, None])).sum(axis=0), speed
+
+    def unbalanced(place: np.ndarray) -> float:
+        total = loads(place)[0] - [0, MASS * 9.80665, 0]
+        return float((total[:2] ** 2).sum())
+
+    found = minimize(unbalanced, [np.pi / 2, MASS], method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-18})
+    return friction * found.x[1] * loads(found.x)[1].sum()
+
+
+@pytest.mark.parametrize(("friction", "angle", "within"), [(0.1, 0.18, 5e-4), (0.3, 0.5, 7e-3)])
+def test_rest_torque_is_statics(friction: float, angle: float, within: float) -> None:
+    closed = rest_torque(
+        friction_coefficient=friction, cage_mass=MASS, ball_rate=RATE, ball_radius=RADIUS, contact_angle=angle
+    )
+    # The formula takes friction as all in the plane, and it leans out of it: mu^2 sin^2(al)/4 of the whole is missed.
+    np.testing.assert_allclose(closed, sliding_power(friction, angle, 9) / W, rtol=within)
+
+
+def test_numbers_computed_elsewhere() -> None:
+    """A 6205 at 500 rpm, by an independent simulation: 0.0604 N mm; 8.0 N and 0.83 N mm at 0.2 mm of room."""
+    resting = rest_torque(
+        friction_coefficient=0.1, cage_mass=MASS, ball_rate=RATE, ball_radius=RADIUS, contact_angle=0.18
+    )
+    whirl = whirl_speed(ball_speed=W * RATE, ball_radius=RADIUS, contact_angle=0.0, room=0.2e-3)
+    force = whirl_force(cage_mass=MASS, whirl=whirl, orbit_speed=CAGE.orbit_speed, room=0.2e-3)
+    torque = whirl_torque(friction_coefficient=0.1, force=force, ball_rate=RATE, ball_radius=RADIUS, contact_angle=0.18)
+    np.testing.assert_allclose([resting * 1e3, force, torque * 1e3], [0.0604, 8.0, 0.83], rtol=0.04)  # rounded, alike
+
+
+def test_a_whirling_cage_moves_with_the_surfaces_of_its_balls() -> None:
+    angle, room, spin = 0.31, 0.23e-3, 470.0
+    whirl = whirl_speed(ball_speed=spin, ball_radius=RADIUS, contact_angle=angle, room=room)
+    normal, up = np.array([0.6, 0.8, 0.0]), np.array([0.0, 0.0, 1.0])
+    cage = np.cross(whirl * up, -room * normal)  # the cage is displaced against the normal
+    surface = np.cross(-spin * np.cos(angle) * up, RADIUS * normal)  # mean over the balls: their leaning cancels
+    np.testing.assert_allclose(cage, surface, rtol=1e-12)
+    centripetal = MASS * np.linalg.norm(np.cross((whirl + 31.0) * up, np.cross((whirl + 31.0) * up, room * normal)))
+    found = whirl_force(cage_mass=MASS, whirl=whirl, orbit_speed=31.0, room=room)
+    np.testing.assert_allclose(found, centripetal, rtol=1e-12)
+
+
+def test_what_leans_out_of_the_plane_slides() -> None:
+    angle, phi = 0.31, 2 * np.pi * np.arange(4001) / 4001
+    leaning = np.stack([np.sin(angle) * np.cos(phi), np.sin(angle) * np.sin(phi), np.zeros(4001)], axis=1)
+    slip = np.linalg.norm(np.cross(leaning, [0.6, 0.8, 0.0]), axis=1).mean() * RATE * RADIUS
+    found = whirl_torque(friction_coefficient=0.13, force=7.1, ball_rate=RATE, ball_radius=RADIUS, contact_angle=angle)
+    np.testing.assert_allclose(found, 0.13 * 7.1 * slip, rtol=1e-6)  # 4001 balls for a circle
+    bound = whirl_bound(friction_coefficient=0.13, force=7.1, ball_rate=RATE, ball_radius=RADIUS)
+    assert bound > found
+
+
+def test_balls_may_lead_until_no_place_of_the_cage_clears_them() -> None:
+    """The least over all places and turns of the cage of the ball that is farthest off its pocket."""
+    phi, lead = 2 * np.pi * np.arange(9) / 9, 0.11e-3
+    balls = lead * np.sin(phi)[:, None] * np.stack([-np.sin(phi), np.cos(phi)], axis=1)
+
+    def worst(place: np.ndarray) -> float:
+        pockets = place[:2] + place[2] * np.stack([-np.sin(phi), np.cos(phi)], axis=1)
+        return float(np.linalg.norm(balls * 1e3 - pockets, axis=1).max())
+
+    needed = min(
+        minimize(worst, start, method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-12, "maxiter": 4000}).fun
+        for start in ([0.0, 0.0, 0.0], [0.0, 0.05, 0.01], [0.02, 0.06, 0.0])
+    )
+    np.testing.assert_allclose(needed * 1e-3, lead / 2, rtol=1e-3)  # the simplex's patience
+    require_loose_balls(ball_lead=lead, room=1.001 * lead / 2, centre_offset=0.0)
+    with pytest.raises(InputError, match=r"ball_lead 0\.00011 m is beyond the clearance: below 0\.00010989 m"):
+        require_loose_balls(ball_lead=lead, room=0.999 * lead / 2, centre_offset=0.0)
+
+
+def test_a_land_leaves_balls_less_room_to_lead() -> None:
+    """The same where the cage may go no farther than its land lets it, turns of the cage included."""
+    phi, lead, land = 2 * np.pi * np.arange(9) / 9, 0.11, 0.02  # mm
+    balls = lead * np.sin(phi)[:, None] * np.stack([-np.sin(phi), np.cos(phi)], axis=1)
+
+    def worst(place: np.ndarray) -> float:
+        centre = place[:2] * min(1.0, land / max(float(np.hypot(*place[:2])), 1e-12))
+        pockets = centre + place[2] * np.stack([-np.sin(phi), np.cos(phi)], axis=1)
+        return float(np.linalg.norm(balls - pockets, axis=1).max())
+
+    options = {"xatol": 1e-9, "fatol": 1e-12, "maxiter": 4000}
+    needed = min(
+        minimize(worst, start, method="Nelder-Mead", options=options).fun
+        for start in ([-0.01, 0.0, 0.0], [-0.03, 0.01, 0.01])
+    )
+    # The formula is of balls all round; of nine none is just where the lead is largest, 2 % less.
+    np.testing.assert_allclose(needed, lead - land, rtol=0.03)
+    require_loose_balls(ball_lead=lead, room=1.001 * (lead - land), centre_offset=0.0, land_room=land)
+    require_loose_balls(ball_lead=lead, room=1.001 * (lead - land) + 0.3, centre_offset=0.3, land_room=land)
+    with pytest.raises(InputError, match="beyond the clearance"):
+        require_loose_balls(ball_lead=lead, room=0.999 * (lead - land) + 0.3, centre_offset=0.3, land_room=land)
+    with pytest.raises(InputError, match="beyond the clearance"):
+        require_loose_balls(ball_lead=-lead, room=0.999 * (lead - land), centre_offset=0.0, land_room=land)
+
+
+def test_step_follows_the_shortest_impact() -> None:
+    stiffer = replace(CAGE, stiffness=7 * CAGE.stiffness)
+    np.testing.assert_allclose(CAGE.contact_time / stiffer.contact_time, 7**0.4, rtol=1e-12)
+    slow = replace(CAGE, ball_speed=0.0)  # it falls through the pocket's clearance, on at least a third of its mass
+    assert slow.fastest == pytest.approx(np.sqrt(2 * 9.80665 * 0.2e-3), rel=1e-12)
+    for balls, share in ((1, 3), (2, 3), (9, 9)):
+        hit = impact(mass=MASS / share, speed=slow.fastest, stiffness=CAGE.stiffness)
+        assert replace(slow, ball_count=balls).contact_time == pytest.approx(float(hit.duration), rel=1e-12)
+    still = replace(CAGE, ball_speed=0.0, gravity=(0.0, 0.0, 0.0))
+    assert still.contact_time == np.inf
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"room": 0.0}, "room must be positive"),
+        ({"mass": float("nan")}, "mass must be positive"),
+        ({"centre_offset": 0.2e-3}, "the shells clamp the ball"),
+        ({"ball_lead": -0.21e-3}, "beyond the clearance"),
+        ({"friction_coefficient": -0.1}, "friction_coefficient must be at least 0"),
+        ({"orbit_speed": float("inf")}, "orbit_speed must be finite"),
+        ({"ball_count": 0}, "ball_count must be at least 1, got 0"),
+        ({"pocket_axis": "sideways"}, 'pocket_axis must be "axial" or "radial"'),
+        ({"axial_inertia": -1e-6}, "axial_inertia must be positive"),
+        ({"transverse_inertia": float("nan")}, "transverse_inertia must be positive"),
+        ({"ball_lead": 0.13e-3, "land": LAND}, r"ball_lead 0\.00013 m is beyond the clearance: below 0\.00012 m"),
+    ],
+)
+def test_what_cannot_be_is_refused(change: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        replace(CAGE, **change)
+
+
+def test_a_cage_goes_as_far_as_its_first_ball_lets_it() -> None:
+    """Moved so far, one ball is exactly at the end of its room, and none beyond."""
+    cage = replace(CAGE, ball_lead=0.07e-3, centre_offset=0.03e-3)
+    for direction in ([0.6, -0.8, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.36, 0.48 / 0.6]):
+        along = np.array(direction) / np.linalg.norm(direction)
+        pockets = cage.pocket_places + cage.middle + cage.free_way(along) * along
+        shells = [cage.ball_places(0.0) - pockets + side * np.array([0, 0, 0.03e-3]) for side in (1, -1)]
+        farthest = max(np.linalg.norm(shell, axis=1).max() for shell in shells)
+        np.testing.assert_allclose(farthest, cage.room, rtol=1e-12)  # round-off
+
+
+def test_balls_go_round_and_lead_on_one_side() -> None:
+    cage = replace(CAGE, ball_lead=0.07e-3)
+    quarter = cage.ball_places(np.pi / 2)
+    led = np.pi / 2 + 0.07e-3 / cage.pitch_radius  # the first ball, where the lead is largest
+    np.testing.assert_allclose(quarter[0], cage.pitch_radius * np.array([np.cos(led), np.sin(led), 0]), atol=1e-15)
+    np.testing.assert_allclose(np.linalg.norm(quarter, axis=1), cage.pitch_radius, rtol=1e-12)

@@ -1,0 +1,108 @@
+"""The geometry of ball on race against the rings' surfaces themselves."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.contact.geometry import Race, race_contact, race_curvatures
+from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
+from analytic.errors import InputError
+from analytic.scene import Bearing, Ring
+
+RACES: list[Race] = ["inner", "outer"]
+ANGLE, LOAD = 0.31, 372.0  # rad, N
+
+
+def torus(bearing: Bearing, race: Race, profile: float, turn: float) -> np.ndarray:
+    """A point of the race's torus (radial, tangential, axial), at a profile angle and turned about the bearing's axis.
+
+    The groove is as far from the axis as a ball that it touches at ANGLE on the pitch circle asks: the ring has
+    moved along the axis only, so the profile's centre is off the pitch circle by (r_g - r) cos ANGLE.
+    """
+    sign = 1 if race == "inner" else -1
+    groove = bearing.inner if race == "inner" else bearing.outer
+    spare = groove.groove_radius - bearing.ball_radius
+    centre = bearing.pitch_diameter / 2 + sign * spare * np.cos(ANGLE)
+    radial = centre - sign * groove.groove_radius * np.cos(profile)
+    return np.array([radial * np.cos(turn), radial * np.sin(turn), -sign * groove.groove_radius * np.sin(profile)])
+
+
+@pytest.mark.parametrize("race", RACES)
+def test_curvatures_are_those_of_the_torus(bearing_6205: Bearing, race: Race) -> None:
+    """Twice the height over the tangent plane per square of distance, by small steps along and across rolling."""
+    sign = 1 if race == "inner" else -1
+    into_race = np.array([-sign * np.cos(ANGLE), 0.0, -sign * np.sin(ANGLE)])
+    origin = torus(bearing_6205, race, ANGLE, 0.0)
+    step = 1e-3  # rad: the next term of the height is 1e-6 of this one, round-off 1e-9
+
+    def curvature(point: np.ndarray) -> float:
+        along = point - origin
+        return 2 * float(along @ into_race) / float(along @ along - (along @ into_race) ** 2)
+
+    both_sides = [curvature(torus(bearing_6205, race, ANGLE + side * step, 0.0)) for side in (-1, 1)]
+    ball = 1 / bearing_6205.ball_radius
+    expected = ball + curvature(torus(bearing_6205, race, ANGLE, step)), ball + float(np.mean(both_sides))
+    found = race_curvatures(bearing_6205, race, contact_angle=ANGLE)
+    np.testing.assert_allclose(found, expected, rtol=2e-5)  # 1/r - 1/r_g magnifies the step's 1e-6 by up to 26
+
+
+@pytest.mark.parametrize("race", RACES)
+def test_the_shoulder_is_where_the_groove_ends(bearing_6205: Bearing, race: Race) -> None:
+    contact = race_contact(bearing_6205, race, contact_angle=ANGLE, ball_load=LOAD)
+    groove = bearing_6205.inner if race == "inner" else bearing_6205.outer
+    axial, radial = groove.shoulder_half_width, np.sqrt(groove.groove_radius**2 - groove.shoulder_half_width**2)
+    tangent = np.array([np.cos(ANGLE), -np.sin(ANGLE)])  # in (axial, radial from the profile's centre)
+    np.testing.assert_allclose(contact.shoulder, tangent @ (axial, radial), rtol=1e-12)  # round-off
+
+
+@pytest.mark.parametrize("race", RACES)
+def test_the_noun_has_the_curvatures_of_the_formula(bearing_6205: Bearing, race: Race) -> None:
+    contact = race_contact(bearing_6205, race, contact_angle=ANGLE, ball_load=LOAD)
+    expected = race_curvatures(bearing_6205, race, contact_angle=ANGLE)
+    np.testing.assert_allclose(relative_curvatures(contact), expected, rtol=1e-13)  # round-off
+    assert (contact.rolling_radius > 0) == (race == "inner")
+    assert (contact.pair, contact.load, contact.contact_angle) == (race, LOAD, ANGLE)
+
+
+def test_steel_6205_is_stressed_more_on_the_inner_race(bearing_6205: Bearing) -> None:
+    peaks = []
+    for race in RACES:
+        along, across = race_curvatures(bearing_6205, race, contact_angle=ANGLE)
+        modulus = contact_modulus(bearing_6205.ball_material, bearing_6205.inner.material)
+        found = hertz_contact(curvature_x=along, curvature_y=across, load=LOAD, modulus=modulus)
+        peaks.append(float(found.peak_pressure))
+        assert found.semi_axis_x < found.semi_axis_y
+    assert peaks[0] > 1.05 * peaks[1]  # a flipped sign of the rolling curvature turns this round
+
+
+def test_each_race_keeps_its_own_dimensions(bearing_6205: Bearing) -> None:
+    assert race_contact(bearing_6205, "inner", contact_angle=ANGLE, ball_load=LOAD).groove_radius == 4.13e-3
+    assert race_contact(bearing_6205, "outer", contact_angle=ANGLE, ball_load=LOAD).groove_radius == 4.21e-3
+
+
+@pytest.mark.parametrize(
+    ("race", "angle", "load", "words"),
+    [
+        ("outer", 0.83, LOAD, ("0.8300 rad", "outer race's shoulder at 0.8276 rad", "lower the load")),
+        ("inner", 18.0, LOAD, ("contact_angle", "18.0", "degrees")),
+        ("inner", -0.2, LOAD, ("contact_angle", "-0.2")),
+        ("inner", ANGLE, -5.0, ("ball_load", "-5.0")),
+        ("pocket", ANGLE, LOAD, ("race", "pocket")),
+    ],
+)
+def test_a_contact_off_the_groove_is_refused(
+    bearing_6205: Bearing, race: Race, angle: float, load: float, words: tuple[str, ...]
+) -> None:
+    with pytest.raises(InputError) as refusal:
+        race_contact(bearing_6205, race, contact_angle=angle, ball_load=load)
+    assert all(word in str(refusal.value) for word in words), refusal.value
+
+
+def test_the_ring_behind_a_groove_is_known_with_its_seat_and_width(bearing_6205) -> None:
+    sized = replace(bearing_6205, width=15e-3)
+    inner, outer = (race_contact(sized, race, contact_angle=0.2, ball_load=55.0).ring for race in ("inner", "outer"))
+    assert inner == Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_width=3.1e-3)
+    assert outer == Ring(bottom_radius=23.48e-3, seat_radius=26e-3, width=15e-3, shoulder_half_width=3.1e-3)
+    for lacking in (replace(sized, bore_diameter=None), replace(sized, width=None)):
+        assert race_contact(lacking, "inner", contact_angle=0.2, ball_load=55.0).ring is None

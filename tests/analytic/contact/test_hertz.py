@@ -1,0 +1,251 @@
+"""Hertz's contact against what defines it, against 50-digit arithmetic, and against a published table."""
+
+from pathlib import Path
+
+import hypothesis.strategies as st
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from scipy.integrate import quad
+
+from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact, relative_curvatures
+from analytic.errors import InputError
+from analytic.scene import Contact, Material
+
+FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach", "stiffness")
+HARRIS = Path(__file__).parents[3] / "validation" / "published" / "harris_table_6_1.csv"
+LOAD, MODULUS = 613.0, 1.13e11  # N, Pa
+LARGE, SMALL = 310.0, 9.7  # 1/m: a ball on the inner race of a small bearing
+ROUND_OFF = 1e-13  # a few hundred roundings of a double
+
+steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
+peek = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
+
+
+def contact(curvature_x: float = LARGE, curvature_y: float = SMALL, **changed: float) -> HertzContact:
+    arguments = {"load": LOAD, "modulus": MODULUS} | changed
+    return hertz_contact(curvature_x=curvature_x, curvature_y=curvature_y, **arguments)
+
+
+def ball_on_race(**changed: object) -> Contact:
+    fields: dict[str, object] = {
+        "pair": "inner",
+        "ball_radius": 3.97e-3,
+        "groove_radius": 4.13e-3,
+        "rolling_radius": 15.85e-3,
+        "shoulder": 2.3e-3,
+        "contact_angle": 0.18,
+        "load": LOAD,
+        "ball_material": steel,
+        "race_material": steel,
+    }
+    return Contact(**(fields | changed))  # pyright: ignore[reportArgumentType]
+
+
+def misfit(found: HertzContact, curvature_x: float, curvature_y: float, modulus: float = MODULUS) -> float:
+    """How far the pressure is from pressing the gap flat: the definition of the contact, relative to the approach.
+
+    Displacement of a half space at (x, y) inside the ellipse under p0 sqrt(1 - X^2/a^2 - Y^2/b^2): polar coordinates
+    about the point cancel Boussinesq's 1/distance, and along a chord the pressure is the root of a quadratic, whose
+    integral is a half ellipse's area. What is left is periodic in the direction: equal steps converge exponentially.
+    """
+    a, b, p0 = float(found.semi_axis_x), float(found.semi_axis_y), float(found.peak_pressure)
+    direction = np.arange(20_000) * np.pi / 20_000  # 4000 would do for the ellipses here
+    cosine, sine = np.cos(direction), np.sin(direction)
+    worst = 0.0
+    for x, y in ((0.0, 0.0), (0.71 * a, 0.13 * b), (-0.24 * a, 0.83 * b)):
+        inside = 1 - (x / a) ** 2 - (y / b) ** 2
+        slope, bend = x * cosine / a**2 + y * sine / b**2, (cosine / a) ** 2 + (sine / b) ** 2
+        chord = np.pi / 2 * (inside + slope**2 / bend) / np.sqrt(bend)
+        displacement = p0 * float(np.mean(chord)) / modulus
+        gap = float(found.approach) - curvature_x * x**2 / 2 - curvature_y * y**2 / 2
+        worst = max(worst, abs(displacement - gap) / float(found.approach))
+    return worst
+
+
+def carried_load(found: HertzContact) -> float:
+    """Load under the pressure, N, by quadrature over the ellipse."""
+    disc, _ = quad(lambda radius: 2 * np.pi * radius * np.sqrt(1 - radius**2), 0, 1)
+    return float(found.peak_pressure * found.semi_axis_x * found.semi_axis_y * disc)
+
+
+def reference(curvature_x: float, curvature_y: float) -> dict[str, float]:
+    """The contact by the textbook form in Legendre's integrals, 0/0 at k = 1 and for that reason in 100 digits."""
+    with mpmath.workdps(100):
+        large, small = sorted((mpmath.mpf(curvature_x), mpmath.mpf(curvature_y)), reverse=True)
+        log_ratio = mpmath.log(large / small)
+
+        def k_and_e(log_k: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
+            m = 1 - mpmath.exp(-2 * log_k)
+            return mpmath.ellipk(m), mpmath.ellipe(m)
+
+        def excess(log_k: mpmath.mpf) -> mpmath.mpf:
+            K, E = k_and_e(log_k)
+            return mpmath.log((mpmath.exp(2 * log_k) * E - K) / (K - E)) - log_ratio
+
+        log_k = mpmath.findroot(excess, (log_ratio / 2, log_ratio * 2 / 3), solver="anderson", tol=1e-60)
+        K, E = k_and_e(log_k)
+        k = mpmath.exp(log_k)
+        major = mpmath.cbrt(3 * k**2 * E * LOAD / (mpmath.pi * MODULUS * (large + small)))
+        minor, approach = major / k, 3 * LOAD * K / (2 * mpmath.pi * MODULUS * major)
+        axes = (minor, major) if curvature_x > curvature_y else (major, minor)
+        values = (*axes, 3 * LOAD / (2 * mpmath.pi * minor * major), approach, LOAD / approach**1.5)
+        return dict(zip(FIELDS, map(float, values), strict=True))
+
+
+@pytest.mark.parametrize("ratio", [1 + 1e-12, 1 + 1e-7, 1.0003, 1.3, 4.1, 32.0, 700.0, 2.3e4, 1e6])
+@pytest.mark.parametrize("x_is_larger", [True, False])
+def test_every_ratio_agrees_with_many_digits(ratio: float, x_is_larger: bool) -> None:
+    curvatures = (SMALL * ratio, SMALL) if x_is_larger else (SMALL, SMALL * ratio)
+    found, expected = contact(*curvatures), reference(*curvatures)
+    for field in FIELDS:
+        np.testing.assert_allclose(getattr(found, field), expected[field], rtol=ROUND_OFF, err_msg=field)
+
+
+def test_a_ball_on_a_flat_is_the_circular_closed_form() -> None:
+    radius = 1 / LARGE  # Johnson 1985, eqs 4.22 to 4.24
+    a = (3 * LOAD * radius / (4 * MODULUS)) ** (1 / 3)
+    found = contact(LARGE, LARGE)
+    np.testing.assert_allclose([found.semi_axis_x, found.semi_axis_y], a, rtol=ROUND_OFF)
+    np.testing.assert_allclose(found.approach, a**2 / radius, rtol=ROUND_OFF)
+    np.testing.assert_allclose(found.peak_pressure, 3 * LOAD / (2 * np.pi * a**2), rtol=ROUND_OFF)
+    np.testing.assert_allclose(found.stiffness, 4 / 3 * MODULUS * np.sqrt(radius), rtol=ROUND_OFF)
+
+
+@pytest.mark.parametrize("curvatures", [(LARGE, SMALL), (SMALL, LARGE), (LARGE, 0.93 * LARGE)])
+def test_the_pressure_closes_the_gap_and_carries_the_load(curvatures: tuple[float, float]) -> None:
+    found = contact(*curvatures)
+    assert misfit(found, *curvatures) < 1e-11  # round-off of a mean of 20 000
+    np.testing.assert_allclose(carried_load(found), LOAD, rtol=1e-9)  # quadrature
+
+
+def test_a_wrong_contact_is_seen() -> None:
+    """Negative controls: each known mistake leaves over 1 % in the definition that the right one meets to 1e-11."""
+    right = contact()
+    swapped = HertzContact(**{**vars(right), "semi_axis_x": right.semi_axis_y, "semi_axis_y": right.semi_axis_x})
+    doubled = contact(modulus=2 * MODULUS)  # E' of the film formulas taken for E*
+    convex_groove = contact(LARGE, 1 / 3.97e-3 + 1 / 4.13e-3)  # sign of the groove's curvature flipped
+    for wrong in (swapped, doubled, convex_groove):
+        assert misfit(wrong, LARGE, SMALL) > 0.01
+
+
+def test_harris_table() -> None:
+    table = np.genfromtxt(HARRIS, delimiter=",", names=True, skip_header=2)
+    curvature_sum, difference = 351.0, table["F_rho"]
+    found = hertz_contact(
+        curvature_x=curvature_sum * (1 + difference) / 2,
+        curvature_y=curvature_sum * (1 - difference) / 2,
+        load=LOAD,
+        modulus=MODULUS,
+    )
+    unit = np.cbrt(3 * LOAD / (2 * curvature_sum * MODULUS))
+    assert len(difference) > 20
+    rounding = 4e-4  # four printed digits, some a unit off in the last: 3.2e-4 at worst
+    np.testing.assert_allclose(found.semi_axis_y / unit, table["a_star"], rtol=rounding)
+    np.testing.assert_allclose(found.semi_axis_x / unit, table["b_star"], rtol=rounding)
+    np.testing.assert_allclose(found.approach / (unit**2 * curvature_sum / 2), table["delta_star"], rtol=rounding)
+
+
+@given(
+    log_ratio=st.floats(-13.8, 13.8),
+    metre=st.floats(1e-3, 1e3),
+    newton=st.floats(1e-6, 1e6),
+)
+def test_the_contact_does_not_depend_on_the_units(log_ratio: float, metre: float, newton: float) -> None:
+    curvature = LARGE * np.exp(log_ratio)
+    scaled = hertz_contact(
+        curvature_x=curvature / metre,
+        curvature_y=LARGE / metre,
+        load=LOAD * newton,
+        modulus=MODULUS * newton / metre**2,
+    )
+    plain = contact(curvature, LARGE)
+    units = (metre, metre, newton / metre**2, metre, newton / metre**1.5)
+    for field, unit in zip(FIELDS, units, strict=True):
+        np.testing.assert_allclose(getattr(scaled, field), getattr(plain, field) * unit, rtol=ROUND_OFF, err_msg=field)
+
+
+@given(log_ratio=st.floats(-13.8, 13.8))
+def test_turning_the_axes_turns_the_ellipse(log_ratio: float) -> None:
+    curvature = LARGE * np.exp(log_ratio)
+    one, other = contact(curvature, LARGE), contact(LARGE, curvature)
+    np.testing.assert_allclose(one.semi_axis_x, other.semi_axis_y, rtol=ROUND_OFF)
+    np.testing.assert_allclose(one.approach, other.approach, rtol=ROUND_OFF)
+    assert (one.semi_axis_x < one.semi_axis_y) == (curvature > LARGE) or abs(log_ratio) < 1e-12
+
+
+def test_zero_load_is_no_contact_of_finite_stiffness() -> None:
+    found = contact(load=0.0)
+    assert [float(getattr(found, field)) for field in FIELDS[:4]] == [0, 0, 0, 0]
+    np.testing.assert_allclose(found.stiffness, contact().stiffness, rtol=ROUND_OFF)
+
+
+def test_a_contact_under_one_newton_gives_that_under_any_load() -> None:
+    loads = np.array([0.0, 3.7e-5, LOAD])
+    scaled, direct = loaded_contact(contact(load=1.0), load=loads), contact(load=loads)  # pyright: ignore[reportArgumentType]
+    for field in FIELDS:
+        np.testing.assert_allclose(getattr(scaled, field), getattr(direct, field), rtol=ROUND_OFF, err_msg=field)
+    with pytest.raises(InputError, match="load must be at least 0"):
+        loaded_contact(contact(), load=-2.0)
+
+
+def test_arguments_broadcast() -> None:
+    curvatures, loads = np.array([[LARGE], [SMALL], [77.0]]), np.array([3.0, 41.0])
+    found = hertz_contact(curvature_x=curvatures, curvature_y=SMALL, load=loads, modulus=MODULUS)
+    for field in FIELDS:
+        values = getattr(found, field)
+        assert values.shape == (3, 2)
+        np.testing.assert_allclose(values[2, 1], getattr(contact(77.0, SMALL, load=41.0), field), rtol=ROUND_OFF)
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"load": -3.5}, ("load", "-3.5", "at least 0")),
+        ({"load": [2.0, float("nan")]}, ("load", "nan", "index [1]")),
+        ({"curvature_x": 0.0}, ("curvature_x", "0.0", "positive")),
+        ({"curvature_y": [[5.0, -7.0]]}, ("curvature_y", "-7.0", "index [0, 1]")),
+        ({"modulus": float("inf")}, ("modulus", "inf", "finite")),
+        ({"modulus": "steel"}, ("modulus", "steel", "number")),
+        ({"modulus": 3j}, ("modulus", "real")),
+        ({"load": [1.5, 2.5], "modulus": [3e9, 4e9, 5e9]}, ("(2,)", "(3,)", "equal lengths")),
+    ],
+)
+def test_a_bad_argument_is_named(changed: dict, words: tuple[str, ...]) -> None:
+    arguments = {"curvature_x": LARGE, "curvature_y": SMALL, "load": LOAD, "modulus": MODULUS} | changed
+    with pytest.raises(InputError) as refusal:
+        hertz_contact(**arguments)
+    assert all(word in str(refusal.value) for word in words), refusal.value
+
+
+def test_modulus_of_two_bodies() -> None:
+    np.testing.assert_allclose(contact_modulus(steel, steel), 206e9 / (2 * (1 - 0.3**2)), rtol=ROUND_OFF)
+    rigid = Material(name="rigid", youngs_modulus=1e30, poisson_ratio=0.21, density=3000.0, source="test")
+    np.testing.assert_allclose(contact_modulus(rigid, peek), 3.6e9 / (1 - 0.38**2), rtol=ROUND_OFF)
+    with pytest.raises(InputError, match=r"poisson_ratio of odd .* 0\.52"):
+        contact_modulus(steel, Material(name="odd", youngs_modulus=3e9, poisson_ratio=0.52, density=1.5, source="test"))
+
+
+def test_curvatures_of_a_ball_on_both_races() -> None:
+    convex = relative_curvatures(ball_on_race())
+    np.testing.assert_allclose(convex, (1 / 3.97e-3 + 1 / 15.85e-3, 1 / 3.97e-3 - 1 / 4.13e-3), rtol=1e-12)
+    concave = relative_curvatures(ball_on_race(pair="outer", rolling_radius=-24.1e-3))
+    assert concave[0] < 1 / 3.97e-3 < convex[0]
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"groove_radius": 3.97e-3}, ("groove_radius 0.00397", "line")),
+        ({"groove_radius": -4.13e-3}, ("groove_radius", "positive")),
+        ({"rolling_radius": -3.9e-3}, ("rolling_radius", "-0.0039")),
+        ({"rolling_radius": 0.0}, ("rolling_radius", "0.0")),
+        ({"rolling_radius": float("nan")}, ("rolling_radius", "nan")),
+        ({"ball_radius": 0.0}, ("ball_radius", "positive")),
+    ],
+)
+def test_an_impossible_ball_on_race_is_refused(changed: dict, words: tuple[str, ...]) -> None:
+    with pytest.raises(InputError) as refusal:
+        relative_curvatures(ball_on_race(**changed))
+    assert all(word in str(refusal.value) for word in words), refusal.value

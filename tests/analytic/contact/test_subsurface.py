@@ -1,0 +1,232 @@
+"""Stresses under a Hertzian contact against the integral of Boussinesq's point loads, and against known limits."""
+
+import hypothesis.strategies as st
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from scipy.integrate import dblquad
+
+from analytic.contact.subsurface import AxisStress, SubsurfaceMaximum, axis_stress, subsurface_maximum
+from analytic.errors import InputError
+
+P0, A, B, NU = 2.31e9, 0.121e-3, 0.87e-3, 0.27  # Pa, m, m
+FIELDS = ("sigma_x", "sigma_y", "sigma_z")
+MAXIMA = ("max_shear", "max_shear_depth", "max_von_mises", "max_von_mises_depth")
+ROUND_OFF = 1e-13  # a few hundred roundings of a double
+DEPTHS = np.array([0.0, 1.3e-6, 0.031e-3, 0.093e-3, 0.41e-3, 2.9e-3, 71e-3])
+
+
+def stress(depth: float | np.ndarray, **changed: float | np.ndarray) -> AxisStress:
+    return axis_stress(
+        **{"depth": depth, "peak_pressure": P0, "semi_axis_x": A, "semi_axis_y": B, "poisson_ratio": NU} | changed
+    )
+
+
+def maximum(**changed: float | list[float]) -> SubsurfaceMaximum:
+    return subsurface_maximum(
+        **{"peak_pressure": P0, "semi_axis_x": A, "semi_axis_y": B, "poisson_ratio": NU} | changed
+    )
+
+
+def integrated(depth: float, *, a: float, b: float, ratio: float) -> np.ndarray:
+    """sigma_x, sigma_y, sigma_z on the axis under the semi-ellipsoid, in units of its peak, by quadrature.
+
+    Point loads: Boussinesq; K. L. Johnson, Contact Mechanics (1985), section 3.2. In polar coordinates about the axis,
+    with r = R(direction) sin(t), neither the centre nor the pressure's edge is singular.
+    """
+
+    def part(kernel: int, t: float, direction: float) -> float:
+        c, s = np.cos(direction) ** 2, np.sin(direction) ** 2
+        edge = 1 / np.sqrt(c / a**2 + s / b**2)
+        r = edge * np.sin(t)
+        rho = np.hypot(r, depth)
+        if kernel == 1:
+            c, s = s, c
+        if kernel == 2:
+            point = -3 * depth**3 / rho**5
+        else:
+            surface = (c - s) / (rho * (rho + depth)) + depth * s / rho**3
+            point = (1 - 2 * ratio) * surface - 3 * depth * r**2 * c / rho**5
+        return point / (2 * np.pi) * np.cos(t) * r * edge * np.cos(t)  # pressure, and r dr
+
+    return np.array(
+        [4 * dblquad(lambda t, d, k=k: part(k, t, d), 0, np.pi / 2, 0, np.pi / 2, epsabs=1e-9)[0] for k in range(3)]
+    )
+
+
+def line(z: np.ndarray, ratio: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The same under a line along y, z in half-widths: K. L. Johnson, Contact Mechanics (1985), section 4.2(a)."""
+    root = np.hypot(1, z)
+    across, down = -((1 + 2 * z**2) / root - 2 * z), -1 / root
+    return across, ratio * (across + down), down
+
+
+@pytest.mark.parametrize("depth", [0.047e-3, 0.093e-3, 0.41e-3])
+@pytest.mark.parametrize(("a", "b"), [(A, B), (0.34e-3, 0.211e-3)])
+@pytest.mark.parametrize("ratio", [NU, 0.5, 0.0])
+def test_stresses_are_the_sum_of_point_loads(depth: float, a: float, b: float, ratio: float) -> None:
+    found = stress(depth, semi_axis_x=a, semi_axis_y=b, poisson_ratio=ratio)
+    summed = integrated(depth, a=a, b=b, ratio=ratio)
+    for name, expected in zip(FIELDS, summed, strict=True):
+        np.testing.assert_allclose(getattr(found, name) / P0, expected, atol=1e-8)  # ten times the quadrature's
+
+
+def test_the_circle_is_huber() -> None:
+    """M. T. Huber, Annalen der Physik 14 (1904) 153, not seen; in text books, Johnson (1985), section 3.4."""
+    a, z = A, DEPTHS
+    found = stress(z, semi_axis_y=A)
+    angle = np.arctan2(a, z)
+    radial = -(1 + NU) * (1 - z / a * angle) + a**2 / (2 * (a**2 + z**2))
+    np.testing.assert_allclose(found.sigma_x / P0, radial, atol=ROUND_OFF)
+    np.testing.assert_array_equal(found.sigma_x, found.sigma_y)
+    np.testing.assert_allclose(found.sigma_z, -P0 / (1 + (z / a) ** 2), rtol=ROUND_OFF)
+
+
+@pytest.mark.parametrize("slight", [1e-15, 1e-12, 1e-9, 1e-6])
+def test_nothing_happens_next_to_the_circle(slight: float) -> None:
+    """Formulas in a^2 - b^2 lose all digits there; a stress may change by no more than the axis does."""
+    circle, ellipse = stress(DEPTHS, semi_axis_y=A), stress(DEPTHS, semi_axis_y=A * (1 + slight))
+    for name in FIELDS:
+        change = np.abs(getattr(ellipse, name) - getattr(circle, name)) / P0
+        assert change.max() < slight + ROUND_OFF
+
+
+@pytest.mark.parametrize("length", [1e4, 1e6])
+def test_a_long_ellipse_is_a_line(length: float) -> None:
+    """Line contact, plane strain: see below. The ends are felt as (1 - 2 nu)/k, the surface's share, and as z/k."""
+    z = DEPTHS[:5]
+    found = stress(z, semi_axis_y=length * A)
+    for name, expected in zip(FIELDS, line(z / A, NU), strict=True):
+        np.testing.assert_allclose(getattr(found, name) / P0, expected, atol=3 / length)  # z/a is 3.4 at the deepest
+
+
+def test_surface_stresses() -> None:
+    """In plain arithmetic; at nu = 1/2 the pressure is hydrostatic."""
+    found = stress(0.0)
+    np.testing.assert_allclose(found.sigma_z, -P0, rtol=ROUND_OFF)
+    np.testing.assert_allclose(found.sigma_x, -P0 * (0.54 + 0.46 * 0.87 / 0.991), rtol=ROUND_OFF)
+    np.testing.assert_allclose(found.sigma_y, -P0 * (0.54 + 0.46 * 0.121 / 0.991), rtol=ROUND_OFF)
+    np.testing.assert_allclose(stress(0.0, poisson_ratio=0.5).von_mises, 0, atol=ROUND_OFF * P0)
+
+
+def test_far_below_it_is_a_point_load() -> None:
+    """Load 2/3 pi p0 a b at a distance: sigma_z = -3 P/(2 pi z^2), sigma_x = sigma_y = (1 - 2 nu) P/(4 pi z^2)."""
+    z = 400 * B
+    load = 2 / 3 * np.pi * P0 * A * B
+    found = stress(z)
+    # The next moment of the pressure is (b/z)^2 smaller, with a factor of ten at most; sideways it counts for more.
+    np.testing.assert_allclose(found.sigma_z, -3 * load / (2 * np.pi * z**2), rtol=10 / 400**2)
+    sideways = (1 - 2 * NU) * load / (4 * np.pi * z**2)
+    np.testing.assert_allclose([found.sigma_x, found.sigma_y], sideways, rtol=30 / 400**2)
+
+
+def test_stresses_keep_their_digits() -> None:
+    """Against the defining integrals in 30 digits, from a circle to 1 : 50 and a thousandth to 50 minor axes deep."""
+    for b, z in ((A, 0.07e-3), (A * (1 + 1e-12), 0.07e-3), (50 * A, 0.12e-6), (50 * A, 0.095e-3), (50 * A, 6.0e-3)):
+        with mpmath.workdps(30):
+            aa, bb, zz = mpmath.sqrt(mpmath.mpf(A) ** 2 + z**2), mpmath.sqrt(mpmath.mpf(b) ** 2 + z**2), mpmath.mpf(z)
+            x_part = 2 / mpmath.mpf(3) * zz * mpmath.elliprd(bb**2, zz**2, aa**2)
+            y_part = 2 / mpmath.mpf(3) * zz * mpmath.elliprd(aa**2, zz**2, bb**2)
+            rest = 2 * mpmath.mpf(NU) / (aa * bb) + (1 - 2 * mpmath.mpf(NU)) / (aa * (aa + bb))
+            expected = float(mpmath.mpf(A) * b * (x_part + NU * y_part - rest))
+        found = stress(z, semi_axis_y=b)
+        np.testing.assert_allclose(found.sigma_x / P0, expected, atol=20 * np.finfo(float).eps)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "shear", "depth"),
+    [(1.0, 0.310, 0.481), (1e6, 0.3003, 0.7862)],
+    ids=["circle", "line"],
+)
+def test_published_maxima(ratio: float, shear: float, depth: float) -> None:
+    """nu = 0.3, text-book numbers to the digits printed there."""
+    found = maximum(semi_axis_y=ratio * A, poisson_ratio=0.3)
+    np.testing.assert_allclose(found.max_shear / P0, shear, atol=5e-4 if ratio == 1 else 5e-5)
+    np.testing.assert_allclose(found.max_shear_depth / A, depth, atol=5e-4 if ratio == 1 else 5e-5)
+
+
+def test_von_mises_in_a_circle_is_twice_the_shear_and_a_line_has_its_own() -> None:
+    circle = maximum(semi_axis_y=A, poisson_ratio=0.3)
+    np.testing.assert_allclose(circle.max_von_mises, 2 * circle.max_shear, rtol=ROUND_OFF)
+    long = maximum(semi_axis_y=1e6 * A, poisson_ratio=0.3)
+    z = np.linspace(0.6, 0.8, 200_001)
+    mises = AxisStress(**dict(zip(FIELDS, line(z, 0.3), strict=True))).von_mises
+    np.testing.assert_allclose(long.max_von_mises / P0, mises.max(), rtol=1e-5)  # ends are felt as 1/k
+    np.testing.assert_allclose(long.max_von_mises_depth / A, z[np.argmax(mises)], rtol=1e-5)
+
+
+@given(ratio=st.floats(-0.9, 0.5), elongation=st.floats(-6, 6).map(np.exp), place=st.floats(0, 3))
+def test_no_depth_has_more_than_the_maximum(ratio: float, elongation: float, place: float) -> None:
+    b = elongation * A
+    found = maximum(semi_axis_y=b, poisson_ratio=ratio)
+    here = stress(place * min(A, b), semi_axis_y=b, poisson_ratio=ratio)
+    assert here.max_shear <= found.max_shear * (1 + ROUND_OFF)
+    assert here.von_mises <= found.max_von_mises * (1 + ROUND_OFF)
+    at = stress(float(found.max_shear_depth), semi_axis_y=b, poisson_ratio=ratio)
+    np.testing.assert_allclose(at.max_shear, found.max_shear, rtol=ROUND_OFF)
+    at = stress(float(found.max_von_mises_depth), semi_axis_y=b, poisson_ratio=ratio)
+    np.testing.assert_allclose(at.von_mises, found.max_von_mises, rtol=ROUND_OFF)
+
+
+def test_swapping_the_axes_swaps_the_stresses() -> None:
+    found, swapped = stress(DEPTHS), stress(DEPTHS, semi_axis_x=B, semi_axis_y=A)
+    np.testing.assert_allclose(swapped.sigma_x, found.sigma_y, atol=ROUND_OFF * P0)
+    np.testing.assert_allclose(swapped.sigma_y, found.sigma_x, atol=ROUND_OFF * P0)
+    for name in MAXIMA:  # depths to the root of round-off
+        np.testing.assert_allclose(
+            getattr(maximum(semi_axis_x=B, semi_axis_y=A), name), getattr(maximum(), name), rtol=1e-7
+        )
+    assert not np.allclose(found.sigma_x, found.sigma_y, rtol=0.1)  # else a swap would not show
+
+
+@given(metre=st.floats(1e-6, 1e6), pascal=st.floats(1e-9, 1e9))
+def test_physics_does_not_depend_on_the_units(metre: float, pascal: float) -> None:
+    scaled = maximum(peak_pressure=P0 * pascal, semi_axis_x=A * metre, semi_axis_y=B * metre)
+    for name, unit in zip(MAXIMA, (pascal, metre, pascal, metre), strict=True):
+        np.testing.assert_allclose(getattr(scaled, name), getattr(maximum(), name) * unit, rtol=1e-7)  # as above
+
+
+def test_arguments_broadcast() -> None:
+    along, nu = np.array([A, 2.3 * A]), np.array([[0.21], [0.3], [0.49]])
+    table = subsurface_maximum(peak_pressure=P0, semi_axis_x=along, semi_axis_y=B, poisson_ratio=nu)
+    assert table.max_shear.shape == (3, 2)
+    for i, j in np.ndindex(3, 2):
+        alone = maximum(semi_axis_x=float(along[j]), poisson_ratio=float(nu[i, 0]))
+        for name in MAXIMA:
+            np.testing.assert_allclose(getattr(table, name)[i, j], getattr(alone, name), rtol=1e-7)  # as above
+    assert stress(DEPTHS[:, None], semi_axis_x=along).von_mises.shape == (DEPTHS.size, 2)
+
+
+def test_low_poisson_ratio_brings_the_maximum_under_a_line_to_the_surface() -> None:
+    """At 0.1 the shear between load and length is the larger one; at 0.3 it is that across."""
+    z = np.linspace(0, 1, 100_001)
+    _, along, down = line(z, 0.1)
+    shear = (along - down) / 2
+    low, high = (maximum(semi_axis_y=1e6 * A, poisson_ratio=ratio) for ratio in (0.1, 0.3))
+    np.testing.assert_allclose(low.max_shear / P0, shear.max(), rtol=1e-5)  # ends are felt as 1/k
+    np.testing.assert_allclose(low.max_shear_depth / A, z[np.argmax(shear)], atol=2e-5)  # the step
+    assert low.max_shear_depth < 0.2 * A < 0.7 * A < high.max_shear_depth
+    assert maximum(semi_axis_y=1e9 * A, poisson_ratio=-0.2).max_shear_depth == 0  # nothing but the surface is left
+
+
+def test_no_load_no_stress() -> None:
+    assert maximum(peak_pressure=0.0).max_shear == 0
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"depth": -1e-6}, "depth must be at least 0"),
+        ({"depth": np.nan}, "depth must be at least 0"),
+        ({"peak_pressure": -2.0}, "peak_pressure must be at least 0"),
+        ({"semi_axis_x": 0.0}, "semi_axis_x must be positive"),
+        ({"semi_axis_y": np.inf}, "semi_axis_y must be positive and finite"),
+        ({"poisson_ratio": 0.51}, "poisson_ratio must lie in"),
+        ({"poisson_ratio": np.nan}, "poisson_ratio must be finite"),
+        ({"depth": np.ones(3), "semi_axis_x": np.ones(2)}, "give equal lengths"),
+    ],
+)
+def test_nonsense_is_refused(changed: dict[str, float], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        stress(**{"depth": 0.1e-3} | changed)

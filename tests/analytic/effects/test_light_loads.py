@@ -1,0 +1,110 @@
+"""Loads that leave balls nearly free, none at all along the axis, preload: what is left out must still be little."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.contact.factors import ContactCorrection
+from analytic.effects.ledger import COMPUTED
+from analytic.errors import InputError
+from analytic.scene import Scene
+from analytic.scenefile.read import parse_scene
+from analytic.torque import friction_torque
+from analytic.uncertainty import with_model_uncertainty
+
+OILED = """
+name = "light"
+tolerance = "1 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "solved" }
+[operation]
+inner_speed = "10 rpm"
+LOADS
+[lubricant]
+viscosity = "0.06 Pa s"
+pressure_viscosity = "2e-8 1/Pa"
+eyring_stress = "5 MPa"
+[surface]
+rms_roughness = "0.1 um"
+autocorrelation = { kind = "gaussian", length = "60 um", spacing = "2 um" }
+hardness = "7.8 GPa"
+[friction]
+hysteresis_loss = 0.007
+"""
+
+
+def under(loads: str) -> Scene:
+    return parse_scene(OILED.replace("LOADS", loads), origin="scene")
+
+
+def everything(scene: Scene) -> Scene:
+    return replace(scene, effects=dict.fromkeys(COMPUTED, "on"), tolerance=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("loads", "clearance"),
+    [
+        ('axial_load = "0.3 N"\nmoment = "1.46 N mm"', 20e-6),  # balls go free from a load distribution of 0.25 on
+        ('axial_load = "0.05 N"\nradial_load = "20 N"', 20e-6),
+        ('axial_load = "1 N"', -2e-6),  # a stiffer contact closes a preload's angle
+        ('axial_load = "0 N"\nradial_load = "90 N"', 12e-6),
+    ],
+)
+def test_what_auto_leaves_out_is_within_the_uncertainty(loads: str, clearance: float) -> None:
+    scene = under(loads)
+    wider = (clearance - scene.bearing.diametral_clearance) / 2
+    outer = replace(scene.bearing.outer, bottom_radius=scene.bearing.outer.bottom_radius + wider)
+    scene = replace(scene, bearing=replace(scene.bearing, outer=outer))
+    found, full = friction_torque(scene), friction_torque(everything(scene))
+    error = abs(found.torque.total / full.torque.total - 1)
+    assert np.all(error <= found.numerical_uncertainty + full.numerical_uncertainty)
+
+
+def test_thrust_fades_beside_a_radial_load() -> None:
+    none = friction_torque(under('axial_load = "0 N"\nradial_load = "1000 N"')).torque.total
+    tiny = friction_torque(under('axial_load = "1e-9 N"\nradial_load = "1000 N"')).torque.total
+    np.testing.assert_allclose(tiny, none, rtol=1e-6)  # tilts by the root of 1e-12 at most
+
+
+def test_no_load_at_all_is_refused() -> None:
+    with pytest.raises(InputError, match=r"operation\.axial_load = '0 N' leaves a point without any load"):
+        under('axial_load = "0 N"')
+
+
+def test_a_film_is_never_negative_and_one_thinner_than_a_molecule_is_doubted() -> None:
+    scene = under('axial_load = "900 N"')
+    still = replace(scene, operation=replace(scene.operation, inner_speed=np.array([0.0])))
+    found = friction_torque(still)
+    assert found.film.inner == found.film.outer == 0
+    creeping = replace(scene, operation=replace(scene.operation, inner_speed=np.array([1e-4])))
+    assert any("less than a molecule" in warning for warning in friction_torque(creeping).warnings)
+    assert not any("molecule" in warning for warning in friction_torque(scene).warnings)
+
+
+def test_the_printed_equations_have_no_known_uncertainty() -> None:
+    scene = replace(under('axial_load = "900 N"'), microslip="as_printed", effects={"spin": "off"})
+    found = friction_torque(scene)
+    assert np.all(np.isposinf(found.numerical_uncertainty))
+    assert found.to_json()["points"][0]["uncertainty"]["numerical"] is None
+
+
+def test_the_rung_of_sliding_is_judged_by_what_counts() -> None:
+    """Without conformity the spin alone has to be right, and is."""
+    scene = replace(under('axial_load = "1000 N"'), effects={"conformity": "off"})
+    for tolerance in (0.03, 0.01, 0.003):
+        found = friction_torque(replace(scene, tolerance=tolerance))
+        assert np.all(found.numerical_uncertainty <= tolerance)
+
+
+def test_factors_stay_where_the_film_is_moved() -> None:
+    scene = under('axial_load = "900 N"')
+    identity = ContactCorrection()
+    found = with_model_uncertainty(scene, friction_torque(scene, correction=identity), correction=identity)
+    moved = [
+        friction_torque(found.settled(scene), correction=identity, film_factor=by).torque.total for by in (0.78, 1.22)
+    ]
+    expected = np.max(np.abs(np.array(moved) / found.torque.total - 1), axis=0)
+    assert found.model_uncertainty is not None
+    np.testing.assert_allclose(found.model_uncertainty, expected, rtol=1e-9)  # round-off

@@ -1,0 +1,71 @@
+"""A ball between two grooves: least energy by another method, and forces as its derivatives."""
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+from analytic.loads.ball_balance import BallBalance, settled_ball
+from analytic.scene import Bearing
+
+PLAY = 11e-6  # m
+INNER, OUTER = 2.5e10, 2.3e10  # N/m^1.5
+PLACES = np.array([[9e-6, 112e-6], [26e-6, -47e-6], [14e-6, 3e-6], [-31e-6, 20e-6]])  # loaded three times, then not
+PUSH = np.array([[7.1, -0.6], [21.0, 0.4], [3.3, 0.0], [12.0, 0.2]])  # N
+
+
+def ball(bearing: Bearing, places: np.ndarray, push: np.ndarray) -> BallBalance:
+    return settled_ball(
+        bearing,
+        play=PLAY,
+        radial=places[..., 0],
+        axial=places[..., 1],
+        inner_stiffness=np.full(places.shape[:-1], INNER),
+        outer_stiffness=np.full(places.shape[:-1], OUTER),
+        ball_force=push,
+    )
+
+
+def stretched(vector: np.ndarray, length: float) -> float:
+    return max(float(np.hypot(*vector)) - length, 0.0)
+
+
+@pytest.mark.parametrize("push", [0 * PUSH, PUSH])
+def test_a_ball_settles_where_its_energy_is_least(bearing_6205: Bearing, push: np.ndarray) -> None:
+    lengths = [groove.groove_radius - bearing_6205.ball_radius for groove in (bearing_6205.inner, bearing_6205.outer)]
+    found = ball(bearing_6205, PLACES, push)
+    for index, (place, force) in enumerate(zip(PLACES, push, strict=True)):
+        span = place + np.array([bearing_6205.groove_centre_distance - PLAY, 0.0])
+
+        def energy(offset: np.ndarray, span: np.ndarray = span, force: np.ndarray = force) -> float:
+            centre = np.array([lengths[1], 0.0]) + offset * 1e-6
+            springs = INNER * stretched(span - centre, lengths[0]) ** 2.5 + OUTER * stretched(centre, lengths[1]) ** 2.5
+            return float(0.4 * springs - force @ (offset * 1e-6)) * 1e6
+
+        options = {"xatol": 1e-9, "fatol": 1e-13, "maxiter": 4000, "maxfev": 4000}
+        least = minimize(energy, np.array([1.0, span[1] * 0.6e6]), method="Nelder-Mead", options=options)
+        np.testing.assert_allclose(found.energy[index] * 1e6, least.fun, atol=1e-7)  # of 1e3 uJ: a simplex's accuracy
+
+
+@pytest.mark.parametrize("push", [0 * PUSH, PUSH])
+def test_force_and_tangent_are_derivatives_of_the_energy(bearing_6205: Bearing, push: np.ndarray) -> None:
+    step = 3e-10  # m, against approaches of 3 um: differences are right to 1e-8
+    found = ball(bearing_6205, PLACES, push)
+    for direction in (0, 1):
+        shift = np.eye(2)[direction] * step
+        above, below = (ball(bearing_6205, PLACES + sign * shift, push) for sign in (1, -1))
+        force, tangent = (above.energy - below.energy) / (2 * step), (above.force - below.force) / (2 * step)
+        np.testing.assert_allclose(found.force[:, direction], force, atol=1e-5)  # N: round-off of 1 mJ over the step
+        np.testing.assert_allclose(found.tangent[:, :, direction], tangent, rtol=1e-5, atol=1e3)  # of 1e8 N/m
+    assert np.all(found.inner_load[:3] > 0.5)
+    assert found.inner_load[3] == 0
+    np.testing.assert_allclose(np.hypot(*found.force.T), found.inner_load, rtol=1e-12)
+    np.testing.assert_allclose(found.outer_load[3], np.hypot(*push[3]), rtol=1e-12)
+    if not push.any():
+        np.testing.assert_array_equal(found.inner_angle, found.outer_angle)
+
+
+def test_a_vanishing_force_changes_nothing(bearing_6205: Bearing) -> None:
+    still, pushed = ball(bearing_6205, PLACES, 0 * PUSH), ball(bearing_6205, PLACES, 1e-9 * PUSH)
+    np.testing.assert_allclose(pushed.inner_load, still.inner_load, rtol=1e-8, atol=1e-12)
+    np.testing.assert_allclose(pushed.force, still.force, atol=3e-8)  # N: the force's own size
+    np.testing.assert_allclose(pushed.tangent[:3], still.tangent[:3], rtol=1e-6)

@@ -1,0 +1,350 @@
+"""The torque of unequal balls against slip power found another way, balance, symmetry and limits."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.optimize import brentq, minimize
+
+from analytic.errors import InputError
+from analytic.loads.balls import LoadedBalls, ring_balls
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Groove, Material, Operation, Scene
+from analytic.sliding.ball import Rung
+from analytic.torque import friction_torque
+from tests.analytic.specimens import FINISH, OIL
+
+MU = 0.083
+FREE = 0.23
+# All that is solved is solved to 1e-9 or better; nothing left out.
+ALL: dict = {
+    **dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "finite_geometry", "spin", "conformity"), "on"),
+    "rolling": "off",
+}
+
+
+def operation(axial: float, radial: float, speed: float, moment: float = 0.0) -> Operation:
+    return Operation(
+        axial_load=np.array([axial]),
+        inner_speed=np.array([speed]),
+        radial_load=np.array([radial]),
+        moment=np.array([moment]),
+    )
+
+
+@pytest.fixture(scope="module")
+def scene(bearing_6205: Bearing) -> Scene:
+    return Scene(
+        name="unequal",
+        tolerance=1e-4,
+        bearing=bearing_6205,
+        contact_angle=ContactAngle(rule="solved", free=FREE),
+        operation=operation(310.0, 170.0, 900.0),
+        friction_coefficient=MU,
+        sliding="single_coefficient",
+        effects=ALL,
+    )
+
+
+def torque(scene: Scene, **change: float) -> float:
+    now = {name: float(values[0]) for name, values in vars(scene.operation).items()}
+    asked = {name: np.array([value]) for name, value in (now | change).items()}
+    return float(friction_torque(replace(scene, operation=Operation(**asked))).torque.total[0])
+
+
+def balls_of(scene: Scene, *, centrifugal: bool = True, gyroscopic: bool = True) -> LoadedBalls:
+    run = scene.operation
+    return ring_balls(
+        scene.bearing,
+        scene.contact_angle,
+        axial_load=run.axial_load,
+        radial_load=run.radial_load,
+        moment=run.moment,
+        inner_speed=run.inner_speed,
+        centrifugal=centrifugal,
+        gyroscopic=gyroscopic,
+    )
+
+
+def slip_power(load: np.ndarray, b: np.ndarray, radius: np.ndarray, roll: np.ndarray, spin: float) -> float:
+    """Of one ball on both races, least of all creeps and shares of the spin, per mu; N m.
+
+    A Coulomb contact drags with the derivatives of its power: no net force where it does not change with the creep, and
+    no net spin moment on the ball where it does not change with the share.
+    """
+    nodes = (np.arange(2000) + 0.5) / 1000 - 1
+    pressure = 0.75 * (1 - nodes**2) / 1000  # of a long ellipse
+
+    def power(unknown: np.ndarray) -> float:
+        total = 0.0
+        for race, share in ((0, unknown[0]), (1, unknown[0] - 1)):
+            if load[race] == 0:
+                continue
+            scale = roll[race] * b[race] ** 2 / (2 * radius[race])
+            y = nodes * b[race]
+            slide = roll[race] * y**2 / (2 * radius[race]) + share * spin * y - unknown[1 + race] * scale
+            total += load[race] * float(pressure @ np.abs(slide))
+        return total
+
+    found = minimize(
+        power, [0.5, 0.1, 0.1], method="Nelder-Mead", options={"xatol": 1e-5, "fatol": 1e-12, "maxiter": 2000}
+    )
+    return float(found.fun)
+
+
+def motion(bearing: Bearing, inner_angle: float, outer_angle: float) -> tuple[np.ndarray, float]:
+    """Rolling on both races and the difference of spins per ring speed, of rigid bodies.
+
+    Vectors with radial and axial parts (r, z); the ball turns about an axis in that plane, across the mean normal.
+    """
+    normals = [
+        np.array([-np.cos(inner_angle), -np.sin(inner_angle)]),
+        np.array([np.cos(outer_angle), np.sin(outer_angle)]),
+    ]
+    mean = (inner_angle + outer_angle) / 2
+    axis = np.array([-np.sin(mean), np.cos(mean)])
+    radius, orbit = bearing.ball_radius, bearing.pitch_diameter / 2
+
+    def sliding(unknown: np.ndarray) -> list[float]:
+        cage, turn = unknown  # both in the frame of the outer race; the tangential speed at each contact
+        speeds = []
+        for normal, ring in zip(normals, (1.0, 0.0), strict=True):
+            own = turn * (axis[1] * normal[0] - axis[0] * normal[1]) * radius  # omega x r, along the tangent
+            place = orbit + radius * normal[0]
+            speeds.append(cage * place + own - ring * place)
+        return speeds
+
+    matrix = np.stack([np.subtract(sliding(unit), sliding(np.zeros(2))) for unit in np.eye(2)], axis=1)
+    cage, turn = np.linalg.solve(matrix, -np.array(sliding(np.zeros(2))))
+    rolls, spins = [], []
+    for normal, ring in zip(normals, (1.0, 0.0), strict=True):
+        relative = turn * axis + np.array([0.0, cage - ring])  # of ball to race
+        rolls.append(abs(relative @ np.array([-normal[1], normal[0]])))
+        spins.append(relative @ normal)
+    return np.array(rolls), abs(spins[0] + spins[1])
+
+
+@pytest.mark.parametrize(("axial", "radial"), [(310.0, 170.0), (0.7, 700.0)])
+def test_the_torque_is_the_slip_power_of_every_ball(scene: Scene, axial: float, radial: float) -> None:
+    """Loads and angles from the ring; the second leaves balls that only centrifugal force loads, and on one race."""
+    asked = replace(scene, operation=operation(axial, radial, 900.0), effects={**ALL, "finite_geometry": "off"})
+    balls, bearing = balls_of(asked), scene.bearing
+    assert np.any(balls.load[0] == 0) == (radial > axial)
+    grooves = np.array([bearing.inner.groove_radius, bearing.outer.groove_radius])
+    deformed = 2 * grooves * bearing.ball_radius / (grooves + bearing.ball_radius)
+    powers = []
+    for ball in range(bearing.ball_count):
+        angle = balls.contact_angle[:, 0, ball]
+        rolls, spin = motion(bearing, *angle)
+        b = balls.contact.semi_axis_y[:, 0, ball]
+        powers.append(slip_power(balls.load[:, 0, ball], b, deformed, rolls, spin))
+    assert max(powers) > 1.5 * min(powers)
+    np.testing.assert_allclose(torque(asked), MU * sum(powers), rtol=3e-5)  # kinks of |v| between 2000 nodes
+
+
+@pytest.mark.parametrize("centrifugal", [False, True])
+def test_the_balls_forces_balance_load_and_orbit(scene: Scene, centrifugal: bool) -> None:
+    balls = balls_of(scene, centrifugal=centrifugal, gyroscopic=False)
+    azimuth = 2 * np.pi * np.arange(9) / 9
+    (inner, outer), (at_inner, at_outer) = balls.load[:, 0], balls.contact_angle[:, 0]
+    np.testing.assert_allclose(np.sum(inner * np.sin(at_inner)), 310.0, rtol=1e-9)  # of the ring's iteration
+    np.testing.assert_allclose(np.sum(inner * np.cos(at_inner) * np.cos(azimuth)), 170.0, rtol=1e-9)
+    np.testing.assert_allclose(outer * np.sin(at_outer), inner * np.sin(at_inner), rtol=1e-7)
+    flung = [2.04e-3 * 39.01e-3 / 2 * (900 * balls.motion.cage_speed[0, ball]) ** 2 * centrifugal for ball in range(9)]
+    pushed = outer * np.cos(at_outer) - inner * np.cos(at_inner)
+    np.testing.assert_allclose(pushed, flung, rtol=1e-6, atol=1e-7)  # difference of nearly equal forces
+
+
+def test_a_vanishing_radial_load_leaves_the_thrusts_torque(scene: Scene) -> None:
+    """Pressing the other way is turning the bearing: the change goes as the square, but for the balls' pattern."""
+    thrust = torque(replace(scene, effects={**ALL, "load_distribution": "off"}), radial_load=0.0)
+    changes = [torque(scene, radial_load=radial) - thrust for radial in (0.0, 1.0, 2.0)]
+    np.testing.assert_allclose(changes[0], 0, atol=1e-9 * thrust)  # the ring's iteration
+    np.testing.assert_allclose(changes[2] / changes[1], 4, rtol=0.01)  # the next term, of fourth order
+
+
+def test_the_ring_without_side_load_is_the_closed_form(scene: Scene) -> None:
+    slow = {**ALL, "centrifugal": "off", "gyroscopic": "off", "load_distribution": "off"}
+    closed, ring = (replace(scene, effects={**slow, "load_distribution": how}) for how in ("off", "on"))
+    np.testing.assert_allclose(torque(ring, radial_load=0.0), torque(closed, radial_load=0.0), rtol=1e-9)
+
+
+@pytest.mark.parametrize("count", [8, 9])
+def test_turning_the_radial_load_changes_nothing(scene: Scene, count: int) -> None:
+    """Eight balls look alike from both sides; nine do but for their pass."""
+    asked = replace(scene, bearing=replace(scene.bearing, ball_count=count))
+    np.testing.assert_allclose(
+        torque(asked, radial_load=-210.0, moment=-0.4),
+        torque(asked, radial_load=210.0, moment=0.4),
+        rtol=1e-9 if count == 8 else 2e-3,  # the ring's iteration; the pass of nine balls
+    )
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_few_balls_carry_their_part_of_the_thrust(scene: Scene, count: int) -> None:
+    few = replace(scene, bearing=replace(scene.bearing, ball_count=count))
+    part = torque(few, radial_load=0.0, axial_load=310.0 * count / 9)
+    np.testing.assert_allclose(part, torque(scene, radial_load=0.0) * count / 9, rtol=1e-9)  # the ring's iteration
+    with pytest.raises(InputError, match=rf"ball_count = {count} carries thrust alone"):
+        torque(few)
+
+
+@pytest.fixture(scope="module")
+def oiled(scene: Scene) -> Scene:
+    more = dict.fromkeys(("asperities", "inlet_heating", "starvation", "hysteresis", "rolling"), "on")
+    return replace(
+        scene,
+        friction_coefficient=None,
+        lubricant=OIL,
+        surface=FINISH,
+        hysteresis_loss=0.006,
+        effects={**ALL, **more},
+    )
+
+
+@pytest.mark.parametrize("rung", ["single_coefficient", "along_axis", "over_ellipse"])
+def test_balls_without_load_add_nothing(oiled: Scene, rung: Rung) -> None:
+    """One ball of nine hangs in the clearance: the torque is that of a bearing whose other balls are not there."""
+    still: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off"}
+    alone = replace(oiled, sliding=rung, effects={**oiled.effects, **still})
+    aside = replace(alone, operation=operation(0.0, 30.0, 40.0))
+    found = friction_torque(aside)
+    for values in (found.torque.total, found.ball_load, found.film.inner, found.asperity_share.outer):
+        assert np.all(np.isfinite(np.asarray(values)))
+    np.testing.assert_allclose(found.ball_load, 30.0, rtol=1e-9)  # one ball holds it all
+    # The same ball at the same contact, in a bearing of three: azimuths 0 and beyond a right angle.
+    three = replace(aside, bearing=replace(aside.bearing, ball_count=3))
+    np.testing.assert_allclose(friction_torque(three).torque.total, found.torque.total, rtol=1e-8)
+
+
+@pytest.mark.parametrize("speed", [0.5, 30.0])
+def test_balls_without_load_have_no_friction_to_move_them(scene: Scene, speed: float) -> None:
+    """A gyroscopic moment alone, of balls that nothing presses: they stay where they are, and the ring settles."""
+    alone = replace(scene, operation=operation(0.0, 50.0, speed), effects={**ALL, "centrifugal": "off"})
+    still = replace(alone, effects={**ALL, "centrifugal": "off", "gyroscopic": "off"})
+    np.testing.assert_allclose(torque(alone), torque(still), rtol=1e-6)  # angles, and so moments, are 0
+
+
+def test_pure_radial_load_spreads_as_the_cosine(scene: Scene) -> None:
+    """Without clearance delta_j = delta cos(psi), Q as delta^1.5: the heaviest has Fr/sum cos^2.5, near 4.37 Fr/Z."""
+    closed = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.0), operation=operation(0.0, 730.0, 3.0))
+    rest = replace(closed, effects=dict.fromkeys(("centrifugal", "gyroscopic", "finite_geometry"), "off"))
+    cosine = np.cos(2 * np.pi * np.arange(9) / 9)
+    heaviest = 730.0 / np.sum(np.maximum(cosine, 0) ** 2.5)
+    found = friction_torque(rest)
+    np.testing.assert_allclose(found.ball_load, heaviest, rtol=2e-3)  # approaches against A0, where angles stay
+    many = replace(rest, bearing=replace(rest.bearing, ball_count=90))
+    top, _ = quad(lambda psi: np.cos(psi) ** 2.5 / np.pi, 0, np.pi / 2)
+    np.testing.assert_allclose(friction_torque(many).ball_load, 730.0 / 90 / top, rtol=1e-3)
+    assert friction_torque(replace(rest, effects={})).torque.total[0] > 0
+
+
+@pytest.mark.parametrize(("metre", "kilogram", "second"), [(3.7, 0.21, 1.9), (0.013, 41.0, 0.3)])
+def test_the_torque_does_not_depend_on_units(oiled: Scene, metre: float, kilogram: float, second: float) -> None:
+    """In units that are so much smaller; what is fitted in millimetres and Pascal (Roelands, inlets) is left out."""
+    pressure, newton = kilogram / metre / second**2, kilogram * metre / second**2
+
+    def material(noun: Material) -> Material:
+        return replace(noun, youngs_modulus=noun.youngs_modulus * pressure, density=noun.density * kilogram / metre**3)
+
+    def groove(noun: Groove) -> Groove:
+        lengths = {
+            name: getattr(noun, name) * metre for name in ("bottom_radius", "groove_radius", "shoulder_half_width")
+        }
+        return replace(noun, material=material(noun.material), **lengths)
+
+    bearing, run = oiled.bearing, oiled.operation
+    plain = replace(
+        oiled,
+        lubricant=replace(OIL, traction="eyring_constant"),
+        effects={**oiled.effects, "inlet_heating": "off", "starvation": "off"},
+    )
+    scaled = replace(
+        plain,
+        bearing=replace(
+            bearing,
+            ball_diameter=bearing.ball_diameter * metre,
+            ball_mass=bearing.ball_mass * kilogram,
+            ball_material=material(bearing.ball_material),
+            inner=groove(bearing.inner),
+            outer=groove(bearing.outer),
+        ),
+        operation=Operation(
+            axial_load=run.axial_load * newton,
+            radial_load=run.radial_load * newton,
+            inner_speed=run.inner_speed / second,
+            moment=np.zeros(1),
+        ),
+        lubricant=replace(
+            OIL,
+            traction="eyring_constant",
+            viscosity=OIL.viscosity * pressure * second,
+            pressure_viscosity=OIL.pressure_viscosity / pressure,
+            thermal_conductivity=OIL.thermal_conductivity * newton / second,
+            density=OIL.density * kilogram / metre**3,
+            eyring_stress=OIL.eyring_stress * pressure,
+        ),
+        surface=replace(
+            FINISH,
+            rms_roughness=0.21e-6 * metre,
+            autocorrelation=Autocorrelation(kind="gaussian", length=43e-6 * metre, spacing=2e-6 * metre),
+            hardness=7.3e9 * pressure,
+        ),
+    )
+    expected, found = (friction_torque(each).torque for each in (plain, scaled))
+    for name in ("total", "spin", "conformity", "hysteresis", "rolling"):
+        np.testing.assert_allclose(getattr(found, name), getattr(expected, name) * newton * metre, rtol=1e-7)
+
+
+def closes(of: Callable[[float], float], at: float, steps: tuple[float, float]) -> None:
+    """The torque on both sides of a limit, and in it, comes together as the step shrinks."""
+    wide, near = (max(abs(of(at + sign * step) - of(at)) for sign in (-1, 1)) for step in steps)
+    assert near <= 0.3 * wide + 1e-9 * abs(of(at))
+    assert near < 1e-3 * abs(of(at))
+
+
+def test_the_torque_is_continuous_where_sides_change(scene: Scene, oiled: Scene) -> None:
+    for each in (scene, oiled):
+        closes(lambda radial, each=each: torque(each, radial_load=radial), 0.0, (1.0, 0.1))
+        closes(lambda moment, each=each: torque(each, radial_load=40.0, moment=moment), 0.0, (1e-2, 1e-3))
+    closes(lambda speed: torque(scene, inner_speed=speed), 0.0, (10.0, 1.0))  # force and moment of the balls end
+
+
+def test_the_torque_is_continuous_where_spin_begins_and_is_full(scene: Scene) -> None:
+    still = {**ALL, **dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "finite_geometry"), "off")}
+    held = replace(scene, spin_rule="outer_control", effects=still, operation=operation(310.0, 0.0, 20.0))
+
+    def at(angle: float, load: float = 310.0) -> float:
+        """Under the same load of each ball."""
+        found = replace(held, contact_angle=ContactAngle(rule="given", value=angle))
+        return torque(found, axial_load=load * np.sin(angle))
+
+    def spin_to_roll(angle: float) -> float:
+        found = replace(held, contact_angle=ContactAngle(rule="given", value=angle))
+        run = replace(found.operation, axial_load=np.array([310.0 * np.sin(angle)]))
+        result = friction_torque(replace(found, operation=run))
+        rolls, spin = motion(scene.bearing, angle, angle)
+        radius = 2 * 4.13e-3 * 3.97e-3 / (4.13e-3 + 3.97e-3)
+        return float(spin / rolls[0] * radius / result.inner.semi_axis_transverse[0])
+
+    full = brentq(lambda angle: spin_to_roll(angle) - 0.5, 1e-3, 0.6)
+    closes(at, full, (1e-3, 1e-4))
+    start, near, nearer = (at(angle) for angle in (1e-7, 1e-4, 1e-5))
+    assert abs(nearer - start) <= 0.2 * abs(near - start) + 1e-9 * start
+    assert abs(near - start) < 1e-4 * start
+
+
+def test_the_torque_is_continuous_as_roughness_and_speed_vanish(oiled: Scene) -> None:
+    """Slow running comes to standstill where asperities then hold the surfaces apart, as these do."""
+    smooth = torque(replace(oiled, surface=replace(FINISH, rms_roughness=0.0)))
+    rough = [torque(replace(oiled, surface=replace(FINISH, rms_roughness=height))) for height in (1e-8, 1e-9, 1e-10)]
+    assert abs(rough[2] / smooth - 1) <= abs(rough[0] / smooth - 1)
+    np.testing.assert_allclose(rough[1:], smooth, rtol=1e-6)  # films are 100 times as thick
+    high = replace(oiled, surface=replace(FINISH, rms_roughness=4e-6))
+    held = friction_torque(replace(high, operation=operation(310.0, 170.0, 0.0)))
+    assert np.asarray(held.film.inner)[0] > 0  # else standstill is a jump, and the result says so
+    rest = float(held.torque.total[0])
+    slow = [abs(torque(high, inner_speed=speed) / rest - 1) for speed in (1e-2, 1e-4, 1e-6)]
+    assert slow[0] > slow[1] > slow[2]
+    assert slow[2] < 1e-3

@@ -1,0 +1,106 @@
+"""Ball kinematics against vectors: rigid bodies that do not slip at the centres of both contacts."""
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.loads.kinematics import BallKinematics, ball_kinematics
+
+PITCH, BALL, ANGLE = 39.01e-3, 7.94e-3, 0.3031  # m, m, rad
+AXIS = np.array([0.0, 0.0, 1.0])  # of the bearing; x radial through the ball's centre, y tangential
+
+
+def kinematics(inner: float, outer: float, angle: float = ANGLE, outer_angle: float | None = None) -> BallKinematics:
+    return ball_kinematics(
+        inner_speed=inner,
+        outer_speed=outer,
+        inner_angle=angle,
+        outer_angle=angle if outer_angle is None else outer_angle,
+        pitch_diameter=PITCH,
+        ball_diameter=BALL,
+    )
+
+
+@pytest.mark.parametrize(
+    ("inner_angle", "outer_angle"), [(0.0, 0.0), (0.18, 0.18), (1.2, 1.2), (0.41, 0.12), (0.31, -0.02), (-0.5, -0.3)]
+)
+@pytest.mark.parametrize(("inner", "outer"), [(52.4, 0.0), (-31.0, 0.0), (0.0, 17.3), (23.0, -41.0)])
+def test_nothing_slips_at_the_centres(inner: float, outer: float, inner_angle: float, outer_angle: float) -> None:
+    """In the frame of the cage the surfaces at each contact have one velocity, and what is left is roll and spin."""
+    found = kinematics(inner, outer, inner_angle, outer_angle)
+    pitch = (inner_angle + outer_angle) / 2
+    axis = np.array([-np.sin(pitch), 0.0, np.cos(pitch)])
+    ball = -np.sign(inner - outer) * np.linalg.norm(found.ball_speed) * axis
+    centre = np.array([PITCH / 2, 0.0, 0.0])
+    rolling, spin = [], []
+    rings = [(inner, -1, found.inner_radius, inner_angle), (outer, 1, found.outer_radius, outer_angle)]
+    for speed, side, radius, angle in rings:
+        normal = np.array([np.cos(angle), 0.0, np.sin(angle)])  # outwards
+        across = np.array([-np.sin(angle), 0.0, np.cos(angle)])
+        contact = centre + side * BALL / 2 * normal
+        np.testing.assert_allclose(np.hypot(*contact[:2]), radius, rtol=1e-14)  # round-off
+        ring = (speed - found.cage_speed) * AXIS
+        velocity = np.cross(ring, contact)
+        # round-off of speeds up to 1 m/s that nearly cancel
+        np.testing.assert_allclose(velocity, np.cross(ball, contact - centre), atol=1e-14)
+        np.testing.assert_allclose(np.linalg.norm(velocity), np.abs(found.entrainment_speed), rtol=1e-13)
+        rolling.append(-(ball - ring) @ across * side)
+        spin.append((ring - ball) @ normal)
+    expected = found.inner_rolling_rate, found.outer_rolling_rate
+    np.testing.assert_allclose(np.abs(rolling), np.abs(expected), rtol=1e-13)  # round-off
+    np.testing.assert_allclose(spin[0] - spin[1], found.spin_difference, rtol=1e-13, atol=1e-13)
+
+
+def test_6205_at_500_rpm() -> None:
+    """By hand: R_i = 19.505 - 3.97 cos 0.3031 = 15.716, R_o = 23.294 mm."""
+    found = kinematics(52.36, 0.0)
+    np.testing.assert_allclose([found.inner_radius, found.outer_radius], [15.716e-3, 23.294e-3], rtol=5e-5)  # 5 digits
+    np.testing.assert_allclose(found.cage_speed, 52.36 * 15.716 / 39.01, rtol=1e-4)
+    np.testing.assert_allclose(found.entrainment_speed, 52.36 * 15.716e-3 * 23.294 / 39.01, rtol=1e-4)
+    np.testing.assert_allclose(found.inner_rolling_rate, 52.36 * 23.294 / 7.94, rtol=1e-4)
+    np.testing.assert_allclose(found.outer_rolling_rate, 52.36 * 15.716 / 7.94, rtol=1e-4)
+
+
+def test_turning_the_other_way_mirrors_every_speed_and_standing_still_stops_them() -> None:
+    speeds = [name for name in vars(kinematics(3.0, 0.0)) if not name.endswith("radius")]
+    for name in speeds:
+        forth, back, still = (getattr(kinematics(speed, 0.0), name) for speed in (52.4, -52.4, 0.0))
+        assert forth == -back > 0
+        assert still == 0
+
+
+def test_operating_points_broadcast() -> None:
+    series = ball_kinematics(
+        inner_speed=[[10.0], [-20.0]],
+        inner_angle=[0.1, 0.2, 0.3],
+        outer_angle=[0.1, 0.2, 0.25],
+        pitch_diameter=PITCH,
+        ball_diameter=BALL,
+    )
+    one = kinematics(-20.0, 0.0, 0.3, 0.25)
+    for name, values in vars(series).items():
+        assert values.shape == (2, 3)
+        assert values[1, 2] == getattr(one, name)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"inner_speed": float("nan")}, "inner_speed must be finite"),
+        ({"outer_speed": float("inf")}, "outer_speed must be finite"),
+        ({"inner_angle": 18.0}, "inner_angle must be at most pi/2 rad, got 18"),
+        ({"outer_angle": -18.0}, "is it in degrees"),
+        ({"outer_angle": float("nan")}, "outer_angle must be finite"),
+        ({"ball_diameter": PITCH}, "must be below pitch_diameter"),
+    ],
+)
+def test_bad_input_is_refused(change: dict[str, float], words: str) -> None:
+    good = {
+        "inner_speed": 52.4,
+        "inner_angle": ANGLE,
+        "outer_angle": 0.28,
+        "pitch_diameter": PITCH,
+        "ball_diameter": BALL,
+    }
+    with pytest.raises(InputError, match=words):
+        ball_kinematics(**(good | change))

@@ -1,0 +1,329 @@
+"""The ring's equilibrium against its energy, the thrust closed form, balance of forces and Euler's equation."""
+
+from dataclasses import replace
+from typing import Any
+
+import hypothesis.strategies as st
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+
+from analytic.contact.factors import ContactCorrection, ContactFactors
+from analytic.errors import InputError
+from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.ring import RingEquilibrium, ring_equilibrium
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.scene import Bearing, ContactAngle
+
+SOLVED = ContactAngle(rule="solved")
+MIXED: dict[str, Any] = {
+    "axial_load": 310.0,
+    "radial_load_x": 540.0,
+    "radial_load_y": -170.0,
+    "moment_x": 0.7,
+    "moment_y": -1.9,
+}
+
+
+def with_clearance(bearing: Bearing, clearance: float, *, ball_count: int = 9) -> Bearing:
+    """The bearing with its outer ring opened to this diametral clearance, m; negative is preload."""
+    touching = bearing.inner.bottom_radius + bearing.ball_diameter
+    outer = replace(bearing.outer, bottom_radius=touching + clearance / 2)
+    return replace(bearing, outer=outer, ball_count=ball_count)
+
+
+def reference_arm(bearing: Bearing) -> float:
+    return bearing.inner.bottom_radius + bearing.inner.groove_radius
+
+
+def force_and_moment(bearing: Bearing, angle: np.ndarray, load: np.ndarray) -> np.ndarray:
+    """(axial, x, y, moment about x, about y) of forces along the inner contacts' normals, by cross products."""
+    azimuth = 2 * np.pi * np.arange(bearing.ball_count) / bearing.ball_count
+    outward = np.stack([np.cos(azimuth), np.sin(azimuth), np.zeros_like(azimuth)], axis=-1)
+    force = load[:, None] * (np.cos(angle)[:, None] * outward + np.sin(angle)[:, None] * [0.0, 0.0, 1.0])
+    moment = np.cross(reference_arm(bearing) * outward, force).sum(axis=0)
+    total = force.sum(axis=0)
+    return np.array([total[2], total[0], total[1], moment[0], moment[1]])
+
+
+def exact_energy(bearing: Bearing, found: RingEquilibrium, place: list) -> mpmath.mpf:
+    """Elastic energy of the balls at a displacement, J: circles of groove centres moved as vectors, in 40 digits."""
+    axial, x, y, tilt_x, tilt_y = place
+    inner_arm = mpmath.mpf(bearing.inner.bottom_radius) + mpmath.mpf(bearing.inner.groove_radius)
+    outer_arm = mpmath.mpf(bearing.outer.bottom_radius) - mpmath.mpf(bearing.outer.groove_radius)
+    grooves = mpmath.mpf(bearing.inner.groove_radius) + mpmath.mpf(bearing.outer.groove_radius)
+    total = mpmath.mpf(0)
+    for ball in range(bearing.ball_count):
+        turn = 2 * mpmath.pi * ball / bearing.ball_count
+        cosine, sine = mpmath.cos(turn), mpmath.sin(turn)
+        # theta x p of a point p in the plane of the ring has only an axial part
+        radial = inner_arm - outer_arm + x * cosine + y * sine
+        along = axial + tilt_x * inner_arm * sine - tilt_y * inner_arm * cosine
+        approach = mpmath.hypot(radial, along) - (grooves - mpmath.mpf(bearing.ball_diameter))
+        if approach > 0:
+            softness = sum(mpmath.mpf(float(race.stiffness[ball])) ** (mpmath.mpf(-2) / 3) for race in contacts(found))
+            total += mpmath.mpf(2) / 5 * softness ** mpmath.mpf(-1.5) * approach ** mpmath.mpf(2.5)
+    return total
+
+
+def contacts(found: RingEquilibrium) -> tuple:
+    return found.inner, found.outer
+
+
+@pytest.mark.parametrize("clearance", [31e-6, 2e-9, 0.0, -14e-6])
+def test_pure_thrust_is_the_closed_form(bearing_6205: Bearing, clearance: float) -> None:
+    bearing, loads = with_clearance(bearing_6205, clearance), 10.0 ** np.arange(-3, 9, 2)
+    ring = ring_equilibrium(bearing, SOLVED, axial_load=loads)
+    thrust = thrust_equilibrium(bearing, SOLVED, axial_load=loads)
+    everywhere = np.ones(bearing.ball_count)
+    for race in ("inner", "outer"):
+        tight = 1e-10  # TOLERANCE over the share of the load that a ball's force has along the axis
+        np.testing.assert_allclose(getattr(ring, f"{race}_load"), np.outer(thrust.ball_load, everywhere), rtol=tight)
+        np.testing.assert_allclose(
+            getattr(ring, f"{race}_angle"), np.outer(thrust.contact_angle, everywhere), rtol=tight
+        )
+        for field, values in vars(getattr(thrust, race)).items():
+            np.testing.assert_allclose(getattr(getattr(ring, race), field), np.outer(values, everywhere), rtol=tight)
+    assert ring.free_angle == thrust.free_angle
+    mirrored = ring_equilibrium(bearing, SOLVED, axial_load=-loads)
+    np.testing.assert_allclose(mirrored.inner_angle, -ring.inner_angle, rtol=1e-12)  # the same steps
+
+
+def test_a_free_angle_replaces_the_clearance_and_corrections_reach_the_contacts(bearing_6205: Bearing) -> None:
+    factors = ContactFactors(approach=0.93, semi_axis_rolling=1.04, semi_axis_transverse=0.98)
+    correction = ContactCorrection(inner=factors)
+    given_angle = ContactAngle(rule="solved", free=0.18)
+    ring = ring_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
+    thrust = thrust_equilibrium(bearing_6205, given_angle, axial_load=700.0, correction=correction)
+    np.testing.assert_allclose(ring.inner_load, np.full(9, thrust.ball_load), rtol=1e-10)  # TOLERANCE
+    np.testing.assert_allclose(ring.inner.semi_axis_x, np.full(9, thrust.inner.semi_axis_x), rtol=1e-10)
+
+
+@pytest.mark.parametrize(("clearance", "count"), [(20e-6, 9), (-14e-6, 7), (3e-6, 4)])
+def test_the_load_is_the_gradient_of_the_elastic_energy(bearing_6205: Bearing, clearance: float, count: int) -> None:
+    bearing = with_clearance(bearing_6205, clearance, ball_count=count)
+    found = ring_equilibrium(bearing, SOLVED, **MIXED)
+    with mpmath.workdps(40):
+        place = [mpmath.mpf(float(value)) for value in found.displacement]
+
+        def slope(place: list, freedom: int) -> mpmath.mpf:
+            step = mpmath.mpf(10) ** -18 * (1 if freedom < 3 else 60)
+            ends = [[*place[:freedom], place[freedom] + sign * step, *place[freedom + 1 :]] for sign in (1, -1)]
+            above, below = (exact_energy(bearing, found, end) for end in ends)
+            return (above - below) / (2 * step)
+
+        reaction = [float(slope(place, freedom)) for freedom in range(5)]
+        far = mpmath.mpf(10) ** -13
+        tangent = np.empty((5, 5))
+        for other in range(5):
+            up, down = (
+                [*place[:other], place[other] + sign * far, *place[other + 1 :]]
+                for sign in (mpmath.mpf(1), mpmath.mpf(-1))
+            )
+            for freedom in range(5):
+                tangent[freedom, other] = float((slope(up, freedom) - slope(down, freedom)) / (2 * far))
+    np.testing.assert_allclose(reaction, list(MIXED.values()), rtol=1e-9)  # doubles hold the place to 1e-12 of 10 um
+    scale = np.sqrt(np.outer(np.diag(tangent), np.diag(tangent)))
+    np.testing.assert_allclose(found.stiffness / scale, tangent / scale, atol=1e-8)  # the differences' own error
+
+
+def test_forces_and_moments_balance_as_vectors(bearing_6205: Bearing) -> None:
+    found = ring_equilibrium(bearing_6205, SOLVED, **MIXED)
+    balance = force_and_moment(bearing_6205, found.inner_angle, found.inner_load)
+    np.testing.assert_allclose(balance, list(MIXED.values()), rtol=1e-9)
+    np.testing.assert_array_equal(found.inner_load, found.outer_load)
+    for race in contacts(found):  # Hertz at each ball's own angle
+        np.testing.assert_allclose(race.stiffness * race.approach**1.5, found.inner_load, rtol=1e-12)
+    reach = np.hypot(
+        *(
+            bearing_6205.groove_centre_distance - bearing_6205.diametral_clearance / 2 + offset
+            if axis == "radial"
+            else offset
+            for axis, offset in travel(bearing_6205, found).items()
+        )
+    )
+    approach = np.maximum(reach - bearing_6205.groove_centre_distance, 0)
+    np.testing.assert_allclose(found.inner.approach + found.outer.approach, approach, atol=1e-15)  # m: round-off of A0
+
+
+def travel(bearing: Bearing, found: RingEquilibrium) -> dict[str, np.ndarray]:
+    """Radial and axial displacement of the inner groove at each ball, m."""
+    axial, x, y, tilt_x, tilt_y = found.displacement
+    cosine, sine = np.cos(found.azimuth), np.sin(found.azimuth)
+    arm = reference_arm(bearing)
+    return {"radial": x * cosine + y * sine, "axial": axial + arm * (tilt_x * sine - tilt_y * cosine)}
+
+
+@given(
+    ball_count=st.integers(3, 20),
+    clearance=st.floats(-20e-6, 40e-6),
+    log_loads=st.tuples(*[st.floats(-6, 4)] * 5),
+    signs=st.tuples(*[st.sampled_from([-1, 0, 1])] * 5),
+)
+def test_any_load_is_carried(
+    bearing_6205: Bearing, ball_count: int, clearance: float, log_loads: tuple, signs: tuple
+) -> None:
+    bearing = with_clearance(bearing_6205, clearance, ball_count=ball_count)
+    arm = reference_arm(bearing)
+    load = np.array(signs) * 10.0 ** np.array(log_loads) * [1, 1, 1, arm, arm]
+    given_loads: dict[str, Any] = dict(zip(MIXED, load, strict=True))
+    found = ring_equilibrium(bearing, SOLVED, **given_loads)
+    balance = force_and_moment(bearing, found.inner_angle, found.inner_load) / [1, 1, 1, arm, arm]
+    asked = load / [1, 1, 1, arm, arm]
+    scale = np.abs(asked).max() + found.inner_load.max()
+    rounding = 1e-15 * np.trace(found.stiffness[:3, :3]) * 1e-3  # round-off of a place of up to 1 mm, N
+    np.testing.assert_allclose(balance, asked, rtol=0, atol=1e-11 * scale + rounding)
+
+
+def test_turning_the_load_by_a_pitch_turns_the_balls(bearing_6205: Bearing) -> None:
+    turn = 2 * np.pi / 9
+    cosine, sine = np.cos(turn), np.sin(turn)
+
+    def turned(x: float, y: float) -> tuple[float, float]:
+        return x * cosine - y * sine, x * sine + y * cosine
+
+    x, y = turned(MIXED["radial_load_x"], MIXED["radial_load_y"])
+    about_x, about_y = turned(MIXED["moment_x"], MIXED["moment_y"])
+    one = ring_equilibrium(bearing_6205, SOLVED, **MIXED, inner_speed=730.0)
+    other = ring_equilibrium(
+        bearing_6205,
+        SOLVED,
+        axial_load=MIXED["axial_load"],
+        radial_load_x=x,
+        radial_load_y=y,
+        moment_x=about_x,
+        moment_y=about_y,
+        inner_speed=730.0,
+    )
+    for field in ("inner_load", "outer_angle", "gyroscopic_moment"):
+        values = getattr(one, field)
+        close = 1e-8 * np.abs(values).max()  # residual over the softest ball
+        np.testing.assert_allclose(getattr(other, field), np.roll(values, 1), rtol=0, atol=close)
+
+
+def test_points_of_a_series_are_those_alone(bearing_6205: Bearing) -> None:
+    loads, radial = np.array([[40.0], [900.0]]), np.array([0.0, 70.0, 2100.0])
+    series = ring_equilibrium(bearing_6205, SOLVED, axial_load=loads, radial_load_y=radial, inner_speed=300.0)
+    assert series.inner_load.shape == series.outer.peak_pressure.shape == (2, 3, 9)
+    assert (series.displacement.shape, series.stiffness.shape, series.residual.shape) == (
+        (2, 3, 5),
+        (2, 3, 5, 5),
+        (2, 3),
+    )
+    alone = ring_equilibrium(bearing_6205, SOLVED, axial_load=900.0, radial_load_y=70.0, inner_speed=300.0)
+    np.testing.assert_allclose(series.inner_load[1, 1], alone.inner_load, rtol=1e-10)  # tolerance of the residual
+    np.testing.assert_allclose(series.inner.semi_axis_y[1, 1], alone.inner.semi_axis_y, rtol=1e-10)
+
+
+def test_no_load_leaves_play_and_a_preload_keeps_its_balls(bearing_6205: Bearing) -> None:
+    loose = ring_equilibrium(bearing_6205, SOLVED)
+    assert not loose.inner_load.any()
+    assert not loose.displacement.any()
+    assert not loose.stiffness.any()
+    tight = ring_equilibrium(with_clearance(bearing_6205, -14e-6), SOLVED)
+    np.testing.assert_allclose(tight.inner.approach + tight.outer.approach, 7e-6, rtol=1e-9)  # half on the diameter
+    spun = ring_equilibrium(bearing_6205, SOLVED, inner_speed=410.0)
+    assert not spun.inner_load.any()
+    np.testing.assert_allclose(spun.outer_load, spun.centrifugal_force, rtol=1e-12)
+
+
+def test_a_load_on_one_ball_leaves_a_freedom_and_is_carried(bearing_6205: Bearing) -> None:
+    """Clearance and almost no load: only the ball below the load touches, and tangential play is left as it is."""
+    found = ring_equilibrium(bearing_6205, SOLVED, radial_load_x=1e-6)
+    np.testing.assert_allclose(found.inner_load[0], 1e-6, rtol=1e-7)  # round-off of a place of 10 um
+    assert not found.inner_load[1:].any()
+
+
+def test_few_balls_carry_thrust_alone(bearing_6205: Bearing) -> None:
+    for count in (1, 2):
+        bearing = replace(bearing_6205, ball_count=count)
+        found = ring_equilibrium(bearing, SOLVED, axial_load=430.0)
+        expected = thrust_equilibrium(bearing, SOLVED, axial_load=430.0).ball_load
+        np.testing.assert_allclose(found.inner_load, np.full(count, expected), rtol=1e-10)
+        with pytest.raises(InputError, match=f"ball_count = {count} .* at least 3 balls"):
+            ring_equilibrium(bearing, SOLVED, axial_load=430.0, radial_load_x=2.0)
+
+
+@pytest.mark.parametrize("load", [MIXED, {"axial_load": 640.0}, {"radial_load_x": 810.0, "moment_x": 0.3}])
+def test_a_turning_ball_is_in_balance_as_euler_has_it(bearing_6205: Bearing, load: dict) -> None:
+    """Newton and Euler for each ball, as vectors: contact forces, shared friction, orbit and precession."""
+    found = ring_equilibrium(bearing_6205, SOLVED, **load, inner_speed=1900.0)
+    mass, radius, pitch = bearing_6205.ball_mass, bearing_6205.ball_radius, bearing_6205.pitch_diameter
+    ring_total = np.zeros(5)
+    for ball, azimuth in enumerate(found.azimuth):
+        outward = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+        forward, axis = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0]), np.array([0.0, 0.0, 1.0])
+        inner, outer = found.inner_angle[ball], found.outer_angle[ball]
+        to_inner = np.cos(inner) * outward + np.sin(inner) * axis  # away from the inner contact
+        to_outer = np.cos(outer) * outward + np.sin(outer) * axis  # towards the outer contact
+        # No slip at both contacts about an axis halfway between those of pure rolling
+        pitch_angle = (inner + outer) / 2
+        spin = np.sin(pitch_angle) * outward - np.cos(pitch_angle) * axis
+        at_inner, at_outer = -radius * to_inner, radius * to_outer
+        inner_speed = np.cross(spin, at_inner) @ forward
+        outer_speed = np.cross(spin, at_outer) @ forward
+        inner_radius, outer_radius = pitch / 2 + at_inner @ outward, pitch / 2 + at_outer @ outward
+        # (w - c) R_i = b inner_speed and -c R_o = b outer_speed for cage c and ball b
+        cage, spin_rate = np.linalg.solve(
+            [[inner_radius, inner_speed], [outer_radius, outer_speed]], [1900.0 * inner_radius, 0.0]
+        )
+        np.testing.assert_allclose(found.centrifugal_force[ball], mass * pitch / 2 * cage**2, rtol=1e-9)
+        momentum_change = np.cross(cage * axis, 0.4 * mass * radius**2 * spin_rate * spin)
+        both = found.inner_load[ball] + found.outer_load[ball]
+        couple = momentum_change @ forward / radius  # what friction at one contact would have to be
+        friction_inner = couple * found.inner_load[ball] / both * np.cross(forward, at_inner) / radius
+        friction_outer = couple * found.outer_load[ball] / both * np.cross(forward, at_outer) / radius
+        moment = np.cross(at_inner, friction_inner) + np.cross(at_outer, friction_outer)
+        np.testing.assert_allclose(moment, momentum_change, atol=1e-9 * np.abs(momentum_change).max() + 1e-15)
+        total = found.inner_load[ball] * to_inner - found.outer_load[ball] * to_outer + friction_inner + friction_outer
+        np.testing.assert_allclose(total, -mass * pitch / 2 * cage**2 * outward, atol=1e-8 * both)
+        push = found.inner_load[ball] * to_inner + friction_inner  # on the ring it is the other way round
+        lever = np.cross(reference_arm(bearing_6205) * outward, push)
+        ring_total += [push[2], push[0], push[1], lever[0], lever[1]]
+    asked = np.array([load.get(name, 0.0) for name in MIXED])
+    np.testing.assert_allclose(ring_total, asked, atol=1e-7 * np.abs(asked).max())
+
+
+def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bearing) -> None:
+    speeds = np.array([0.0, 1e-3, 400.0, 1600.0])
+    found = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=speeds)
+    np.testing.assert_allclose(found.inner_load[1], found.inner_load[0], rtol=1e-9)  # F_c/Q is 1e-13
+    np.testing.assert_allclose(found.outer_angle[1], found.outer_angle[0], rtol=1e-9)
+    assert np.all(np.diff(found.inner_angle[1:, 0]) > 0)
+    assert np.all(np.diff(found.outer_angle[1:, 0]) < 0)
+    assert np.all(np.diff(found.outer_load[1:, 0]) > 0)
+    at_rest = ball_kinematics(
+        inner_speed=1e-3,
+        inner_angle=found.inner_angle[1, 0],
+        outer_angle=found.outer_angle[1, 0],
+        pitch_diameter=39.01e-3,
+        ball_diameter=7.94e-3,
+    )
+    orbit = 2.04e-3 * 39.01e-3 / 2 * at_rest.cage_speed**2
+    np.testing.assert_allclose(found.centrifugal_force[1], np.full(9, orbit), rtol=1e-9)  # the angles still agree
+    backwards = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=-speeds)
+    np.testing.assert_allclose(backwards.inner_load, found.inner_load, rtol=1e-12)  # both forces go with the square
+
+
+@pytest.mark.parametrize(
+    ("angle", "changed", "words"),
+    [
+        (SOLVED, {"moment_x": float("nan")}, ("moment_x", "nan")),
+        (SOLVED, {"inner_speed": [3.0, float("inf")]}, ("inner_speed", "inf", "index [1]")),
+        (ContactAngle(rule="given", value=0.18), {}, ("rule 'given'", "'solved'")),
+        (ContactAngle(rule="solved", free=18.0), {}, ("free", "18.0", "degrees")),
+        (SOLVED, {"radial_load_x": 1e9}, ("the load drives", "out of its groove", "pi/2", "lower the load")),
+        (
+            SOLVED,
+            {"inner_speed": [70.0, 1e5]},
+            ("the speed, 1e+05 rad/s, drives", "out of its groove", "lower the speed"),
+        ),
+    ],
+)
+def test_what_cannot_be_is_refused(
+    bearing_6205: Bearing, angle: ContactAngle, changed: dict[str, Any], words: tuple
+) -> None:
+    with pytest.raises(InputError) as refusal:
+        ring_equilibrium(bearing_6205, angle, axial_load=5.0, **changed)
+    assert all(word in str(refusal.value) for word in words), refusal.value

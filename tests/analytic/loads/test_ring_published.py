@@ -1,0 +1,90 @@
+"""The ring's equilibrium beside others: the load-distribution integral, another program, a maker's rigidities."""
+
+from pathlib import Path
+
+import numpy as np
+from scipy.integrate import quad
+
+from analytic.loads.ring import ring_equilibrium
+from analytic.scene import Bearing, ContactAngle, Groove, Material
+
+SOLVED = ContactAngle(rule="solved")
+PUBLISHED = Path(__file__).parents[3] / "validation" / "published"
+steel = Material(name="steel", youngs_modulus=210e9, poisson_ratio=0.3, density=7850.0, source="test")
+
+
+def made(*, ball: float, pitch: float, count: int, grooves: tuple[float, float], clearance: float) -> Bearing:
+    """A steel bearing from its ball and pitch diameter and the groove radii over the ball's diameter."""
+    inner, outer = (pitch - ball) / 2 - clearance / 4, (pitch + ball) / 2 + clearance / 4
+    rings = [
+        Groove(bottom_radius=bottom, groove_radius=groove * ball, shoulder_half_width=0.4 * ball, material=steel)
+        for bottom, groove in zip((inner, outer), grooves, strict=True)
+    ]
+    mass = steel.density * np.pi / 6 * ball**3
+    return Bearing(
+        name="made",
+        ball_count=count,
+        ball_diameter=ball,
+        ball_mass=mass,
+        ball_material=steel,
+        inner=rings[0],
+        outer=rings[1],
+    )
+
+
+def test_radial_load_spreads_as_the_load_distribution_integral() -> None:
+    """J_r(eps) of many balls at angle 0: F = Z Q_max J_r, and 4.37 F/Z without clearance (Stribeck's number)."""
+    count = 401
+    for clearance, load in ((0.0, 9100.0), (23e-6, 5200.0), (-11e-6, 7300.0)):
+        bearing = made(ball=7.94e-3, pitch=39.01e-3, count=count, grooves=(0.52, 0.53), clearance=clearance)
+        found = ring_equilibrium(bearing, SOLVED, radial_load_x=load)
+        share = (1 - clearance / 2 / found.displacement[1]) / 2
+        half_zone = np.arccos(1 - 2 * share) if share < 1 else np.pi
+
+        def unit(azimuth: float, share: float = share) -> float:
+            return max(1 - (1 - np.cos(azimuth)) / (2 * share), 0) ** 1.5 * np.cos(azimuth)
+
+        integral = quad(unit, -half_zone, half_zone)[0] / (2 * np.pi)
+        largest = float(found.inner_load.max())
+        np.testing.assert_allclose(count * largest * integral, load, rtol=1e-5)  # 401 balls for a continuum
+        if clearance == 0:
+            np.testing.assert_allclose(count * largest / load, 4.37, atol=0.005)  # three printed digits
+
+
+def test_displacements_of_another_program() -> None:
+    """A cross-check. That program tilts and takes moments at half the pitch diameter, where ours has the grooves' R."""
+    table = np.genfromtxt(PUBLISHED / "masta_ring_displacement.csv", delimiter=",", names=True, skip_header=4)
+    assert len(table) == 7
+    for row in table:
+        bearing = made(ball=11.5e-3, pitch=43.5e-3, count=7, grooves=(0.52, 0.53), clearance=row["clearance_mm"] * 1e-3)
+        arms = (bearing.inner.bottom_radius + bearing.inner.groove_radius) / (43.5e-3 / 2)
+        found = ring_equilibrium(
+            bearing,
+            SOLVED,
+            axial_load=row["axial_N"],
+            radial_load_x=row["radial_N"],
+            moment_x=row["moment_N_mm"] * 1e-3 * arms,
+        )
+        axial, x, y, tilt_x, tilt_y = found.displacement
+        got = np.array([np.hypot(x, y) * 1e6, axial * 1e6, np.hypot(tilt_x, tilt_y) * 1e3 * arms])
+        noted = np.array([row[name] for name in ("radial_um", "axial_um", "tilt_mrad")])
+        known = ~np.isnan(noted)
+        # K of the standard is rounded to three digits (1.48), its third root to 1e-3 of the approach
+        np.testing.assert_allclose(got[known], noted[known], rtol=2e-4)
+
+
+def test_axial_rigidity_of_a_makers_pair() -> None:
+    """A cross-check: the maker gives no groove radii; 0.515 to 0.52 ball diameters are usual for spindle bearings."""
+    table = np.genfromtxt(PUBLISHED / "gmn_axial_rigidity.csv", delimiter=",", names=True, skip_header=2)
+    pair = {groove: axial_rigidity_of_pair(groove, table["preload_N"]) for groove in (0.515, 0.52)}
+    printed = table["axial_rigidity_of_pair_N_per_um"] * 1e6
+    assert np.all(pair[0.52] < printed)
+    assert np.all(printed < pair[0.515])
+
+
+def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
+    """Two equal bearings set against each other, N/m: each is a spring of its tangent at the preload."""
+    ball = 7.938e-3
+    clearance = 2 * (2 * groove - 1) * ball * (1 - np.cos(np.radians(15)))
+    bearing = made(ball=ball, pitch=38.5e-3, count=13, grooves=(groove, groove), clearance=clearance)
+    return 2 * ring_equilibrium(bearing, SOLVED, axial_load=preload).stiffness[:, 0, 0]

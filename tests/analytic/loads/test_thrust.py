@@ -1,0 +1,241 @@
+"""Thrust equilibrium against the balances that define it, its limits, and an energy."""
+
+from dataclasses import replace
+
+import hypothesis.strategies as st
+import numpy as np
+import pytest
+from hypothesis import given
+from scipy.optimize import minimize_scalar
+
+from analytic.contact.hertz import contact_modulus, hertz_contact
+from analytic.errors import InputError
+from analytic.loads.thrust import ThrustEquilibrium, free_angle, thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.scene import Bearing, ContactAngle, Material
+
+SOLVED = ContactAngle(rule="solved")
+LOADS = 10.0 ** np.arange(-12, 13, 2)  # N, from nothing to what no bearing survives
+
+
+def with_clearance(bearing: Bearing, clearance: float) -> Bearing:
+    """The bearing with its outer ring opened to this diametral clearance, m; negative is preload."""
+    touching = bearing.inner.bottom_radius + bearing.ball_diameter
+    return replace(bearing, outer=replace(bearing.outer, bottom_radius=touching + clearance / 2))
+
+
+def order(bearing: Bearing, angle: ContactAngle, quantity: str, load: float) -> float:
+    """Local exponent of a quantity of the equilibrium in the load."""
+    found = thrust_equilibrium(bearing, angle, axial_load=[load, 2 * load])
+    low, high = getattr(found, quantity)
+    return float(np.log2(high / low))
+
+
+def assert_balanced(found: ThrustEquilibrium, bearing: Bearing, load: np.ndarray) -> None:
+    """The force along the axis, the springs of both races, and the distance of the groove centres."""
+    al, Q = found.contact_angle, found.ball_load
+    np.testing.assert_allclose(bearing.ball_count * Q * np.sin(al), load, rtol=1e-9)  # near pi/2 and 0 al is exact
+    for race in (found.inner, found.outer):
+        np.testing.assert_allclose(race.stiffness * race.approach**1.5, Q, rtol=1e-12)  # round-off
+    radial = bearing.groove_centre_distance - bearing.diametral_clearance / 2
+    stretched = bearing.groove_centre_distance + found.approach
+    # Round-off of al near pi/2, times the stretched distance; a nanometre of 0.4 mm is far below any tolerance.
+    np.testing.assert_allclose(stretched * np.cos(al), radial, rtol=1e-12, atol=1e-15 * float(stretched.max()))
+
+
+@pytest.mark.parametrize("clearance", [31e-6, 20e-6, 2e-9, 0.0, -3e-9, -14e-6, -0.2e-3])
+def test_forces_and_distances_balance_at_any_load(bearing_6205: Bearing, clearance: float) -> None:
+    bearing = with_clearance(bearing_6205, clearance)
+    found = thrust_equilibrium(bearing, SOLVED, axial_load=LOADS)
+    for index, load in enumerate(LOADS):
+        one = thrust_equilibrium(bearing, SOLVED, axial_load=load)
+        assert_balanced(one, bearing, load)
+        np.testing.assert_allclose(one.contact_angle, found.contact_angle[index], rtol=1e-13)  # alone or in a series
+    assert np.all(np.diff(found.contact_angle) >= 0)
+    assert np.all(found.contact_angle < np.pi / 2)
+
+
+@given(log_load=st.floats(-6, 5), clearance=st.floats(-30e-6, 60e-6))
+def test_any_load_and_clearance_balance(bearing_6205: Bearing, log_load: float, clearance: float) -> None:
+    bearing, load = with_clearance(bearing_6205, clearance), np.asarray(10.0**log_load)
+    assert_balanced(thrust_equilibrium(bearing, SOLVED, axial_load=load), bearing, load)
+
+
+@pytest.mark.parametrize(
+    ("free", "angle", "ball_load"),
+    [(0.0, 0.2580, 435), (0.10, 0.2723, 413), (0.18, 0.3031, 372), (0.2241, 0.3266, 346)],
+)
+def test_6205_under_1000_newton(bearing_6205: Bearing, free: float, angle: float, ball_load: float) -> None:
+    """Values of an independent calculation, with E = 206 GPa and nu = 0.3; the last digit is rounded."""
+    found = thrust_equilibrium(bearing_6205, ContactAngle(rule="solved", free=free), axial_load=1000.0)
+    np.testing.assert_allclose(found.contact_angle, angle, atol=0.5e-4)
+    np.testing.assert_allclose(found.ball_load, ball_load, atol=0.5)
+    assert found.free_angle == free
+
+
+def test_6205_at_a_given_angle(bearing_6205: Bearing) -> None:
+    """The same calculation at 0.18 rad held fixed; five digits, the last rounded."""
+    found = thrust_equilibrium(bearing_6205, ContactAngle(rule="given", value=0.18), axial_load=[1000.0])
+    expected = {
+        "inner": (0.12095e-3, 1.1222e-3, 2.1831e9, 8.449e-6),
+        "outer": (0.16209e-3, 0.92500e-3, 1.9764e9, 8.900e-6),
+    }
+    np.testing.assert_allclose(found.ball_load, 620.630, rtol=1e-6)
+    for race, values in expected.items():
+        contact = getattr(found, race)
+        got = (contact.semi_axis_x, contact.semi_axis_y, contact.peak_pressure, contact.approach)
+        np.testing.assert_allclose(np.ravel(got), values, rtol=6e-5)  # half a unit of the fourth digit
+    assert found.free_angle is None
+
+
+def test_018_rad_is_no_loaded_angle_of_the_6205(bearing_6205: Bearing) -> None:
+    """Held at 0.18 rad under 1000 N the grooves would have to come closer than they can: cos al0 > 1."""
+    found = thrust_equilibrium(bearing_6205, ContactAngle(rule="given", value=0.18), axial_load=1000.0)
+    distance = bearing_6205.groove_centre_distance
+    assert np.cos(0.18) * (distance + found.approach) / distance > 1.02
+
+
+def test_the_axial_load_is_the_slope_of_the_elastic_energy(bearing_6205: Bearing) -> None:
+    """Virtual work: Fa dz = dU, where each ball shares the approach between the races so that U is least.
+
+    The stiffnesses are held: the equilibrium lets the force act along the contact's normal.
+    """
+    load = 731.0
+    found = thrust_equilibrium(bearing_6205, SOLVED, axial_load=load)
+    springs = float(found.inner.stiffness), float(found.outer.stiffness)
+    radial = bearing_6205.groove_centre_distance - bearing_6205.diametral_clearance / 2
+    axial = radial * np.tan(float(found.contact_angle))
+
+    def energy(axial: float) -> float:
+        approach = np.hypot(radial, axial) - bearing_6205.groove_centre_distance
+
+        def shared(inner: float) -> float:
+            return 0.4 * (springs[0] * inner**2.5 + springs[1] * (approach - inner) ** 2.5)
+
+        return bearing_6205.ball_count * minimize_scalar(shared, bounds=(0, approach), options={"xatol": 1e-14}).fun
+
+    step = 2e-8  # m: against an approach of 12 um the difference's own error is 1e-6
+    slope = (energy(axial + step) - energy(axial - step)) / (2 * step)
+    np.testing.assert_allclose(slope, load, rtol=1e-5)
+
+
+def test_small_loads_follow_the_known_powers(bearing_6205: Bearing) -> None:
+    close = 2e-3  # the next power of the load is this small at the loads chosen
+    angled, flat, tight = (with_clearance(bearing_6205, clearance) for clearance in (20e-6, 0.0, -14e-6))
+    np.testing.assert_allclose(order(angled, SOLVED, "ball_load", 1e-9), 1, atol=close)
+    np.testing.assert_allclose(order(angled, SOLVED, "approach", 1e-9), 2 / 3, atol=close)
+    zero = ContactAngle(rule="solved", free=0.0)  # opening a ring in floating point leaves a clearance of 1e-18 m
+    np.testing.assert_allclose(order(flat, zero, "contact_angle", 1e-9), 1 / 4, atol=close)  # Q ~ al^3, Fa ~ al^4
+    np.testing.assert_allclose(order(flat, zero, "ball_load", 1e-9), 3 / 4, atol=close)
+    np.testing.assert_allclose(order(tight, SOLVED, "contact_angle", 1e-9), 1, atol=close)  # Q stays at the preload's
+    np.testing.assert_allclose(order(tight, SOLVED, "ball_load", 1e-9), 0, atol=close)
+
+
+def test_a_small_load_leaves_the_free_angle(bearing_6205: Bearing) -> None:
+    found = thrust_equilibrium(bearing_6205, SOLVED, axial_load=1e-12)
+    assert found.free_angle is not None
+    np.testing.assert_allclose(found.contact_angle, found.free_angle, rtol=1e-9)  # delta/A0 is 2e-11
+    np.testing.assert_allclose(np.cos(found.free_angle), 1 - 20e-6 / (2 * 0.40e-3), rtol=1e-12)
+
+
+def test_a_preloaded_ball_carries_its_interference(bearing_6205: Bearing) -> None:
+    found = thrust_equilibrium(with_clearance(bearing_6205, -14e-6), SOLVED, axial_load=1e-12)
+    assert found.free_angle is None
+    np.testing.assert_allclose(found.approach, 7e-6, rtol=1e-9)  # one ball: half of the interference on the diameter
+
+
+def test_each_race_has_its_own_material(bearing_6205: Bearing) -> None:
+    """At one ball load a soft outer ring leaves the inner contact as it is; delta ~ E*^(-2/3) on the outer."""
+    given = ContactAngle(rule="given", value=0.18)
+    peek = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
+    soft = replace(bearing_6205, outer=replace(bearing_6205.outer, material=peek))
+    hard, mixed = (thrust_equilibrium(bearing, given, axial_load=300.0) for bearing in (bearing_6205, soft))
+    np.testing.assert_allclose(mixed.inner.approach, hard.inner.approach, rtol=1e-13)  # the same calculation
+    steel_side = (1 - 0.3**2) / 206e9
+    ratio = (2 * steel_side / (steel_side + (1 - 0.38**2) / 3.6e9)) ** (2 / 3)
+    np.testing.assert_allclose(hard.outer.approach / mixed.outer.approach, ratio, rtol=1e-12)  # round-off
+
+
+def test_more_clearance_gives_a_steeper_angle(bearing_6205: Bearing) -> None:
+    angles = [
+        float(thrust_equilibrium(with_clearance(bearing_6205, c), SOLVED, axial_load=900.0).contact_angle)
+        for c in (-20e-6, 0.0, 13e-6, 37e-6)
+    ]
+    assert np.all(np.diff(angles) > 0.01)
+
+
+@pytest.mark.parametrize(
+    ("angle", "load", "words"),
+    [
+        (SOLVED, 0.0, ("axial_load", "0.0", "positive")),
+        (SOLVED, [3.0, -2.0], ("axial_load", "-2.0", "index [1]")),
+        (SOLVED, float("nan"), ("axial_load", "nan")),
+        (ContactAngle(rule="given"), 5.0, ("given contact angle", "None")),
+        (ContactAngle(rule="given", value=0.0), 5.0, ("given contact angle", "0.0")),
+        (ContactAngle(rule="given", value=float("nan")), 5.0, ("given contact angle", "nan")),
+        (ContactAngle(rule="solved", free=-0.1), 5.0, ("free", "-0.1")),
+        (ContactAngle(rule="solved", free=18.0), 5.0, ("free", "18.0", "degrees")),
+    ],
+)
+def test_a_bad_argument_is_named(bearing_6205: Bearing, angle: ContactAngle, load: object, words: tuple) -> None:
+    with pytest.raises(InputError) as refusal:
+        thrust_equilibrium(bearing_6205, angle, axial_load=load)  # pyright: ignore[reportArgumentType]
+    assert all(word in str(refusal.value) for word in words), refusal.value
+
+
+def test_a_bearing_without_an_angle_is_refused(bearing_6205: Bearing) -> None:
+    with pytest.raises(InputError, match=r"diametral clearance 0\.00081 m must be below 2 A0 = 0\.0008 m"):
+        free_angle(with_clearance(bearing_6205, 0.81e-3))
+    narrow = replace(bearing_6205, inner=replace(bearing_6205.inner, groove_radius=3.97e-3))
+    for angle in (SOLVED, ContactAngle(rule="given", value=0.18)):
+        with pytest.raises(InputError, match=r"inner groove_radius 0\.00397 m must exceed .* line"):
+            thrust_equilibrium(narrow, angle, axial_load=5.0)
+
+
+@pytest.mark.parametrize("free", [0.0, 0.18, 0.61])
+def test_frozen_contacts_balance_with_the_stiffness_of_the_free_angle(bearing_6205: Bearing, free: float) -> None:
+    """One load in each decade; the stiffness by hand, from the curvatures of the races at al0."""
+    loads = LOADS[LOADS < 1e6]
+    found = thrust_equilibrium_frozen(bearing_6205, ContactAngle(rule="solved", free=free), axial_load=loads)
+    steel, radius, cosine = bearing_6205.ball_material, bearing_6205.ball_radius, np.cos(free)
+    middle = bearing_6205.pitch_diameter / 2
+    along = {
+        "inner": 1 / radius + cosine / (middle - radius * cosine),
+        "outer": 1 / radius - cosine / (middle + radius * cosine),
+    }
+    for race, curvature in along.items():
+        across = 1 / radius - 1 / getattr(bearing_6205, race).groove_radius
+        modulus = contact_modulus(steel, steel)
+        hand = hertz_contact(curvature_x=curvature, curvature_y=across, load=found.ball_load, modulus=modulus)
+        np.testing.assert_allclose(getattr(found, race).approach, hand.approach, rtol=1e-12)  # round-off
+    al, distance = found.contact_angle, bearing_6205.groove_centre_distance
+    np.testing.assert_allclose(bearing_6205.ball_count * found.ball_load * np.sin(al), loads, rtol=1e-12)
+    stretched = (distance + found.approach) * np.cos(al)
+    np.testing.assert_allclose(stretched, distance * np.cos(free), rtol=1e-12)
+    assert found.free_angle == free
+
+
+def test_the_frozen_stiffness_is_near_and_nearer_under_less_load(bearing_6205: Bearing) -> None:
+    """The curvature along rolling changes with cos al, so the error goes with al^2 - al0^2 and is one-sided."""
+    angle, loads = ContactAngle(rule="solved", free=0.18), [0.7, 30.0, 1000.0]
+    exact = thrust_equilibrium(bearing_6205, angle, axial_load=loads).contact_angle
+    error = thrust_equilibrium_frozen(bearing_6205, angle, axial_load=loads).contact_angle / exact - 1
+    assert 0 < error[0] < error[1] < error[2]
+    assert 1.5e-5 < error[2] < 1.75e-5  # as the docstring states it
+
+
+@pytest.mark.parametrize(
+    ("clearance", "angle", "load", "words"),
+    [
+        (20e-6, ContactAngle(rule="given", value=0.18), 5.0, ("frozen", "rule 'given'", "thrust_equilibrium")),
+        (-14e-6, SOLVED, 5.0, ("frozen", "preload of 1.4e-05 m", "thrust_equilibrium")),
+        (20e-6, SOLVED, -2.0, ("axial_load", "-2.0")),
+        (20e-6, ContactAngle(rule="solved", free=18.0), 5.0, ("free", "18.0", "degrees")),
+        (0.81e-3, SOLVED, 5.0, ("diametral clearance", "2 A0")),
+    ],
+)
+def test_what_a_frozen_stiffness_cannot_do_is_refused(
+    bearing_6205: Bearing, clearance: float, angle: ContactAngle, load: float, words: tuple
+) -> None:
+    with pytest.raises(InputError) as refusal:
+        thrust_equilibrium_frozen(with_clearance(bearing_6205, clearance), angle, axial_load=load)
+    assert all(word in str(refusal.value) for word in words), refusal.value

@@ -1,0 +1,295 @@
+"""The central film against the printed formula in 40 digits, its asymptotes, values computed elsewhere, and units."""
+
+import hypothesis.strategies as st
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+
+from analytic.errors import InputError
+from analytic.oil.film import CentralFilm, central_film, film_asymptotes, inlet_heating_factor, thermal_loading
+
+ROUND_OFF = 1e-13  # a few hundred roundings of a double
+OIL = {"viscosity": 0.061, "pressure_viscosity": 2.1e-8}
+CONTACT = {"curvature_x": 310.0, "curvature_y": 14.7, "load": 613.0, "modulus": 1.13e11, "entrainment_speed": 0.37}
+loads = st.floats(-12, 6).map(lambda power: 10.0**power)
+speeds = st.floats(-6, 2).map(lambda power: 10.0**power)
+alphas = st.one_of(st.just(0.0), st.floats(1e-12, 5e-8))
+ratios = st.floats(0.01, 3.0)
+
+
+def film(**changed: object) -> CentralFilm:
+    return central_film(**(CONTACT | OIL | changed))  # pyright: ignore[reportArgumentType]
+
+
+def dimensionless(**changed: float) -> tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf]:
+    """R_x, lambda, M and L with U, as the literature defines them."""
+    given = CONTACT | OIL | changed
+    r_x, stiff = 1 / mpmath.mpf(given["curvature_x"]), 2 * mpmath.mpf(given["modulus"])
+    speed = 2 * mpmath.mpf(given["viscosity"]) * given["entrainment_speed"] / (stiff * r_x)
+    load = mpmath.mpf(given["load"]) / (stiff * r_x**2)
+    ratio = mpmath.mpf(given["curvature_y"]) * r_x
+    return (
+        r_x * mpmath.sqrt(speed),
+        ratio,
+        load * speed ** mpmath.mpf("-0.75"),
+        given["pressure_viscosity"] * (stiff * mpmath.root(speed, 4)),
+    )
+
+
+def asymptotes(ratio: mpmath.mpf, m: mpmath.mpf, ell: mpmath.mpf) -> dict[str, mpmath.mpf]:
+    """H of each, powers as printed."""
+    q = mpmath.mpf
+    elastic = 1 + q("0.006") * mpmath.log(ratio) + q("0.63") * ratio ** (q(4) / 7)
+    return {
+        "RI": 145 * (1 + q("0.796") * ratio ** (q(14) / 15)) ** (-q(15) / 7) / ratio / m**2,
+        "RP": q("1.29") * (1 + q("0.691") * ratio) ** (-q(2) / 3) * ell ** (q(2) / 3),
+        "EI": q("3.18") * elastic ** (-q(14) / 25) * ratio ** (-q(1) / 15) * m ** (-q(2) / 15),
+        "EP": q("1.48") * elastic ** (-q(7) / 20) * ratio ** (-q(1) / 24) * m ** (-q(1) / 12) * ell ** q("0.75"),
+        "00": q("1.8") / ratio,
+    }
+
+
+def printed(**changed: float) -> float:
+    """The formula as printed, in 40 digits."""
+    with mpmath.workdps(40):
+        scale, ratio, m, ell = dimensionless(**changed)
+        h = asymptotes(ratio, m, ell)
+        s = 1.5 * (1 + mpmath.exp(-mpmath.mpf("1.2") * h["EI"] / h["EP"]))
+        left = h["RI"] ** 1.5 + (h["EI"] ** -4 + h["00"] ** -4) ** (-mpmath.mpf(3) / 8)
+        right = (h["RP"] ** -8 + h["EP"] ** -8) ** (-s / 8)
+        return float(scale * (left ** (2 * s / 3) + right) ** (1 / s))
+
+
+@pytest.mark.parametrize(
+    ("race", "speed", "viscosity", "micrometres"),
+    [
+        ("inner", 100, 0.03, 0.0285),
+        ("inner", 100, 0.06, 0.0476),
+        ("inner", 500, 0.06, 0.1569),
+        ("inner", 500, 0.10, 0.2288),
+        ("outer", 100, 0.06, 0.0538),
+        ("outer", 500, 0.06, 0.1770),
+    ],
+)
+def test_the_6205_at_0p18_rad(race: str, speed: float, viscosity: float, micrometres: float) -> None:
+    """Values that were computed elsewhere, by a program that shares nothing with this one; geometry typed in."""
+    ball, groove, pitch, angle, sign = (3.97e-3, {"inner": 4.13e-3, "outer": 4.21e-3}[race], 39.01e-3, 0.18, 0)
+    sign = 1 if race == "inner" else -1
+    reach = ball * np.cos(angle)
+    rolling = np.cos(angle) / (pitch / 2 - sign * reach)
+    entrainment = speed * 2 * np.pi / 60 * (pitch / 2 - reach) * (pitch / 2 + reach) / pitch
+    found = film(
+        curvature_x=1 / ball + sign * rolling,
+        curvature_y=1 / ball - 1 / groove,
+        load=620.63,
+        modulus=206e9 / (2 * (1 - 0.3**2)),
+        entrainment_speed=entrainment,
+        viscosity=viscosity,
+        pressure_viscosity=2e-8,
+    )
+    np.testing.assert_allclose(found.thickness, micrometres * 1e-6, atol=0.5e-10)  # the last digit given
+    assert not found.capped
+    assert not found.outside_range
+
+
+@given(load=loads, speed=speeds, alpha=st.floats(1e-12, 5e-8), ratio=ratios)
+def test_the_printed_formula_in_40_digits(load: float, speed: float, alpha: float, ratio: float) -> None:
+    changed = {
+        "load": load,
+        "entrainment_speed": speed,
+        "pressure_viscosity": alpha,
+        "curvature_y": ratio * CONTACT["curvature_x"],
+    }
+    cap = 1 / (CONTACT["curvature_x"] + changed["curvature_y"])
+    found, expected = film(**changed), printed(**changed)
+    np.testing.assert_allclose(found.thickness, min(expected, cap), rtol=1e-12)  # round-off of ln h, some 30 at most
+    assert found.capped == (expected > cap)
+
+
+@pytest.mark.parametrize(
+    ("name", "changed"),
+    [  # corners where one asymptote is all, as reached by stiffness, thickness of oil and load alone
+        ("RI", {"load": 1e-4, "pressure_viscosity": 1e-13, "modulus": 1e14, "entrainment_speed": 1e-4}),
+        ("RP", {"load": 1e2, "pressure_viscosity": 1e-3, "modulus": 1e16, "entrainment_speed": 1e-5}),
+        ("EI", {"load": 1e3, "pressure_viscosity": 1e-14, "modulus": 1e6, "entrainment_speed": 1e-7}),
+        ("EP", {"load": 1e7, "pressure_viscosity": 1e-6, "modulus": 1e10, "entrainment_speed": 1e-4}),
+    ],
+)
+def test_each_asymptote_in_its_corner(name: str, changed: dict[str, float]) -> None:
+    found = film(**changed)
+    assert not found.capped
+    with mpmath.workdps(40):
+        scale, ratio, m, ell = dimensionless(**changed)
+        expected = float(scale * asymptotes(ratio, m, ell)[name])
+    np.testing.assert_allclose(found.thickness, expected, rtol=0.01)  # what the blend keeps of the others there
+
+
+@pytest.mark.parametrize(
+    ("changed", "powers"),
+    [  # h ~ eta0^a u^a F^b E^c alpha^d of the four regimes, known from the theories they come from
+        (
+            {"load": 1e-4, "pressure_viscosity": 1e-13, "modulus": 1e14, "entrainment_speed": 1e-4},
+            {"entrainment_speed": 2.0, "viscosity": 2.0, "load": -2.0, "modulus": 0.0},
+        ),
+        (
+            {"load": 1e2, "pressure_viscosity": 1e-3, "modulus": 1e16, "entrainment_speed": 1e-5},
+            {"entrainment_speed": 2 / 3, "pressure_viscosity": 2 / 3, "load": 0.0, "modulus": 0.0},
+        ),
+        (
+            {"load": 1e3, "pressure_viscosity": 1e-14, "modulus": 1e6, "entrainment_speed": 1e-7},
+            {"entrainment_speed": 0.6, "load": -2 / 15, "modulus": -7 / 15},
+        ),
+        (
+            {"load": 1e7, "pressure_viscosity": 1e-6, "modulus": 1e10, "entrainment_speed": 1e-4},
+            {"entrainment_speed": 0.75, "pressure_viscosity": 0.75, "load": -1 / 12, "modulus": -1 / 6 + 1 / 4},
+        ),
+    ],
+    ids=["RI", "RP", "EI", "EP"],
+)
+def test_exponents_of_the_regimes(changed: dict[str, float], powers: dict[str, float]) -> None:
+    base = CONTACT | OIL | changed
+    for name, power in powers.items():
+        more, less = (film(**(changed | {name: base[name] * factor})).thickness for factor in (1.1, 1 / 1.1))
+        measured = np.log(more / less) / (2 * np.log(1.1))
+        np.testing.assert_allclose(measured, power, atol=0.02)  # the blend's remainder
+
+
+@given(load=loads, speed=speeds, alpha=alphas, ratio=ratios)
+def test_more_speed_and_oil_thicken_and_load_thins(load: float, speed: float, alpha: float, ratio: float) -> None:
+    here = {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha, "curvature_y": ratio * 310.0}
+    base = film(**here).thickness * (1 - ROUND_OFF)
+    assert film(**(here | {"entrainment_speed": 1.3 * speed})).thickness >= base
+    assert film(**(here | {"viscosity": 1.3 * OIL["viscosity"]})).thickness >= base
+    # Where the rigid asymptote rules, the blend's exponent falls with alpha_p: some 1e-6 a per cent, the formula's own.
+    assert film(**(here | {"pressure_viscosity": 1.3 * alpha})).thickness >= base * (1 - 2e-4)
+    assert film(**(here | {"load": load / 1.3})).thickness >= base
+
+
+@given(load=loads, speed=speeds, alpha=st.floats(1e-9, 3e-8), remaining=st.floats(-3, 0))
+def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
+    load: float, speed: float, alpha: float, remaining: float
+) -> None:
+    """What sharing the load iterates by, against differences."""
+    here = CONTACT | OIL | {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
+    asymptotes = film_asymptotes(**here)
+    step = 1e-5
+    (up, _), (down, _) = (asymptotes.log_film(remaining + sign * step) for sign in (1, -1))
+    _, slope = asymptotes.log_film(remaining)
+    np.testing.assert_allclose(slope, (up - down) / (2 * step), rtol=1e-6, atol=1e-8)  # round-off over the step
+
+
+@given(metre=st.floats(1e-3, 1e3), newton=st.floats(1e-3, 1e3), second=st.floats(1e-3, 1e3), alpha=alphas)
+def test_physics_does_not_depend_on_the_units(metre: float, newton: float, second: float, alpha: float) -> None:
+    pascal = newton / metre**2
+    scaled = film(
+        curvature_x=CONTACT["curvature_x"] / metre,
+        curvature_y=CONTACT["curvature_y"] / metre,
+        load=CONTACT["load"] * newton,
+        modulus=CONTACT["modulus"] * pascal,
+        entrainment_speed=CONTACT["entrainment_speed"] * metre / second,
+        viscosity=OIL["viscosity"] * pascal * second,
+        pressure_viscosity=alpha / pascal,
+    )
+    np.testing.assert_allclose(scaled.thickness, film(pressure_viscosity=alpha).thickness * metre, rtol=1e-12)
+
+
+@given(load=loads, alpha=alphas)
+def test_standstill_has_no_film_and_joins_continuously(load: float, alpha: float) -> None:
+    assert film(entrainment_speed=0.0, load=load, pressure_viscosity=alpha).thickness == 0
+    slow = film(entrainment_speed=np.array([1e-40, 1e-30, 1e-20]), load=load, pressure_viscosity=alpha).thickness
+    assert np.all(np.diff(slow) > 0)
+    assert slow[0] < 1e-15  # m: u^0.6 or faster; 1e-24 of the film at 1 m/s
+
+
+def test_backwards_is_mirrored() -> None:
+    assert film(entrainment_speed=-0.37).thickness == film().thickness
+
+
+def test_no_load_leaves_the_room_there_is() -> None:
+    """The rigid film grows as F^-2: 1.5 m in a pocket that leaves 0.1 mm."""
+    pocket = {"curvature_x": 251.9 - 245.7, "curvature_y": 251.9 - 245.7, "largest_gap": 1e-4}
+    found = film(**pocket, load=np.array([0.0, 1e-300, 0.01, 1e4]))
+    np.testing.assert_array_equal(found.capped, [True, True, True, False])
+    np.testing.assert_allclose(found.thickness[:3], 1e-4, rtol=ROUND_OFF)
+    assert found.thickness[3] < 1e-5
+    around = film(**pocket, load=np.geomspace(1e-3, 1e3, 20_001)).thickness
+    assert np.max(np.abs(np.diff(np.log(around)))) < 2.5 * np.log(1e6) / 20_000  # no jump: slope 2 at most
+    bare = film(load=0.0)
+    np.testing.assert_allclose(bare.thickness, 1 / (310.0 + 14.7), rtol=ROUND_OFF)
+    assert bare.capped
+    assert film(load=0.0, pressure_viscosity=0.0).capped
+
+
+def test_no_piezoviscosity_is_the_limit_of_little() -> None:
+    none, little = (film(pressure_viscosity=alpha).thickness for alpha in (0.0, 1e-16))
+    np.testing.assert_allclose(little, none, rtol=1e-8)  # H_RP ~ alpha^(2/3), with the power s = 1.5
+
+
+@pytest.mark.parametrize(("ratio", "outside"), [(0.029, True), (0.031, False), (0.99, False), (1.01, True)])
+def test_an_ellipse_outside_the_fit_is_marked(ratio: float, outside: bool) -> None:
+    found = film(curvature_y=ratio * CONTACT["curvature_x"])
+    assert bool(found.outside_range) is outside
+    np.testing.assert_allclose(found.ellipticity, ratio, rtol=ROUND_OFF)
+    assert found.thickness > 0  # the formula still has a value
+
+
+def test_asperities_that_carry_nearly_all_leave_a_thin_film() -> None:
+    """F (1 - s) and E* (1 - s) as s -> 1, as load sharing asks: finite, and without a jump."""
+    left = np.geomspace(1, 1e-12, 241)
+    h = film(load=613.0 * left, modulus=1.13e11 * left).thickness
+    assert np.all(np.isfinite(h) & (h > 0))
+    assert np.max(np.abs(np.diff(np.log(h)))) < 2.5 * np.log(10) / 20  # h ~ (1 - s)^-2 at most, 20 steps a decade
+
+
+def test_arguments_broadcast() -> None:
+    load, speed = np.array([3.0, 613.0]), np.array([[0.1], [0.37], [0.9]])
+    table = film(load=load, entrainment_speed=speed)
+    assert table.thickness.shape == table.capped.shape == table.ellipticity.shape == (3, 2)
+    for i, j in np.ndindex(3, 2):
+        alone = film(load=float(load[j]), entrainment_speed=float(speed[i, 0])).thickness
+        np.testing.assert_allclose(table.thickness[i, j], alone, rtol=ROUND_OFF)
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"curvature_x": 0.0}, "curvature_x must be positive"),
+        ({"curvature_y": -3.0}, "curvature_y must be positive"),
+        ({"load": -1.0}, "load must be at least 0"),
+        ({"modulus": np.inf}, "modulus must be positive and finite"),
+        ({"entrainment_speed": np.nan}, "entrainment_speed must be finite"),
+        ({"viscosity": 0.0}, "viscosity must be positive"),
+        ({"pressure_viscosity": -1e-8}, "pressure_viscosity must be at least 0"),
+        ({"largest_gap": 0.0}, "largest_gap must be positive"),
+        ({"load": np.ones(3), "entrainment_speed": np.ones(2)}, "give equal lengths"),
+    ],
+)
+def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        film(**changed)
+
+
+def test_inlet_heating() -> None:
+    """About 2 % at the inner race of a 6205 at 500 rpm; the printed formula in 40 digits; its limits."""
+    loading = thermal_loading(viscosity=0.06, viscosity_temperature=0.04, entrainment_speed=0.49, conductivity=0.14)
+    np.testing.assert_allclose(loading, 0.06 * 0.04 * 0.49**2 / 0.14, rtol=ROUND_OFF)
+    factor = inlet_heating_factor(peak_pressure=2.18e9, modulus=1.13e11, thermal_loading=loading, slide_to_roll=0.0)
+    assert 0.975 < factor < 0.985
+    with mpmath.workdps(40):
+        x = mpmath.mpf("3.7")
+        top = 1 - mpmath.mpf("13.2") * (mpmath.mpf("1.9e9") / mpmath.mpf("2.26e11")) * x ** mpmath.mpf("0.42")
+        slip = 1 + mpmath.mpf("2.23") * mpmath.mpf("0.31") ** mpmath.mpf("0.83")
+        expected = float(top / (1 + mpmath.mpf("0.213") * slip * x ** mpmath.mpf("0.64")))
+    arguments = {"peak_pressure": 1.9e9, "modulus": 1.13e11, "slide_to_roll": 0.31}
+    np.testing.assert_allclose(inlet_heating_factor(thermal_loading=3.7, **arguments), expected, rtol=ROUND_OFF)
+    assert inlet_heating_factor(thermal_loading=0.0, **arguments) == 1
+    growing = inlet_heating_factor(thermal_loading=np.geomspace(1e-6, 1e4, 301), **arguments)
+    assert np.all(np.diff(growing) <= 0)
+    assert growing[-1] == 0
+    slipping = inlet_heating_factor(thermal_loading=0.2, **(arguments | {"slide_to_roll": np.linspace(0, 2, 41)}))
+    assert np.all(np.diff(slipping) < 0)
+    with pytest.raises(InputError, match="slide_to_roll must be at least 0"):
+        inlet_heating_factor(thermal_loading=0.2, **(arguments | {"slide_to_roll": -0.1}))
+    with pytest.raises(InputError, match="conductivity must be positive"):
+        thermal_loading(viscosity=0.06, viscosity_temperature=0.04, entrainment_speed=0.5, conductivity=0.0)

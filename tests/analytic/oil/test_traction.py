@@ -1,0 +1,108 @@
+"""Laws of traction: the printed formula in 40 digits, its limits, and what may never happen."""
+
+from dataclasses import replace
+
+import hypothesis.strategies as st
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+
+from analytic.errors import InputError
+from analytic.oil.traction import CoulombTraction, MixedTraction, oil_shear_stress
+from analytic.scene import Lubricant
+
+OIL = Lubricant(
+    viscosity=0.061,
+    pressure_viscosity=2.1e-8,
+    viscosity_temperature=0.034,
+    reference_temperature=313.0,
+    temperature=329.0,
+    thermal_conductivity=0.14,
+    density=871.0,
+    eyring_stress=5.3e6,
+    limiting_shear=0.057,
+    traction="eyring_sinh",
+)
+
+
+def shear(pressure: object, speed: object, film: object, **changed: object) -> np.ndarray:
+    oil = replace(OIL, **changed)  # pyright: ignore[reportArgumentType]
+    return oil_shear_stress(oil, pressure=pressure, speed=speed, film_thickness=film)  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize(("p", "v", "h"), [(0.31e9, 1.7e-3, 0.21e-6), (0.7e9, 2.3e-5, 40e-9), (1e5, 0.9, 80e-9)])
+def test_the_printed_law_in_40_digits(p: float, v: float, h: float) -> None:
+    with mpmath.workdps(40):
+        q = mpmath.mpf
+        g = mpmath.log(q(0.061)) + q("9.67")
+        growth = (1 + q("5.1e-9") * q(p)) ** (q(2.1e-8) / (q("5.1e-9") * g))
+        cooling = ((q(329) - 138) / (q(313) - 138)) ** (-q(0.034) * (313 - 138) / g)
+        viscosity = mpmath.exp(q("-9.67") + g * growth * cooling)
+        free = q(5.3e6) * mpmath.asinh(viscosity * q(v) / (q(h) * q(5.3e6)))
+        expected = float(min(free, q(0.057) * q(p)))
+    np.testing.assert_allclose(shear(p, v, h), expected, rtol=1e-12)  # round-off through exp of some 20
+
+
+def test_slow_shear_is_newtons_and_hard_shear_is_at_the_limit() -> None:
+    slow = shear(0.2e9, 1e-12, 0.3e-6)
+    np.testing.assert_allclose(shear(0.2e9, 3.1e-12, 0.3e-6) / slow, 3.1, rtol=1e-9)  # asinh x = x to x^2/6
+    assert slow < 1e-3 * OIL.eyring_stress
+    np.testing.assert_allclose(shear(1.9e9, 1e-3, 0.1e-6, limiting_shear=0.023), 0.023 * 1.9e9, rtol=1e-15)
+    assert shear(1.9e9, 0.0, 0.1e-6) == 0
+    assert shear(0.0, 0.7, 0.1e-6) == 0  # no pressure, no shear beyond zeta p
+    np.testing.assert_allclose(shear(1.3e9, 0.2, np.array([0.0, -3e-7])), 0.057 * 1.3e9, rtol=1e-15)  # no film
+    constant = shear(np.array([0.0, 2e9]), np.array([[0.0], [0.4]]), 1e-7, traction="eyring_constant")
+    np.testing.assert_array_equal(constant, np.full((2, 2), 5.3e6))
+
+
+extreme = st.floats(-300, 300).map(lambda power: 10.0**power)
+
+
+@given(p=st.floats(0, 20e9), v=extreme, h=extreme, faster=st.floats(1.0, 1e6))
+def test_it_never_falls_with_the_speed_and_is_always_a_number(p: float, v: float, h: float, faster: float) -> None:
+    stress = shear(p, np.array([0.0, v, v * faster]), h)
+    assert np.all(np.isfinite(stress))
+    assert np.all(np.diff(stress) >= 0)
+    assert np.all(stress <= 0.057 * p)
+    assert stress[0] == 0
+
+
+def test_it_has_no_jump_where_the_limit_takes_over() -> None:
+    speeds = np.geomspace(1e-6, 1e-1, 20001)
+    stress = shear(0.6e9, speeds, 0.1e-6, limiting_shear=0.017)
+    assert stress[0] < 0.5 * stress[-1]
+    np.testing.assert_allclose(stress[-1], 0.017 * 0.6e9, rtol=1e-15)
+    # No more than tau_E a unit of ln|v|: asinh rises no faster.
+    assert np.max(np.diff(stress)) <= 5.3e6 * np.log(speeds[1] / speeds[0]) * (1 + 1e-9)
+
+
+def test_a_mixed_contact_adds_boundary_friction_and_oil() -> None:
+    law = MixedTraction(
+        lubricant=OIL, boundary_friction=0.13, asperity_share=0.3, area_fraction=0.02, film_thickness=60e-9
+    )
+    p, v = np.array([0.4e9, 0.9e9]), 2.1e-4
+    oil = shear(0.7 * p, v, 60e-9)  # what asperities bear does not press on the oil
+    np.testing.assert_allclose(law.stress(p, np.asarray(v)), 0.13 * 0.3 * p + 0.98 * oil, rtol=1e-14)
+    load, area = np.asarray(310.0), np.asarray(4.1e-7)
+    expected = 0.13 * 0.3 * 310 + shear(0.7 * 310 / 4.1e-7, v, 60e-9) * 0.98 * 4.1e-7
+    np.testing.assert_allclose(law.force(load=load, area=area)(np.asarray(v)), expected, rtol=1e-13)
+    assert law.force(load=0.0, area=0.0)(np.asarray(v)) == 0
+    dry = replace(law, asperity_share=1.0, film_thickness=-1e-7)
+    np.testing.assert_allclose(dry.stress(p, np.asarray(v)), 0.13 * p, rtol=1e-15)
+    coulomb = CoulombTraction(friction_coefficient=0.08)
+    np.testing.assert_array_equal(coulomb.stress(p, np.asarray(v)), 0.08 * p)
+    assert coulomb.force(load=load, area=area)(np.asarray(v)) == 0.08 * 310
+
+
+def test_nonsense_is_refused() -> None:
+    with pytest.raises(InputError, match='traction must be "eyring_sinh" or "eyring_constant", got \'barus\''):
+        shear(1e9, 0.1, 1e-7, traction="barus")
+    with pytest.raises(InputError, match="eyring_stress must be positive"):
+        shear(1e9, 0.1, 1e-7, eyring_stress=0.0)
+    with pytest.raises(InputError, match="speed must be at least 0"):
+        shear(1e9, -0.1, 1e-7)
+    with pytest.raises(InputError, match="parts of a whole"):
+        MixedTraction(lubricant=OIL, boundary_friction=0.1, asperity_share=1.2, area_fraction=0.0, film_thickness=1e-7)
+    with pytest.raises(InputError, match="friction_coefficient must be at least 0"):
+        CoulombTraction(friction_coefficient=-0.1)

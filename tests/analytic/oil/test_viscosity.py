@@ -1,0 +1,101 @@
+"""Roelands' viscosity against the printed formula in 40 digits and the slopes that define its constants."""
+
+import hypothesis.strategies as st
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+
+from analytic.errors import InputError
+from analytic.oil.viscosity import inlet_viscosity, roelands_viscosity
+from analytic.scene import Lubricant
+
+ETA, ALPHA, BETA, T0 = 0.061, 2.1e-8, 0.043, 311.0
+OIL = {
+    "viscosity": ETA,
+    "pressure_viscosity": ALPHA,
+    "viscosity_temperature": BETA,
+    "reference_temperature": T0,
+}
+ROUND_OFF = 1e-12  # ln(eta) reaches 30, and its rounding is the viscosity's
+
+
+def viscosity(pressure: object, temperature: object, **changed: object) -> np.ndarray:
+    return roelands_viscosity(pressure=pressure, temperature=temperature, **(OIL | changed))  # pyright: ignore
+
+
+def printed(p: mpmath.mpf, t: mpmath.mpf) -> mpmath.mpf:
+    q = mpmath.mpf
+    g = mpmath.log(q(ETA)) + q("9.67")
+    z, s = q(ALPHA) / (q("5.1e-9") * g), q(BETA) * (q(T0) - 138) / g
+    return mpmath.exp(-q("9.67") + g * (1 + q("5.1e-9") * p) ** z * ((t - 138) / (q(T0) - 138)) ** -s)
+
+
+@given(pressure=st.floats(0, 4e9), temperature=st.floats(250, 450))
+def test_the_printed_formula_in_40_digits(pressure: float, temperature: float) -> None:
+    with mpmath.workdps(40):
+        expected = float(printed(mpmath.mpf(pressure), mpmath.mpf(temperature)))
+    np.testing.assert_allclose(viscosity(pressure, temperature), expected, rtol=ROUND_OFF)
+
+
+def test_the_slopes_are_alpha_and_beta() -> None:
+    """The constants are defined by them; derivatives of the printed formula, in 40 digits."""
+    assert viscosity(0.0, T0) == ETA
+    with mpmath.workdps(40):
+        by_pressure = mpmath.diff(lambda p: mpmath.log(printed(p, mpmath.mpf(T0))), 0, direction=1, h=1e-6)
+        by_temperature = mpmath.diff(lambda t: mpmath.log(printed(mpmath.mpf(0), t)), T0)
+    np.testing.assert_allclose([float(by_pressure), -float(by_temperature)], [ALPHA, BETA], rtol=1e-9)
+    step = 1e3  # Pa: what is left of the second derivative is alpha 5.1e-9 step/2
+    np.testing.assert_allclose(np.log(viscosity(step, T0) / ETA) / step, ALPHA, rtol=1e-5)
+    np.testing.assert_allclose(np.log(viscosity(0.0, T0 + 1e-3) / ETA) / 1e-3, -BETA, rtol=1e-4)
+
+
+def test_pressure_thickens_less_than_barus_and_heat_thins() -> None:
+    p = np.linspace(1e7, 3e9, 50)
+    found = viscosity(p, T0)
+    assert np.all(np.diff(found) > 0)
+    assert np.all(found < ETA * np.exp(ALPHA * p))  # Z < 1
+    assert np.all(np.diff(viscosity(1e9, np.linspace(280, 400, 50))) < 0)
+    assert viscosity(p[:, None], np.array([300.0, 320.0, 340.0])).shape == (50, 3)
+
+
+def test_the_oil_at_the_inlet() -> None:
+    """Viscosity and both slopes at another temperature, against differences of the formula there."""
+    oil = Lubricant(
+        **OIL, supply="grease", temperature=347.0, thermal_conductivity=0.13, density=860.0, eyring_stress=5e6,
+        limiting_shear=0.07, traction="eyring_sinh",
+    )  # fmt: skip
+    found = inlet_viscosity(oil)
+    np.testing.assert_allclose(found.viscosity, viscosity(0.0, 347.0), rtol=ROUND_OFF)
+    with mpmath.workdps(40):
+        t = mpmath.mpf(347)
+        by_pressure = mpmath.diff(lambda p: mpmath.log(printed(p, t)), 0, direction=1, h=1e-6)
+        by_temperature = mpmath.diff(lambda x: mpmath.log(printed(mpmath.mpf(0), x)), t)
+    np.testing.assert_allclose(found.pressure_viscosity, float(by_pressure), rtol=1e-9)
+    np.testing.assert_allclose(found.viscosity_temperature, -float(by_temperature), rtol=1e-9)
+    assert found.pressure_viscosity < ALPHA
+    assert found.viscosity < ETA
+
+
+def test_no_pressure_and_no_temperature_effect() -> None:
+    flat = viscosity(np.array([0.0, 3e9]), np.array([300.0, 400.0]), pressure_viscosity=0.0, viscosity_temperature=0.0)
+    np.testing.assert_array_equal(flat, ETA)
+
+
+@pytest.mark.parametrize(
+    ("pressure", "temperature", "changed", "message"),
+    [
+        (-1.0, 300.0, {}, "pressure must be at least 0"),
+        (1e9, 138.0, {}, "temperature must be above 138 K"),
+        (1e9, 40.0, {}, "give it in K"),
+        (1e9, np.nan, {}, "temperature must be positive and finite"),
+        (1e9, 300.0, {"reference_temperature": 100.0}, "reference_temperature must be above 138 K"),
+        (1e9, 300.0, {"viscosity": 6e-5}, "viscosity must be above 6.3e-05 Pa s"),
+        (1e9, 300.0, {"viscosity": -0.06}, "viscosity must be positive"),
+        (1e9, 300.0, {"pressure_viscosity": -1e-8}, "pressure_viscosity must be at least 0"),
+        (1e9, 300.0, {"viscosity_temperature": -0.04}, "viscosity_temperature must be at least 0"),
+    ],
+)
+def test_nonsense_is_refused(pressure: float, temperature: float, changed: dict[str, float], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        viscosity(pressure, temperature, **changed)

@@ -1,0 +1,173 @@
+"""Scene files: what is read."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic.scenefile.read import builtin_scene, load_scene
+from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
+
+
+def test_the_builtin_scene_is_table_1_of_the_paper(bearing_6205) -> None:
+    found = load_scene(builtin_scene("6205"))
+    table = bearing_6205  # typed in a second time beside these tests
+    for name in ("ball_count", "ball_diameter", "ball_mass"):
+        assert getattr(found.bearing, name) == getattr(table, name), name
+    for ring in ("inner", "outer"):
+        for name in ("bottom_radius", "groove_radius"):
+            assert getattr(getattr(found.bearing, ring), name) == getattr(getattr(table, ring), name), (ring, name)
+    np.testing.assert_allclose(found.bearing.pitch_diameter, 39.01e-3, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(found.bearing.diametral_clearance, 0.020e-3, rtol=1e-9)  # round-off of a difference
+    # Boundary dimensions of a 6205 as every maker lists them.
+    assert (found.bearing.bore_diameter, found.bearing.outside_diameter, found.bearing.width) == (25e-3, 52e-3, 15e-3)
+    assert (found.tolerance, found.friction_coefficient) == (0.05, 0.1)
+    assert (found.contact_angle.rule, found.contact_angle.free) == ("solved", 0.18)
+    np.testing.assert_allclose(found.operation.axial_load, [1000.0] * 5)
+    speeds = np.array([100, 200, 300, 400, 500]) * 2 * np.pi / 60
+    np.testing.assert_allclose(found.operation.inner_speed, speeds, rtol=1e-15)  # one rounding
+    assert found.cage is not None
+    assert (found.cage.pocket_diameter, found.cage.pocket_depth, found.cage.mass) == (8.14e-3, 4.07e-3, 6.58e-3)
+    assert found.warnings == ()
+
+
+def test_units_become_si() -> None:
+    found = scene(INLINE)
+    assert found.bearing.ball_material.density == 3200.0
+    assert (found.bearing.inner.material.name, found.bearing.outer.material.name) == ("steel", "peek")
+    assert found.bearing.outer.bottom_radius == 18.01e-3
+    np.testing.assert_allclose(found.contact_angle.value or 0.0, np.pi / 12, rtol=1e-15)  # one rounding
+    np.testing.assert_allclose(found.operation.axial_load, [12 * 9.80665, 1e-12], rtol=1e-15)
+    np.testing.assert_allclose(found.operation.inner_speed, [-200 * np.pi / 30, 0], rtol=1e-15)
+    assert found.cage is not None
+    assert (found.cage.pocket_diameter, found.cage.pocket_depth) == (6.3e-3, 3.1e-3)
+    assert found.effects["spin"] == "off"
+    assert found.effects["rolling"] == "auto"
+    assert found.friction_coefficient is None
+
+
+def test_one_quantity_serves_the_whole_series() -> None:
+    operation = scene(PLAIN).operation
+    np.testing.assert_array_equal(operation.axial_load, [700.0, 700.0])
+    np.testing.assert_allclose(operation.inner_speed, [10.471975511965978, np.pi / 6], rtol=1e-15)
+    with pytest.raises(ValueError, match="read-only"):
+        operation.axial_load[0] = 3.0
+
+
+def test_a_catalog_entry_is_overridden_key_by_key() -> None:
+    found = scene(
+        changed('catalog = "6205"', 'catalog = "6205"\ninner.groove_radius = "4.2 mm"\nball_count = 8')
+    ).bearing
+    assert (found.inner.groove_radius, found.inner.bottom_radius, found.ball_count) == (4.2e-3, 15.53e-3, 8)
+
+
+def test_seats_and_width_may_be_left_out() -> None:
+    found = scene(INLINE).bearing
+    assert (found.bore_diameter, found.outside_diameter, found.width) == (None, None, None)
+    wide = scene(changed('name = "hybrid"', 'name = "hybrid"\nwidth = "0.9 cm"', INLINE)).bearing
+    assert (wide.bore_diameter, wide.width) == (None, 9e-3)
+
+
+def test_radial_load_and_moment_of_a_ring() -> None:
+    found = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
+    np.testing.assert_array_equal(found.operation.radial_load, [-400.0, 0.0])
+    np.testing.assert_allclose(found.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
+    assert found.warnings == ()
+    np.testing.assert_array_equal(scene(PLAIN).operation.radial_load, [0.0, 0.0])
+
+
+@pytest.mark.parametrize("clearance", [13e-6, -7e-6])
+def test_a_clearance_moves_both_rings(bearing_6205, clearance: float) -> None:
+    key = f'catalog = "6205"\ndiametral_clearance = "{clearance * 1e6} um"'
+    found = scene(changed('catalog = "6205"', key)).bearing
+    np.testing.assert_allclose(found.diametral_clearance, clearance, rtol=1e-9)  # a difference of radii of 20 mm
+    np.testing.assert_allclose(found.pitch_diameter, bearing_6205.pitch_diameter, rtol=1e-15)  # one rounding
+    assert found.inner.bottom_radius != bearing_6205.inner.bottom_radius
+
+
+def test_no_cage_table_is_no_cage() -> None:
+    assert scene(PLAIN).cage is None
+    wide = scene(PLAIN + '[cage]\npocket_clearance = "0.3 mm"').cage
+    assert wide is not None
+    np.testing.assert_allclose((wide.pocket_diameter, wide.pocket_depth), (8.24e-3, 4.12e-3), rtol=1e-15)
+    direct = scene(PLAIN + '[cage]\npocket_diameter = "8.3 mm"').cage  # in place of the catalog's clearance
+    assert direct is not None
+    assert direct.pocket_diameter == 8.3e-3
+
+
+def test_the_printed_pocket_needs_its_name_and_warns() -> None:
+    printed = scene(PLAIN + '[cage]\nvariant = "as_printed"')
+    assert printed.cage is not None
+    assert (printed.cage.pocket_diameter, printed.cage.pocket_depth) == (13.9e-3, 6.81e-3)
+    (warning,) = printed.warnings
+    assert "13.9 mm" in warning
+    assert "13.34" in warning
+    assert "overlap" in refusal(PLAIN + '[cage]\npocket_diameter = "13.9 mm"\npocket_depth = "6.81 mm"')
+
+
+def test_a_moulded_cage_is_a_variant_that_keeps_the_pocket() -> None:
+    moulded = scene(PLAIN + '[cage]\nvariant = "peek"\npocket_clearance = "0.3 mm"')
+    assert moulded.cage is not None
+    assert (moulded.cage.material.name, moulded.cage.wall_thickness) == ("peek", 1.5e-3)
+    assert moulded.cage.material.youngs_modulus == 3.6e9
+    np.testing.assert_allclose(moulded.cage.pocket_diameter, 8.24e-3, rtol=1e-15)
+    assert moulded.warnings == ()
+    stamped = scene(PLAIN + "[cage]").cage
+    assert stamped is not None
+    volume = 1.5 / 0.9 * stamped.mass / stamped.material.density
+    np.testing.assert_allclose(moulded.cage.mass, volume * moulded.cage.material.density, rtol=0.02)  # written: 1.8 g
+    # Only the printed pocket may overlap its neighbour.
+    assert "overlap" in refusal(PLAIN + '[cage]\nvariant = "peek"\npocket_diameter = "13.9 mm"')
+
+
+def test_no_lubricant_and_no_surface_is_none() -> None:
+    assert scene(PLAIN).lubricant is None
+    assert scene(PLAIN).surface is None
+
+
+def test_a_lubricant_is_read() -> None:
+    oil = scene(OIL).lubricant
+    assert oil is not None
+    assert (oil.viscosity, oil.pressure_viscosity, oil.eyring_stress, oil.traction) == (0.06, 2e-8, 5e6, "eyring_sinh")
+    assert oil.temperature == oil.reference_temperature == 313.15  # 40 degC, where nothing else is said
+    warm = scene(OIL + 'reference_temperature = "40.5 degC"\nviscosity_temperature = "0.03 1/K"').lubricant
+    assert warm is not None
+    assert (warm.temperature, warm.reference_temperature, warm.viscosity_temperature) == (313.65, 313.65, 0.03)
+    hot = scene(OIL + 'temperature = "80 degC"\nthermal_conductivity = "0.13 W/m/K"\ndensity = "0.85 g/cm^3"').lubricant
+    assert hot is not None
+    assert (hot.temperature, hot.reference_temperature, hot.thermal_conductivity) == (353.15, 313.15, 0.13)
+    assert hot.density == 850.0
+
+
+def test_a_surface_is_read(tmp_path: Path) -> None:
+    declared = scene(ROUGH + 'ball_rms_roughness = "20 nm"\nhardness = "6.9 GPa"\nboundary_friction = 0.11').surface
+    assert declared is not None
+    assert declared.autocorrelation is not None
+    assert (declared.rms_roughness, declared.ball_rms_roughness) == (1e-7, 2e-8)
+    assert (declared.hardness, declared.boundary_friction, declared.height_map) == (6.9e9, 0.11, None)
+    assert (declared.autocorrelation.kind, declared.autocorrelation.length) == ("gaussian", 6e-5)
+    assert declared.autocorrelation.spacing == 2e-6
+    (tmp_path / "race.CSV").write_text("0, 1")
+    (tmp_path / "case.toml").write_text(PLAIN + '[surface]\nheight_map = { path = "race.CSV", spacing = "0.7 um" }')
+    measured = load_scene(tmp_path / "case.toml").surface  # sought beside the scene file, wherever one works
+    assert measured is not None
+    assert measured.height_map is not None
+    assert (measured.height_map.path, measured.height_map.spacing) == (str(tmp_path / "race.CSV"), 7e-7)
+    assert measured.rms_roughness is None
+
+
+def test_hardness_is_known_of_steel_alone() -> None:
+    assert scene(PLAIN).bearing.ball_material.hardness == 7.8e9
+    own = scene(changed("poisson_ratio = 0.27", 'poisson_ratio = 0.27, hardness = "15 GPa"', INLINE)).bearing
+    assert (own.ball_material.hardness, own.outer.material.hardness) == (15e9, None)
+
+
+def test_a_ball_of_the_wrong_mass_is_doubted() -> None:
+    (warning,) = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.5 mm"')).warnings
+    assert "2.04 g" in warning
+    assert "1.734 g" in warning  # pi/6 (7.5 mm)^3 7850 kg/m^3
+
+
+def test_an_elastic_preload_fits() -> None:
+    found = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.96 mm"'))
+    assert found.bearing.diametral_clearance < 0

@@ -1,0 +1,173 @@
+"""The printed equations beside the corrected ones: which moment has whose name, and by how much both jump."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike
+
+from analytic.errors import InputError
+from analytic.scene import Scene
+from analytic.scenefile.read import load_scene
+from analytic.sliding.as_printed import as_printed_moments, as_printed_torque
+from analytic.sliding.long_ellipse import SlidingContact, microslip_moments, microslip_torque
+from analytic.torque import friction_torque
+
+MU, Q, B, R = 0.083, 470.0, 1.27e-3, 4.05e-3
+LAST = np.nextafter(0.5, 0)
+SCENE = Path(__file__).parents[3] / "validation" / "scenes" / "6205_paper_as_printed.toml"
+
+
+@pytest.fixture
+def scene() -> Scene:
+    return load_scene(SCENE)
+
+
+def printed(eps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    return as_printed_moments(friction_coefficient=MU, load=Q, semi_axis_transverse=B, ball_radius=R, spin_to_roll=eps)
+
+
+def corrected(eps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    return microslip_moments(
+        friction_coefficient=MU, load=Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps
+    )
+
+
+def test_between_the_ends_the_paper_is_right() -> None:
+    eps = np.linspace(1e-3, LAST, 57)
+    # atol: round-off of a difference of two brackets near 1, which the corrected form has in factors
+    for found, expected, scale in zip(printed(eps), corrected(eps), (MU * Q * B, MU * Q * B**2 / R), strict=True):
+        np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-15 * scale)
+
+
+def test_at_no_spin_the_moments_are_exchanged_and_the_rolling_one_is_three_times_too_large() -> None:
+    spin, rolling = corrected(0.0)
+    printed_z, printed_r = printed(0.0)
+    assert printed_r == spin == 0
+    # The bracket that equation 2 lacks, from the root of 3 g - g^3 = 1 alone: 2/5 - 2 g^3 (1 - 3 g^2/5).
+    g = max(root.real for root in np.roots([-1.0, 0.0, 3.0, -1.0]) if abs(root) < 1)
+    missing = 2 / 5 - 2 * g**3 * (1 - 3 * g**2 / 5)
+    np.testing.assert_allclose(missing, 0.322285, atol=0.5e-6)  # six digits of an independent calculation
+    np.testing.assert_allclose(printed_z / rolling, 1 / missing, rtol=1e-12)  # round-off; 3.10
+    np.testing.assert_allclose(printed_z / rolling, 3.10, atol=0.005)
+
+
+def test_both_moments_jump_at_no_spin() -> None:
+    """M_z falls from the whole mu F b^2/(4 r) to nothing, M_r rises from nothing to 0.322 of it."""
+    at, after = printed(0.0), printed(1e-9)
+    whole = MU * Q * B**2 / (4 * R)
+    np.testing.assert_allclose(np.divide(at, whole), [1.0, 0.0], atol=1e-15)
+    np.testing.assert_allclose(np.divide(after, whole), [0.0, 0.322285], atol=1e-6)  # eps b/R of spin is left
+    smooth = np.subtract(corrected(1e-9), corrected(0.0))
+    assert np.all(np.abs(smooth) < 1e-6 * whole)
+
+
+def test_both_moments_jump_at_full_spin() -> None:
+    before, at = printed(LAST), printed(0.5)
+    np.testing.assert_allclose(np.divide(before, MU * Q * B), [0.375, 0.0], atol=1e-15)
+    np.testing.assert_array_equal(at, np.multiply([0.0, 0.375], MU * Q * B))
+    np.testing.assert_allclose(at[::-1], corrected(0.5), rtol=1e-14)  # exchanged, round-off
+    np.testing.assert_array_equal(printed(7.0), at)
+
+
+def test_arguments_broadcast_and_nonsense_is_refused() -> None:
+    moments = as_printed_moments(
+        friction_coefficient=[[0.03], [0.11]], load=Q, semi_axis_transverse=B, ball_radius=R,
+        spin_to_roll=[0.0, 0.2, 0.5],
+    )  # fmt: skip
+    for moment in moments:
+        assert moment.shape == (2, 3)
+        np.testing.assert_allclose(moment[1] * 3, moment[0] * 11, rtol=1e-14)  # round-off
+    with pytest.raises(InputError, match="spin_to_roll must be at least 0"):
+        printed(-0.1)
+    with pytest.raises(InputError, match="ball_radius must be positive"):
+        as_printed_moments(friction_coefficient=MU, load=Q, semi_axis_transverse=B, ball_radius=0.0, spin_to_roll=0.1)
+
+
+def races(radius: float) -> tuple[SlidingContact, SlidingContact]:
+    inner = SlidingContact(
+        friction_coefficient=0.09, load=470.0, semi_axis_rolling=0.11e-3, semi_axis_transverse=1.02e-3,
+        deformed_radius=radius, rolling_rate=2.9,
+    )  # fmt: skip
+    outer = replace(inner, friction_coefficient=0.07, semi_axis_transverse=0.85e-3, rolling_rate=1.9)
+    return inner, outer
+
+
+def test_where_both_contacts_spin_a_little_the_torque_is_the_derived_one() -> None:
+    """With the ball's radius for the contact surface's, which is all that then differs; signs included."""
+    inner, outer = races(R)
+    derived = microslip_torque(inner, outer, spin_difference=0.17, spin_rule="balanced")
+    found = as_printed_torque(
+        inner, outer, inner_spin_rate=derived.inner_spin_rate, outer_spin_rate=derived.outer_spin_rate, ball_radius=R
+    )
+    for name, expected in vars(derived).items():
+        np.testing.assert_allclose(getattr(found, name), expected, rtol=1e-11, err_msg=name)  # brackets near 1 cancel
+
+
+def test_with_a_race_in_control_the_other_one_alone_resists() -> None:
+    """Equations 10 and 11 with what 2 and 3 say of a contact without spin; M_z and M_r of the other as derived."""
+    inner, outer = races(R)
+    found = as_printed_torque(inner, outer, inner_spin_rate=0.17, outer_spin_rate=0.0, ball_radius=R)
+    spin, roll = microslip_moments(
+        friction_coefficient=0.09, load=470.0, semi_axis_transverse=1.02e-3, deformed_radius=R,
+        spin_to_roll=0.17 / 2.9 * R / 1.02e-3,
+    )  # fmt: skip
+    np.testing.assert_allclose(found.spin, spin * 0.17, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(found.conformity, roll * 2.9, rtol=1e-12)
+    np.testing.assert_allclose(found.outer_spin_moment, 0.07 * 470.0 * 0.85e-3**2 / (4 * R), rtol=1e-14)
+    assert found.outer_rolling_moment == 0
+
+
+def test_the_scene_loses_the_outer_race(scene: Scene) -> None:
+    """Its torque is short of the derived one by the whole conformity of the race that does not spin."""
+    found, derived = (friction_torque(replace(scene, microslip=which)) for which in ("as_printed", "derived"))
+    assert found.provenance["microslip"] == "as_printed"
+    assert derived.provenance["microslip"] == "derived"
+    mu, load, axis = derived.friction_coefficient.outer, derived.ball_load, derived.outer.semi_axis_transverse
+    assert mu is not None
+    balls, r, surface = 9, 7.94e-3 / 2, 2 * 4.21 * 7.94e-3 / (2 * 4.21 + 7.94)  # Table 1
+    whole = 0.0805711989 * mu * load * axis**2 / surface  # of an independent calculation, ten digits
+    rolling_rate = (39.01e-3 / 2 - r * np.cos(0.18)) / (2 * r)
+    assert found.torque.conformity is not None
+    assert derived.torque.conformity is not None
+    assert found.torque.spin is not None
+    assert derived.torque.spin is not None
+    inner = derived.torque.conformity - balls * whole * rolling_rate
+    # What is left is the inner race's, with the ball's radius for the surface's: R = 2 f D/(2 f + 1).
+    np.testing.assert_allclose(found.torque.conformity, inner * (2 * 4.13 * 2 / (2 * 4.13 + 7.94)), rtol=1e-8)
+    np.testing.assert_allclose(found.torque.spin, derived.torque.spin, rtol=1e-12)  # round-off
+
+
+def test_the_scene_jumps_at_full_spin_where_the_derived_torque_does_not(scene: Scene) -> None:
+    """At the load where the inner contact's ratio passes 1/2, printed M_z and M_r trade places."""
+    mu, rate = 0.1, np.sin(0.18) * 2 * 3.97e-3 / (39.01e-3 / 2 + 3.97e-3 * np.cos(0.18))  # w_s/w_roll of the inner
+    needed = rate * 2 * 4.13 * 7.94e-3 / (2 * 4.13 + 7.94) / 0.5  # b, m
+    one = friction_torque(scene)  # b grows as the third root of the load
+    load = 1000.0 * (needed / one.inner.semi_axis_transverse[0]) ** 3
+    near = replace(
+        scene,
+        surface=None,
+        lubricant=None,
+        friction_coefficient=mu,
+        effects={"spin": "on", "finite_geometry": "off"},
+        operation=replace(
+            scene.operation, axial_load=load * np.array([1 - 1e-9, 1 + 1e-9]), inner_speed=np.array([50.0, 50.0]),
+            radial_load=0.0, moment=0.0,
+        ),
+    )  # fmt: skip
+    full, less = friction_torque(near).torque.total
+    jump = 9 * 0.375 * mu * load / (9 * np.sin(0.18)) * needed * (rate_of_rolling := np.sin(0.18) / rate)
+    lost = jump * np.sin(0.18) / rate_of_rolling
+    np.testing.assert_allclose(full - less, jump - lost, rtol=1e-5)  # 2e-9 of load move the rest by sqrt(2e-9) at most
+    smooth = friction_torque(replace(near, microslip="derived")).torque.total
+    np.testing.assert_allclose(smooth[0], smooth[1], rtol=1e-8)
+
+
+def test_the_result_names_the_variant_and_what_is_wrong_with_it(scene: Scene) -> None:
+    warning = next(text for text in friction_torque(scene).warnings if "as_printed" in text)
+    for words in ("M_z and M_r exchanged", "equation 2 lacks its factor 0.322", "jump"):
+        assert words in warning
+    assert not any("as_printed" in text for text in friction_torque(replace(scene, microslip="derived")).warnings)
+    with pytest.raises(InputError, match="microslip must be"):
+        friction_torque(replace(scene, microslip="printed"))  # pyright: ignore[reportArgumentType]

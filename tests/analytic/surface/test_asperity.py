@@ -1,0 +1,267 @@
+"""Rough contact against its defining integrals in 40 digits, Greenwood and Williamson's limit, and its inverse."""
+
+from functools import cache
+
+import hypothesis.strategies as st
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from scipy.special import erfc, pbdv
+
+from analytic.errors import InputError
+from analytic.scene import Material, Surface
+from analytic.surface.asperity import AsperityContact, asperity_contact, asperity_load, separation_at, softer_hardness
+from analytic.surface.moments import Summits
+
+SUMMITS = Summits(density=5e8, radius=50e-6, height_deviation=0.8e-6, mean_height=1.3e-6)
+E, H = 113.187e9, 7.8e9  # Pa
+ACCURACY = 1e-8  # claimed
+ROUND_OFF = 1e-13
+
+
+def contact(h: object, summits: Summits = SUMMITS, **changed: object) -> AsperityContact:
+    arguments = {"modulus": E, "hardness": H} | changed
+    return asperity_contact(film_thickness=h, summits=summits, **arguments)  # pyright: ignore[reportArgumentType]
+
+
+def separation(pressure: object, summits: Summits = SUMMITS, **changed: object) -> np.ndarray:
+    return separation_at(pressure=pressure, summits=summits, **({"modulus": E, "hardness": H} | changed))  # pyright: ignore
+
+
+def with_yield_at(ratio: float) -> Summits:
+    """SUMMITS with the tip radius for which w_1 is this many standard deviations."""
+    first_yield = (3 * np.pi * 0.4 * H / (4 * E)) ** 2
+    return Summits(
+        density=5e8, radius=ratio * SUMMITS.height_deviation / first_yield, height_deviation=0.8e-6, mean_height=1.3e-6
+    )
+
+
+def printed_load(w: mpmath.mpf, radius: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
+    """Load and area of one summit as the literature prints them."""
+    q, e, h = mpmath.mpf, mpmath.mpf(E), mpmath.mpf(H)
+    w1 = (3 * mpmath.pi * q("0.4") * h / (4 * e)) ** 2 * radius
+    w2 = 54 * w1
+    if w <= 0:
+        return q(0), q(0)
+    if w < w1:
+        return q(4) / 3 * e * mpmath.sqrt(radius) * w * mpmath.sqrt(w), mpmath.pi * radius * w
+    if w < w2:
+        t = (w - w1) / (w2 - w1)
+        area = mpmath.pi * radius * w * (1 - 2 * t**3 + 3 * t**2)
+        pressure = h - h * (1 - q("0.4")) * (mpmath.log(w2) - mpmath.log(w)) / (mpmath.log(w2) - mpmath.log(w1))
+        return pressure * area, area
+    return 2 * mpmath.pi * radius * w * h, 2 * mpmath.pi * radius * w
+
+
+@cache
+def reference(h: float, radius: float) -> tuple[float, float]:
+    """Nominal pressure and area fraction by quadrature in 40 digits over the heights of the summits."""
+    with mpmath.workdps(40):
+        s, r = mpmath.mpf(SUMMITS.height_deviation), mpmath.mpf(radius)
+        d = mpmath.mpf(h) - mpmath.mpf(SUMMITS.mean_height)
+        w1 = (3 * mpmath.pi * mpmath.mpf("0.4") * mpmath.mpf(H) / (4 * mpmath.mpf(E))) ** 2 * r
+        bottom, top = max(d, -14 * s), mpmath.sqrt(max(d, 0) ** 2 + 200 * s**2)
+        steps = [bottom + (top - bottom) * part / 16 for part in (1, 2, 4, 8)]  # the integrand falls from the bottom
+        breaks = {bottom, top, *(x for x in (d + w1, d + 54 * w1, -3 * s, 0, 3 * s, *steps) if bottom < x < top)}
+
+        edge = (max(d, 0) / s) ** 2 / 2  # quad stops at an absolute error, so the integrand must not be tiny
+
+        def gauss(z: mpmath.mpf) -> mpmath.mpf:
+            return mpmath.exp(-((z / s) ** 2) / 2 + edge) / (s * mpmath.sqrt(2 * mpmath.pi))
+
+        parts = [mpmath.quad(lambda z, k=k: printed_load(z - d, r)[k] * gauss(z), sorted(breaks)) for k in (0, 1)]
+        return tuple(float(SUMMITS.density * part * mpmath.exp(-edge)) for part in parts)  # pyright: ignore[reportReturnType]
+
+
+def test_the_check_table() -> None:
+    """Computed elsewhere; every digit given."""
+    found = contact(np.array([0.5, 1.3, 2.1, 2.9]) * 1e-6)
+    last_digit = np.array([1e-2, 1e-2, 1e-3, 1e-4])
+    assert np.all(abs(found.pressure / 1e6 - [370.44, 121.78, 22.904, 2.1260]) < last_digit / 2)
+    last_digit = np.array([1e-5, 1e-6, 1e-7, 1e-8])
+    assert np.all(abs(found.area_fraction - [0.07079, 0.025564, 0.0052866, 0.00053621]) < last_digit / 2)
+
+
+@pytest.mark.parametrize("ratio", [1e-4, 0.02, 0.26, 3.1, 40.0, 1e5])
+@pytest.mark.parametrize("t", [-7.0, -5.9, -2.3, 0.0, 1.7, 6.1, 24.0])
+def test_the_integrals_in_40_digits(ratio: float, t: float) -> None:
+    """From all plastic to all elastic, from flattened to 24 standard deviations off, where the pressure is 1e-130."""
+    summits, h = with_yield_at(ratio), 1.3e-6 + t * 0.8e-6
+    pressure, area = reference(h, float(summits.radius))
+    found = contact(h, summits)
+    np.testing.assert_allclose(found.pressure, pressure, rtol=ACCURACY)
+    np.testing.assert_allclose(found.area_fraction, min(area, 1.0), rtol=ACCURACY)
+
+
+@pytest.mark.parametrize("t", [-3.1, -0.4, 0.0, 0.9, 3.3])
+def test_hard_summits_are_greenwoods_and_williamsons(t: float) -> None:
+    """p = (4/3) density E* sqrt(R_a sigma^3) F_{3/2}(t), the integral as a parabolic cylinder function."""
+    found = contact(1.3e-6 + t * 0.8e-6, hardness=1e6 * H)
+    f32 = 3 * np.sqrt(np.pi) / 4 / np.sqrt(2 * np.pi) * np.exp(-(t**2) / 4) * pbdv(-2.5, t)[0]
+    s = SUMMITS
+    expected = 4 / 3 * s.density * E * np.sqrt(s.radius * s.height_deviation**3) * f32
+    np.testing.assert_allclose(found.pressure, expected, rtol=ACCURACY)
+    f1 = np.exp(-(t**2) / 2) / np.sqrt(2 * np.pi) - t * erfc(t / np.sqrt(2)) / 2
+    np.testing.assert_allclose(
+        found.area_fraction, np.pi * s.density * s.radius * s.height_deviation * f1, rtol=ACCURACY
+    )
+
+
+@pytest.mark.parametrize("t", [-3.1, 0.0, 3.3])
+def test_soft_summits_bear_their_hardness(t: float) -> None:
+    found = contact(1.3e-6 + t * 0.8e-6, hardness=1e-4 * H)
+    f1 = np.exp(-(t**2) / 2) / np.sqrt(2 * np.pi) - t * erfc(t / np.sqrt(2)) / 2
+    area = 2 * np.pi * SUMMITS.density * SUMMITS.radius * SUMMITS.height_deviation * f1
+    np.testing.assert_allclose(found.area_fraction, area, rtol=2e-6)  # w_1 = 3e-9 standard deviations is not yet 0
+    np.testing.assert_allclose(found.pressure, 1e-4 * H * area, rtol=2e-6)
+
+
+def test_one_summit_as_printed_and_without_jumps() -> None:
+    radius = 37e-6
+    first = (3 * np.pi * 0.4 * H / (4 * E)) ** 2 * radius
+    depths = first * np.array([1e-30, 0.3, 0.9999, 1.0, 1.0001, 7.0, 53.99, 54.0, 54.01, 1e6])
+    found = asperity_load(interference=depths, tip_radius=radius, modulus=E, hardness=H)
+    with mpmath.workdps(40):
+        expected = np.array([[float(x) for x in printed_load(mpmath.mpf(w), mpmath.mpf(radius))] for w in depths])
+    np.testing.assert_allclose(found.load, expected[:, 0], rtol=1e-12)  # round-off: of w - w_1 beside w_1
+    np.testing.assert_allclose(found.area, expected[:, 1], rtol=1e-12)
+    for edge in (first, 54 * first):
+        beside = asperity_load(
+            interference=edge * np.array([1 - 1e-9, 1 + 1e-9]), tip_radius=radius, modulus=E, hardness=H
+        )
+        np.testing.assert_allclose(beside.load[0], beside.load[1], rtol=5e-9)  # slopes of 1 to 2 per step
+        np.testing.assert_allclose(beside.area[0], beside.area[1], rtol=5e-9)
+    free = asperity_load(interference=np.array([-1e-6, 0.0]), tip_radius=radius, modulus=E, hardness=H)
+    assert not free.load.any()
+    assert not free.area.any()
+    hertz = asperity_load(interference=0.4 * first, tip_radius=radius, modulus=E, hardness=H)
+    a = np.sqrt(radius * 0.4 * first)  # Hertz: p0 = 2 E* a/(pi R), mean 2/3 of it
+    np.testing.assert_allclose(hertz.load, 2 / 3 * 2 * E * a / (np.pi * radius) * np.pi * a**2, rtol=ROUND_OFF)
+
+
+@given(h=st.floats(-8e-6, 30e-6), step=st.floats(1e-9, 1e-6), power=st.floats(-5, 5))
+def test_thicker_films_bear_less(h: float, step: float, power: float) -> None:
+    summits = with_yield_at(10.0**power)
+    near, far = contact(h, summits), contact(h + step, summits)
+    assert far.pressure < near.pressure
+    assert far.area_fraction <= near.area_fraction
+    assert near.pressure_slope < 0
+
+
+@pytest.mark.parametrize("h", [-5e-6, 0.2e-6, 1.9e-6, 6.0e-6])
+@pytest.mark.parametrize("ratio", [0.02, 0.26, 40.0])
+def test_the_slope_is_the_derivative(h: float, ratio: float) -> None:
+    summits, step = with_yield_at(ratio), 1e-10
+    beyond, before = contact(h + step, summits).pressure, contact(h - step, summits).pressure
+    # A difference of values good to 1e-8 over 2.5e-4 standard deviations; their errors move together.
+    np.testing.assert_allclose(contact(h, summits).pressure_slope, (beyond - before) / (2 * step), rtol=1e-5)
+
+
+@given(power=st.floats(-290, 3), ratio=st.floats(-5, 5))
+def test_the_separation_is_the_inverse(power: float, ratio: float) -> None:
+    summits, pressure = with_yield_at(10.0**ratio), 10.0**power * 1e9
+    found = separation(pressure, summits)
+    # An error of 1e-9 in t = 36 or less is 36 times as much in ln p.
+    np.testing.assert_allclose(contact(found, summits).pressure, pressure, rtol=1e-7)
+
+
+def test_separation_of_many_at_once_and_of_none() -> None:
+    pressures = np.geomspace(1e-250, 1e13, 997)
+    found = separation(pressures)
+    assert np.all(np.diff(found) < 0)
+    assert found[0] > 1.3e-6 > 0 > found[-1]
+    assert separation(0.0) == np.inf
+    np.testing.assert_allclose(separation(3e8), found[np.argmin(abs(pressures - 3e8))], atol=0.1e-6)
+
+
+def test_far_off_it_fades_without_a_step() -> None:
+    found = contact(1.3e-6 + 0.8e-6 * np.linspace(0, 60, 6001))
+    assert np.all(np.diff(found.pressure) <= 0)
+    assert found.pressure[-1] == 0
+    assert found.pressure[3700] > 0  # t = 37: subnormal numbers begin at 38.6
+    assert np.all(found.area_fraction[found.pressure > 0] >= 0)
+    deep = contact(np.array([-1.0, -1e3]))  # metres
+    np.testing.assert_allclose(deep.pressure[1] / deep.pressure[0], 1e3, rtol=1e-5)  # plastic: 2 pi R w H
+    np.testing.assert_array_equal(deep.area_fraction, 1.0)
+
+
+def test_a_smooth_surface_is_a_wall() -> None:
+    smooth = Summits(density=0.0, radius=np.inf, height_deviation=0.0, mean_height=0.0)
+    found = contact(np.array([-1e-9, 0.0, 1e-12, 3e-6]), smooth)
+    np.testing.assert_array_equal(found.pressure, [np.inf, np.inf, 0, 0])
+    np.testing.assert_array_equal(found.area_fraction, [1, 1, 0, 0])
+    np.testing.assert_array_equal(found.pressure_slope, 0)
+    np.testing.assert_array_equal(separation(np.array([0.0, 3e-9, 2e9]), smooth), [np.inf, 0, 0])
+    # What a finish of a thousandth of the roughness tends to: nothing outside, and a wall inside.
+    almost = Summits(density=5e8, radius=50e-3, height_deviation=0.8e-9, mean_height=1.3e-9)
+    assert abs(separation(1e9, almost)) < 2e-7  # 1e9 Pa: elastic at the depth (3 p/(4 density E* sqrt(R_a)))^(2/3)
+    assert contact(0.1e-6, almost).pressure == 0
+
+
+def test_arguments_broadcast() -> None:
+    h, radius, hard = np.array([0.4e-6, 1.7e-6]), np.array([[20e-6], [50e-6], [900e-6]]), np.array([[[5e9]], [[8e9]]])
+    summits = Summits(density=5e8, radius=radius, height_deviation=0.8e-6, mean_height=1.3e-6)
+    table = contact(h, summits, hardness=hard)
+    assert table.pressure.shape == table.area_fraction.shape == table.pressure_slope.shape == (2, 3, 2)
+    for i, j, k in np.ndindex(2, 3, 2):
+        one = Summits(density=5e8, radius=float(radius[j, 0]), height_deviation=0.8e-6, mean_height=1.3e-6)
+        alone = contact(float(h[k]), one, hardness=float(hard[i, 0, 0]))
+        np.testing.assert_allclose(table.pressure[i, j, k], alone.pressure, rtol=ROUND_OFF)
+    np.testing.assert_allclose(
+        separation(table.pressure, summits, hardness=hard), np.broadcast_to(h, (2, 3, 2)), rtol=1e-7
+    )
+    many = np.linspace(-2e-6, 5e-6, 3001)  # more than one block of elements
+    np.testing.assert_allclose(contact(many).pressure[2718], contact(float(many[2718])).pressure, rtol=ROUND_OFF)
+
+
+@given(metre=st.floats(1e-3, 1e3), pascal=st.floats(1e-3, 1e3))
+def test_physics_does_not_depend_on_the_units(metre: float, pascal: float) -> None:
+    s = SUMMITS
+    scaled = Summits(
+        density=s.density / metre**2,
+        radius=s.radius * metre,
+        height_deviation=s.height_deviation * metre,
+        mean_height=s.mean_height * metre,
+    )
+    found = contact(1.7e-6 * metre, scaled, modulus=E * pascal, hardness=H * pascal)
+    base = contact(1.7e-6)
+    np.testing.assert_allclose(found.pressure, base.pressure * pascal, rtol=1e-12)  # round-off, through t
+    np.testing.assert_allclose(found.area_fraction, base.area_fraction, rtol=1e-12)
+    np.testing.assert_allclose(found.pressure_slope, base.pressure_slope * pascal / metre, rtol=1e-12)
+
+
+def test_the_softer_body_yields() -> None:
+    def body(name: str, hardness: float | None) -> Material:
+        return Material(
+            name=name, youngs_modulus=2e11, poisson_ratio=0.3, density=7.8e3, source="test", hardness=hardness
+        )
+
+    hard, soft, unknown = body("nitride", 15e9), body("steel", 7.8e9), body("peek", None)
+    assert softer_hardness(Surface(), hard, soft) == softer_hardness(Surface(), soft, hard) == 7.8e9
+    assert softer_hardness(Surface(hardness=6.1e9), hard, unknown) == 6.1e9
+    with pytest.raises(InputError, match=r"surface.hardness is missing, and peek has none"):
+        softer_hardness(Surface(), hard, unknown)
+    with pytest.raises(InputError, match=r"surface.hardness must be positive"):
+        softer_hardness(Surface(hardness=-6e9), hard, soft)
+
+
+@pytest.mark.parametrize(
+    ("h", "changed", "message"),
+    [
+        (np.nan, {}, "film_thickness must be finite"),
+        (1e-6, {"modulus": 0.0}, "modulus must be positive"),
+        (1e-6, {"hardness": -1.0}, "hardness must be positive"),
+        (1e-6, {"hardness": np.inf}, "hardness must be positive and finite"),
+        (np.ones(3), {"modulus": np.ones(2)}, "give equal lengths"),
+    ],
+)
+def test_nonsense_is_refused(h: object, changed: dict[str, float], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        contact(h, SUMMITS, **changed)
+    with pytest.raises(InputError, match="density must be at least 0"):
+        contact(1e-6, Summits(density=-5e8, radius=50e-6, height_deviation=0.8e-6, mean_height=1.3e-6))
+    with pytest.raises(InputError, match="radius must be positive"):
+        contact(1e-6, Summits(density=5e8, radius=0.0, height_deviation=0.8e-6, mean_height=1.3e-6))
+    with pytest.raises(InputError, match="pressure must be at least 0"):
+        separation(-1.0)

@@ -1,0 +1,182 @@
+"""Height maps: what is read, what is refused, and measurements of surfaces whose moments are exact."""
+
+import contextlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.surface.heightmap import HIGHEST, HeightMap, levelled, measure, read_height_map
+
+SPACING = 1.7e-6  # m
+rng = np.random.default_rng(5)
+ROUGH = 1e-7 * rng.standard_normal((40, 53))
+
+
+def waves(rows: int, columns: int, *, amplitude: float, along_rows: float, along_columns: float) -> HeightMap:
+    """amplitude cos(k x) cos(q y) with k and q in 1/m; x runs along a row."""
+    x, y = np.arange(columns) * SPACING, np.arange(rows)[:, None] * SPACING
+    return HeightMap(heights=amplitude * np.cos(along_rows * x) * np.cos(along_columns * y), spacing=SPACING)
+
+
+def test_moments_of_waves_are_exact() -> None:
+    """Mean squares of a product of cosines: A^2/4, and the differences (2/d) sin(k d/2) in place of k."""
+    size, amplitude = 1260, 0.29e-6
+    k, q = 2 * np.pi * 15 / (size * SPACING), 2 * np.pi * 18 / (size * SPACING)  # whole periods
+    found = measure(waves(size, size, amplitude=amplitude, along_rows=k, along_columns=q))
+    seen = [2 / SPACING * np.sin(wave * SPACING / 2) for wave in (k, q)]
+    square = amplitude**2 / 4
+    edge = 2 / size  # of an open row of differences, one or two are missing
+    np.testing.assert_allclose(found.moments.height, square, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(found.moments.slope, square * np.mean(np.square(seen)), rtol=edge)
+    np.testing.assert_allclose(found.moments.curvature, square * np.mean(np.power(seen, 4)), rtol=edge)
+    tops = 15 * 18 + 14 * 17  # crests and, where both waves are deepest, again; those on the rim left out
+    np.testing.assert_allclose(found.summits.density, tops / ((size - 2) * SPACING) ** 2, rtol=1e-12)
+    np.testing.assert_allclose(found.summits.mean_height, amplitude, rtol=1e-12)  # each on a point
+    np.testing.assert_allclose(found.summits.radius, 2 / (amplitude * (k**2 + q**2)), rtol=0.02)
+    assert found.warnings == ()
+
+
+def test_correlation_length_of_waves() -> None:
+    """cos(k r) falls to 1/e at acos(1/e)/k."""
+    size = 1200
+    k = 2 * np.pi * 20 / (size * SPACING)
+    found = measure(waves(size, size, amplitude=2e-7, along_rows=k, along_columns=k))
+    np.testing.assert_allclose(found.correlation_length, np.arccos(np.exp(-1)) / k, rtol=0.01)  # open ends
+
+
+def test_a_lay_and_a_coarse_or_narrow_map_are_doubted() -> None:
+    size = 400
+    lay = measure(waves(size, size, amplitude=1e-7, along_rows=2e5, along_columns=2e4))
+    assert any("has a lay" in warning for warning in lay.warnings)
+    assert any("along its rows" in warning for warning in lay.warnings)
+    noise = measure(HeightMap(heights=ROUGH - ROUGH.mean(), spacing=SPACING))
+    assert any("spacing 1.7e-06 m is more than a tenth" in warning for warning in noise.warnings)
+    long = measure(waves(64, 64, amplitude=1e-7, along_rows=4e4, along_columns=4e4))
+    assert any("below ten lengths" in warning for warning in long.warnings)
+
+
+def test_tilt_and_offset_are_taken_off() -> None:
+    rows, columns = np.mgrid[:40, :53]
+    tilted = ROUGH + 3e-6 + 2.3e-7 * rows - 1.1e-7 * columns
+    straight = levelled(HeightMap(heights=ROUGH, spacing=SPACING)).heights
+    np.testing.assert_allclose(levelled(HeightMap(heights=tilted, spacing=SPACING)).heights, straight, atol=1e-19)
+    plane = np.linalg.lstsq(np.column_stack([np.ones(ROUGH.size), rows.ravel(), columns.ravel()]), ROUGH.ravel())[0]
+    expected = ROUGH - plane[0] - plane[1] * rows - plane[2] * columns  # least squares, a second way
+    np.testing.assert_allclose(straight, expected, atol=1e-19)  # round-off of 1e-7
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32, np.int16])
+def test_a_binary_map_is_read(tmp_path: Path, dtype: type) -> None:
+    heights = (ROUGH if dtype is not np.int16 else np.zeros((40, 53))).astype(dtype)
+    np.save(tmp_path / "map.npy", np.asfortranarray(heights))
+    found = read_height_map(tmp_path / "map.npy", spacing=SPACING)
+    np.testing.assert_allclose(
+        found.heights, levelled(HeightMap(heights=heights.astype(np.float64), spacing=SPACING)).heights, atol=1e-20
+    )
+    assert found.spacing == SPACING
+
+
+def test_a_text_map_is_read(tmp_path: Path) -> None:
+    np.savetxt(tmp_path / "map.CSV", ROUGH, delimiter=",", header="heights, m")
+    expected = levelled(HeightMap(heights=ROUGH, spacing=SPACING)).heights
+    found = read_height_map(tmp_path / "map.CSV", spacing=SPACING).heights
+    np.testing.assert_allclose(found, expected, atol=1e-20)  # savetxt writes 18 digits
+
+
+class Bomb:
+    """Would run on unpickling."""
+
+    def __reduce__(self) -> tuple[object, tuple[str]]:
+        return (pytest.fail, ("a height map was unpickled",))
+
+
+def saved(path: Path, heights: object) -> Path:
+    np.save(path, np.asarray(heights))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("heights", "words"),
+    [
+        (np.full((40, 40), np.nan), "row 0, column 0 is not finite"),
+        (np.where(np.eye(40) > 0, 0.0, np.inf), "row 0, column 1 is not finite"),
+        (np.zeros(500), "has the shape (500,)"),
+        (np.zeros((40, 40, 2)), "has the shape (40, 40, 2)"),
+        (np.zeros((31, 400)), "has 31 by 400 points; give 32 to 4096"),
+        (np.zeros((32, 4097), dtype=np.int8), "has 32 by 4097 points"),
+        (np.zeros((0, 40)), "has 0 by 40 points"),
+        (np.zeros((40, 40), dtype=complex), "holds complex128, not real numbers"),
+        (np.zeros((40, 40), dtype="U5"), "not real numbers"),
+        (np.zeros((40, 40), dtype=bool), "holds bool"),
+        (ROUGH * 1e6, "give them in m, not in um"),
+        (np.array([[Bomb()] * 40] * 40), "not a matrix of numbers"),
+    ],
+)
+def test_a_map_that_is_none_is_refused(tmp_path: Path, heights: object, words: str) -> None:
+    path = saved(tmp_path / "map.npy", heights)
+    assert words in refusal(path)
+
+
+def refusal(path: Path) -> str:
+    with pytest.raises(InputError) as problem:
+        read_height_map(path, spacing=SPACING)
+    message = str(problem.value)
+    assert message.isprintable(), "one line"
+    assert len(message) < 500
+    assert message.startswith(str(path)[:150]) or str(path) != str(path).strip() or "'" in message
+    return message
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "words"),
+    [
+        ("a.csv", b"", "holds no numbers"),
+        ("a.csv", b"# only a header\n\n", "holds no numbers"),
+        ("a.csv", b"1,2\n3\n", "not a matrix of numbers"),
+        ("a.csv", b"1;2\n3;4\n", "not a matrix of numbers"),
+        ("a.csv", b"x,y\n3,4\n", "not a matrix of numbers"),
+        ("a.csv", b"\xff\xfe\x00", "not a matrix of numbers"),
+        ("a.csv", b"1e-7,2e-7\n" * 50, "has 50 by 2 points"),
+        ("a.csv", (b"1e-7," * 39 + b"nan\n") * 40, "row 0, column 39 is not finite"),
+        ("a.npy", b"", "not a matrix of numbers"),
+        ("a.npy", b"PK\x03\x04 a zip file", "not a matrix of numbers"),
+        ("a.npy", b"\x93NUMPY\x01\x00\x76\x00{'descr': '<f8', 'fortran_order': False, 'shape': (40,", "not a matrix"),
+        ("a.txt", b"1,2", "give a .npy or .csv"),
+        ("a.npz", b"1,2", "give a .npy or .csv"),
+    ],
+)
+def test_a_file_that_is_no_map_is_refused(tmp_path: Path, name: str, content: bytes, words: str) -> None:
+    (tmp_path / name).write_bytes(content)
+    assert words in refusal(tmp_path / name)
+
+
+def test_a_damaged_or_boastful_file_takes_no_memory(tmp_path: Path) -> None:
+    whole = saved(tmp_path / "map.npy", ROUGH).read_bytes()
+    short = tmp_path / "short.npy"
+    short.write_bytes(whole[:-8])  # the last number is missing
+    assert "not a matrix of numbers" in refusal(short)
+    for shape in ("(99999999, 99999)", "(40, -53)", "(10**9, 40)", "40", "(40, 1" + "0" * 30 + ")"):
+        boast = tmp_path / "boast.npy"
+        header = f"{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}".ljust(117) + "\n"
+        boast.write_bytes(b"\x93NUMPY\x01\x00\x76\x00" + header.encode())
+        assert refusal(boast)
+    for cut in range(0, len(whole) - ROUGH.nbytes, 5):  # any damage to the header is one line
+        short.write_bytes(whole[:cut] + b"\x00" + whole[cut + 1 :])
+        with contextlib.suppress(InputError):  # and nothing else; a flipped letter may also leave it whole
+            read_height_map(short, spacing=SPACING)
+
+
+def test_a_missing_file_and_a_folder_are_refused(tmp_path: Path) -> None:
+    assert "give the path of a height map" in refusal(tmp_path / "none.npy")
+    (tmp_path / "folder.csv").mkdir()
+    assert "give the path of a height map" in refusal(tmp_path / "folder.csv")
+    with pytest.raises(InputError, match="spacing must be positive"):
+        read_height_map(tmp_path / "none.npy", spacing=0.0)
+
+
+def test_heights_up_to_the_limit_are_accepted(tmp_path: Path) -> None:
+    heights = np.zeros((40, 40))
+    heights[7, 9] = HIGHEST
+    assert read_height_map(saved(tmp_path / "high.npy", heights), spacing=SPACING).heights.max() > 0

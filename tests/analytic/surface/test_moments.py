@@ -1,0 +1,79 @@
+"""Summits from spectral moments: published values, the theory they come from, and moments that no surface has."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.special import erfc
+
+from analytic.errors import InputError
+from analytic.surface.moments import SpectralMoments, mccool_summits
+
+SQ, B = 0.73e-6, 41e-6  # m
+GAUSSIAN = SpectralMoments(height=SQ**2, slope=2 * SQ**2 / B**2, curvature=12 * SQ**2 / B**4)
+
+
+def test_published_values_of_a_gaussian_autocorrelation() -> None:
+    found = mccool_summits(GAUSSIAN)
+    np.testing.assert_allclose(GAUSSIAN.bandwidth, 3, rtol=1e-14)  # round-off
+    np.testing.assert_allclose(found.density * B**2, 0.18378, atol=5e-6)  # all to the last digit printed
+    np.testing.assert_allclose(found.radius * SQ / B**2, 0.19187, atol=5e-6)
+    np.testing.assert_allclose(found.height_deviation / SQ, 0.8373, atol=5e-5)
+    np.testing.assert_allclose(found.mean_height / SQ, 1.3029, atol=5e-5)
+    np.testing.assert_allclose(found.density * found.radius * found.height_deviation, 0.0295, atol=5e-5)
+
+
+@pytest.mark.parametrize("bandwidth", [1.7, 3.0, 9.3])
+def test_nayaks_distribution_of_summit_heights(bandwidth: float) -> None:
+    """Density over u = z/Sq of P. R. Nayak, J. Lubr. Tech. 93 (1971) 398 (not seen): that it integrates to 1 shows
+    that it is written down rightly, and its mean and spread are McCool's."""
+    c1 = bandwidth / (2 * bandwidth - 3)
+
+    def density(u: float) -> float:
+        wide = 3 * (2 * bandwidth - 3) / bandwidth**2
+        beta = u * np.sqrt(3 / (2 * (2 * bandwidth - 3)))
+        gamma = u * np.sqrt(bandwidth / (2 * (bandwidth - 1) * (2 * bandwidth - 3)))
+        first = np.sqrt(wide) * u * np.exp(-c1 * u * u)
+        second = 3 * np.sqrt(2 * np.pi) / (2 * bandwidth) * (u * u - 1) * np.exp(-u * u / 2) * erfc(-beta)
+        third = np.sqrt(2 * np.pi * bandwidth / (3 * (bandwidth - 1)))
+        third *= np.exp(-bandwidth * u * u / (2 * (bandwidth - 1))) * erfc(-gamma)
+        return np.sqrt(3) / (2 * np.pi) * (first + second + third)
+
+    total, mean, square = (quad(lambda u, n=n: u**n * density(u), -12, 12, limit=400)[0] for n in range(3))
+    np.testing.assert_allclose(total, 1, rtol=1e-9)  # quadrature
+    moments = SpectralMoments(height=SQ**2, slope=0.031, curvature=bandwidth * 0.031**2 / SQ**2)
+    found = mccool_summits(moments)
+    np.testing.assert_allclose(found.mean_height / SQ, mean, rtol=1e-9)
+    np.testing.assert_allclose(found.height_deviation / SQ, np.sqrt(square - mean**2), rtol=1e-4)  # 0.8968 has 4 digits
+
+
+def test_two_surfaces_add_their_moments_and_scale_with_their_heights() -> None:
+    other = SpectralMoments(height=0.4e-12, slope=3e-4, curvature=7e5)
+    both = GAUSSIAN + other
+    np.testing.assert_allclose(both.rms_roughness, np.hypot(GAUSSIAN.rms_roughness, other.rms_roughness), rtol=1e-14)
+    assert (both.slope, both.curvature) == (GAUSSIAN.slope + 3e-4, GAUSSIAN.curvature + 7e5)
+    tall, plain = mccool_summits(other.scaled(2.5)), mccool_summits(other)
+    np.testing.assert_allclose(tall.density, plain.density, rtol=1e-14)
+    np.testing.assert_allclose(tall.radius, plain.radius / 2.5, rtol=1e-14)
+    np.testing.assert_allclose(tall.height_deviation, 2.5 * plain.height_deviation, rtol=1e-14)
+    np.testing.assert_allclose(tall.mean_height, 2.5 * plain.mean_height, rtol=1e-14)
+
+
+def test_a_smooth_surface_has_no_summits() -> None:
+    found = mccool_summits(GAUSSIAN.scaled(0.0))
+    assert (found.density, found.height_deviation, found.mean_height) == (0, 0, 0)
+    assert found.radius == np.inf
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"height": -1e-12}, "height must be at least 0"),
+        ({"curvature": np.nan}, "curvature must be at least 0 and finite"),
+        ({"slope": 0.0}, "belong to no surface"),
+        ({"slope": 1.0}, "belong to no surface"),
+        ({"height": 0.0}, "belong to no surface"),
+    ],
+)
+def test_moments_of_no_surface_are_refused(changed: dict[str, float], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        mccool_summits(SpectralMoments(**({"height": SQ**2, "slope": 6e-4, "curvature": 2e6} | changed)))

@@ -1,0 +1,148 @@
+"""What the result of a friction torque says: parts, effects, JSON, warnings, and what is refused."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.effects.ledger import EFFECTS
+from analytic.errors import InputError
+from analytic.scene import Bearing, ContactAngle, Scene
+from analytic.scenefile.read import builtin_scene, parse_scene
+from analytic.torque import friction_torque
+from tests.analytic.specimens import DRY_PARTS, dry, part, thrust, without
+
+SOLVED = ContactAngle(rule="solved", free=0.18)
+
+
+@pytest.fixture(scope="module")
+def scene(bearing_6205: Bearing) -> Scene:
+    return dry(bearing_6205)
+
+
+def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
+    found = friction_torque(replace(scene, hysteresis_loss=None, effects={"conformity": "off", "spin": "on"}))
+    assert found.torque.conformity is None
+    assert found.torque.hysteresis is None
+    assert found.torque.rolling is None
+    assert found.torque.cage is None
+    np.testing.assert_array_equal(found.torque.total, part(found.torque, "spin"))
+    told = {effect.name: effect for effect in found.effects}
+    assert list(told) == list(EFFECTS)
+    assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "the scene says on")
+    assert (told["conformity"].decision, told["conformity"].share) == ("off", None)
+    assert "says off" in told["conformity"].reason
+    assert "friction.hysteresis_loss" in told["hysteresis"].reason
+    assert "no lubricant is given" in told["rolling"].reason
+    assert "no cage is given" in told["cage"].reason
+    nothing = friction_torque(without(scene, *DRY_PARTS)).torque
+    assert nothing.total == 0
+
+
+def test_shares_are_the_largest_of_the_series(scene: Scene) -> None:
+    found = friction_torque(replace(scene, contact_angle=SOLVED, operation=thrust(1.0, 40.0, 900.0)))
+    for effect in (effect for effect in found.effects if effect.name in DRY_PARTS):
+        assert effect.share == np.max(part(found.torque, effect.name) / found.torque.total)
+
+
+DESIGN = {
+    "inner_speed": None,
+    "axial_load": None,
+    "contact_angle": None,
+    "torque": ["total", "race", "spin", "conformity", "hysteresis", "rolling", "cage", "declared"],
+    "friction_coefficient": ["inner", "outer", "pocket"],
+    "film": ["inner", "outer"],
+    "asperity_share": ["inner", "outer"],
+    "contact": ["inner", "outer"],
+    "uncertainty": ["numerical", "model"],
+    "cage": ["mean_force", "max_force", "interval", "duration", "state", "signed_moment"],
+}
+
+
+def test_the_json_has_the_keys_of_the_design(scene: Scene) -> None:
+    result = friction_torque(replace(scene, operation=thrust(500.0, 900.0)))
+    found = result.to_json()
+    assert list(found) == ["points", "gap_roughness", "effects", "warnings", "provenance", "seconds"]
+    assert len(found["points"]) == 2
+    for index, point in enumerate(found["points"]):
+        assert {key: list(value) if isinstance(value, dict) else None for key, value in point.items()} == DESIGN
+        for contact in point["contact"].values():
+            names = ["load", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"]
+            assert list(contact) == names
+        for race in ("inner", "outer"):
+            shown = {name: values[index] for name, values in vars(getattr(result, race)).items()}
+            assert point["contact"][race] == shown
+        assert point["torque"]["rolling"] is None
+    assert [point["axial_load"] for point in found["points"]] == [500.0, 900.0]
+    assert set(found["effects"][0]) == {"name", "decision", "share", "share_is", "reason"}
+    assert found["provenance"]["scene"] == "test"
+    assert found["provenance"]["contact_angle"] == "given"
+    assert found["provenance"]["contacts"] == "Hertz"
+    assert {"fembearing", "numpy", "scipy"} <= set(found["provenance"])
+    assert found["seconds"] > 0
+
+
+def test_the_result_says_where_its_friction_comes_from(scene: Scene) -> None:
+    found = friction_torque(replace(scene, warnings=("a doubt",)))
+    assert found.warnings[0] == "a doubt"
+    assert any("friction coefficient 0.1 comes from the scene" in warning for warning in found.warnings)
+    assert any("without a cage" in warning for warning in found.warnings)
+    assert any("rolling needs [lubricant]" in warning for warning in found.warnings)
+    assert len(found.warnings) == 4  # nothing else is doubtful here
+
+
+@pytest.mark.parametrize(
+    ("load", "mu", "words"),
+    [
+        (14e3, 0.1, ["ellipse passes the inner race's shoulder", "semi-axis 0.002705 m, room 0.002561 m"]),
+        (8e3, 0.1, ["peak pressure on the inner race 4.366e+09 Pa", "4.2e+09 Pa"]),
+        (1e3, 0.3, ["sliding number of the outer contact is 0.669", "elastic creep"]),
+    ],
+)
+def test_a_doubtful_contact_is_flagged_with_its_numbers(scene: Scene, load: float, mu: float, words: list[str]) -> None:
+    """Hertz's cube root of the load from 1000 N, where b = 1.1222 mm, p0 = 2.1831 GPa, outer sliding number 6.459.
+
+    The room is r_g sin(asin(w/r_g) - al) = 4.13 sin(asin(3.1/4.13) - 0.18) = 2.561 mm; sliding is least at 30 N.
+    """
+    asked = replace(scene, operation=thrust(40.0, load, 30.0), friction_coefficient=mu)
+    found = friction_torque(asked).warnings
+    assert any(all(word in warning for word in words) for warning in found), found
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"friction_coefficient": None}, r"friction\.coefficient is missing.*\[friction\] coefficient = 0\.1"),
+        ({"friction_coefficient": -0.1}, r"friction\.coefficient must be at least 0"),
+        ({"friction_coefficient": float("nan")}, r"friction\.coefficient must be at least 0"),
+        ({"hysteresis_loss": -0.01}, "hysteresis_loss must be at least 0"),
+        ({"operation": thrust(900.0, speed=float("nan"))}, r"operation\.inner_speed must be finite"),
+        ({"operation": thrust()}, r"operation\.axial_load is empty"),
+        ({"operation": thrust(0.0)}, "axial_load must be positive"),
+        ({"operation": thrust(40.0, 1e7), "contact_angle": SOLVED}, "beyond the inner race's shoulder"),
+        ({"effects": {"rolling": "on"}}, r'effects\.rolling = "on" cannot be had: no lubricant'),
+        ({"effects": {"cage": "on"}}, r'effects\.cage = "on" cannot be had'),
+        ({"effects": {"seals": "off"}}, r"effects\.seals is not an effect to choose"),
+        (
+            {"effects": {"hysteresis": "on"}, "hysteresis_loss": None},
+            r"friction\.hysteresis_loss is not given",
+        ),
+        ({"spin_rule": "race_control"}, "spin_rule must be"),
+    ],
+)
+def test_what_cannot_be_answered_is_refused(scene: Scene, change: dict, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        friction_torque(replace(scene, **change))
+
+
+def test_a_scene_file_names_loss_and_spin_rule() -> None:
+    text = builtin_scene("6205").read_text("utf-8")
+    assert parse_scene(text, origin="here").hysteresis_loss == 0.007
+    given, _ = text.split("[friction]")
+    table = '[friction]\ncoefficient = 0.08\nspin_rule = "outer_control"\n'
+    found = parse_scene(given + table, origin="here")
+    assert (found.friction_coefficient, found.hysteresis_loss, found.spin_rule) == (0.08, None, "outer_control")
+    with pytest.raises(InputError, match=r"friction\.hysteresis_loss = -0\.2"):
+        parse_scene(given + table + "hysteresis_loss = -0.2\n", origin="here")
+    with pytest.raises(InputError, match=r"friction\.spin_rule = 'race'.*'balanced'"):
+        parse_scene(given + '[friction]\ncoefficient = 0.1\nspin_rule = "race"\n', origin="here")

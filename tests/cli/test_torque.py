@@ -1,0 +1,165 @@
+"""`fembearing torque` as a user meets it: tables of 80 characters, JSON, exit status, one line for each mistake."""
+
+import json
+from io import StringIO
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from analytic.scenefile.read import parse_scene
+from fembearing import cli
+from fembearing.compare.torque.scene_torque import torque_of_scene
+from fembearing.report.terminal.torque import print_torque
+
+SCENES = Path(__file__).parents[2] / "validation" / "scenes"
+OILED = """\
+name = "oiled"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "solved" }
+[operation]
+axial_load = ["900 N", "400 N"]
+inner_speed = ["500 rpm", "2000 rpm"]
+[lubricant]
+viscosity = "0.028 Pa s"
+pressure_viscosity = "2e-8 1/Pa"
+eyring_stress = "5 MPa"
+[surface]
+rms_roughness = "0.05 um"
+autocorrelation = { kind = "gaussian", length = "20 um", spacing = "1 um" }
+"""
+
+
+def printed(text: str) -> str:
+    out = StringIO()
+    print_torque(Console(file=out, width=80), torque_of_scene(parse_scene(text, origin="here")))
+    return out.getvalue()
+
+
+@pytest.fixture
+def command(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+    def run(*arguments: str) -> tuple[int, str, str]:
+        monkeypatch.setattr("sys.argv", ["fembearing", "torque", *arguments])
+        with pytest.raises(SystemExit) as stop:
+            cli.main()
+        captured = capsys.readouterr()
+        return int(stop.value.code or 0), captured.out, captured.err
+
+    return run
+
+
+def test_the_tables_hold_the_numbers_of_the_result() -> None:
+    text = OILED + '[losses]\nseals = "5 N mm"\n'
+    found = torque_of_scene(parse_scene(text, origin="here"))
+    said = printed(text)
+    assert max(map(len, said.splitlines())) <= 80
+    torque, band = found.found.torque, found.catalogue.band
+    assert band is not None
+    assert torque.rolling is not None
+    rows = [line.split() for line in said.splitlines()]
+    for point, (rpm, load) in enumerate((("500", "900"), ("2000", "400"))):
+        row = next(row for row in rows if row[:3] == [str(point + 1), rpm, load])
+        assert f"{torque.rolling[point] * 1e3:.3g}" in row
+        assert row[-4] == f"{torque.total[point] * 1e3:.4g}"
+        assert row[-5] == "5"  # what is declared
+        assert row[-1] == f"{band.low[point] * 1e3:.3g}-{band.high[point] * 1e3:.3g}"
+    for effect in found.found.effects:
+        assert any(row[:2] == [effect.name, effect.decision] for row in rows)
+    words = " ".join(said.split())
+    for word in (
+        "with <= no part of its own but a bound",
+        "Rungs: loads by thrust, all balls alike; contacts by Hertz",
+        "the film formula's, 22 % of the film",
+        "neither truth nor a check",
+        "within the tolerance 0.05",
+        "declared by the scene",
+    ):
+        assert word in words
+
+
+def test_without_oil_the_band_is_left_out_with_a_word() -> None:
+    said = printed(OILED.partition("[lubricant]")[0] + "[friction]\ncoefficient = 0.1\n")
+    assert "No catalogue band: no lubricant is given: add a table [lubricant]." in " ".join(said.split())
+    assert "add a table [lubricant]" in " ".join(said.rpartition("Effects")[2].split())  # brackets are no markup
+    assert "catalogue" not in said.splitlines()[1]
+
+
+def test_an_effect_that_the_scene_says_off_is_told_as_deliberate() -> None:
+    """Centrifugal force of balls that thrust does not hold: more than the torque, on purpose, and in no uncertainty."""
+    text = OILED.replace('["900 N", "400 N"]', '"0 N"\nradial_load = "100 N"').replace("2000 rpm", "30000 rpm")
+    off = parse_scene(text + '[effects]\ncentrifugal = "off"\n', origin="here")
+    said = " ".join(printed(text + '[effects]\ncentrifugal = "off"\n').split())
+    found = torque_of_scene(off)
+    centrifugal = next(effect for effect in found.found.effects if effect.name == "centrifugal")
+    assert centrifugal.share is not None
+    assert centrifugal.share > 10
+    assert found.within_tolerance
+    assert f"centrifugal off <= {100 * centrifugal.share:.0f} % the scene says off" in said
+    assert said.count("What the scene says off is left out on purpose: no uncertainty of the torque counts it.") == 1
+    assert "load_distribution on no bound nothing bounds it" in said
+    assert "centrifugal is left out and could exceed the torque: the scene says off" in found.found.warnings
+
+
+def test_a_long_series_is_shown_in_part() -> None:
+    many = ", ".join(f'"{100 + speed} rpm"' for speed in range(40))
+    text = OILED.replace('["500 rpm", "2000 rpm"]', f"[{many}]").replace('["900 N", "400 N"]', '"900 N"')
+    said = printed(text)
+    assert "12 of 40 operating points; --json has all of them." in said
+    assert "axial load 900 N" in said.splitlines()[0]
+    assert [line.split()[0] for line in said.splitlines()[3:15]][::11] == ["1", "40"]
+
+
+def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_text(OILED, "utf-8")
+    status, out, err = command(str(tmp_path / "a.toml"), "--json")
+    found = json.loads(out)
+    assert (status, err) == (0, "")
+    assert [point["axial_load"] for point in found["points"]] == [900.0, 400.0]
+    assert found["points"][0]["torque"]["declared"] is None
+    assert 0 < found["points"][0]["uncertainty"]["model"] < 0.22
+    band = found["catalogue_band"]
+    assert set(band) == {"low", "high", "values", "note"}
+    assert len(band["low"]) == len(band["values"]["SKF"]) == 2
+    assert np.all(np.array(band["low"]) < band["high"])
+    status, out, _ = command("--json")
+    assert json.loads(out)["catalogue_band"]["low"] is None
+
+
+def test_beyond_the_tolerance_the_status_says_so(command) -> None:
+    """The variant that is no model has no known uncertainty."""
+    status, out, err = command(str(SCENES / "6205_paper_as_printed.toml"))
+    assert status == cli.NOT_SOLVED
+    assert "beyond the tolerance 0.05: numerical uncertainty unknown" in " ".join(out.split())
+    assert "is no model" in err
+
+
+def test_a_tighter_tolerance_takes_dearer_rungs(command, tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_text(OILED, "utf-8")
+    rungs = []
+    for tolerance in ("20 %", "0.1 %"):
+        status, out, _ = command(str(tmp_path / "a.toml"), "--tolerance", tolerance, "--json")
+        found = json.loads(out)
+        assert status == 0
+        assert max(point["uncertainty"]["numerical"] for point in found["points"]) <= found["tolerance"]
+        rungs.append(found["provenance"]["sliding"])
+    assert rungs[0] != rungs[1] == "over_ellipse"
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (("[surface]", "[surfaces]"), "did you mean surface?"),
+        (('"0.05 um"', "0.05"), "surface.rms_roughness = 0.05 has no unit"),
+        (('["900 N", "400 N"]', '["900 N", "0 N"]'), "leaves a point without any load"),
+        (('["900 N", "400 N"]', '"9000 kN"'), "race's shoulder: lower the load"),
+    ],
+)
+def test_a_mistake_is_one_line(command, tmp_path: Path, change: tuple[str, str], words: str) -> None:
+    (tmp_path / "a.toml").write_text(OILED.replace(*change), "utf-8")
+    status, out, err = command(str(tmp_path / "a.toml"))
+    assert (status, out) == (2, "")
+    assert err.count("\n") == 1
+    assert words in err

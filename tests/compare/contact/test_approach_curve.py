@@ -1,0 +1,44 @@
+"""Approach over load: the power of Hertz, the correction where it reaches and where it does not."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from analytic.scene import Contact
+from fembearing.compare.contact.approach_curve import approach_over_load
+from fembearing.compare.contact.corrected import corrected_hertz
+from fembearing.compare.contact.discrepancy import hertz_quantities
+
+
+def test_hertz_is_solved_at_every_load(contacts: dict[str, Contact]) -> None:
+    contact = contacts["inner"]
+    curve = approach_over_load(contact, hertz=hertz_quantities(contact), correctable=False)
+    solved = [hertz_quantities(replace(contact, load=float(load))).approach for load in curve.load]
+    np.testing.assert_allclose(curve.hertz, solved, rtol=1e-12)
+    np.testing.assert_allclose(curve.load[[0, -1]], (0.05 * 372, 1.5 * 372), rtol=1e-12)
+    assert np.isnan(curve.corrected).all()
+    assert curve.to_json()["corrected"] == [None] * curve.load.size
+
+
+def test_the_correction_is_that_of_a_contact_of_its_own(contacts: dict[str, Contact]) -> None:
+    contact = contacts["outer"]
+    curve = approach_over_load(contact, hertz=hertz_quantities(contact), correctable=True)
+    for point in (3, 20):
+        single = replace(contact, load=float(curve.load[point]))
+        found, _ = corrected_hertz(single, hertz=hertz_quantities(single))
+        assert found is not None
+        np.testing.assert_allclose(curve.corrected[point], found.quantities.approach, rtol=1e-12)
+        np.testing.assert_allclose(curve.uncertainty[point], found.uncertainty["approach"], rtol=1e-12)
+    factor = curve.corrected / curve.hertz - 1
+    assert np.all(np.diff(factor) < 0)  # the larger the contact, the stiffer than Hertz
+    assert np.all(factor < 0)
+
+
+def test_where_the_fit_ends_the_curve_ends(contacts: dict[str, Contact]) -> None:
+    narrow = replace(contacts["inner"], shoulder=1.7e-3, load=3000.0)  # a semi-axis of 1.9 mm keeps no 15 % off it
+    curve = approach_over_load(narrow, hertz=hertz_quantities(narrow), correctable=True)
+    semi_axis = hertz_quantities(narrow).semi_axis_transverse * (curve.load / 3000) ** (1 / 3)
+    np.testing.assert_array_equal(np.isfinite(curve.corrected), 1.15 * semi_axis <= 1.7e-3)
+    assert 0 < np.isfinite(curve.corrected).sum() < curve.load.size
+    told = curve.to_json()
+    assert [value is None for value in told["corrected"]] == np.isnan(curve.corrected).tolist()

@@ -1,0 +1,169 @@
+"""The stress under a contact both ways: each side with its own material, and an uncertainty that holds."""
+
+import json
+from dataclasses import replace
+
+import hypothesis.strategies as st
+import numpy as np
+import pytest
+from hypothesis import given, settings
+
+from analytic.contact.subsurface import subsurface_maximum
+from analytic.scene import Contact, Material
+from fembearing.compare.contact import subsurface as module
+from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.compare.contact.subsurface import NAMES, SubsurfaceComparison, compare_subsurface
+from fembearing.fem.subsurface import Array, Side, SubsurfaceStress, subsurface_stress
+from fembearing.mesh.recipe import load_recipe
+
+RUBBERY = Material(name="rubbery", youngs_modulus=90e9, poisson_ratio=0.45, density=1.3, source="test")
+SIDES = pytest.mark.parametrize("side", ["upper", "lower"])
+RATIOS = st.floats(0.0, 0.4999)
+
+
+@pytest.fixture(scope="module")
+def ideal(contacts: dict[str, Contact]) -> ContactSolution:
+    contact = replace(contacts["outer"], race_material=RUBBERY)
+    return compare_contact(contact, recipe=load_recipe("hertzian"), tolerance=0.9)
+
+
+def with_ratios(solution: ContactSolution, *, upper: float, lower: float, meshes: slice) -> ContactSolution:
+    """Other Poisson ratios under the same pressure: Hertz's peak pressure and ellipse stay the truth."""
+    contact = solution.contact
+    materials = {
+        "ball_material": replace(contact.ball_material, poisson_ratio=upper),
+        "race_material": replace(contact.race_material, poisson_ratio=lower),
+    }
+    chosen = tuple(replace(mesh, contact=replace(mesh.contact, **materials)) for mesh in solution.meshes[meshes])
+    return replace(solution, contact=replace(contact, **materials), meshes=chosen)
+
+
+def closed_form(solution: ContactSolution, *, ratio: float) -> dict[str, float]:
+    hertz = solution.hertz
+    closed = subsurface_maximum(
+        peak_pressure=hertz.peak_pressure,
+        semi_axis_x=hertz.semi_axis_rolling,
+        semi_axis_y=hertz.semi_axis_transverse,
+        poisson_ratio=ratio,
+    )
+    return {name: float(getattr(closed, name)) for name in NAMES}
+
+
+@pytest.mark.parametrize(("side", "ratio"), [("upper", 0.3), ("lower", 0.45)])
+def test_the_idealisation_meets_the_closed_form_within_its_uncertainty(
+    ideal: ContactSolution, side: Side, ratio: float
+) -> None:
+    found = compare_subsurface(ideal, side=side)
+    assert found.hertz == closed_form(ideal, ratio=ratio)  # of that side's material: exchanged, depths are 3 % off
+    for name in NAMES:
+        assert not found.exceeds(name)
+        assert found.uncertainty[name] < 0.03 * found.fe[name]  # and is of use
+
+
+@SIDES
+@settings(max_examples=8)  # a quarter of a second each
+@given(upper=RATIOS, lower=RATIOS)
+def test_every_poisson_ratio_has_its_interval(ideal: ContactSolution, side: Side, upper: float, lower: float) -> None:
+    """Down to 0, where von Mises stress is greatest on the surface and a relative depth would be a division by 0."""
+    changed = with_ratios(ideal, upper=upper, lower=lower, meshes=slice(0, 2))  # the coarse ones: they are quick
+    found = compare_subsurface(changed, side=side)
+    told = json.loads(json.dumps(found.to_json(), allow_nan=False))
+    truth = closed_form(ideal, ratio=upper if side == "upper" else lower)
+    for name in NAMES:
+        assert abs(found.fe[name] - truth[name]) <= found.uncertainty[name]
+        assert 0 < found.uncertainty[name] < np.inf
+        on_surface = 0.0 in (truth[name], found.fe[name])
+        assert (told["discrepancy"][name] is None) == on_surface
+
+
+@SIDES
+@pytest.mark.parametrize("ratio", [0.0, 0.24, 0.4999])
+def test_the_interval_of_the_third_level_holds_and_is_narrow(ideal: ContactSolution, side: Side, ratio: float) -> None:
+    assert ideal.meshes[-1].level == 3
+    other = 0.29  # of the body that is not looked at
+    ratios = {"upper": ratio, "lower": other} if side == "upper" else {"upper": other, "lower": ratio}
+    found = compare_subsurface(with_ratios(ideal, **ratios, meshes=slice(1, 3)), side=side)
+    minor = min(ideal.hertz.semi_axis_rolling, ideal.hertz.semi_axis_transverse)
+    for name in NAMES:
+        assert not found.exceeds(name)
+        scale = minor if "depth" in name else found.fe[name]
+        assert found.uncertainty[name] < 0.03 * scale  # what the second level was off, 2 % at most
+
+
+def test_a_maximum_on_the_surface_has_no_relative_depth(ideal: ContactSolution) -> None:
+    found = compare_subsurface(with_ratios(ideal, upper=0.0, lower=0.29, meshes=slice(1, 3)), side="upper")
+    assert found.hertz["max_von_mises_depth"] == found.fe["max_von_mises_depth"] == 0
+    assert found.discrepancy("max_von_mises_depth") is None
+    assert found.discrepancy("max_shear_depth") is not None
+    assert not found.exceeds("max_von_mises_depth")
+    assert found.uncertainty["max_von_mises_depth"] > 0
+
+
+def test_json_has_the_numbers_of_both_sides(ideal: ContactSolution) -> None:
+    found = compare_subsurface(ideal)
+    told = found.to_json()
+    assert told["side"] == "lower"
+    for name in NAMES:
+        assert told["discrepancy"][name] == pytest.approx(told["hertz"][name] / told["fe"][name] - 1, abs=1e-12)
+        assert told["exceeds_uncertainty"][name] is False
+    assert 3**0.5 < told["fe"]["max_von_mises"] / told["fe"]["max_shear"] < 2  # as of any stress: shear to tension
+
+
+def test_what_exceeds_its_uncertainty_is_told() -> None:
+    values = dict(zip(NAMES, (0.61e9, 75e-6, 1.1e9, 0.0), strict=True))
+    other = dict(zip(NAMES, (0.62e9, 74e-6, 1.11e9, 3e-6), strict=True))
+    widths = dict(zip(NAMES, (0.02e9, 0.9e-6, 0.009e9, 4e-6), strict=True))
+    found = SubsurfaceComparison(side="lower", hertz=values, fe=other, uncertainty=widths)
+    assert [found.exceeds(name) for name in NAMES] == [False, True, True, False]
+    assert found.discrepancy("max_von_mises_depth") is None
+
+
+def agreeing(found: SubsurfaceStress, curve: Array) -> SubsurfaceStress:
+    """Maxima typed in, and the curve beside them."""
+    return replace(
+        found,
+        max_shear=curve,
+        von_mises=0 * curve,
+        greatest_shear=0.61e9,
+        greatest_shear_depth=75e-6,
+        greatest_von_mises=1.1e9,
+        greatest_von_mises_depth=68e-6,
+    )
+
+
+@pytest.mark.parametrize(("lower_by", "reached"), [(0.9e-3, True), (1.1e-3, False)])
+def test_a_second_maximum_as_great_is_in_the_interval(
+    ideal: ContactSolution, monkeypatch: pytest.MonkeyPatch, lower_by: float, reached: bool
+) -> None:
+    """Which of the two is the greater one hangs on less than the stresses are certain to: 0.04 % each, and a share."""
+    estimates = {name: replace(part, domain=1.2e-4) for name, part in ideal.estimates.items()}
+    same = subsurface_stress(ideal.meshes[1])
+    curve = 0 * same.depth
+    curve[30] = (1 - lower_by) * 0.61e9
+    same = agreeing(same, curve)
+    monkeypatch.setattr(module, "subsurface_stress", lambda *_, **__: same)
+    width = compare_subsurface(replace(ideal, estimates=estimates)).uncertainty["max_shear_depth"]
+    away = abs(same.depth[30] - 75e-6)
+    assert away > 0.1 * 75e-6  # farther than anything else
+    assert (width >= away) == reached
+
+
+def test_the_far_boundary_and_a_chance_agreement_leave_their_share(
+    ideal: ContactSolution, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two meshes that happen to agree are not sure to the last digit; the block's share is that of its quantity."""
+    shares = {"semi_axis_rolling": 0.004, "semi_axis_transverse": 0.05, "peak_pressure": 0.011}
+    estimates = ideal.estimates | {name: replace(ideal.estimates[name], domain=part) for name, part in shares.items()}
+    same = subsurface_stress(ideal.meshes[1])
+    same = agreeing(same, 0 * same.depth)
+    monkeypatch.setattr(module, "subsurface_stress", lambda *_, **__: same)
+    found = compare_subsurface(replace(ideal, estimates=estimates)).uncertainty
+    minor = ideal.reference.semi_axis_rolling
+    for name, value, share in (
+        ("max_shear", 0.61e9, 3.8e-4 + 0.011),
+        ("max_von_mises", 1.1e9, 3.8e-4 + 0.011),
+        ("max_shear_depth", 75e-6, 0.004),
+        ("max_von_mises_depth", 68e-6, 0.004),
+    ):
+        least = 0.005 * minor if "depth" in name else 0.0  # the minor semi-axis lies along rolling
+        assert found[name] == pytest.approx(value * share + least, rel=1e-9)

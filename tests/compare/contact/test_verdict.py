@@ -1,0 +1,61 @@
+"""The verdict against its definition: where the whole uncertainty interval lies."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fembearing.compare.contact.verdict import Verdict, judge, worst
+
+TOLERANCE = 0.031
+
+
+@pytest.mark.parametrize(
+    ("discrepancy", "uncertainty", "expected"),
+    [
+        (0.020, 0.007, "pass"),
+        (-0.020, 0.007, "pass"),
+        (0.029, 0.007, "undecided"),  # the interval straddles the tolerance
+        (-0.035, 0.007, "undecided"),
+        (0.052, 0.007, "fail"),
+        (-0.052, 0.007, "fail"),
+        (0.001, 0.04, "undecided"),  # small but unknown
+    ],
+)
+def test_verdict_follows_the_interval(discrepancy: float, uncertainty: float, expected: Verdict) -> None:
+    found = judge(
+        discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, settled=True, spread=2 * uncertainty
+    )
+    assert found == expected
+
+
+def test_meshes_that_do_not_settle_are_undecided() -> None:
+    assert judge(discrepancy=0.002, uncertainty=0.003, tolerance=TOLERANCE, settled=False, spread=0.02) == "undecided"
+
+
+def test_noise_far_below_the_tolerance_is_agreement() -> None:
+    assert judge(discrepancy=0.002, uncertainty=1e-4, tolerance=TOLERANCE, settled=False, spread=1e-4) == "pass"
+
+
+def test_a_contact_that_hertz_is_not_made_for_never_passes() -> None:
+    assert (
+        judge(discrepancy=0.0, uncertainty=0.0, tolerance=TOLERANCE, settled=True, spread=0.0, valid=False)
+        == "outside validity"
+    )
+
+
+@given(st.floats(-0.2, 0.2), st.floats(0.0, 0.2))
+def test_a_pass_stays_a_pass_at_any_truth_inside_the_interval(discrepancy: float, uncertainty: float) -> None:
+    found = judge(
+        discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, settled=True, spread=uncertainty
+    )
+    ends = [abs(discrepancy - uncertainty), abs(discrepancy + uncertainty)]
+    if found == "pass":
+        assert max(ends) <= TOLERANCE * (1 + 1e-12)  # round-off of the sum
+    if found == "fail":
+        assert min(ends) > TOLERANCE * (1 - 1e-12)
+
+
+def test_worst_is_what_a_person_must_act_on_first() -> None:
+    assert worst(["pass", "undecided", "fail", "outside validity"]) == "fail"
+    assert worst(["pass", "undecided", "pass"]) == "undecided"
+    assert worst(["pass", "pass"]) == "pass"

@@ -1,0 +1,203 @@
+"""Catalogue models: the printed formulas by hand in printed units, their jumps, and how little they agree."""
+
+import functools
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import hypothesis.strategies as st
+import numpy as np
+import pytest
+from hypothesis import given
+
+from analytic.errors import InputError
+from analytic.scene import Operation, Scene
+from analytic.scenefile.read import load_scene
+from fembearing.compare.torque.catalogue_models import (
+    CatalogueBand,
+    catalogue_band,
+    inlet_shear_factor,
+    palmgren_torque,
+    replenishment_factor,
+    scene_band,
+    skf_torque,
+)
+
+RINGS = {"bore_diameter": 25e-3, "outside_diameter": 52e-3}
+CASE = {
+    **RINGS,
+    "static_rating": 7.8e3,
+    "axial_load": 1000.0,
+    "radial_load": 0.0,
+    "ring_speed": 500 * math.pi / 30,
+    "kinematic_viscosity": 32e-6,
+}
+
+
+def skf(**changed: object) -> np.ndarray:
+    return skf_torque(**(CASE | {"lubrication": "oil_bath"} | changed))  # pyright: ignore[reportArgumentType]
+
+
+def palmgren(**changed: object) -> np.ndarray:
+    return palmgren_torque(**(CASE | {"load_factor": 5e-4} | changed))  # pyright: ignore[reportArgumentType]
+
+
+def band(**changed: object) -> CatalogueBand:
+    return catalogue_band(**(CASE | {"lubrication": "oil_bath"} | changed))  # pyright: ignore[reportArgumentType]
+
+
+def by_hand(*, thrust: float, radial: float, rpm: float, nu: float, k_rs: float) -> float:
+    """SKF's worksheet for a 6205, line after line, in mm, mm^2/s, rev/min, N mm."""
+    d_m = 38.5
+    if thrust > 0:
+        sine = math.sin(math.radians(24.6 * (thrust / 7800) ** 0.24))
+        g_rr = 3.9e-7 * d_m**1.96 * (radial + 1.7 / sine * thrust) ** 0.54
+        g_sl = 3.23e-3 * d_m**-0.145 * (radial**5 + 36.5 * d_m**1.5 / sine * thrust**4) ** (1 / 3)
+    else:
+        g_rr = 3.9e-7 * d_m**1.96 * radial**0.54
+        g_sl = 3.23e-3 * d_m**-0.26 * radial ** (5 / 3)
+    phi_ish = 1 / (1 + 1.84e-9 * (rpm * d_m) ** 1.28 * nu**0.64)
+    phi_rs = 1 / math.exp(k_rs * nu * rpm * 77 * math.sqrt(3.1 / 54))
+    phi_bl = 1 / math.exp(2.6e-8 * (rpm * nu) ** 1.4 * d_m)
+    return phi_ish * phi_rs * g_rr * (nu * rpm) ** 0.6 + g_sl * (phi_bl * 0.12 + (1 - phi_bl) * 0.05)
+
+
+@pytest.mark.parametrize("thrust", [0.0, 130.0, 1000.0])
+@pytest.mark.parametrize("radial", [0.0, 370.0])
+@pytest.mark.parametrize(("lubrication", "k_rs"), [("oil_bath", 3e-8), ("grease", 6e-8)])
+def test_the_skf_worksheet(thrust: float, radial: float, lubrication: str, k_rs: float) -> None:
+    for rpm, nu in ((100.0, 68.0), (3000.0, 17.0)):
+        found = skf(
+            axial_load=thrust,
+            radial_load=radial,
+            ring_speed=rpm * 2 * math.pi / 60,
+            kinematic_viscosity=nu * 1e-6,
+            lubrication=lubrication,
+        )
+        expected = by_hand(thrust=thrust, radial=radial, rpm=rpm, nu=nu, k_rs=k_rs)
+        np.testing.assert_allclose(found * 1e3, expected, rtol=1e-12)  # round-off
+
+
+def test_in_pure_thrust_they_disagree_by_factors() -> None:
+    """An independent calculation: SKF 65 to 78 N mm, Palmgren 14 to 29, for two oils at 100 to 500 rev/min."""
+    oils = np.array([0.0275, 0.0585])[:, None] / 860
+    found = band(kinematic_viscosity=oils, ring_speed=np.array([100.0, 300.0, 500.0]) * math.pi / 30)
+    np.testing.assert_allclose([found.high.min() * 1e3, found.high.max() * 1e3], [65, 78], atol=0.5)  # whole N mm
+    np.testing.assert_allclose([found.low.min() * 1e3, found.values["Palmgren, z = 0.0006"].max() * 1e3], [14, 29],
+                               atol=0.5)  # fmt: skip
+    assert list(found.values) == ["SKF", "Palmgren, z = 0.0004", "Palmgren, z = 0.0006"]
+    for value in found.values.values():
+        assert value.shape == (2, 3)
+        assert np.all((found.low <= value) & (value <= found.high))
+    assert np.all(found.high > 2 * found.low)
+
+
+def test_palmgren_by_hand() -> None:
+    """At 700 rev/min and 41 mm^2/s, 130 N and 370 N: whole worksheet, P_1 and P_0 by the larger alternative."""
+    cases = [
+        (1000.0, 0.0, 500.0, 3300.0),
+        (130.0, 370.0, 370.0, 392.0),  # P_0: 0.6 370 + 65 = 287 < 370;  P_1: 429 - 37
+        (10.0, 370.0, 370.0, 370.0),  # P_1: 33 - 37 < 370
+        (900.0, 370.0, 672.0, 2933.0),
+    ]
+    for thrust, radial, static, working in cases:
+        found = palmgren(
+            axial_load=thrust, radial_load=radial, ring_speed=700 * math.pi / 30, kinematic_viscosity=41e-6
+        )
+        viscous = 1e-7 * 2 * (41 * 700) ** (2 / 3) * 38.5**3
+        expected = viscous + 5e-4 * (static / 7800) ** 0.55 * working * 38.5
+        np.testing.assert_allclose(found * 1e3, expected, rtol=1e-12)  # round-off
+    still = palmgren(axial_load=0.0, ring_speed=0.0)
+    np.testing.assert_allclose(still * 1e3, 160e-7 * 2 * 38.5**3, rtol=1e-12)
+
+
+def test_the_jumps_are_the_models_own() -> None:
+    """G_sl at F_a = 0 by d_m^0.115, M_0 at nu n = 2000 by 160/2000^(2/3); everything else is continuous."""
+    still = {"radial_load": 370.0, "ring_speed": 0.0}  # no rolling torque, and the friction coefficient is mu_bl
+    jump = skf(axial_load=1e-9, **still) / skf(axial_load=0.0, **still)
+    np.testing.assert_allclose(jump, 38.5**0.115, rtol=1e-9)
+    np.testing.assert_allclose(jump, 1.52, atol=0.005)
+    at = 2000 / 32 * math.pi / 30
+    below, above = (palmgren(axial_load=0.0, ring_speed=at * factor) for factor in (1 - 1e-9, 1 + 1e-9))
+    np.testing.assert_allclose(below / above, 160 / 2000 ** (2 / 3), rtol=1e-8)
+    np.testing.assert_allclose(below / above, 1.008, atol=0.0005)
+    assert skf(axial_load=0.0, radial_load=0.0) == 0
+
+
+@given(speed=st.floats(0.1, 2000.0), viscosity=st.floats(1e-6, 1e-3))
+def test_both_factors_lie_between_0_and_1_and_fall_with_speed(speed: float, viscosity: float) -> None:
+    for factor in (
+        lambda w: inlet_shear_factor(mean_diameter=38.5e-3, ring_speed=w, kinematic_viscosity=viscosity),
+        lambda w: replenishment_factor(**RINGS, ring_speed=w, kinematic_viscosity=viscosity, lubrication="oil_bath"),
+    ):
+        assert factor(0.0) == 1
+        assert 0 <= factor(1.3 * speed) < factor(speed) < 1 or factor(speed) < 1e-300  # gone from double precision
+    greased = replenishment_factor(**RINGS, ring_speed=speed, kinematic_viscosity=viscosity, lubrication="grease")
+    oiled = replenishment_factor(**RINGS, ring_speed=speed, kinematic_viscosity=viscosity, lubrication="oil_bath")
+    np.testing.assert_allclose(greased, oiled**2, rtol=1e-10, atol=1e-300)  # twice the exponent, which round-off grows
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"bore_diameter": 52e-3}, "must be below outside_diameter"),
+        ({"static_rating": 0.0}, "static_rating must be positive"),
+        ({"axial_load": -1.0}, "axial_load must be at least 0"),
+        ({"radial_load": math.nan}, "radial_load must be at least 0"),
+        ({"ring_speed": -3.0}, "ring_speed must be at least 0"),
+        ({"kinematic_viscosity": 0.0}, "kinematic_viscosity must be positive"),
+        ({"lubrication": "oil"}, '"oil_bath" or "grease"'),
+    ],
+)
+def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        band(**changed)
+
+
+def test_a_load_factor_below_0_is_refused() -> None:
+    with pytest.raises(InputError, match="load_factor must be positive"):
+        palmgren(load_factor=-4e-4)
+
+
+def oiled(**changed: Any) -> Scene:
+    scene = load_scene(Path(__file__).parents[3] / "validation" / "scenes" / "6205_physical.toml")
+    return replace(scene, **changed)
+
+
+def test_the_band_of_a_scene_takes_its_oil_and_its_bearing() -> None:
+    """0.06 Pa s at 870 kg/m^3; the 6205's 25 and 52 mm and 7.8 kN typed in again."""
+    series = Operation(
+        axial_load=np.array([1000.0, 620.0]), inner_speed=np.array([-10.5, 47.0]), radial_load=np.array([-370.0, 0.0])
+    )
+    found = scene_band(oiled(operation=series))
+    for name, model in (("SKF", skf), ("Palmgren, z = 0.0006", functools.partial(palmgren, load_factor=6e-4))):
+        extra = {"lubrication": "oil_bath"} if name == "SKF" else {}
+        expected = model(
+            axial_load=[1000.0, 620.0],
+            radial_load=[370.0, 0.0],
+            ring_speed=[10.5, 47.0],
+            kinematic_viscosity=0.06 / 870,
+            **extra,
+        )
+        np.testing.assert_allclose(found.values[name], expected, rtol=1e-13)  # round-off
+    assert np.all(found.low < found.high)
+    oil = oiled().lubricant
+    assert oil is not None
+    hotter = replace(oil, temperature=353.15)  # thinner by the factor exp(0.045 x 40) or so
+    at_500_rpm = [scene_band(of).values["Palmgren, z = 0.0006"][-1] for of in (oiled(lubricant=hotter), oiled())]
+    assert at_500_rpm[0] < at_500_rpm[1]  # SKF's is not: the film breaks down
+
+
+def test_a_scene_without_a_band_says_why() -> None:
+    scene = oiled()
+    for change, words in (
+        ({"lubricant": None}, "no lubricant"),
+        ({"bearing": replace(scene.bearing, static_load_rating=None)}, "static_load_rating is not given"),
+        ({"bearing": replace(scene.bearing, bore_diameter=None)}, "bore_diameter is not given"),
+        ({"bearing": replace(scene.bearing, outside_diameter=62e-3)}, "25 mm and outside diameter 62 mm are not of"),
+        ({"operation": replace(scene.operation, moment=3.0)}, "moment"),
+        ({"operation": replace(scene.operation, axial_load=np.array([-3.0]))}, "-3 N is below 0"),
+    ):
+        with pytest.raises(InputError, match=words):
+            scene_band(oiled(**change))

@@ -1,0 +1,217 @@
+"""What contact discrepancies do to the race torque, against how each part scales."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from analytic.contact.finite_geometry import thrust_correction
+from analytic.scenefile.read import parse_scene
+from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.torque.change import TorqueChange, change_of_torque
+
+SCENE = """
+name = "held angle"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "RULE", VALUE = "0.21 rad" }
+[operation]
+axial_load = ["700 N", "900 N"]
+inner_speed = "90 rpm"
+[friction]
+coefficient = 0.07
+hysteresis_loss = 0.006
+[effects]
+spin = "off"
+"""
+FIXED = parse_scene(SCENE.replace("RULE", "given").replace("VALUE", "value"), origin="test")
+SOLVED = parse_scene(SCENE.replace("RULE", "solved").replace("VALUE", "free"), origin="test")
+NAMES = ("semi_axis_rolling", "semi_axis_transverse", "approach")
+
+
+def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
+    """All that is read of a solved contact; `ratios` are finite elements over Hertz."""
+    return SimpleNamespace(
+        verdict="pass",
+        discrepancy={name: 1 / ratios.get(name, 1.0) - 1 for name in NAMES},
+        estimates={
+            name: Estimate(values=(1.3,), order=2.0, richardson=None, mesh=0.7 * uncertainty, domain=0.3 * uncertainty)
+            for name in NAMES
+        },
+    )
+
+
+def relative(found: TorqueChange, part: str) -> NDArray[np.float64]:
+    change = found.relative(part)
+    assert change is not None
+    return change[found.is_solved]
+
+
+def test_no_discrepancy_changes_nothing() -> None:
+    found = change_of_torque(SOLVED, inner=solution(), outer=solution())
+    np.testing.assert_array_equal(relative(found, "total"), 0.0)
+    assert found.uncertainty == 0.0
+
+
+def test_conformity_goes_with_the_square_of_the_major_axis_and_hysteresis_with_the_minor() -> None:
+    both = solution(semi_axis_rolling=1.03, semi_axis_transverse=0.98)
+    found = change_of_torque(FIXED, inner=both, outer=both)
+    np.testing.assert_allclose(relative(found, "conformity"), 0.98**2 - 1, rtol=1e-9)  # round-off
+    np.testing.assert_allclose(relative(found, "hysteresis"), 1.03 - 1, rtol=1e-9)
+    assert found.relative("spin") is None
+
+
+def test_a_stiffer_contact_steepens_nothing() -> None:
+    """Less approach leaves the ball at a flatter angle, which takes more load to carry the thrust."""
+    stiff = solution(approach=0.97)
+    found = change_of_torque(SOLVED, inner=stiff, outer=stiff)
+    assert (found.corrected.contact_angle < found.hertz.contact_angle).all()
+    assert (found.corrected.ball_load > found.hertz.ball_load).all()
+    assert (relative(found, "total") > 0).all()
+
+
+def test_uncertainty_adds_what_each_input_does_alone() -> None:
+    sure, unsure = solution(), solution(uncertainty=0.01)
+    alone = [
+        change_of_torque(FIXED, inner=unsure, outer=sure).uncertainty,
+        change_of_torque(FIXED, inner=sure, outer=unsure).uncertainty,
+    ]
+    both = change_of_torque(FIXED, inner=unsure, outer=unsure).uncertainty
+    np.testing.assert_allclose(both, sum(alone), rtol=1e-9)  # round-off
+    assert 0.01 < both < 0.05  # b counts twice, a once for its share, the approach not at a held angle
+
+
+def test_each_race_gets_the_factors_of_its_own_contact() -> None:
+    """At a held angle the balls' load stays, so that a contact changes by its factors and by nothing else."""
+    inner = solution(semi_axis_rolling=1.02, semi_axis_transverse=0.97, approach=0.95)
+    outer = solution(semi_axis_rolling=0.99, semi_axis_transverse=1.04, approach=1.06)
+    found = change_of_torque(FIXED, inner=inner, outer=outer)
+    for race, expected in (("inner", (1.02, 0.97, 0.95)), ("outer", (0.99, 1.04, 1.06))):
+        before, after = getattr(found.hertz, race), getattr(found.corrected, race)
+        for name, factor in zip(NAMES, expected, strict=True):
+            np.testing.assert_allclose(getattr(after, name) / getattr(before, name), factor, rtol=1e-9)  # round-off
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_an_uncertain_input_counts_as_much_as_that_change_of_it(race: str) -> None:
+    """One race uncertain by 1 % in all: as if its contact were 1 % larger, one input at a time."""
+    sure, other = solution(), "outer" if race == "inner" else "inner"
+    uncertainty = change_of_torque(SOLVED, **{race: solution(uncertainty=0.01), other: sure}).uncertainty
+    moved = [change_of_torque(SOLVED, **{race: solution(**{name: 1.01}), other: sure}) for name in NAMES]
+    np.testing.assert_allclose(
+        uncertainty, sum(abs(relative(each, "total")[-1]) for each in moved), rtol=1e-6
+    )  # the angle's root
+
+
+def test_each_part_and_the_angle_are_as_uncertain_as_their_own_change() -> None:
+    unsure = solution(uncertainty=0.01)
+    held = change_of_torque(FIXED, inner=unsure, outer=unsure).uncertainties
+    assert held.keys() == {"total", "race", "conformity", "hysteresis", "contact_angle"}  # spin is off
+    # At a held angle hysteresis goes with the minor axis of each race and conformity with the square of the major one:
+    # the shares of both races add up to one.
+    np.testing.assert_allclose(held["hysteresis"], 0.01, rtol=1e-9)  # round-off
+    np.testing.assert_allclose(held["conformity"], 1.01**2 - 1, rtol=1e-9)
+    assert held["contact_angle"] == 0.0
+    free = change_of_torque(SOLVED, inner=unsure, outer=unsure).uncertainties
+    moved = [
+        change_of_torque(SOLVED, inner=inner, outer=outer).corrected.contact_angle[-1]
+        for inner, outer in ((solution(approach=1.01), solution()), (solution(), solution(approach=1.01)))
+    ]
+    angle = change_of_torque(SOLVED, inner=solution(), outer=solution()).corrected.contact_angle[-1]
+    np.testing.assert_allclose(free["contact_angle"], sum(abs(each / angle - 1) for each in moved), rtol=1e-6)
+
+
+def test_the_numbers_are_plain_in_json() -> None:
+    found = change_of_torque(FIXED, inner=solution(approach=0.97), outer=solution()).to_json()
+    assert found["change"]["spin"] is None
+    assert found["change"]["total"] == [None, pytest.approx(0.0, abs=1e-15)]
+    assert found["torque"]["corrected"][0] is None
+    assert None not in found["torque"]["hertz"]
+    assert len(found["torque"]["hertz"]) == 2
+
+
+def test_nothing_is_claimed_at_loads_that_were_not_solved() -> None:
+    """700 N and 900 N: the contacts are those of the heavier ball, and their ratios to Hertz fade with the load."""
+    change = change_of_torque(SOLVED, inner=solution(approach=0.97), outer=solution()).relative("total")
+    assert change is not None
+    assert np.isnan(change[0])
+    assert np.isfinite(change[1])
+
+
+def test_the_change_carries_the_worse_verdict_of_its_contacts() -> None:
+    sound, bad = solution(), solution()
+    bad.verdict = "outside validity"
+    for inner, outer in ((sound, bad), (bad, sound)):
+        assert change_of_torque(FIXED, inner=inner, outer=outer).to_json()["verdict"] == "outside validity"
+
+
+def test_the_correction_for_finite_geometry_knows_every_load() -> None:
+    """Its own factors at each load, whatever was solved; at a held angle without spin they act as b^2 and a."""
+    change = change_of_torque(FIXED, inner=solution(), outer=solution())
+    found = change.fitted
+    low, high = found.relative
+    assert high < low < 0  # the contact is shorter across, the more so the larger it is
+    bearing, load = FIXED.bearing, FIXED.operation.axial_load
+    factors = thrust_correction(bearing, FIXED.contact_angle, axial_load=load)
+    squares = [np.asarray(side.factors.semi_axis_transverse) ** 2 for side in (factors.inner, factors.outer)]
+    plain, changed = change.hertz.torque, found.torque.torque
+    assert plain.conformity is not None
+    assert changed.conformity is not None
+    ratio = changed.conformity / plain.conformity
+    assert (np.minimum(*squares) < ratio).all()
+    assert (ratio < np.maximum(*squares)).all()
+    assert (found.uncertainty > 0).all()
+    assert (found.uncertainty < np.abs(found.relative)).all()
+    assert None not in found.to_json()["change"]
+
+
+def test_where_the_correction_does_not_reach_nothing_is_claimed() -> None:
+    wide = SCENE.replace('catalog = "6205"', 'catalog = "6205"\ninner.groove_radius = "4.9 mm"')
+    scene = parse_scene(wide.replace("RULE", "given").replace("VALUE", "value"), origin="test")
+    found = change_of_torque(scene, inner=solution(), outer=solution()).fitted
+    assert found.to_json()["change"] == [None, None]
+    assert found.warnings[0].startswith("inner: conformity 0.6171 is outside 0.505 to 0.58 of the fit")
+
+
+def test_a_lubricated_scene_changes_by_angle_and_contacts() -> None:
+    """Rolling has no contact of its own to correct: at a held angle it stays, and what slides moves."""
+    oil = """
+[lubricant]
+viscosity = "43 mPa s"
+pressure_viscosity = "1.9e-8 1/Pa"
+eyring_stress = "4.7 MPa"
+[surface]
+rms_roughness = "0.31 um"
+autocorrelation = { kind = "gaussian", length = "43 um", spacing = "2 um" }
+hardness = "7.3 GPa"
+"""
+    text = SCENE.replace("coefficient = 0.07\n", "").replace("RULE", "given").replace("VALUE", "value") + oil
+    wide = solution(semi_axis_transverse=1.04)
+    found = change_of_torque(parse_scene(text, origin="test"), inner=wide, outer=wide)
+    np.testing.assert_array_equal(relative(found, "rolling"), 0.0)
+    assert (relative(found, "conformity") > 0).all()
+    assert (relative(found, "total") > 0).all()
+    assert np.isfinite(found.uncertainty)
+    assert found.to_json()["change"]["rolling"][-1] == 0.0
+
+
+def test_what_the_check_leaves_out_is_not_put_down_to_the_scene() -> None:
+    told = {effect.name: effect for effect in change_of_torque(FIXED, inner=solution(), outer=solution()).hertz.effects}
+    assert told["finite_geometry"].decision == "off"
+    assert "finite elements take its place" in told["finite_geometry"].reason
+    assert told["spin"].reason.startswith("the scene says off")
+    scene = replace(FIXED, effects={**FIXED.effects, "finite_geometry": "off"})
+    told = {effect.name: effect for effect in change_of_torque(scene, inner=solution(), outer=solution()).hertz.effects}
+    assert told["finite_geometry"].reason.startswith("the scene says off")
+
+
+def test_what_the_check_leaves_out_is_not_warned_of() -> None:
+    """At a thousandth the finite geometry could be larger than the tolerance, and its change stands beside."""
+    scene = replace(FIXED, tolerance=1e-3)
+    for effects, count in ((FIXED.effects, 0), ({**FIXED.effects, "finite_geometry": "off"}, 1)):
+        found = change_of_torque(replace(scene, effects=effects), inner=solution(), outer=solution()).hertz
+        assert sum(words.startswith("finite_geometry is left out") for words in found.warnings) == count

@@ -1,0 +1,85 @@
+"""The paper's numbers beside a scene's, and what is not set beside them."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic.scene import Operation, Scene
+from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.torque import friction_torque
+from fembearing.compare.torque.published import BesidePaper, beside_paper, printed_numbers
+
+SCENES = Path(__file__).parents[3] / "validation" / "scenes"
+RPM = np.pi / 30
+
+
+@pytest.fixture(scope="module")
+def calibrated() -> Scene:
+    return load_scene(SCENES / "6205_paper_calibrated.toml")
+
+
+@pytest.fixture(scope="module")
+def beside(calibrated: Scene) -> BesidePaper:
+    return beside_paper(calibrated, friction_torque(calibrated))
+
+
+def test_the_numbers_are_those_that_the_paper_prints() -> None:
+    """A few of them, typed from the text once more."""
+    found = {
+        (one.quantity, round(one.rms_roughness * 1e7), round(one.inner_speed / RPM)): one for one in printed_numbers()
+    }
+    assert len(found) == 16
+    assert found["total_torque", 10, 500].value == pytest.approx(25.09e-3, rel=1e-12)  # round-off
+    assert found["cage_max_force", 10, 500].value == 27.95
+    assert (found["race_torque", 1, 500].value, found["race_torque", 1, 500].note) == (pytest.approx(7e-3), "about")
+
+
+def test_a_scene_stands_beside_the_numbers_of_its_own_speed_and_roughness(
+    calibrated: Scene, beside: BesidePaper
+) -> None:
+    assert beside.absent is None
+    race = friction_torque(calibrated).torque.race
+    for printed, ours in beside.rows:
+        if printed.quantity == "race_torque" and printed.rms_roughness > 0.5e-6:
+            point = 0 if printed.inner_speed < 20 else 4  # 100 and 500 rpm of five speeds
+            assert ours == race[point]
+        else:  # no cage, and so no such total; another roughness
+            assert ours is None
+    row = next(row for row in beside.to_json()["rows"] if row["ours"] is not None)
+    assert row["deviation"] == pytest.approx((row["ours"] - row["value"]) / row["value"], abs=1e-12)  # round-off
+
+
+def test_what_was_fitted_is_named_and_what_was_chosen_too(calibrated: Scene, beside: BesidePaper) -> None:
+    assert beside.calibration == calibrated.calibration is not None
+    assert beside.chosen["surface hardness"] == (7.8e9, "Pa")
+    assert beside.chosen["autocorrelation length"] == (pytest.approx(165e-6, rel=1e-12), "m")  # read from um
+    assert load_scene(builtin_scene("6205")).calibration is None
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"friction_coefficient": 0.07}, "mixed lubrication"),
+        ({"surface": None}, "mixed lubrication"),
+        (
+            {"operation": Operation(axial_load=np.array([990.0]), inner_speed=np.array([50.0]))},
+            "1000 N of thrust alone",
+        ),
+        (
+            {"operation": Operation(axial_load=np.array([1e3]), inner_speed=np.array([50.0]), radial_load=30.0)},
+            "1000 N of thrust alone",
+        ),
+        ("balls", "another bearing"),
+    ],
+)
+def test_another_case_stands_beside_nothing(calibrated: Scene, change: dict | str, words: str) -> None:
+    if isinstance(change, str):
+        scene = replace(calibrated, bearing=replace(calibrated.bearing, ball_count=8))
+    else:
+        scene = replace(calibrated, **change)
+    found = beside_paper(scene, friction_torque(calibrated))
+    assert words in (found.absent or "")
+    assert all(ours is None for _, ours in found.rows)
+    assert found.to_json()["same_bearing"] == (words != "another bearing")

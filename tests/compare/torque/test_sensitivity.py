@@ -1,0 +1,177 @@
+"""Changes that follow from known powers and proportions; ends that are refused; what a scene does not have."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.scene import ContactAngle, Operation, Scene
+from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
+from analytic.torque import friction_torque
+from fembearing.compare.torque.sensitivity import Input, Sensitivity, sensitivity_of, variations, with_clearance
+
+OILED = """\
+name = "oiled"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "solved" }
+[operation]
+axial_load = "700 N"
+inner_speed = ["300 rpm", "100 rpm", "900 rpm"]
+[lubricant]
+viscosity = "0.05 Pa s"
+pressure_viscosity = "2.1e-8 1/Pa"
+eyring_stress = "6 MPa"
+[surface]
+rms_roughness = "0.3 um"
+autocorrelation = { kind = "gaussian", length = "40 um", spacing = "2 um" }
+hardness = "7.5 GPa"
+[friction]
+hysteresis_loss = 0.006
+[losses]
+seals = "3 N mm"
+"""
+
+
+def changes(found: Sensitivity, name: str) -> np.ndarray:
+    """(2, outputs): at the low end and the high one."""
+    each = the(found, name)
+    return np.array([each.change_low, each.change_high])
+
+
+def the(found: Sensitivity, name: str) -> Input:
+    (one,) = (each for each in found.inputs if each.name == name)
+    return one
+
+
+@pytest.fixture(scope="module")
+def dry() -> Scene:
+    """Without friction, its contact angle given: the balls' load is the thrust's share, whatever the contacts do."""
+    scene = load_scene(builtin_scene("6205"))
+    return replace(
+        scene,
+        friction_coefficient=None,
+        hysteresis_loss=None,
+        contact_angle=ContactAngle(rule="given", value=0.31),
+    )
+
+
+@pytest.fixture(scope="module")
+def pressures(dry: Scene) -> Sensitivity:
+    return sensitivity_of(dry)
+
+
+@pytest.fixture(scope="module")
+def oiled() -> Scene:
+    return parse_scene(OILED, origin="here")
+
+
+@pytest.fixture(scope="module")
+def torques(oiled: Scene) -> Sensitivity:
+    return sensitivity_of(oiled)
+
+
+def test_peak_pressures_follow_hertz(pressures: Sensitivity) -> None:
+    """p0 as Q^(1/3) and E*^(2/3); Q as 1/sin(al)."""
+    assert [(output.quantity, output.pair) for output in pressures.outputs] == [
+        ("peak_pressure", "inner"),
+        ("peak_pressure", "outer"),
+    ]
+    ends = np.array([[0.9], [1.1]])
+    np.testing.assert_allclose(changes(pressures, "axial load"), np.tile(ends ** (1 / 3) - 1, 2), rtol=1e-9)
+    stiffer = np.array([[0.95], [1.05]]) ** (2 / 3) - 1
+    np.testing.assert_allclose(changes(pressures, "Young's modulus"), np.tile(stiffer, 2), rtol=1e-9)
+    lateral = ((1 - 0.3**2) / (1 - np.array([[0.285], [0.315]]) ** 2)) ** (2 / 3) - 1
+    np.testing.assert_allclose(changes(pressures, "Poisson's ratio"), np.tile(lateral, 2), rtol=1e-9)
+    # The angle also bends the race along rolling, by some hundredth of the change of its cosine.
+    steeper = (np.sin(0.31) / np.sin(0.31 * ends)) ** (1 / 3) - 1
+    np.testing.assert_allclose(changes(pressures, "contact angle"), np.tile(steeper, 2), rtol=0.1)
+
+
+def test_a_groove_moves_its_own_race_alone(pressures: Sensitivity) -> None:
+    for column, race in enumerate(("inner", "outer")):
+        found = changes(pressures, f"conformity, {race}")
+        np.testing.assert_allclose(found[:, 1 - column], 0, atol=1e-12)  # the angle is given: nothing else moves
+        assert found[0, column] < -0.02 < 0.02 < found[1, column]  # an opener groove presses harder
+        np.testing.assert_allclose(the(pressures, f"conformity, {race}").high, 0.005 + (4.13, 4.21)[column] / 7.94)
+
+
+def test_without_friction_nothing_of_it_is_asked(pressures: Sensitivity) -> None:
+    assert {each.name for each in pressures.inputs} == {
+        *("axial load", "Young's modulus", "Poisson's ratio", "contact angle"),
+        *("conformity, inner", "conformity, outer"),
+    }
+
+
+def test_parts_that_are_proportional_change_by_their_share(oiled: Scene, torques: Sensitivity) -> None:
+    assert [round(output.inner_speed * 30 / np.pi) for output in torques.outputs if output.inner_speed] == [100, 900]
+    ends = Operation(axial_load=np.full(2, 700.0), inner_speed=np.array([100.0, 900.0]) * np.pi / 30)
+    parts = friction_torque(replace(oiled, operation=ends)).torque
+    assert parts.hysteresis is not None
+    np.testing.assert_allclose([output.value for output in torques.outputs], parts.total, rtol=1e-9)
+    share = np.array([-0.4, 0.4])[:, None] * parts.hysteresis / parts.total
+    np.testing.assert_allclose(changes(torques, "hysteresis loss"), share, rtol=1e-9)
+    seals = np.array([-0.2, 0.2])[:, None] * 3e-3 / parts.total
+    np.testing.assert_allclose(changes(torques, "declared seals"), seals, rtol=1e-9)
+
+
+def test_every_input_is_moved_alone_to_both_ends_of_its_range(oiled: Scene) -> None:
+    for variation in variations(oiled):
+        assert variation.low < variation.value < variation.high
+        assert variation.source
+        for value in (variation.low, variation.high):
+            moved = variation.scene_at(value)
+            differing = {name for name, part in vars(oiled).items() if getattr(moved, name) != part}
+            assert len(differing) == 1, variation.name
+
+
+def test_inputs_stand_in_the_order_of_their_swing(torques: Sensitivity) -> None:
+    swings = [np.abs(changes(torques, each.name)).max() for each in torques.inputs]
+    assert swings == sorted(swings, reverse=True)
+    assert the(torques, "viscosity").low == pytest.approx(0.045, rel=1e-12)
+    assert changes(torques, "viscosity")[1, 1] > 0 > changes(torques, "viscosity")[0, 1]  # fast: the oil resists
+    assert changes(torques, "oil temperature")[0, 1] > 0 > changes(torques, "oil temperature")[1, 1]
+
+
+def test_a_given_coefficient_makes_all_speeds_one(dry: Scene) -> None:
+    scene = replace(dry, friction_coefficient=0.08, cage=None)
+    found = sensitivity_of(scene)
+    assert len(found.outputs) == 1
+    # All that slides does so with this coefficient, and the share of spin between the races stays.
+    np.testing.assert_allclose(changes(found, "friction coefficient"), [[-0.2], [0.2]], rtol=1e-4)
+
+
+def test_equal_speeds_are_told_apart_by_their_loads(dry: Scene) -> None:
+    loads = Operation(axial_load=np.array([700.0, 200.0, 1300.0]), inner_speed=np.full(3, 30.0))
+    outputs = sensitivity_of(replace(dry, friction_coefficient=0.08, cage=None, operation=loads)).outputs
+    assert [output.axial_load for output in outputs] == [200.0, 1300.0]
+
+
+def test_an_end_that_is_refused_is_left_open_and_told(dry: Scene) -> None:
+    tight = replace(dry.bearing.inner, groove_radius=0.503 * dry.bearing.ball_diameter)
+    found = sensitivity_of(replace(dry, bearing=replace(dry.bearing, inner=tight)))
+    conformity = the(found, "conformity, inner")
+    assert conformity.change_low is None
+    assert conformity.change_high is not None
+    assert "must exceed the ball radius" in conformity.refused[0]
+    told = found.to_json()
+    (entry,) = (each for each in told["inputs"] if each["name"] == "conformity, inner")
+    assert (entry["change_low"], entry["refused"]) == (None, list(conformity.refused))
+
+
+def test_clearance_is_moved_by_the_outer_groove(oiled: Scene, torques: Sensitivity) -> None:
+    wider = with_clearance(oiled.bearing, 27e-6)
+    np.testing.assert_allclose(wider.diametral_clearance, 27e-6, rtol=1e-9)
+    assert wider.inner == oiled.bearing.inner
+    np.testing.assert_allclose(the(torques, "diametral clearance").low, 15e-6, rtol=1e-9)
+
+
+def test_loads_move_together() -> None:
+    scene = load_scene(builtin_scene("6205"))
+    both = replace(scene, operation=replace(scene.operation, radial_load=300.0))
+    (loads,) = (each for each in variations(both) if "load" in each.name)
+    assert loads.name == "axial load, with it radial load"
+    moved = loads.scene_at(loads.high).operation
+    np.testing.assert_allclose(moved.axial_load, 1100, rtol=1e-12)
+    np.testing.assert_allclose(moved.radial_load, 330, rtol=1e-12)

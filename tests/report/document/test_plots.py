@@ -1,0 +1,101 @@
+"""Plots of numbers that were damaged: drawn, or refused in one line by what a report must hold."""
+
+import copy
+import json
+import random
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from pydantic import ValidationError
+
+from analytic.scenefile.read import parse_scene
+from analytic.torque import friction_torque
+from fembearing.compare.torque.cage_record import record_cage
+from fembearing.compare.validation import Validation
+from fembearing.report.document.document import Report
+from fembearing.report.figures.approach import approach_plot
+from fembearing.report.figures.cage import cage_plot
+from fembearing.report.figures.friction import friction_plot
+from fembearing.report.figures.plot import Document
+from fembearing.report.figures.plots import PLOTS
+from fembearing.report.figures.pressure import pressure_plot
+from fembearing.report.figures.sensitivity import sensitivity_plot
+from fembearing.report.figures.torque import torque_plot
+from tests.report.pictures.test_cage_pictures import MOVING
+
+OF_PLOTS = {  # a key, and the module's function that reads it
+    "sensitivity": sensitivity_plot,
+    "cage_records": cage_plot,
+    "pressure_profile": pressure_plot,
+    "approach_curve": approach_plot,
+    "film": friction_plot,
+    "asperity_share": friction_plot,
+    "torque": torque_plot,
+}
+
+
+@pytest.fixture(scope="module")
+def document(checked: Validation) -> Document:
+    """With a cage that moved."""
+    scene = parse_scene(MOVING, origin="here")
+    record = record_cage(scene, friction_torque(scene), 0)
+    assert record is not None
+    return json.loads(json.dumps(replace(checked, cage_records=(record,)).to_json(), allow_nan=False))
+
+
+def places(value: object, way: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
+    parts = value.items() if isinstance(value, dict) else enumerate(value[:2]) if isinstance(value, list) else ()
+    for name, part in parts:
+        yield (*way, name)
+        yield from places(part, (*way, name))
+
+
+def damaged(document: Document, place: tuple[str | int, ...], value: object) -> Document:
+    found = copy.deepcopy(document)
+    here: Any = found
+    for step in place[:-1]:
+        here = here[step]
+    here[place[-1]] = value
+    return found
+
+
+def test_the_numbers_of_a_result_are_a_report(document: Document) -> None:
+    Report.model_validate(document)
+    for plot in PLOTS:
+        figure, caption = plot.draw(document)
+        assert figure is not None
+        assert caption.endswith(".")
+
+
+def test_no_damage_is_answered_by_a_traceback(document: Document) -> None:
+    chance = random.Random(20252)
+    read = [place for place in places(document) if any(step in OF_PLOTS for step in place)]
+    refused = 0
+    for place in chance.sample(read, 90):
+        other = damaged(document, place, chance.choice([None, "text", -1.5, 0.0, [], {}, True, [1.0, 2.0]]))
+        try:
+            Report.model_validate(other)
+        except ValidationError:
+            refused += 1
+            continue
+        OF_PLOTS[next(str(step) for step in reversed(place) if step in OF_PLOTS)](other)
+    assert 45 < refused < 90  # most of it is read
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "words"),
+    [
+        (("contacts", 0, "pressure_profile", "rolling", "fe", "pressure"), [1e9], "lists of 1 and 16 values"),
+        (("contacts", 1, "approach_curve", "corrected"), [None], "lists of 1 and 25 values"),
+        (("sensitivity", "inputs", 0, "change_low"), [0.1, 0.2, 0.3], "lists of 1 and 3 values"),
+        (("cage_records", 0, "forces", "sum"), [1.0], "values that belong together"),
+        (("cage_records", 0, "exceedance", "share"), [1.0], "values that belong together"),
+    ],
+)
+def test_lists_that_belong_together_are_of_one_length(
+    document: Document, place: tuple[str | int, ...], value: object, words: str
+) -> None:
+    with pytest.raises(ValidationError, match=words):
+        Report.model_validate(damaged(document, place, value))

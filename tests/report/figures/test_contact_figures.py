@@ -1,0 +1,148 @@
+"""Plots of the contacts by the points that are drawn, against a result made by hand: see `made` in conftest.py."""
+
+import json
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.container import ErrorbarContainer
+from matplotlib.lines import Line2D
+
+from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.compare.validation import Validation
+from fembearing.report.figures.approach import approach_plot
+from fembearing.report.figures.convergence import convergence_plot
+from fembearing.report.figures.plot import Document
+from fembearing.report.figures.pressure import pressure_plot
+from tests.report.conftest import INNER
+from tests.report.figures.figure_reader import labels_of, line_of, points_of
+
+PLACES = ("inner race", "outer race", "cage pocket, thick seat", "cage pocket, sheet on its rim")
+
+
+@pytest.fixture(scope="module")
+def document(made: Validation) -> Document:
+    """As it is read from a file."""
+    return json.loads(json.dumps(made.to_json(), allow_nan=False))
+
+
+def check_points(line: Line2D, x: list[float], y: list[float]) -> None:
+    np.testing.assert_allclose(points_of(line), np.column_stack([x, y]), rtol=1e-10)  # differences of near values
+
+
+@pytest.fixture(scope="module")
+def panels(document: Document) -> dict[str, Axes]:
+    figure, _ = convergence_plot(document)
+    assert figure is not None
+    return {axes.get_title(): axes for axes in figure.axes if axes.get_title()}
+
+
+def test_meshes_with_an_order_are_drawn_by_their_distance_from_the_limit(panels: dict[str, Axes]) -> None:
+    inner = line_of(panels["approach"], "ball on inner race")
+    check_points(
+        inner, [1200, 9500, 31000], [82.5 / 5.225, 16.5 / 5.225, 27.5 / 5.225]
+    )  # 4.4, 5.06 and 5.5 against 5.225, %
+    assert inner.get_linestyle() == "-"
+    assert inner.get_label() == "ball on inner race: order 3.6"
+    outer = line_of(panels["peak pressure"], "ball on outer race")
+    check_points(outer, [1300, 8700, 29000], [15 / 1.6, 5 / 1.6, 2 / 1.6])
+
+
+def test_meshes_without_an_order_are_drawn_by_their_distance_from_the_finest(panels: dict[str, Axes]) -> None:
+    line = line_of(panels["stiffness"], "ball on inner race")
+    check_points(line, [1200, 9500], [30, 10])  # 32.5 and 27.5 against 25
+    assert line.get_linestyle() == "--"
+    assert line.get_label() == "ball on inner race: no order"
+
+
+def test_the_formal_order_is_a_slope_below_all_points(panels: dict[str, Axes]) -> None:
+    for name, order in (("approach", 4), ("semi-axis b", 3)):
+        (first, last) = points_of(line_of(panels[name], f"formal order {order}"))
+        unknowns = last[0] / first[0]
+        np.testing.assert_allclose(last[1] / first[1], unknowns ** (-order / 3), rtol=1e-12)
+        for place in PLACES:
+            points = points_of(line_of(panels[name], f"ball {'in' if 'pocket' in place else 'on'} {place}"))
+            slope = first[1] * (points[:, 0] / first[0]) ** (-order / 3)
+            assert np.all(points[:, 1] > 2 * slope)
+    assert not any("formal" in label for label in labels_of(panels["peak pressure"]))  # it has none
+
+
+def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
+    assert set(panels) == {"approach", "semi-axis a", "semi-axis b", "peak pressure", "stiffness"}
+    for axes in panels.values():
+        assert len([label for label in labels_of(axes) if label.startswith("ball")]) == 4
+        assert (axes.get_xscale(), axes.get_yscale()) == ("log", "log")
+        assert axes.get_xlabel() == "unknowns"
+
+
+def test_a_cut_contact_has_no_formal_order(cut_contact: ContactSolution) -> None:
+    found = cut_contact.to_json()
+    figure, _ = convergence_plot({"contacts": [found]})
+    assert figure is not None
+    assert not any("formal" in label for axes in figure.axes for label in labels_of(axes))
+
+
+def bars_of(axes: Axes) -> list[ErrorbarContainer]:
+    return [each for each in axes.containers if isinstance(each, ErrorbarContainer)]
+
+
+def test_approaches_are_in_micrometres_with_their_intervals(document: Document) -> None:
+    figure, _ = approach_plot(document)
+    assert figure is not None
+    above, below = figure.axes[0], figure.axes[4]
+    assert (above.get_xlabel(), above.get_ylabel()) == ("approach, µm", "load, N")
+    hertz = points_of(line_of(above, "Hertz"))
+    expected = document["contacts"][0]["approach_curve"]
+    np.testing.assert_allclose(hertz, np.column_stack([1e6 * np.array(expected["hertz"]), expected["load"]]))
+    given = INNER["approach"]
+    (bar,) = bars_of(above)
+    np.testing.assert_allclose(points_of(bar.lines[0]), [(5.225, 371.5)], rtol=1e-9)  # the limit, no far boundary
+    (bar,) = bars_of(below)
+    (point,) = points_of(bar.lines[0])
+    np.testing.assert_allclose(point, (371.5, 100 * (5.225e-6 / given.hertz - 1)), rtol=1e-9)
+    (segment,) = bar.lines[2][0].get_segments()
+    half = 100 * 5.225e-6 / given.hertz * (given.mesh + given.domain)
+    np.testing.assert_allclose(np.diff(segment[:, 1]), 2 * half, rtol=1e-9)
+    assert len(figure.axes) == 8
+    assert np.isnan(points_of(line_of(figure.axes[2], "Hertz, corrected"))[:, 0]).all()  # no fit reaches a pocket
+
+
+def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> None:
+    document = checked.to_json()
+    figure, _ = pressure_plot(document)
+    assert figure is not None
+    for column, contact in enumerate(document["contacts"]):
+        above, below = figure.axes[column], figure.axes[4 + column]
+        peak = contact["hertz"]["peak_pressure"]
+        for axis, name, label in (
+            ("rolling", "semi_axis_rolling", "along rolling"),
+            ("transverse", "semi_axis_transverse", "across rolling"),
+        ):
+            nodes = contact["pressure_profile"][axis]["fe"]
+            position = np.array(nodes["position"]) / contact["hertz"][name]
+            drawn = points_of(line_of(above, label))
+            np.testing.assert_allclose(drawn, np.column_stack([position, 1e-9 * np.array(nodes["pressure"])]))
+            ellipse = np.sqrt(np.maximum(0, 1 - position**2))
+            expected = 100 * (np.array(nodes["pressure"]) / peak - ellipse)
+            (apart,) = (line for line in below.get_lines() if line.get_marker() == ("o" if axis == "rolling" else "s"))
+            np.testing.assert_allclose(points_of(apart)[:, 1], expected, atol=1e-9)
+        line = points_of(line_of(above, "Hertz"))
+        np.testing.assert_allclose(line[:, 1], 1e-9 * peak * np.sqrt(np.maximum(0, 1 - line[:, 0] ** 2)), atol=1e-7)
+        # 1e-7 GPa: the root of round-off at the edge
+    assert figure.axes[0].get_ylabel() == "pressure, GPa"
+    assert "372.2 N; a 0.1024, b 0.9459 mm" in figure.axes[0].get_title()
+
+
+def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: ContactSolution) -> None:
+    figure, caption = pressure_plot({"contacts": [cut_contact.to_json()]})
+    assert figure is not None
+    above, below = figure.axes
+    semi_axis = cut_contact.hertz.semi_axis_transverse
+    across = points_of(line_of(above, "across rolling"))
+    assert across[0, 0] < -0.9
+    assert np.all(across[across[:, 0] > 1.001 * 0.8e-3 / semi_axis, 1] == 0)  # nothing touches beyond
+    (shoulder,) = (line for line in above.get_lines() if line.get_linestyle() == ":")
+    np.testing.assert_allclose(np.asarray(shoulder.get_xdata(), dtype=float), 0.8e-3 / semi_axis, rtol=1e-12)
+    assert above.get_ylim()[1] < 1.51e-9 * cut_contact.hertz.peak_pressure
+    assert below.get_ylim()[1] < 30  # %: not that of the shoulder's node, some 200 %
+    assert "Dotted: the shoulder" in caption

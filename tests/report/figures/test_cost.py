@@ -1,0 +1,139 @@
+"""The cost figure by the points that are drawn, and its table, against ladders made by hand."""
+
+import csv
+from dataclasses import replace
+from io import StringIO
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from fembearing.compare.cost.ladder import Ladder, Rung
+from fembearing.report.figures.cost import LEAST, cost_figure, cost_table
+from fembearing.report.words import choices_line
+
+GIB = 2**30
+
+
+def rung(name: str, *, error: float | None, seconds: float | None, bound: float | None = None, gib: float = 0) -> Rung:
+    memory = int(gib * GIB) or None
+    known = max((part for part in (bound, error) if part is not None), default=None)
+    return Rung(
+        name=name,
+        error=error,
+        bound=bound,
+        known_error=known,
+        seconds=seconds,
+        spread=None,
+        repeats=2,
+        memory=memory,
+    )
+
+
+CONTACT = Ladder(
+    quantity="the contact",
+    reference="the finest",
+    rungs=(
+        rung("Hertz", error=0.031, bound=0.036, seconds=2e-6, gib=0.25),
+        rung("finite elements, level 2", error=0.007, seconds=0.4, gib=0.5),
+        Rung(
+            name="finite elements, level 3",
+            error=None,
+            seconds=None,
+            spread=None,
+            repeats=0,
+            memory=None,
+            failed="no room",
+        ),
+        rung("finite elements, level 4", error=None, bound=2e-4, seconds=3.5, gib=0.75),
+    ),
+)
+LOAD = Ladder(
+    quantity="the load", reference="the ring", rungs=(rung("thrust", error=0.9, bound=None, seconds=1e-3, gib=0.25),)
+)
+ABSENT = Ladder(quantity="roughness", reference="none", rungs=(), absent="no surface")
+
+
+def drawn(axes: Axes) -> list[tuple[list[float], list[float]]]:
+    """Points of all lines but that of the tolerance."""
+    return [
+        (np.asarray(line.get_xdata(), dtype=float).tolist(), np.asarray(line.get_ydata(), dtype=float).tolist())
+        for line in axes.get_lines()
+        if line.get_label() != "tolerance"
+    ]
+
+
+@pytest.fixture(scope="module")
+def figure() -> Figure:
+    return cost_figure([ladder.to_json() for ladder in (CONTACT, ABSENT, LOAD)], tolerance=0.04)
+
+
+def test_each_quantity_has_a_panel_over_time_and_all_share_one_over_memory(figure: Figure) -> None:
+    time, load, memory = figure.axes
+    assert [axes.get_title() for axes in figure.axes] == ["The contact", "The load", "Memory"]
+    assert (time.get_xscale(), time.get_yscale(), time.get_xlabel()) == ("log", "log", "time, s")
+    assert time.get_ylabel() == "error, %"
+    assert time.get_ylim() == memory.get_ylim()
+    legend = memory.get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["tolerance", "the contact", "the load"]
+    assert memory.get_xlabel() == "memory, GiB"
+    assert time.get_xlim() == load.get_xlim()  # one scale for all quantities
+    assert time.get_ylim()[0] < LEAST
+
+
+def test_points_bars_and_the_reference_are_drawn_in_per_cent(figure: Figure) -> None:
+    points, bar, reference = drawn(figure.axes[0])
+    np.testing.assert_allclose(points, ([2e-6, 0.4], [3.1, 0.7]), rtol=1e-12)
+    np.testing.assert_allclose(bar, ([2e-6, 2e-6], [3.1, 3.6]), rtol=1e-12)  # up to its bound
+    np.testing.assert_allclose(reference, ([3.5], [0.02]), rtol=1e-12)  # at its own bound
+    np.testing.assert_allclose(drawn(figure.axes[2])[0], ([0.25, 0.5], [3.1, 0.7]), rtol=1e-12)
+    (limit,) = (line for line in figure.axes[0].get_lines() if line.get_label() == "tolerance")
+    np.testing.assert_allclose(np.asarray(limit.get_ydata(), dtype=float), 4, rtol=1e-12)
+
+
+def test_every_rung_that_answered_has_a_number_beside_it_and_its_name_below(figure: Figure) -> None:
+    panel = figure.axes[0]
+    numbers = {text.get_text(): text.xy for text in panel.texts if text.get_text().isdigit()}  # pyright: ignore[reportAttributeAccessIssue]
+    assert numbers.keys() == {"1", "2", "4"}  # the third failed
+    np.testing.assert_allclose(numbers["1"], (2e-6, 3.1), rtol=1e-12)
+    np.testing.assert_allclose(numbers["4"], (3.5, 0.02), rtol=1e-12)
+    key = panel.get_legend()
+    assert key is not None
+    assert [text.get_text() for text in key.get_texts()] == ["1 Hertz", "2 FE, level 2", "4 FE, level 4"]
+    figure.draw_without_rendering()
+    below = key.get_window_extent()
+    assert below.y1 < panel.get_window_extent().y0  # under the panel, and within the picture
+    assert below.y0 > figure.bbox.y0
+
+
+def test_a_ring_marks_the_chosen_rung() -> None:
+    plain = rung("a", error=0.01, seconds=0.1)
+    chosen = replace(plain, chosen=True)
+    counts = [
+        len(drawn(cost_figure([Ladder(quantity="q", reference="r", rungs=(one,)).to_json()], tolerance=0.1).axes[0]))
+        for one in (plain, chosen)
+    ]
+    assert counts[1] == counts[0] + 1
+
+
+def test_without_memory_there_is_no_panel_for_it() -> None:
+    bare = Ladder(quantity="q", reference="r", rungs=(rung("a", error=0.01, seconds=0.1),))
+    assert len(cost_figure([bare.to_json()], tolerance=0.1).axes) == 1
+
+
+def test_the_table_holds_every_rung_and_what_is_absent() -> None:
+    hertz, second, failed, finest, absent = csv.DictReader(StringIO(cost_table([CONTACT.to_json(), ABSENT.to_json()])))
+    assert (hertz["name"], float(hertz["error"]), float(hertz["bound"])) == ("Hertz", 0.031, 0.036)
+    assert int(second["memory"]) == GIB // 2
+    assert (failed["failed"], failed["error"]) == ("no room", "")
+    assert finest["reference"] == "the finest"
+    assert (absent["quantity"], absent["reference"]) == ("roughness", "absent: no surface")
+
+
+def test_the_price_of_a_digit_in_words() -> None:
+    assert choices_line(CONTACT) == (
+        "10 %: Hertz, 2e-06 s; 1 %: FE, level 2, 0.4 s, 2e+05 times as much; "
+        "0.1 %: FE, level 4, 3.5 s, 8.8 times as much; 0.01 %: none"
+    )

@@ -1,0 +1,87 @@
+"""The tornado by its bars, of a document made by hand."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
+
+from fembearing.report.figures.plot import Document
+from fembearing.report.figures.sensitivity import sensitivity_plot
+
+
+def given(name: str, unit: str, ends: tuple[float, float, float], **changes: Any) -> dict[str, Any]:
+    low, value, high = ends
+    return {
+        "name": name,
+        "unit": unit,
+        "low": low,
+        "value": value,
+        "high": high,
+        "source": "a table",
+        "refused": [],
+    } | changes
+
+
+@pytest.fixture
+def document() -> Document:
+    outputs = [
+        {
+            "quantity": "total_torque",
+            "pair": None,
+            "inner_speed": speed * np.pi / 30,
+            "axial_load": 700.0,
+            "value": value,
+        }
+        for speed, value in ((100, 21.5e-3), (900, 44e-3))
+    ]
+    inputs = [
+        given("modulus", "Pa", (180e9, 200e9, 230e9), change_low=[0.07, 0.05], change_high=[-0.04, -0.03]),
+        given("roughness", "m", (0.2e-6, 0.3e-6, 0.5e-6), change_low=[0.01, -0.02], change_high=[0.03, 0.015]),
+        given("groove", "1", (0.498, 0.503, 0.508), change_low=None, change_high=[0.02, 0.025], refused=["0.498: no"]),
+        given("shear", "1", (0.05, 0.06, 0.07), change_low=[0.0, 0.0], change_high=[1e-9, 0.0]),
+    ]
+    return {"sensitivity": {"outputs": outputs, "inputs": inputs}}
+
+
+def bars_of(panel: Axes) -> list[tuple[float, float]]:
+    """Row and length of each bar."""
+    bars = [patch for patch in panel.patches if isinstance(patch, Rectangle)]
+    return [(round(bar.get_y() + bar.get_height() / 2, 2), bar.get_width()) for bar in bars]
+
+
+def test_bars_reach_to_the_changes_in_per_cent(document: Document) -> None:
+    figure, caption = sensitivity_plot(document)
+    assert figure is not None
+    slow, fast = figure.axes
+    # Row by row, low before high; two on one side stand one above the other.
+    np.testing.assert_allclose(bars_of(slow), [(0, 7), (0, -4), (0.82, 1), (1.18, 3), (2, 2)], atol=1e-12)
+    np.testing.assert_allclose(bars_of(fast), [(0, 5), (0, -3), (1, -2), (1, 1.5), (2, 2.5)], atol=1e-12)
+    assert [slow.get_title(), fast.get_title()] == [
+        "100 rpm, 700 N axial: 21.5 N mm",
+        "900 rpm, 700 N axial: 44 N mm",
+    ]
+    assert slow.get_xlabel() == "change of the total torque, %"
+    assert [text.get_text() for text in slow.get_yticklabels()] == [
+        "modulus\n200 GPa",
+        "roughness\n0.3 µm",
+        "groove\n0.503",
+    ]
+    assert [text.get_text() for text in slow.texts] == ["180 GPa", "230 GPa", "0.2 µm", "0.5 µm", "0.508"]
+    assert "shear" in caption  # moves nothing
+    assert "groove, 0.498: no" in caption
+
+
+def test_pressures_name_their_race(document: Document) -> None:
+    output = {"quantity": "peak_pressure", "pair": "outer", "inner_speed": None, "axial_load": None, "value": 1.67e9}
+    document["sensitivity"]["outputs"] = [output]
+    figure, _ = sensitivity_plot(document)
+    assert figure is not None
+    (panel,) = figure.axes
+    assert panel.get_title() == "ball on outer race: 1.67 GPa"
+    assert panel.get_xlabel() == "change of the peak pressure, %"
+
+
+def test_without_numbers_there_is_a_word() -> None:
+    assert sensitivity_plot({"sensitivity": None}) == (None, "No sensitivity was computed.")

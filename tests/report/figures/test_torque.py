@@ -1,0 +1,220 @@
+"""Torque and friction over the operating points, by the numbers that are drawn of a document made by hand."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+from fembearing.report.figures.friction import friction_plot
+from fembearing.report.figures.plot import Document
+from fembearing.report.figures.torque import torque_plot
+from tests.report.figures.figure_reader import area_of, labels_of, line_of, points_of
+
+RPM = np.pi / 30
+PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "declared")
+SPEEDS = (500.0, 100.0, 300.0)  # rpm, in no order
+TORQUES = {  # N mm, at those speeds; the cage was left out
+    "spin": (7.8, 7.6, 7.7),
+    "conformity": (4.9, 4.6, 4.75),
+    "hysteresis": (2.5, 2.4, 2.45),
+    "rolling": (20.1, 6.2, 13.3),
+    "cage": None,
+    "declared": (5.0, 5.0, 5.0),
+}
+TOTALS = np.array([40.3, 25.8, 33.2])
+GAP = 0.14e-6  # m
+PRINTED = {1e-6: (17.89e-3, 25.09e-3), 0.1e-6: (8.67e-3, 12.9e-3)}  # N m, at 100 and 500 rpm
+
+
+def point(number: int, *, speed: float, load: float = 1000.0) -> dict[str, Any]:
+    torque = {name: None if values is None else 1e-3 * values[number] for name, values in TORQUES.items()}
+    return {
+        "inner_speed": speed * RPM,
+        "axial_load": load,
+        "torque": torque | {"total": 1e-3 * TOTALS[number], "race": None},
+        "uncertainty": {"numerical": (0.02, 0.01, 0.015)[number], "model": (0.03, 0.04, 0.035)[number]},
+        "friction_coefficient": {
+            "inner": (0.034, 0.036, 0.035)[number],
+            "outer": (0.031, 0.033, 0.032)[number],
+            "pocket": None,
+        },
+        "film": {"inner": (0.28e-6, 0.021e-6, 0.07e-6)[number], "outer": (0.3e-6, 0.028e-6, 0.09e-6)[number]},
+        "asperity_share": {"inner": (0.13, 0.15, 0.14)[number], "outer": (0.12, 0.16, 0.135)[number]},
+    }
+
+
+@pytest.fixture
+def document() -> Document:
+    points = [point(number, speed=speed) for number, speed in enumerate(SPEEDS)]
+    return {
+        "torque": {"points": points, "gap_roughness": GAP},
+        "published": published(same_bearing=False),
+        "cage_records": [],
+    }
+
+
+def test_a_cage_in_motion_is_not_said_to_be_in_the_total(document: Document) -> None:
+    assert "in motion is told" not in torque_plot(document)[1]
+    assert "cage is in it by its closed form" in torque_plot(document | {"cage_records": [{}]})[1]
+
+
+def panel_of(found: tuple[Figure | None, str]) -> Axes:
+    figure, _ = found
+    assert figure is not None
+    return figure.axes[0]
+
+
+def test_the_parts_are_stacked_up_to_the_total_in_order_of_speed(document: Document) -> None:
+    panel = panel_of(torque_plot(document))
+    order = np.argsort(SPEEDS)
+    below = np.zeros(3)
+    for name, words in (
+        ("spin", "spin"),
+        ("conformity", "conformity slip"),
+        ("hysteresis", "hysteresis"),
+        ("rolling", "rolling against the oil"),
+        ("declared", "declared: seals, drag"),
+    ):
+        x, low, high = area_of(panel, words)
+        np.testing.assert_allclose(x, [100, 300, 500], rtol=1e-12)
+        np.testing.assert_allclose(low, below, atol=1e-9)
+        np.testing.assert_allclose(high - low, np.array(TORQUES[name])[order], rtol=1e-9)  # differences of near values
+        below = high
+    total = points_of(line_of(panel, "total"))
+    np.testing.assert_allclose(total, np.column_stack([[100, 300, 500], TOTALS[order]]), rtol=1e-12)
+    np.testing.assert_allclose(below, total[:, 1], rtol=1e-9)
+    assert "cage" not in labels_of(panel)  # left out
+    assert (panel.get_xlabel(), panel.get_ylabel()) == ("inner speed, rpm", "friction torque, N mm")
+    assert panel.get_ylim()[0] == 0
+
+
+def test_the_band_holds_both_uncertainties(document: Document) -> None:
+    found = torque_plot(document)
+    _, low, high = area_of(panel_of(found), "uncertainty of it")
+    np.testing.assert_allclose(high, np.array([25.8, 33.2, 40.3]) * (1 + np.array([0.05, 0.05, 0.05])), rtol=1e-9)
+    np.testing.assert_allclose(low, np.array([25.8, 33.2, 40.3]) * 0.95, rtol=1e-9)
+    assert "numerical and of the film formula at 95 %" in found[1]
+    for each in document["torque"]["points"]:
+        each["uncertainty"] = {"numerical": None, "model": None}
+    found = torque_plot(document)
+    assert "its uncertainty, not known" in found[1]
+
+
+def published(**changes: Any) -> dict[str, Any]:
+    rows = [
+        {"quantity": "total_torque", "rms_roughness": rms, "inner_speed": speed * RPM, "value": value}
+        for rms, values in PRINTED.items()
+        for speed, value in zip((100, 500), values, strict=True)
+    ]
+    other = {"quantity": "race_torque", "rms_roughness": 1e-6, "inner_speed": 100 * RPM, "value": 17e-3}
+    return {
+        "rows": [other, *rows],
+        "same_bearing": True,
+        "same_load": True,
+        "absent": None,
+        "calibration": None,
+    } | changes
+
+
+def test_the_papers_totals_stand_beside_and_a_calibration_is_named(document: Document) -> None:
+    document["published"] = published(calibration="viscosity to the race torque")
+    found = torque_plot(document)
+    for rms, values in PRINTED.items():
+        drawn = points_of(line_of(panel_of(found), f"paper, Sq {1e6 * rms:g} µm"))
+        np.testing.assert_allclose(drawn, np.column_stack([[100, 500], 1e3 * np.array(values)]), rtol=1e-12)
+    assert "calibration (viscosity to the race torque)" in found[1]
+    assert "not measured" in found[1]
+    document["published"] = published(absent="it has mixed lubrication")
+    assert "calibration" not in torque_plot(document)[1]
+    assert "Of another case: it has mixed lubrication." in torque_plot(document)[1]
+    document["published"] = published(same_load=False)
+    plain = torque_plot(document)
+    assert "paper" not in plain[1]
+    assert not any("paper" in label for label in labels_of(panel_of(plain)))
+
+
+def test_a_series_of_loads_is_drawn_over_the_load_and_a_mixed_one_point_by_point(document: Document) -> None:
+    loads = (900.0, 300.0, 600.0)
+    document["torque"]["points"] = [point(number, speed=200.0, load=load) for number, load in enumerate(loads)]
+    document["published"] = published()
+    panel = panel_of(torque_plot(document))
+    total = points_of(line_of(panel, "total"))
+    np.testing.assert_allclose(total, [(300, 25.8), (600, 33.2), (900, 40.3)], rtol=1e-12)
+    assert panel.get_xlabel() == "axial load, N"
+    assert not any("paper" in label for label in labels_of(panel))  # its values are over speed
+    document["torque"]["points"][2]["inner_speed"] = 250 * RPM
+    panel = panel_of(torque_plot(document))
+    assert panel.get_xlabel() == "operating point"
+    bars = [patch for patch in panel.patches if isinstance(patch, Rectangle)]
+    tops = [max(bar.get_y() + bar.get_height() for bar in bars if round(bar.get_x() + 0.3) == at) for at in range(3)]
+    np.testing.assert_allclose(tops, TOTALS, rtol=1e-9)
+    assert [text.get_text() for text in panel.get_xticklabels()] == [
+        "200 rpm\n900 N",
+        "200 rpm\n300 N",
+        "250 rpm\n600 N",
+    ]
+
+
+def test_speeds_over_more_than_a_decade_are_on_a_logarithmic_scale(document: Document) -> None:
+    assert panel_of(torque_plot(document)).get_xscale() == "linear"
+    document["torque"]["points"][0]["inner_speed"] = 1500 * RPM
+    assert panel_of(torque_plot(document)).get_xscale() == "log"
+
+
+def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(document: Document) -> None:
+    figure, caption = friction_plot(document)
+    assert figure is not None
+    friction, film, asperities = figure.axes
+    inner = points_of(line_of(friction, "inner"))
+    np.testing.assert_allclose(inner, [(100, 0.036), (300, 0.035), (500, 0.034)], rtol=1e-12)
+    outer = points_of(line_of(film, "outer"))
+    np.testing.assert_allclose(outer, [(100, 0.2), (300, 9 / 14), (500, 15 / 7)], rtol=1e-12)  # over 0.14 um
+    shares = points_of(line_of(asperities, "outer"))
+    np.testing.assert_allclose(shares, [(100, 16), (300, 13.5), (500, 12)], rtol=1e-12)
+    assert [axes.get_ylabel() for axes in figure.axes] == [
+        "friction coefficient",
+        "film over roughness",
+        "load on asperities, %",
+    ]
+    assert (friction.get_yscale(), film.get_yscale()) == ("linear", "log")  # 0.15 to 2.1 crosses a decade
+    assert labels_of(friction) == ["inner", "outer"]  # no pocket
+    assert "pocket" not in caption
+
+
+def test_many_points_that_no_line_joins_keep_their_marks(document: Document) -> None:
+    points = document["torque"]["points"]
+    document["torque"]["points"] = 10 * points  # speeds come again and again
+    figure, _ = friction_plot(document)
+    assert figure is not None
+    inner = line_of(figure.axes[0], "inner")
+    assert (inner.get_marker(), inner.get_linestyle()) == ("o", "None")
+    document["torque"]["points"] = [points[0] | {"inner_speed": 1.0 + number} for number in range(30)]
+    figure, _ = friction_plot(document)
+    assert figure is not None
+    inner = line_of(figure.axes[0], "inner")
+    assert (inner.get_marker(), inner.get_linestyle()) == ("None", "-")
+
+
+def test_a_given_coefficient_has_no_film(document: Document) -> None:
+    document["torque"]["gap_roughness"] = None
+    for each in document["torque"]["points"]:
+        each["film"] = each["asperity_share"] = {"inner": None, "outer": None}
+        each["friction_coefficient"] = {"inner": 0.1, "outer": 0.1, "pocket": 0.07}
+    figure, caption = friction_plot(document)
+    assert figure is not None
+    (friction,) = figure.axes
+    assert labels_of(friction) == ["inner", "outer", "pocket"]
+    assert "No film is computed" in caption
+    for each in document["torque"]["points"]:
+        each["friction_coefficient"] = dict.fromkeys(("inner", "outer", "pocket"))
+    assert friction_plot(document) == (None, "Nothing that slides was computed: there is no friction coefficient.")
+
+
+@pytest.mark.parametrize("draw", [torque_plot, friction_plot])
+def test_without_a_torque_there_is_a_reason_in_place_of_a_figure(draw: Any) -> None:
+    figure, why = draw({"torque": None})
+    assert figure is None
+    assert "neither a friction coefficient nor both lubricant and surface" in why

@@ -1,0 +1,267 @@
+"""`fembearing report`: the page from the numbers alone, and every way in which numbers can be none."""
+
+import copy
+import json
+import os
+import random
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from analytic.errors import InputError
+from fembearing import cli
+from fembearing.compare.validation import Validation
+from fembearing.report.folder import write_report
+from fembearing.report.page import html as page_module
+from fembearing.report.page.again import rebuild_page
+from fembearing.report.page.html import write_page
+from fembearing.report.pictures.draw import Picture
+from tests.report.page.page_writer import document_of
+
+BROKEN = ("/nowhere/python",)  # draws no picture: maps take their place, in a second
+
+
+@pytest.fixture(scope="module")
+def report(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """As the main job writes it."""
+    folder = tmp_path_factory.mktemp("report")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("fembearing.report.pictures.draw.draw_pictures.__kwdefaults__", {"renderer": BROKEN})
+        write_report(checked, folder)
+    return folder
+
+
+@pytest.fixture
+def document(made: Validation, pictures: list[Picture]) -> dict[str, Any]:
+    return copy.deepcopy(document_of(made, pictures[:2]))
+
+
+@pytest.fixture
+def without_plots(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They take a second, and are tested by themselves."""
+    monkeypatch.setattr(page_module, "PLOTS", ())
+
+
+def write(folder: Path, document: object) -> Path:
+    file = folder / "report.json"
+    file.write_text(json.dumps(document), "utf-8")
+    return file
+
+
+def test_a_page_made_again_is_the_same_to_the_byte(report: Path) -> None:
+    first = (report / "report.html").read_bytes()
+    found = rebuild_page(report / "report.json")
+    assert (found.file, found.missing) == (report / "report.html", ())
+    assert (report / "report.html").read_bytes() == first
+    assert b"data:image/png;base64," in first
+    assert not [file for file in report.iterdir() if file.name.startswith(".")]
+
+
+@pytest.mark.usefixtures("without_plots")
+def test_the_page_of_a_file_is_that_of_its_result(made: Validation, tmp_path: Path) -> None:
+    """Of a result with every verdict in it, written elsewhere; a file of `validate --json` has no pictures."""
+    document = made.to_json()
+    numbers = write(tmp_path, document)
+    out = tmp_path / "for-a-customer.html"
+    assert rebuild_page(numbers, out=out).file == out
+    told = out.read_text("utf-8")
+    assert "+10.00%" in told
+    assert "No pictures were drawn with these numbers" in told
+    write_page(json.loads(json.dumps(document)), folder=tmp_path, file=tmp_path / "by-hand.html")
+    assert told == (tmp_path / "by-hand.html").read_text("utf-8")
+
+
+@pytest.mark.usefixtures("without_plots")
+def test_a_picture_that_is_not_there_leaves_a_word(
+    document: dict[str, Any], pictures: list[Picture], tmp_path: Path
+) -> None:
+    first, second = (picture.file for picture in pictures[:2])
+    (tmp_path / first.name).write_bytes(first.read_bytes())
+    found = rebuild_page(write(tmp_path, document))
+    assert found.missing == (second.name,)
+    text = found.file.read_text("utf-8")
+    assert text.count("data:image/png") == 1
+    assert f"The picture {second.name} does not lie beside report.json." in text
+    (tmp_path / second.name).write_text("no picture")
+    text = rebuild_page(tmp_path / "report.json").file.read_text("utf-8")
+    assert f"The file {second.name} beside report.json is no picture." in text
+
+
+@pytest.mark.usefixtures("without_plots")
+@pytest.mark.parametrize(("kind", "replaced"), [("page", True), ("notes", False), ("folder", False), ("image", False)])
+def test_only_such_a_page_is_replaced(document: dict[str, Any], tmp_path: Path, kind: str, replaced: bool) -> None:
+    numbers, out = write(tmp_path, document), tmp_path / "out.html"
+    if kind == "folder":
+        out.mkdir()
+    elif kind == "page":
+        rebuild_page(numbers, out=out)
+        out.write_text(out.read_text("utf-8")[:2000], "utf-8")  # cut off: still one of ours
+    else:
+        out.write_bytes(b"mine" if kind == "notes" else b"\x89PNG\xff")
+    before = None if kind == "folder" else out.read_bytes()
+    if replaced:
+        rebuild_page(numbers, out=out)
+        assert out.read_text("utf-8").rstrip().endswith("</html>")
+    else:
+        with pytest.raises(InputError, match="exists and is no page of fembearing"):
+            rebuild_page(numbers, out=out)
+        assert out.is_dir() if before is None else out.read_bytes() == before
+    assert {file.name for file in tmp_path.iterdir()} == {"report.json", "out.html"}
+
+
+@pytest.mark.usefixtures("without_plots")
+def test_nothing_is_left_of_a_page_that_fails(
+    document: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    numbers = write(tmp_path, document)
+    rebuild_page(numbers)
+    before = (tmp_path / "report.html").read_bytes()
+
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "replace", full)
+    with pytest.raises(InputError, match="cannot be written: No space left"):
+        rebuild_page(numbers)
+    assert (tmp_path / "report.html").read_bytes() == before
+    assert {file.name for file in tmp_path.iterdir()} == {"report.json", "report.html"}
+
+
+def put(document: dict[str, Any], place: str, value: object) -> None:
+    *way, last = place.split(".")
+    here: Any = document
+    for step in way:
+        here = here[int(step)] if isinstance(here, list) else here[step]
+    here[int(last) if isinstance(here, list) else last] = value
+
+
+@pytest.mark.parametrize(
+    ("place", "value", "words"),
+    [
+        ("contacts.0.hertz.approach", "6 um", ["contacts.0.hertz.approach = '6 um' is no number"]),
+        ("contacts.1.load", None, ["contacts.1.load = None is no number"]),
+        ("contacts.1.judged", 1, ["contacts.1.judged = 1 is neither true nor false"]),
+        ("verdicts.3.verdict", "good", ["verdicts.3.verdict = 'good'", "outside validity"]),
+        ("tolerance", float("inf"), ["Infinity is no number of JSON"]),
+        ("tolerance", float("nan"), ["NaN is no number of JSON"]),
+        ("format", 7, ["format 7", "reads 1"]),
+        ("kind", "sweep", ["no report of `fembearing validate`"]),
+        ("pictures.0.file", "../secret.png", ["pictures.0.file = '../secret.png' is not written as it must be"]),
+        ("pictures.0.pair", "pocket", ["has no contact for the picture"]),
+        ("contacts.0.convergence.stiffness.values", [3.0], ["1 values of stiffness on 3 meshes"]),
+        ("torque_change.change.total", [0.1], ["torque_change of other than the 3 points"]),
+        ("torque_change", None, ["torque without torque_change"]),
+        ("cost.ladders.0.rungs.0.seconds", -1.5, ["seconds = -1.5"]),
+        ("cost.ladders.0.rungs.0.name", "$\\frac$", ["name = ", "is not written as it must be"]),
+        ("sensitivity.inputs.0.unit", "$", ["sensitivity.inputs.0.unit"]),
+        ("provenance.platform", "\ud800", ["surrogates not allowed"]),
+        ("torque.points.1.torque.drag", "2 N mm", ["torque.points.1.torque.drag = '2 N mm' is not known"]),
+        ("torque.catalogue_band", {"low": [1e-3], "high": [2e-3] * 3, "note": "half"}, ["has 1 values of", "3 points"]),
+        ("contacts", {}, ["contacts = {} is no list"]),
+        ("provenance.scene_content.bearing", [], ["provenance.scene_content.bearing = [] is no table"]),
+    ],
+)
+def test_numbers_that_are_none_get_one_line(
+    document: dict[str, Any], tmp_path: Path, place: str, value: object, words: list[str]
+) -> None:
+    document["contacts"] = document["contacts"][:2] if place == "pictures.0.pair" else document["contacts"]
+    put(document, place, value)
+    with pytest.raises(InputError) as refusal:
+        rebuild_page(write(tmp_path, document))
+    told = str(refusal.value)
+    assert all(word in told for word in [*words, "report.json"]), told
+    assert "\n" not in told
+    assert [file.name for file in tmp_path.iterdir()] == ["report.json"]
+
+
+@pytest.mark.parametrize("place", ["pictures.0.kind", "contacts.0.convergence.approach.grid_convergence_index"])
+def test_a_key_that_the_page_reads_is_missed(document: dict[str, Any], tmp_path: Path, place: str) -> None:
+    way, _, last = place.rpartition(".")
+    here: Any = document
+    for step in way.split("."):
+        here = here[int(step)] if isinstance(here, list) else here[step]
+    del here[last]
+    with pytest.raises(InputError, match=rf"{place.replace('.', '[.]')} is missing"):
+        rebuild_page(write(tmp_path, document))
+
+
+def test_a_key_of_another_version_is_named_with_both(document: dict[str, Any], tmp_path: Path) -> None:
+    del document["contacts"][2]["meshes"]
+    document["provenance"]["versions"]["fembearing"] = "0.0.3"
+    with pytest.raises(InputError, match=r"contacts\.2\.meshes is missing; .*written by fembearing 0\.0\.3, this is"):
+        rebuild_page(write(tmp_path, document))
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "is no JSON, or cut off"),
+        (b'{"kind": "fembearing valid', "is no JSON, or cut off"),
+        (b"\xff\xfe\x00", "is no JSON, or cut off"),
+        (b"[" * 100000, "is no JSON, or cut off"),
+        (b"[1, 2]", "no report of"),
+        (b'"text"', "no report of"),
+        (b"{}", "no report of"),
+        (b'{"kind": "fembearing validation", "format": 1, "tolerance": 1e999}', "is missing"),
+        (None, "cannot be read: No such file"),
+    ],
+)
+def test_a_file_that_is_no_report_gets_one_line_and_status_2(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    content: bytes | None,
+    words: str,
+) -> None:
+    file = tmp_path / "report.json"
+    if content is not None:
+        file.write_bytes(content)
+    monkeypatch.setattr("sys.argv", ["fembearing", "report", str(file)])
+    with pytest.raises(SystemExit) as stop:
+        cli.main()
+    told = capsys.readouterr()
+    assert (stop.value.code, told.out, told.err.count("\n")) == (2, "", 1)
+    assert words in told.err
+
+
+def places(value: object, way: str = "") -> Iterator[str]:
+    """Of everything in a document."""
+    parts = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for name, part in parts:
+        here = f"{way}.{name}" if way else str(name)
+        yield here
+        yield from places(part, here)
+
+
+@pytest.mark.usefixtures("without_plots")
+def test_no_damage_is_answered_by_a_traceback(document: dict[str, Any], tmp_path: Path) -> None:
+    """One thing at a time is taken out or made another: a page, or one line."""
+    chance = random.Random(20251)
+    refused = []
+    for place in chance.sample(list(places(document)), 60):
+        damaged = copy.deepcopy(document)
+        put(damaged, place, chance.choice([None, "text", -1.5, [], {}, True, 10**400, {"new": "key"}]))
+        try:
+            rebuild_page(write(tmp_path, damaged))
+        except InputError as refusal:
+            refused.append(str(refusal))
+    assert len(refused) > 20  # much of it is read by the page
+    assert not any("\n" in told for told in refused)
+
+
+def test_the_command_says_where_the_page_is(
+    report: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    os.link(report / "report.json", tmp_path / "numbers.json")
+    monkeypatch.setattr("sys.argv", ["fembearing", "report", str(tmp_path / "numbers.json"), "--json"])
+    monkeypatch.setattr(page_module, "PLOTS", ())
+    with pytest.raises(SystemExit) as stop:
+        cli.main()
+    told = capsys.readouterr()
+    content = json.loads(told.out)
+    assert (stop.value.code or 0) == 0
+    assert content["page"] == str(tmp_path / "report.html")
+    assert len(content["missing"]) == told.err.count("\n") == 4
+    assert "inner-real-pressure.png does not lie beside" in told.err

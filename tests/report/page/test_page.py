@@ -1,0 +1,217 @@
+"""The page: everything a reader needs, in its order, in one file."""
+
+import base64
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from io import StringIO
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.torque import friction_torque
+from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.compare.contact.uncertainty import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
+from fembearing.compare.hard.case import HardOutcome
+from fembearing.compare.validation import Validation
+from fembearing.report.document.document import Report
+from fembearing.report.figures.plots import PLOTS
+from fembearing.report.pictures.draw import Picture
+from fembearing.report.terminal.contacts import print_validation
+from tests.report.page.page_writer import document_of, written_page
+from tests.report.pictures.test_cage_pictures import MOVING
+
+ORDER = (
+    "Intended use",
+    "Scene and effects",
+    "Verdicts",
+    "What this does to the race torque",
+    "Mesh convergence",
+    "Contact pressure",
+    "What accuracy costs",
+    "Published numbers",
+    "Hard cases",
+    "What to run next",
+    "Provenance",
+)
+
+
+class Page(HTMLParser):
+    """Headings, picture sources, addresses and text of a page; every tag must be closed."""
+
+    LONELY = ("meta", "img", "link", "br")
+
+    def __init__(self, content: str) -> None:
+        super().__init__()
+        self.headings: list[str] = []
+        self.sources: list[str] = []
+        self.text = ""
+        self.open: list[str] = []
+        self.feed(content)
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in self.LONELY:
+            self.open.append(tag)
+        self.sources += [value or "" for name, value in attrs if name in ("src", "href")]
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if self.open and self.open[-1] == "h2":
+            self.headings.append(data)
+        if "style" not in self.open:
+            self.text += data
+
+
+def page_of(result: Validation, folder: Path) -> Page:
+    return Page(written_page(result, folder))
+
+
+@pytest.fixture(scope="module")
+def page(checked: Validation, pictures: list[Picture], tmp_path_factory: pytest.TempPathFactory) -> Page:
+    return Page(written_page(checked, tmp_path_factory.mktemp("page"), pictures=pictures, plots=PLOTS))
+
+
+def test_the_sections_stand_in_their_order(page: Page) -> None:
+    assert tuple(page.headings) == ORDER
+
+
+def test_every_picture_is_inside(page: Page) -> None:
+    assert len(page.sources) == 2 * 4 + 7  # two of each contact; every plot but that of a cage, which rests
+    assert "No cage moved" in page.text
+    for source in page.sources:
+        head, _, content = source.partition(",")
+        assert head == "data:image/png;base64"
+        assert base64.b64decode(content, validate=True).startswith(b"\x89PNG")
+    assert "http" not in page.text
+
+
+def test_the_numbers_are_those_of_the_result(checked: Validation, page: Page) -> None:
+    for contact in checked.contacts:
+        if contact.judged:
+            for name, part in contact.estimates.items():
+                assert f"{contact.discrepancy[name]:+.2%}" in page.text
+                assert f"{part.total:.2%}" in page.text
+    seat, sheet = checked.contacts[2:]
+    for stiffness in (seat.hertz.stiffness, seat.reference.stiffness, sheet.reference.stiffness):
+        assert f"{1e-9 * stiffness:.4g}" in page.text
+    assert checked.torque is not None
+    assert f"{1e3 * checked.torque.hertz.torque.total[0]:.4g}" in page.text
+    assert f"{1e3 * checked.torque.corrected.torque.total[0]:.4g}" in page.text
+    assert f"{checked.torque.uncertainty:.2%}".replace("%", " %") in page.text
+
+
+def test_what_is_not_validated_is_said_before_any_verdict(page: Page) -> None:
+    words = " ".join(page.text.split())
+    places = [words.index(said) for said in ("Intended use", "Not validated by measurement", "Contacts against finite")]
+    assert places == sorted(places)
+
+
+def test_it_says_what_is_assumed_and_what_is_not_validated(page: Page) -> None:
+    words = " ".join(page.text.split())
+    for said in (
+        "Not validated by measurement",
+        "Speeds that share a row read the same",
+        "coefficient 0.1 at each race, given by the scene",
+        "typical values, no single source seen",  # of the steel
+        "bends on its rim",
+        "Not run with this report",  # the hard cases
+        "What the scene says off is left out on purpose",
+    ):
+        assert said in words
+
+
+def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Validation, tmp_path: Path) -> None:
+    oiled = load_scene(Path("validation/scenes/6205_paper_calibrated.toml"))
+    words = " ".join(page_of(replace(checked, scene=oiled), tmp_path).text.split())
+    for said in (
+        "viscosity 0.06 Pa s",
+        "rms roughness 1 um of each, gaussian autocorrelation of 165 um",
+        "by mixed lubrication, from the scene's lubricant and surface",
+        "Calibration: oil, hardness, boundary friction, hysteresis loss and autocorrelation to the paper's race torque",
+    ):
+        assert said in words
+    assert "no torque" not in words
+    assert "does not depend on speed" not in words
+    out = StringIO()
+    print_validation(Console(file=out, width=80), replace(checked, scene=oiled))
+    assert "Friction: coefficient of each race by mixed lubrication" in " ".join(out.getvalue().split())
+
+
+def test_the_page_says_the_rules_of_its_intervals(page: Page) -> None:
+    """In the constants of the code, which may change."""
+    words = " ".join(page.text.split())
+    assert f"what order {UNSTEADY:g} leaves of the last change, plus {LEAST:.2%}".replace("%", " %") in words
+    assert f"three times the last change, plus {LEAST:.2%}. All of them {FINEST:.3%} more".replace("%", " %") in words
+    assert (HALF, CAUTIOUS) == (1 / 2, 3)  # "half the extrapolation's step", "three times"
+
+
+def test_names_from_a_scene_cannot_break_the_page(checked: Validation, tmp_path: Path) -> None:
+    odd = replace(checked, scene=replace(checked.scene, name="<script>alert('x')</script> & co"))
+    page = page_of(odd, tmp_path)
+    assert "<script>alert('x')</script> & co" in page.text
+    assert "<script" not in (tmp_path / "page.html").read_text("utf-8")
+
+
+def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: Validation, tmp_path: Path) -> None:
+    scene = replace(checked.scene, cage=None, friction_coefficient=None)
+    page = page_of(replace(checked, scene=scene, contacts=checked.contacts[:2], torque=None), tmp_path)
+    assert tuple(page.headings) == ORDER
+    assert "none in the scene: no pocket contact" in page.text
+    assert "so there is no torque" in " ".join(page.text.split())
+    assert "K_pb" not in page.text
+
+
+def test_hard_cases_and_a_missing_renderer_are_shown(checked: Validation, tmp_path: Path) -> None:
+    hard = (HardOutcome(case="an odd one", outcome="wrong", detail="3, expected 2"),)
+    page = Page(written_page(replace(checked, hard=hard), tmp_path, trouble="VTK ended with signal 6"))
+    assert re.search(r"an odd one\s*wrong\s*3, expected 2", page.text)
+    assert "maps by matplotlib: VTK ended with signal 6" in page.text
+    assert replace(checked, hard=hard).verdict == "fail"  # whatever the contacts say
+
+
+def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) -> None:
+    """One that begins in whirl, and would rest from rest."""
+    assert "Cage in motion" not in page_of(checked, tmp_path).text
+    scene = parse_scene(
+        MOVING.replace("500 rpm", "400 rpm").replace('start = "rest"', 'start = "whirl"'), origin="here"
+    )
+    production = friction_torque(scene)
+    assert production.cage is not None
+    motion = production.cage.motion[0]
+    assert motion is not None
+    assert motion.other is not None
+    moved = replace(checked, production=production)
+    words = " ".join(page_of(moved, tmp_path).text.split())
+    table = words.partition("another start ")[2].partition("The cage driven")[0]
+    row = [
+        f"400{motion.state}whirl{1e3 * motion.torque:.3g}",
+        f"{1e3 * motion.torque_interval[0]:.3g} to {1e3 * motion.torque_interval[1]:.3g}",
+        f"{1e3 * motion.signed_moment:.2g}{motion.mean_force:.3g}{motion.max_force:.3g}",
+        f"{motion.max_force_interval[0]:.3g} to {motion.max_force_interval[1]:.3g}",
+        "0.02 s in blocks of 0.001 s",
+        f"rest from rest, {1e3 * motion.other.torque:.3g} N mm: the start decides",
+    ]
+    assert motion.state == "whirl"
+    places = [table.find(word) for word in row]
+    assert places == sorted(places), (row, table)
+    assert -1 not in places, (row, table)
+    assert "leads to whirl" in words  # the warning
+    content = moved.to_json()["cage_motion"]
+    assert [point["state"] for point in content] == ["whirl"]
+    assert checked.to_json()["cage_motion"] is None
+    seeds = replace(moved, scene=scene).to_json()["provenance"]["seeds"]
+    assert seeds == {"motion of the cage": [0, 1]}
+    Report.model_validate(document_of(moved))  # what `fembearing report` reads
+
+
+def test_a_contact_cut_off_at_a_shoulder_can_be_read_back(
+    checked: Validation, cut_contact: ContactSolution, tmp_path: Path
+) -> None:
+    cut = replace(checked, contacts=(cut_contact, *checked.contacts[1:]))
+    Report.model_validate(document_of(cut))
+    assert "Ball on inner race: cut off at the shoulder, y = 0.8 mm, on one side" in page_of(cut, tmp_path).text

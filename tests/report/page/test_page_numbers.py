@@ -1,0 +1,233 @@
+"""Each number of the page in its row and column, against a result made by hand: see `made` in conftest.py."""
+
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from fembearing.compare.contact.ring import RingStructure
+from fembearing.compare.validation import Validation
+from tests.report.page.page_writer import written_page
+
+Row = tuple[str, ...]
+
+
+class Tables(HTMLParser):
+    """The rows of cells under each heading."""
+
+    def __init__(self, content: str) -> None:
+        super().__init__()
+        self.rows: dict[str, list[Row]] = {}
+        self.text = ""
+        self.heading = ""
+        self.cells: list[str] = []
+        self.style = ""  # class of the cell at hand
+        self.styled: set[tuple[str, str]] = set()  # class and text of each cell
+        self.place = ""  # the element that the text is in, if it is one of those read here
+        self.feed(content)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag in ("h2", "h3", "td", "th"):
+            self.place = tag
+        if tag in ("h2", "h3"):
+            self.heading = ""
+        elif tag == "tr":
+            self.cells = []
+        elif tag in ("td", "th"):
+            self.cells.append("")
+            self.style = dict(attrs).get("class") or ""
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag in ("td", "th"):
+            self.styled.add((self.style, self.cells[-1]))
+        if tag == self.place:
+            self.place = ""
+        elif tag == "tr":
+            self.rows.setdefault(self.heading, []).append(tuple(" ".join(cell.split()) for cell in self.cells))
+
+    def handle_data(self, data: str) -> None:
+        self.text += data
+        if self.place in ("h2", "h3"):
+            self.heading += data
+        elif self.place:
+            self.cells[-1] += data
+
+    def blocks(self, heading: str) -> dict[str, list[Row]]:
+        """The rows below each row of a single cell."""
+        found: dict[str, list[Row]] = {}
+        for row in self.rows[heading]:
+            if len(row) == 1:
+                found[row[0]] = []
+            elif found:
+                found[next(reversed(found))].append(row)
+        return found
+
+
+@pytest.fixture(scope="module")
+def tables(made: Validation, tmp_path_factory: pytest.TempPathFactory) -> Tables:
+    return Tables(written_page(made, tmp_path_factory.mktemp("numbers")))
+
+
+def test_each_verdict_stands_with_its_numbers(tables: Tables) -> None:
+    """Quantity, S, D, E, u_val of mesh and far boundary together, whether |E| exceeds it, and the verdict.
+
+    At the end the corrected value and its interpolation error.
+    """
+    blocks = tables.blocks("Verdicts")
+    inner, outer, seat = blocks
+    assert inner.startswith("Ball on inner race")
+    assert inner.endswith("371.5 N")
+    assert outer.startswith("Ball on outer race")
+    assert outer.endswith("368.5 N")
+    assert seat == "Ball in cage pocket, thick seat: 28.5 N"
+    assert blocks[inner] == [
+        ("approach, um", "5.3295", "5.2250", "+2.00%", "1.40%", "yes", "pass", "5.2198", "-0.10%"),
+        ("semi-axis a, mm", "0.11760", "0.12000", "-2.00%", "2.50%", "no", "pass", "0.12030", "+0.25%"),
+        ("semi-axis b, mm", "0.96800", "0.88000", "+10.00%", "2.30%", "yes", "fail", "0.87780", "-0.25%"),
+        ("peak pressure, GPa", "1.7850", "1.7000", "+5.00%", "1.90%", "yes", "undecided", "1.7085", "+0.50%"),
+        (
+            "stiffness, GN/m^1.5",
+            "24.250",
+            "25.000",
+            "-3.00%",
+            "1.60%",
+            "yes",
+            "undecided",
+            "25.050",
+            "+0.20%",
+        ),  # its meshes show no order
+    ]
+    assert blocks[outer] == [
+        ("approach, um", "6.0800", "6.4000", "-5.00%", "0.90%", "yes", "outside validity", "-", "-"),
+        ("semi-axis a, mm", "0.14140", "0.14000", "+1.00%", "1.67%", "no", "outside validity", "-", "-"),
+        ("semi-axis b, mm", "0.78000", "0.75000", "+4.00%", "3.06%", "yes", "outside validity", "-", "-"),
+        ("peak pressure, GPa", "1.5680", "1.6000", "-2.00%", "0.33%", "yes", "outside validity", "-", "-"),
+        ("stiffness, GN/m^1.5", "22.800", "24.000", "-5.00%", "5.03%", "no", "outside validity", "-", "-"),
+    ]
+    assert blocks[seat] == [
+        ("approach, um", "0.60900", "0.58000", "+5.00%", "0.67%", "yes", "undecided", "-", "-"),
+        ("semi-axis a, mm", "0.31310", "0.31000", "+1.00%", "0.30%", "yes", "pass", "-", "-"),
+        ("semi-axis b, mm", "0.31680", "0.32000", "-1.00%", "0.35%", "yes", "pass", "-", "-"),
+        ("peak pressure, GPa", "0.13720", "0.14000", "-2.00%", "3.08%", "no", "undecided", "-", "-"),
+        ("stiffness, GN/m^1.5", "60.800", "64.000", "-5.00%", "0.73%", "yes", "undecided", "-", "-"),
+    ]
+
+
+def test_each_contact_is_told_what_is_resolved(tables: Tables) -> None:
+    """E and u_val of every quantity, on the side of |E| > u_val where it belongs."""
+    words = " ".join(tables.text.split())
+    for said in (
+        "Ball on inner race: |E| > u_val: the difference is resolved, and is Hertz's error: approach +2.00% +- 1.40%, "
+        "semi-axis b +10.00% +- 2.30%, peak pressure +5.00% +- 1.90%, stiffness -3.00% +- 1.60%.",
+        "Ball on inner race: |E| <= u_val: the difference is not resolved, Hertz's error is somewhere in semi-axis a "
+        "-2.00% +- 2.50%.",
+        "not resolved, Hertz's error is somewhere in semi-axis a +1.00% +- 1.67%, stiffness -5.00% +- 5.03%.",
+    ):
+        assert said in words
+
+
+def test_the_next_steps_follow_from_the_verdicts(tables: Tables) -> None:
+    words = " ".join(tables.text.split()).partition("What to run next ")[2]
+    for said in (
+        'ball on inner race: Hertz fails in semi-axis b: effects.finite_geometry = "on" corrects Hertz, to 0.50% of',
+        'ball on inner race: undecided in stiffness: fembearing contact SCENE --pair inner --tolerance "0.25 %"',
+        "ball on outer race: outside the validity of Hertz",
+        "fembearing validate SCENE --hard",
+        "fembearing cost SCENE",
+        "the torque is not validated: measure it",
+    ):
+        assert said in words
+
+
+def test_what_no_mesh_decides_is_not_asked_of_meshes(made: Validation, tmp_path: Path) -> None:
+    """The seat's stiffness is 5 % off and the block's size alone leaves 0.42 %: finer meshes change nothing."""
+    words = " ".join(written_page(made, tmp_path).split())
+    assert "ball in cage pocket, thick seat: undecided in peak pressure: <code>fembearing contact" in words
+    assert "thick seat: undecided in approach, stiffness, as the size of the meshed block leaves it open" in words
+
+
+def test_no_verdict_wears_the_colour_of_another(tables: Tables) -> None:
+    colours = {"pass": "pass", "fail": "fail", "undecided": "undecided", "outside validity": "outside"}
+    for verdict, colour in colours.items():
+        assert {style for style, text in tables.styled if text == verdict} == {colour}
+
+
+def test_a_ring_stands_apart_from_its_contact(made: Validation, tmp_path: Path) -> None:
+    ring = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9)
+    inner, outer, *pocket = made.contacts
+    result = replace(made, contacts=(replace(inner, ring=None), replace(outer, ring=ring), *pocket))
+    words = " ".join(written_page(result, tmp_path).split())
+    said = "ring on a rigid seat: approach -0.212 um (-4.1% of the contact&#39;s), +- 0.008 um: structure, not contact."
+    assert words.count(f"<li>Ball on outer race: {said}</li>") == words.count("ring on a rigid seat") == 1
+
+
+def test_the_pocket_is_set_against_hertz(tables: Tables) -> None:
+    (heading,) = (each for each in tables.rows if each.startswith("Cage pocket"))
+    assert [row[1:] for row in tables.rows[heading][1:]] == [
+        ("60.80", "", "+0.0%", "0.6090"),
+        ("64.00", "0.73%", "+5.3%", "0.5800"),  # 64/60.8; the other way round it would be -5.0 %
+        ("39.52", "0.57%", "-35.0%", "0.8700"),
+    ]
+
+
+def test_the_torque_of_each_operating_point_stands_before_and_after(tables: Tables) -> None:
+    """load, speed; by Hertz angle, total, spin, conformity, hysteresis; by finite elements angle, total; changes."""
+    assert tables.rows["What this does to the race torque"][2:] == [
+        ("700", "150", "0.2810", "31.00", "17.10", "11.40", "2.500", "-", "-", "-", "-"),
+        ("900", "300", "0.3012", "40.00", "22.50", "14.30", "3.200", "0.2998", "41.00", "+2.50%", "-2.13%"),
+        ("910", "600", "0.3031", "50.00", "27.00", "19.00", "4.000", "0.3019", "48.50", "-3.00%", "-2.67%"),
+    ]
+    assert "1.37 %" in tables.text
+    assert "share a row" not in tables.text  # each speed has its own
+    assert "the torque does not depend on speed" not in tables.text  # no lubricant, and yet it does
+
+
+def test_the_scene_is_told_in_the_units_of_its_reader(tables: Tables) -> None:
+    rows = tables.rows["Scene and effects"]
+    for row in (
+        ("axial load", "700, 900, 910 N"),
+        ("inner speed", "150, 300, 600 rpm"),
+        ("spin", "on", "56.2 %", "asked for"),
+        ("rolling", "off", "not known", "nobody knows it"),
+    ):
+        assert row in rows
+
+
+def test_the_mesh_study_shows_what_each_mesh_gave(tables: Tables) -> None:
+    """Quantity, values, order, GCI, extrapolated, uncertainty from the meshes and from the far boundary."""
+    inner, outer, seat, sheet = tables.blocks("Mesh convergence").values()
+    assert inner == [
+        ("approach, um", "4.4000, 5.0600, 5.5000", "3.6", "3.30%", "5.2250", "1.10%", "0.30%"),
+        ("semi-axis a, mm", "0.12600, 0.12120, 0.11950", "2.7", "5.85%", "0.12000", "1.95%", "0.55%"),
+        ("semi-axis b, mm", "0.79200, 0.86240, 0.89000", "1.4", "5.10%", "0.88000", "1.70%", "0.60%"),
+        ("peak pressure, GPa", "1.8700, 1.7340, 1.6900", "4.2", "3.60%", "1.7000", "1.20%", "0.70%"),
+        ("stiffness, GN/m^1.5", "32.500, 27.500, 25.000", "none", "none", "", "1.40%", "0.20%"),
+    ]
+    assert outer[0] == ("approach, um", "7.1000, 6.5000, 6.3000", "3.3", "2.40%", "6.4000", "0.80%", "0.10%")
+    assert seat[3] == ("peak pressure, GPa", "0.16000, 0.15000, 0.13500", "2.4", "8.61%", "0.14000", "2.87%", "0.21%")
+    assert sheet[4] == ("stiffness, GN/m^1.5", "43.000, 41.000, 39.000", "3.2", "1.71%", "39.520", "0.57%", "0.00%")
+
+
+def test_each_mesh_is_shown_with_its_error_and_its_price(tables: Tables) -> None:
+    """Errors: the worst quantity against its extrapolated value; which costs as much as all meshes."""
+    inner, outer, _ = tables.blocks("What accuracy costs").values()
+    assert [rows[1][0] for rows in (inner, outer)] == ["Hertz, corrected for finite geometry"] * 2  # timed in place
+    assert inner[2:] == [
+        ("finite elements, level 2", "16 %", "1 %", "0.25", "1200", ""),  # 4.4/5.225
+        ("finite elements, level 3", "3.2 %", "0.21 %", "1.5", "9500", "enough for the tolerance"),  # 5.06/5.225
+        ("finite elements, level 5", "5.3 %", "", "7", "31000", ""),  # 5.5/5.225
+        ("finite elements, extrapolated", "reference", "1.9 %", "8.8", "", ""),  # 0.25 + 1.5 + 7 s; semi-axis a
+    ]
+    assert [(*row[:2], *row[3:5]) for row in outer[2:]] == [  # what is between is the bound, of other contacts
+        ("finite elements, level 2", "11 %", "0.32", "1300"),  # 7.1/6.4
+        ("finite elements, level 3", "3.1 %", "1.7", "8700"),  # 1.65/1.6
+        ("finite elements, level 5", "1.6 %", "6", "29000"),  # 6.3/6.4
+        ("finite elements, extrapolated", "reference", "8", ""),
+    ]
+    assert "43.2 s" in tables.text
+
+
+def test_the_whole_is_as_bad_as_its_worst_quantity(made: Validation, tables: Tables) -> None:
+    assert made.verdict == "fail"
+    assert "Contacts against finite elements: fail at a tolerance of 5 %." in " ".join(tables.text.split())

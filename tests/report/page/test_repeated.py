@@ -1,0 +1,64 @@
+"""The same scene and seeds give the same numbers, but for times, memory and where they come from."""
+
+import json
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from analytic.scenefile.read import parse_scene
+from fembearing.compare.contact import discrepancy
+from fembearing.compare.validation import Validation
+from fembearing.mesh.recipe import Recipe, load_recipe
+from fembearing.provenance import MEMORY, ORIGIN, TIMES, VARYING, repeatable
+from fembearing.report.folder import validate
+
+SCENE = """
+name = "again"
+tolerance = "90 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "given", value = "0.2 rad" }
+[operation]
+axial_load = "700 N"
+inner_speed = "500 rpm"
+[friction]
+coefficient = 0.1
+"""
+
+
+def shallow(name: str) -> Recipe:
+    """Meshes of a quarter of the cells: what is asked here is whether they come out the same."""
+    recipe = load_recipe(name)
+    return replace(recipe, cells=replace(recipe.cells, depth=1, outside=1))
+
+
+@pytest.fixture(scope="module")
+def twice() -> list[Validation]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(discrepancy, "load_recipe", shallow)
+        return [validate(parse_scene(SCENE, origin="here")) for _ in range(2)]
+
+
+def told(result: Validation) -> dict[str, Any]:
+    return json.loads(json.dumps(result.to_json()))
+
+
+def test_two_runs_differ_in_times_memory_and_origin_alone(twice: list[Validation]) -> None:
+    first, second = map(told, twice)
+    assert repeatable(first) == repeatable(second)
+    assert first["cost"]["seconds"] != second["cost"]["seconds"]  # they did run twice
+    assert len(json.dumps(repeatable(first))) > 0.6 * len(json.dumps(first))  # and most of it is compared
+
+
+def test_what_is_not_compared_is_named_in_one_place(twice: list[Validation]) -> None:
+    content = told(twice[0])
+    assert {"seconds", "peak_memory", "date", "command", "versions"} <= VARYING == {*TIMES, *MEMORY, *ORIGIN}
+    for kept in ("scene_content", "scene_sha256", "seeds"):
+        assert repeatable(content)["provenance"][kept] == content["provenance"][kept]
+    assert repeatable(content)["contacts"][0]["fe"] == content["contacts"][0]["fe"]
+    assert repeatable([{"seconds": 3.0, "error": 0.1}, 5]) == [{"error": 0.1}, 5]
+
+
+def test_nothing_here_is_random_and_the_numbers_say_so(twice: list[Validation]) -> None:
+    assert told(twice[0])["provenance"]["seeds"] == {}

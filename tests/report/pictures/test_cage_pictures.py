@@ -1,0 +1,310 @@
+"""Plot and picture of a cage in motion: drawn from a record whose forces and places are known, and read back."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.transforms import BboxBase
+
+from analytic.scenefile.read import parse_scene
+from analytic.torque import friction_torque
+from fembearing.compare.torque.cage_record import CageRecord, exceedance, record_cage
+from fembearing.report.figures.cage import cage_plot, orbit_figure
+from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
+from fembearing.report.pictures.draw import RENDERER, rendered
+from tests.report.figures.figure_reader import line_of, points_of
+from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
+
+MOVING = """\
+name = "moving"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+contact_angle = { rule = "given", value = "0.18 rad" }
+[operation]
+axial_load = "1000 N"
+inner_speed = "500 rpm"
+[friction]
+coefficient = 0.1
+[cage]
+pocket_clearance = "0.2 mm"
+start = "rest"
+duration = "0.01 s"
+seeds = 2
+[effects]
+cage_dynamics = "on"
+"""
+FORCES = {1: (0.0, 3.0, 0.0), 6: (-1.5, 0.0, 0.0)}  # N, of two balls at the instant that is drawn
+FOOT = 100  # pixels with the scales
+
+
+@pytest.fixture(scope="module")
+def record() -> CageRecord:
+    """A cage at rest: below the middle, a little to the right."""
+    scene = parse_scene(MOVING, origin="here")
+    found = record_cage(scene, friction_torque(scene), 0)
+    assert found is not None
+    return found
+
+
+@pytest.fixture(scope="module")
+def known(record: CageRecord) -> CageRecord:
+    """At one instant known forces, and the cage moved without turning by 80 um to the right and 40 um down."""
+    force, offset, centre = (np.array(getattr(record.series, name)) for name in ("force", "offset", "centre"))
+    at = -7
+    force[:] = 0.001
+    force[at] = 0.0
+    for ball, values in FORCES.items():
+        force[at, ball] = values
+    force[3, 0] = 9.0  # in the start-up: not to be drawn
+    centre[at] = [80e-6, -40e-6, 0.0]
+    offset[at] = -centre[at]
+    return replace(record, series=replace(record.series, force=force, offset=offset, centre=centre))
+
+
+@pytest.fixture(scope="module")
+def panels(record: CageRecord) -> list[Axes]:
+    return orbit_figure([record.to_json()]).axes
+
+
+def test_the_orbit_is_x_to_the_right_and_y_up_inside_the_room(record: CageRecord, panels: list[Axes]) -> None:
+    orbit = panels[0]
+    drawn = points_of(line_of(orbit, "measured"))
+    after = record.series.time > 0.01
+    np.testing.assert_allclose(drawn, 1e6 * record.series.centre[after, :2], rtol=1e-12)
+    x, y = drawn[-1]
+    assert -101 < y < -98  # hangs in a room of 100 um
+    assert 8 < x < 12  # friction of 0.1 holds it to the side, towards which balls turning against the orbit push
+    room = points_of(line_of(orbit, "edge of its room"))
+    np.testing.assert_allclose(np.linalg.norm(room, axis=1), 100, rtol=1e-9)
+    assert points_of(line_of(orbit, "start-up")).shape[0] == np.sum(~after)
+    assert (orbit.get_xlabel(), orbit.get_ylabel()) == ("x, µm", "y, µm")
+    assert orbit.get_aspect() == 1
+
+
+def test_forces_are_drawn_over_time_in_ms(record: CageRecord, panels: list[Axes]) -> None:
+    forces = panels[1]
+    drawn = points_of(line_of(forces, "largest of one ball"))
+    pressed = record.series.max_force > 0
+    expected = np.column_stack([1e3 * record.series.time, record.series.max_force])
+    np.testing.assert_allclose(drawn[pressed], expected[pressed], rtol=1e-12)
+    assert np.isnan(drawn[~pressed, 1]).all()  # nothing touches: nothing on a logarithmic scale
+    total = points_of(line_of(forces, "sum over all balls"))[-1, 1]
+    np.testing.assert_allclose(total, 6.58e-3 * 9.80665, rtol=0.05)  # weight; the forces fan out over three balls
+    assert (forces.get_xlabel(), forces.get_ylabel()) == ("time, ms", "force of balls on the cage, N")
+
+
+def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
+    known = replace(record, statistics=replace(record.statistics, block_maxima=(0.3, 0.7, 0.5, 0.9)))
+    excess = orbit_figure([known.to_json()]).axes[2]
+    drawn = points_of(line_of(excess, "blocks of all seeds"))
+    np.testing.assert_allclose(drawn, [(0.3, 100), (0.5, 75), (0.7, 50), (0.9, 25)], rtol=1e-12)
+    for force in (0.4, 0.6, 0.8):  # between two of them the curve is the share that lies above
+        after = int(np.searchsorted(drawn[:, 0], force))  # drawn with its steps before the points
+        share = 100 * np.mean(np.array([0.3, 0.7, 0.5, 0.9]) > force)
+        assert drawn[after, 1] == share
+    assert line_of(excess, "blocks of all seeds").get_drawstyle() == "steps-pre"
+    assert (excess.get_xlabel(), excess.get_ylabel()) == ("largest force of one ball, N", "exceeded in, %")
+
+
+@pytest.mark.parametrize("state", ["rest", "whirl", "irregular", "mixed"])
+def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecord, state: str) -> None:
+    told = replace(record, statistics=replace(record.statistics, state=state)).to_json()
+    figure = orbit_figure([told])
+    title = figure.subfigs[0].get_suptitle()
+    assert f'6205 at 500 rpm: regime "{state}", started "rest"' in title
+    assert f"cage torque {1e3 * record.statistics.torque:.3g} N mm" in title
+    figure.draw_without_rendering()  # lays it out
+    check_apart(figure)
+
+
+def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -> None:
+    whole, thin = record.to_json(), record.to_json(most=60)
+    for name in ("largest", "sum"):
+        assert len(thin["forces"][name]) <= 60
+        assert max(thin["forces"][name]) == max(whole["forces"][name])
+        assert thin["forces"][name][-1] >= whole["forces"][name][-1]
+    assert thin["forces"]["time"][-1] == whole["forces"]["time"][-1]
+    assert thin["orbit"]["measured"][-1] == whole["orbit"]["measured"][-1]
+    assert {tuple(place) for place in thin["orbit"]["measured"]} <= {
+        tuple(place) for place in whole["orbit"]["measured"]
+    }
+    assert thin["exceedance"]["force"][-1] == max(whole["exceedance"]["force"])
+    figure, caption = cage_plot({"cage_records": [thin, thin | {"inner_speed": 100.0, "state": "whirl"}]})
+    assert figure is not None
+    assert len(figure.axes) == 6  # a row for each motion
+    assert "The cage rests" in caption
+    assert "The cage whirls" in caption
+    orbit = line_of(figure.axes[0], "measured")
+    np.testing.assert_allclose(points_of(orbit), 1e6 * np.array(thin["orbit"]["measured"]), rtol=1e-12)
+    assert orbit.get_linestyle() == "None"  # neighbours in the list are none in time
+    figure.draw_without_rendering()
+    check_apart(figure)
+
+
+def test_a_group_of_instants_is_told_by_its_greatest(record: CageRecord) -> None:
+    force = record.series.max_force.size - np.arange(record.series.max_force.size, dtype=float)  # falls to 1 N
+    series = replace(record.series, max_force=force)
+    thin = replace(record, series=series).to_json(most=60)["forces"]
+    step = -(-force.size // 60)
+    expected = [force[max(0, end - step + 1)] for end in range(force.size - 1, -1, -step)][::-1]
+    np.testing.assert_array_equal(thin["largest"], expected)  # the first of each group
+
+
+def test_a_thinned_exceedance_keeps_the_rarest() -> None:
+    force = np.concatenate([np.zeros(500), 3.0 + np.arange(500) / 100])
+    whole, share = exceedance(force)
+    assert (share[0], share[-1]) == (0.5, 1e-3)  # half of the instants touch nothing
+    kept, of = exceedance(force, 20)
+    assert kept.size <= 20
+    np.testing.assert_array_equal(of, [np.mean(force >= each) for each in kept])
+    np.testing.assert_array_equal(kept[-3:], whole[-3:])
+
+
+def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -> None:
+    assert cage_plot({"cage_records": [], "torque": {}}) == (
+        None,
+        "No cage moved: the torque has the closed form of a cage that rests on its balls, or none. Where the scene "
+        "gives a cage and its start, and the tolerance can see the motion, it is computed.",
+    )
+    assert cage_plot({"cage_records": [], "torque": None})[1] == "No cage moved: the scene has no torque."
+
+
+def box_of(part: Artist | None) -> BboxBase:
+    box = None if part is None else part.get_tightbbox()
+    assert box is not None
+    return box
+
+
+def check_apart(figure: Figure) -> None:
+    """Titles, labels, legends and caption keep off each other and inside the figure."""
+    legends = [axes.get_legend() for axes in figure.axes]
+    texts = [*figure.texts, *(text for part in figure.subfigs for text in part.texts)]
+    for axes, legend in zip(figure.axes, legends, strict=True):
+        assert not box_of(axes.xaxis).overlaps(box_of(legend))
+        for text in texts:
+            assert not box_of(text).overlaps(box_of(axes))
+    for part in (*figure.axes, *legends, *texts):
+        assert box_of(part).x0 >= 0
+        assert box_of(part).x1 <= figure.bbox.x1 + 1  # pixel
+
+
+def place_in(job: dict, x: float, y: float) -> tuple[float, float]:
+    """Pixels from left and top of a place in the plane of the balls, m: the lean of 20 degrees foreshortens y."""
+    return job["width"] / 2 + job["scale"] * x, job["height"] / 2 - job["scale"] * y * np.cos(np.radians(20))
+
+
+@pytest.fixture(scope="module")
+def drawn(known: CageRecord, tmp_path_factory: pytest.TempPathFactory) -> tuple[dict, Pixels]:
+    job = cage_job(known, tmp_path_factory.mktemp("cage") / "cage.png")
+    assert rendered([job], RENDERER) is None
+    return job, pixels_of(Path(job["file"]))
+
+
+def test_each_force_is_an_arrow_from_its_ball(known: CageRecord, drawn: tuple[dict, Pixels]) -> None:
+    """Two forces: one up, 3 N, and one to the left, half as long; nothing of the other balls, nor of the start-up."""
+    job, pixels = drawn
+    angle = known.series.ball_angle[-7] + 2 * np.pi * np.array([1, 6]) / 9
+    up, left = (19.505e-3 * np.array([np.cos(a), np.sin(a)]) for a in angle)
+    radius, length = 3.97e-3, 1.8 * 3.97e-3  # the longest arrow is 1.8 radii long
+    red = is_red(pixels)
+    red[-FOOT:] = False
+    columns = np.arange(red.shape[1])
+    x, bottom = place_in(job, up[0], up[1] + radius)
+    _, top = place_in(job, up[0], up[1] + radius + length)
+    near = red & (np.abs(columns - x) < 30)
+    rows = np.nonzero(near)[0]
+    np.testing.assert_allclose((rows.min(), rows.max()), (top, bottom), atol=4)  # pixels: a shaft has thickness
+    tail, y = place_in(job, left[0] - radius, left[1])
+    tip, _ = place_in(job, left[0] - radius - length / 2, left[1])
+    other = red & ~near
+    across, _, middle, height = half_sizes(other)
+    np.testing.assert_allclose((middle - across, middle + across), (tip, tail), atol=4)
+    np.testing.assert_allclose(height, y, atol=3)
+
+
+def test_the_scale_of_forces_is_that_of_the_arrows(drawn: tuple[dict, Pixels]) -> None:
+    """2 N where the longest arrow, 1.8 ball radii, is 3 N; 10 mm as long as balls are wide."""
+    job, pixels = drawn
+    assert job["force_scale"]["label"] == "2 N, ball on cage"
+    assert job["length_scale"]["label"] == "10 mm, balls and grooves"
+    foot = pixels[-FOOT:]
+    expected = job["scale"] * 1.8 * 3.97e-3 * 2 / 3
+    np.testing.assert_allclose(longest_run(is_red(foot)), expected, atol=3)  # pixels
+    black = foot[:, : job["width"] - 100].max(axis=-1) < 0.35  # without the arrow of gravity
+    np.testing.assert_allclose(longest_run(black), job["scale"] * 10e-3, atol=5)
+
+
+def test_every_word_is_in_the_picture_and_none_is_cut_off(drawn: tuple[dict, Pixels]) -> None:
+    """Ink where a label, the arrow of gravity or a line of the head belongs, and none at the edges."""
+    job, pixels = drawn
+    ink = pixels.max(axis=-1) < 0.4
+    bottom = ink[-40:]  # the labels below their scales
+    for left, right in ((30, 230), (370, 640), (job["width"] - 90, job["width"] - 10)):
+        assert bottom[:, left:right].sum() > 100, (left, right)
+    assert not bottom[:, 300:360].any()
+    for line in range(4):
+        rows = ink[10 + 28 * line : 34 + 28 * line]
+        assert rows.sum() > 500, line
+        assert not rows[:, -12:].any(), line
+    gravity = ink[-130:-40, -60:-20]
+    widest = gravity.sum(axis=1)
+    assert widest.max() > 12
+    assert np.argmax(widest) > np.flatnonzero(widest).mean()  # the head is the lower end
+    assert not np.concatenate([ink[:3], ink[-3:]]).any()
+
+
+def test_the_cage_is_drawn_where_it_is_ten_times_exaggerated(known: CageRecord, drawn: tuple[dict, Pixels]) -> None:
+    """Balls on their circle; the dot of the cage's centre 0.8 mm to the right of the axis and 0.4 mm below it."""
+    job, pixels = drawn
+    assert view_of(known).exaggeration == 10
+    red, green, blue = np.moveaxis(pixels, -1, 0)
+    near = np.s_[job["height"] // 2 - 60 : job["height"] // 2 + 60, job["width"] // 2 - 60 : job["width"] // 2 + 60]
+    brown = ((red > 0.7) & (green > 0.4) & (green < 0.65) & (blue < 0.4))[near]
+    black = (pixels.max(axis=-1) < 0.2)[near]
+    _, _, x, y = half_sizes(brown)
+    _, _, x0, y0 = half_sizes(black)
+    np.testing.assert_allclose((x0, y0), 60, atol=1.5)
+    # Half a dot hides behind the other: from the middle of what is seen to the edge.
+    edge = np.array(place_in(job, 0.8e-3, -0.4e-3)) - place_in(job, 0.0, 0.0)
+    np.testing.assert_allclose((x - x0, y - y0), edge, atol=3)
+    ball = (blue > red + 0.05)[110:-FOOT]
+    across, *_ = half_sizes(ball)
+    angle = known.series.ball_angle[-7] + 2 * np.pi * np.arange(9) / 9
+    widest = np.ptp(np.cos(angle)) * 19.505e-3 + 2 * 3.97e-3
+    np.testing.assert_allclose(2 * across, job["scale"] * widest, atol=4)
+    assert brown_share(pixels) > 0.02
+
+
+def brown_share(pixels: Pixels) -> float:
+    """Of the picture: the cage."""
+    red, green, blue = np.moveaxis(pixels, -1, 0)
+    return float(np.mean((red > green + 0.1) & (green > blue + 0.1) & ~is_red(pixels)))
+
+
+def test_a_pocket_is_pressed_where_its_ball_is(known: CageRecord) -> None:
+    """Exaggerated or not, the ball is as near to the pocket's wall in shares of the room."""
+    job, view = cage_job(known, Path("nowhere.png")), view_of(known)
+    gap = np.linalg.norm(np.array(job["pockets"]) - view.balls, axis=1)
+    room = job["pocket_radius"] - job["ball_radius"]
+    np.testing.assert_allclose(gap / room, np.hypot(80, 40) / 100, rtol=1e-9)
+
+
+def test_words_tell_instant_regime_and_what_is_not_to_scale(known: CageRecord) -> None:
+    job, caption = cage_job(known, Path("nowhere.png")), picture_caption(known)
+    time = f"{1e3 * known.series.time[-7]:.4g} ms"
+    said = " ".join(job["lines"])
+    for word in ('regime "rest"', "500 rpm, counterclockwise", time, "the largest 3 N", "10 times as far as computed"):
+        assert word in said
+    assert max(map(len, job["lines"])) < 88  # characters that the width holds
+    for word in (time, "3 N", "10 times as far", "Regime of all seeds: rest"):
+        assert word in caption
+    assert job["pull"]["label"] == "gravity"
+    backwards = replace(known, cage=replace(known.cage, ring_speed=-52.4, gravity=(0.0, 0.0, -9.8)))
+    job = cage_job(backwards, Path("nowhere.png"))
+    assert ", clockwise" in job["lines"][0]
+    assert (job["pull"]["label"], job["pull"]["length"]) == ("gravity away from you", 0)

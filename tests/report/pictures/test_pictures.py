@@ -1,0 +1,278 @@
+"""Each picture is read back: is the contact in it, where it should be and as large as it should be?"""
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import pyvista as pv
+from scipy.spatial import cKDTree
+
+from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.compare.validation import Validation
+from fembearing.report.pictures import draw as module
+from fembearing.report.pictures.draw import RENDERER, Picture, draw_pictures
+from fembearing.report.pictures.framing import BAR, frame_of
+from fembearing.report.pictures.render_mesh import ROUND, cell_edges, loaded_face, scaled
+from tests.report.pictures.picture_reader import (
+    CORNER,
+    check_colour_bar,
+    check_ellipse,
+    check_pressure,
+    check_scale_bar,
+    half_sizes,
+    lines_of_map,
+    on_screen,
+    pixels_of,
+    share_of_lines,
+)
+
+PAIRS = ("inner-real", "outer-real", "pocket-real", "pocket-wall")
+DIES = (sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGABRT)")  # as VTK without GL does
+
+
+@pytest.fixture(scope="module")
+def drawn(pictures: list[Picture]) -> dict[str, Picture]:
+    return {picture.file.stem: picture for picture in pictures}
+
+
+@pytest.fixture(scope="module")
+def mapped(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Picture]:
+    found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("maps"), renderer=DIES)
+    assert trouble is not None
+    assert "signal 6" in trouble
+    return {picture.file.stem: picture for picture in found}
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_vtk_draws_hertz_ellipse_to_scale(drawn: dict[str, Picture], pair: str) -> None:
+    check_ellipse(drawn[f"{pair}-pressure"])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_vtk_paints_the_pressure_where_the_contact_is(drawn: dict[str, Picture], pair: str) -> None:
+    check_pressure(drawn[f"{pair}-pressure"])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_renderer_that_dies_leaves_a_map_that_says_the_same(mapped: dict[str, Picture], pair: str) -> None:
+    check_ellipse(mapped[f"{pair}-pressure"])
+    check_pressure(mapped[f"{pair}-pressure"])
+
+
+def test_there_is_no_section_without_vtk(mapped: dict[str, Picture]) -> None:
+    assert {name.rpartition("-")[2] for name in mapped} == {"pressure"}
+    assert not list(next(iter(mapped.values())).file.parent.glob("*section*"))
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_section_shows_two_bodies_and_the_pressure_between(drawn: dict[str, Picture], pair: str) -> None:
+    pixels = pixels_of(drawn[f"{pair}-section"].file)
+    height, width, _ = pixels.shape
+    red, _, blue = np.moveaxis(pixels, -1, 0)
+    ball, lower = blue > red + 0.04, red > blue + 0.08
+    left, right = np.s_[:, : width // 2], np.s_[: int(0.8 * height), width // 2 :]  # without the colour bar
+    assert 0.15 < ball[left].mean() < 0.6
+    assert lower[left].mean() > 0.05  # found: 0.06, the small block of a pocket beside the ball, and more
+    assert np.argwhere(ball[left])[:, 0].mean() < np.argwhere(lower[left])[:, 0].mean()  # the ball lies above
+    assert lower[right].mean() > 0.5  # the close-up is filled by the lower body
+    vivid = np.ptp(pixels, axis=-1) > 0.45
+    rows, columns = np.nonzero(vivid[right])
+    assert columns.max() - columns.min() > 0.25 * width  # half the close-up is the contact
+    assert abs(columns.mean() / (width / 2) - 0.5) < 0.1  # in its middle
+    assert rows.size > 1000
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("renderer", ["drawn", "mapped"])
+def test_both_bars_of_a_pressure_picture_are_right(request: pytest.FixtureRequest, renderer: str, pair: str) -> None:
+    pictures: dict[str, Picture] = request.getfixturevalue(renderer)
+    picture = pictures[f"{pair}-pressure"]
+    check_scale_bar(picture)
+    check_colour_bar(pixels_of(picture.file)[-BAR:, -CORNER:])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_section_has_a_colour_bar(drawn: dict[str, Picture], pair: str) -> None:
+    pixels = pixels_of(drawn[f"{pair}-section"].file)
+    height, width, _ = pixels.shape
+    check_colour_bar(pixels[int(0.9 * height) :, width // 2 :])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_pressure_picture_shows_the_mesh(drawn: dict[str, Picture], pair: str) -> None:
+    assert min(lines_of_map(drawn[f"{pair}-pressure"])) > 0.005  # found: 0.014 and more; without lines 0
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_map_has_no_mesh_that_could_be_taken_for_lines(mapped: dict[str, Picture], pair: str) -> None:
+    assert max(lines_of_map(mapped[f"{pair}-pressure"])) < 0.001
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_a_section_shows_the_cells_of_both_bodies(drawn: dict[str, Picture], pair: str) -> None:
+    pixels = pixels_of(drawn[f"{pair}-section"].file)
+    height, width, _ = pixels.shape
+    down, right = np.indices(pixels.shape[:2])
+    red, _, blue = np.moveaxis(pixels, -1, 0)
+    ball, lower, left = blue > red + 0.04, red > blue + 0.08, right < width // 2
+    free = (down > 0.05 * height) & (down < 0.85 * height)  # of title and colour bar
+    for body in (ball & left, lower & left, lower & ~left):
+        assert share_of_lines(pixels, body & free, 0.02) > 0.02  # found: 0.05 and more; without lines 0.003
+
+
+@pytest.mark.parametrize("renderer", [RENDERER, DIES], ids=["vtk", "map"])
+def test_the_computed_ellipse_is_drawn_beside_hertz(
+    checked: Validation, tmp_path: Path, renderer: tuple[str, ...]
+) -> None:
+    """Both outside the painted pressure and apart: one is longer, the other wider."""
+    race, _, pocket, _ = checked.contacts
+    contacts = [
+        with_ellipses(race, computed=(1.15, 1.2), hertz=(1.3, 1.05)),
+        with_ellipses(pocket, computed=(1.3, 1.1), hertz=(1.15, 1.25)),
+    ]
+    found, trouble = draw_pictures(contacts, tmp_path, renderer=renderer)
+    assert (trouble is None) == (renderer is RENDERER)
+    for picture in found:
+        if picture.kind == "pressure":
+            check_ellipse(picture)
+            check_ellipse(picture, computed=True)
+
+
+def with_ellipses(
+    contact: ContactSolution, *, computed: tuple[float, float], hertz: tuple[float, float]
+) -> ContactSolution:
+    """The ellipses as multiples of the computed one; (rolling, transverse)."""
+    names = "semi_axis_rolling", "semi_axis_transverse"
+    sizes = {name: getattr(contact.reference, name) for name in names}
+    made = {
+        name: replace(contact.estimates[name], richardson=sizes[name] * factor, beyond=0.0)
+        for name, factor in zip(names, computed, strict=True)
+    }
+    return replace(
+        contact,
+        estimates=contact.estimates | made,
+        hertz=replace(contact.hertz, **{name: sizes[name] * factor for name, factor in zip(names, hertz, strict=True)}),
+    )
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("side", ["upper", "lower"])
+def test_the_lines_of_the_mesh_lie_on_the_surface_they_divide(drawn: dict[str, Picture], pair: str, side: str) -> None:
+    """Straight ones between the corners of coarse cells would sink into it or hang over it."""
+    mesh = pv.read(drawn[f"{pair}-section"].file.with_name(f"{pair}-{side}.vtu"))
+    assert isinstance(mesh, pv.UnstructuredGrid)
+    mesh.points /= np.ptp(mesh.points)
+    surface = mesh.extract_surface(nonlinear_subdivision=ROUND, algorithm="dataset_surface")
+    lines = cell_edges(mesh)
+    distance, _ = cKDTree(surface.points).query(lines.points)
+    assert distance.max() < 1e-6  # of the body's size; VTK computes in single precision
+    faces = mesh.extract_surface(nonlinear_subdivision=0, algorithm="dataset_surface")
+    assert lines.n_cells == faces.extract_all_edges().n_cells  # all of them, each once
+    middles = lines.points[lines.lines.reshape(lines.n_cells, -1)[:, 1 + 2**ROUND // 2]]
+    ends = lines.points[lines.lines.reshape(lines.n_cells, -1)[:, [1, -1]]].mean(axis=1)
+    assert np.linalg.norm(middles - ends, axis=1).max() > 0.002  # of the body's size: a chord would be seen
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_pressure_is_painted_on_the_loaded_surface_alone(drawn: dict[str, Picture], pair: str) -> None:
+    """None on the cut below its edge."""
+    mesh = scaled(str(drawn[f"{pair}-section"].file.with_name(f"{pair}-lower.vtu")), {"factor": 1.0})
+    face = loaded_face(mesh)
+    assert face.n_cells > 0
+    for axis in (0, 1):
+        cut = np.abs(face.points[:, axis]) < 1e-9  # mm
+        assert not cut[face.regular_faces].all(axis=1).any()
+
+
+@pytest.mark.parametrize(("pair", "least"), [("inner-real", 22), ("outer-real", 36)])
+def test_the_close_up_of_a_slender_contact_is_no_sliver(drawn: dict[str, Picture], pair: str, least: int) -> None:
+    """found: 28 and 45 pixels; seen as flat as a round contact 16 and 27."""
+    pixels = pixels_of(drawn[f"{pair}-section"].file)
+    height, width, _ = pixels.shape
+    vivid = np.ptp(pixels[: int(0.8 * height), width // 2 :], axis=-1) > 0.45
+    assert vivid.sum(axis=0).max() > least
+
+
+def test_a_small_body_under_a_large_ball_is_still_seen(checked: Validation, tmp_path: Path) -> None:
+    """As the block of a pocket's tiny contact is: an eighth of the ball."""
+    seat = checked.contacts[2]
+    finest = seat.meshes[-1]
+    lower = finest.pair.lower
+    small = replace(lower, mesh=replace(lower.mesh, doflocs=0.4 * lower.mesh.doflocs))
+    finest = replace(finest, pair=replace(finest.pair, lower=small))
+    found, trouble = draw_pictures([replace(seat, meshes=(finest,))], tmp_path)
+    assert trouble is None
+    pixels = pixels_of(found[1].file)  # the section
+    left = pixels[:, : pixels.shape[1] // 2]
+    red, _, blue = np.moveaxis(left, -1, 0)
+    width, height, *_ = half_sizes(red > blue + 0.08)
+    assert min(width, height) > 0.08 * left.shape[0]
+    assert not (red > blue + 0.08)[[0, -1]].any()  # the body is whole
+
+
+def test_the_colour_bar_is_labelled_in_round_numbers_up_to_its_end(checked: Validation) -> None:
+    for contact in checked.contacts:
+        scale = module._scale(contact)
+        ticks = np.array(scale["ticks"])
+        assert ticks[0] == 0
+        assert 0.7 * scale["peak"] < ticks[-1] <= scale["peak"]
+        assert len({f"{step:.6g}" for step in np.diff(ticks)}) == 1
+        assert max(len(f"{tick:g}".replace(".", "").lstrip("0")) for tick in ticks) <= 3
+
+
+def test_the_reader_sees_an_ellipse_of_the_wrong_size(checked: Validation, tmp_path: Path) -> None:
+    """The pictures' test, tested: Hertz a tenth too large is drawn where it does not belong."""
+    contact = checked.contacts[0]
+    stretched = replace(
+        contact, hertz=replace(contact.hertz, semi_axis_transverse=contact.hertz.semi_axis_transverse * 0.9)
+    )
+    (picture,), _ = draw_pictures([stretched], tmp_path, renderer=DIES)
+    with pytest.raises(AssertionError):
+        check_ellipse(replace(picture, contact=contact))
+
+
+@pytest.mark.parametrize(
+    ("renderer", "words"),
+    [
+        ((sys.executable, "-c", "raise SystemExit('no GL here')"), "status 1: no GL here"),
+        ((sys.executable, "-c", ""), "status 0"),  # ends well and draws nothing
+        (("/nowhere/python",), "could not be started"),
+        ((sys.executable, "-c", "import time; time.sleep(60)"), "did not finish within"),
+    ],
+)
+def test_every_way_to_fail_is_named(
+    checked: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, renderer: tuple[str, ...], words: str
+) -> None:
+    monkeypatch.setattr(module, "PATIENCE", 5 if "sleep" not in renderer[-1] else 0.5)
+    found, trouble = draw_pictures(checked.contacts[:1], tmp_path, renderer=renderer)
+    assert trouble is not None
+    assert words in trouble
+    assert [picture.file.name for picture in found] == ["inner-real-pressure.png"]
+    assert found[0].file.is_file()
+    assert "Grey lines" not in found[0].caption  # a map has no mesh
+
+
+def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]) -> None:
+    """The groove closes in on the ball: Hertz reaches further across."""
+    contact: ContactSolution = checked.contacts[0]
+    share = contact.hertz.semi_axis_transverse / contact.reference.semi_axis_transverse - 1
+    assert share > 0
+    assert f"{share:.1%} beyond" in drawn["inner-real-pressure"].caption
+    assert "Grey lines are the mesh" in drawn["inner-real-pressure"].caption
+    assert "1.4 mm off its race" in drawn["inner-real-section"].caption
+
+
+@pytest.mark.parametrize(
+    ("rolling", "transverse"), [(1.1e-4, 9.3e-4), (9.3e-4, 1.1e-4), (3.1e-4, 3.0e-4), (2e-7, 9e-7)]
+)
+def test_a_frame_holds_its_contact(rolling: float, transverse: float) -> None:
+    frame = frame_of(semi_axis_rolling=rolling, semi_axis_transverse=transverse)
+    width, height = on_screen(frame, rolling, transverse)
+    assert width >= 0.999 * height  # a circle to within a thousandth lies as it likes
+    assert width < min(frame.centre[0], frame.width - frame.centre[0])
+    assert height < min(frame.centre[1], frame.height - frame.centre[1]) - 40  # title and colour bar
+    assert max(width / frame.width, height / frame.height) > 0.2  # and fills it
+    assert f"{frame.bar:.0e}"[0] in "125"
+    assert 100 < frame.bar * frame.scale <= 260

@@ -1,0 +1,192 @@
+"""The tables of a terminal and the numbers in JSON, against a result made by hand: see `made` in conftest.py."""
+
+import json
+import re
+from dataclasses import replace
+from io import StringIO
+from typing import Any
+
+import pytest
+from rich.console import Console
+
+from fembearing.compare.contact.ring import RingStructure
+from fembearing.compare.contact.subsurface import NAMES, SubsurfaceComparison
+from fembearing.compare.validation import Validation
+from fembearing.report.terminal.contacts import print_subsurface, print_validation
+
+NARROW = 80  # columns, of a pipe
+
+
+def text_of(result: Validation) -> str:
+    out = StringIO()
+    print_validation(Console(file=out, width=NARROW), result)
+    return out.getvalue()
+
+
+@pytest.fixture(scope="module")
+def printed(made: Validation) -> str:
+    return text_of(made)
+
+
+@pytest.fixture(scope="module")
+def told(made: Validation) -> dict[str, Any]:
+    return json.loads(json.dumps(made.to_json(), allow_nan=False))
+
+
+def rows_of(printed: str) -> list[list[str]]:
+    return [re.split(r"\s{2,}", line.strip()) for line in printed.splitlines()]
+
+
+def test_each_row_of_the_terminal_shows_its_numbers(printed: str) -> None:
+    rows = rows_of(printed)
+    for row in (
+        ["approach, um", "5.3295", "5.225", "+2.00% *", "1.40%", "3.6", "pass"],
+        ["semi-axis a, mm", "0.1176", "0.12", "-2.00%", "2.50%", "2.7", "pass"],
+        ["semi-axis b, mm", "0.968", "0.88", "+10.00% *", "2.30%", "1.4", "fail"],
+        ["stiffness, GN/m^1.5", "22.8", "24", "-5.00%", "5.03%", "2.2", "outside"],
+        ["semi-axis b, mm", "0.3168", "0.32", "-1.00% *", "0.35%", "2.1", "pass"],
+        ["approach, um", "0.609", "0.87", "-30.00% *", "0.33%", "2.8", "shown"],
+    ):
+        assert row in rows
+
+
+def test_the_longest_verdict_is_not_cut_at_80_characters(printed: str) -> None:
+    row = ["stiffness, GN/m^1.5", "24.25", "25", "-3.00% *", "1.60%", "none", "undecided"]
+    assert row in rows_of(printed)
+
+
+def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
+    words = " ".join(printed.split())
+    for said in (
+        "60.8 GN/m^1.5 by Hertz",
+        "64 in a thick seat",
+        "39.52 with the sheet on its rim (-35%)",
+        "with Hertz's contacts 50 N mm",
+        "those of FE 48.5 N mm: -3.00% +- 1.37%",
+        "angle 0.3031 rad and 0.3019 rad",
+        "semi-axis a 0.1203 mm (+0.25%)",
+        "error, over FE - 1): approach 5.2198 um (-0.10%)",
+        "peak pressure 1.7085 GPa (+0.50%)",
+        "stiffness 25.05 GN/m^1.5 (+0.20%)",
+        "stated 95 % uncertainty at most 0.81%",
+        "corrected for finite geometry -2.13% to -2.67% +- 0.43% over 2 of 3 operating points",
+        "fail: tolerance 0.05, 43.2 s",
+    ):
+        assert said in words
+
+
+def test_the_ring_is_told_apart_from_the_contact(made: Validation) -> None:
+    ring = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9)
+    inner, outer, *pocket = made.contacts
+    result = replace(made, contacts=(replace(inner, ring=ring), replace(outer, ring=None), *pocket))
+    words = " ".join(text_of(result).split())
+    said = "Ring on a rigid seat: approach -0.212 um (-4.1% of the contact's), +- 0.008 um: structure, not contact."
+    assert words.count(said) == words.count("Ring on a rigid seat") == 1
+    told = [contact["ring"] for contact in result.to_json()["contacts"]]
+    share = {"approach": -0.2125e-6, "share": -0.0407, "uncertainty": pytest.approx(7.8e-9, rel=1e-12)}  # round-off
+    assert told == [share, None, None, None]
+
+
+def test_a_stress_has_its_share_and_a_depth_its_length() -> None:
+    """Hertz's von Mises stress is greatest on the surface here: a length is off, no share."""
+    below = SubsurfaceComparison(
+        side="lower",
+        hertz=dict(zip(NAMES, (0.612e9, 75.3e-6, 1.12e9, 0.0), strict=True)),
+        fe=dict(zip(NAMES, (0.6e9, 75e-6, 1.11e9, 3.5e-6), strict=True)),
+        uncertainty=dict(zip(NAMES, (0.003e9, 0.61e-6, 0.0222e9, 1.4e-6), strict=True)),
+    )
+    out = StringIO()
+    print_subsurface(Console(file=out, width=NARROW), below)
+    rows = rows_of(out.getvalue())
+    for row in (
+        ["shear, GPa", "0.612", "0.6", "+2.00% *", "0.50%"],
+        ["its depth, um", "75.3", "75", "+0.40%", "0.61 um"],
+        ["von Mises, GPa", "1.12", "1.11", "+0.90%", "2.00%"],
+        ["its depth, um", "0", "3.5", "- *", "1.4 um"],
+    ):
+        assert row in rows
+
+
+def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:
+    rows = {(row["pair"], row["quantity"]): row for row in told["verdicts"]}
+    assert len(rows) == len(told["verdicts"]) == 3 * 5
+    for pair, quantity, production, reference, discrepancy, uncertainty, exceeds, verdict in (
+        ("inner", "semi_axis_rolling", 0.1176e-3, 0.12e-3, -0.02, 0.025, False, "pass"),
+        ("inner", "semi_axis_transverse", 0.968e-3, 0.88e-3, 0.1, 0.023, True, "fail"),
+        ("outer", "stiffness", 22.8e9, 24e9, -0.05, 0.0503, False, "outside validity"),
+        ("pocket", "approach", 0.609e-6, 0.58e-6, 0.05, 0.0067, True, "undecided"),
+    ):
+        assert rows[pair, quantity] == {
+            "pair": pair,
+            "geometry": "real",
+            "quantity": quantity,
+            "production": production,
+            "reference": reference,
+            "discrepancy": pytest.approx(discrepancy, rel=1e-12),  # round-off
+            "uncertainty": pytest.approx(uncertainty, rel=1e-12),
+            "exceeds_uncertainty": exceeds,
+            "comparison": {
+                "error": pytest.approx(production - reference, rel=1e-9),  # a difference of near values
+                "numerical": 0.0,
+                "input": 0.0,
+                "reference": pytest.approx(uncertainty * reference, rel=1e-12),
+                "total": pytest.approx(uncertainty * reference, rel=1e-12),
+                "resolved": exceeds,
+            },
+            "verdict": verdict,
+        }
+
+
+def test_json_tells_each_contact_with_its_numbers(told: dict[str, Any]) -> None:
+    inner, outer, seat, sheet = told["contacts"]
+    assert inner["load"] == 371.5
+    assert inner["hertz"]["approach"] == 5.3295e-6
+    assert inner["fe"]["approach"] == 5.225e-6
+    assert inner["discrepancy"]["approach"] == pytest.approx(0.02, rel=1e-12)  # round-off
+    assert inner["uncertainty"]["approach"] == pytest.approx(0.014, rel=1e-12)
+    assert inner["convergence"]["approach"] == {
+        "values": [4.4e-6, 5.06e-6, 5.5e-6],
+        "order": 3.6,
+        "grid_convergence_index": 0.033,
+        "formal_order": 4.0,
+        "richardson": 5.225e-6,
+        "mesh": 0.011,
+        "beyond": 0.0,
+        "domain": 0.003,
+    }
+    assert [contact["verdict"] for contact in (inner, outer, seat)] == ["fail", "outside validity", "undecided"]
+    assert (sheet["geometry"], sheet["cost"]["unknowns"]) == ("wall", 43000)
+
+
+def test_json_tells_the_change_of_torque(told: dict[str, Any]) -> None:
+    change = told["torque_change"]
+    assert change["contact_angle"] == {"hertz": [0.281, 0.3012, 0.3031], "corrected": [None, 0.2998, 0.3019]}
+    assert change["torque"] == {"hertz": [31e-3, 40e-3, 50e-3], "corrected": [None, 41e-3, 48.5e-3]}
+    assert change["change"]["total"] == [None, pytest.approx(0.025, rel=1e-12), pytest.approx(-0.03, rel=1e-12)]
+    assert (change["uncertainty"], change["verdict"]) == (0.0137, "undecided")
+    assert change["uncertainties"] == {"total": 0.0137, "spin": 0.021, "contact_angle": 0.0019}
+
+
+def test_every_word_of_the_table_fits(checked: Validation) -> None:
+    """The widest verdict beside the widest numbers."""
+    inner = checked.contacts[0]
+    parts = {name: replace(part, mesh=0.789, order=None) for name, part in inner.estimates.items()}
+    wide = replace(checked, contacts=(replace(inner, estimates=parts, tolerance=0.3), *checked.contacts[1:]))
+    rows = [line for line in text_of(wide).splitlines() if " none " in line][: len(parts)]  # the inner race comes first
+    assert len(rows) == len(parts)
+    assert all(row.rstrip().endswith("undecided") for row in rows)
+    assert max(map(len, text_of(wide).splitlines())) <= NARROW
+    assert "\N{HORIZONTAL ELLIPSIS}" not in text_of(wide)
+
+
+def test_a_scene_without_friction_is_told_that_there_is_no_torque(checked: Validation) -> None:
+    assert "so there is no torque" in text_of(replace(checked, torque=None))
+    assert "Race torque" not in text_of(replace(checked, torque=None))
+    assert "there is no torque" not in text_of(checked)
+
+
+@pytest.mark.parametrize("verdict", ["pass", "outside validity"])
+def test_the_last_line_is_the_verdict(checked: Validation, verdict: str) -> None:
+    inner = replace(checked.contacts[0], valid=verdict == "pass")
+    result = replace(checked, contacts=(inner, *checked.contacts[1:]))
+    assert text_of(result).splitlines()[-1].startswith(f"{verdict}: tolerance 0.9")

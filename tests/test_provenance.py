@@ -1,0 +1,24 @@
+"""Where a result comes from: enough to run it again."""
+
+import json
+from dataclasses import replace
+
+from analytic.scenefile.read import builtin_scene, load_scene
+from fembearing.provenance import provenance_of
+
+
+def test_a_result_holds_its_scene_in_full() -> None:
+    scene = load_scene(builtin_scene("6205"))
+    content = json.loads(json.dumps(provenance_of(scene)))["scene_content"]
+    assert content["operation"]["axial_load"] == scene.operation.axial_load.tolist()
+    assert content["bearing"]["inner"]["groove_radius"] == scene.bearing.inner.groove_radius
+    assert content["cage"]["material"]["youngs_modulus"] == 206e9
+    assert content["friction_coefficient"] == scene.friction_coefficient
+
+
+def test_the_hash_tells_scenes_apart_and_nothing_else() -> None:
+    scene = load_scene(builtin_scene("6205"))
+    again = load_scene(builtin_scene("6205"))
+    other = replace(scene, bearing=replace(scene.bearing, ball_diameter=scene.bearing.ball_diameter * (1 + 1e-12)))
+    first, second, third = (provenance_of(one)["scene_sha256"] for one in (scene, again, other))
+    assert first == second != third

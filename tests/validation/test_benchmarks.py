@@ -1,0 +1,108 @@
+"""The commands that measure the torque model: each runs with tiny counts and writes what it says."""
+
+import csv
+import importlib
+import pickle
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from analytic.scene import Scene
+from analytic.torque import friction_torque
+
+BENCHMARKS = Path(__file__).resolve().parents[2] / "validation" / "benchmarks"
+
+
+def run(script: str, *arguments: str) -> str:
+    command = [sys.executable, str(BENCHMARKS / script), *arguments]
+    return subprocess.run(command, check=True, capture_output=True, text=True, timeout=300).stdout
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+@pytest.fixture(scope="module")
+def benchmarks() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(BENCHMARKS)
+        yield
+
+
+@pytest.fixture(scope="module")
+def random_scenes(benchmarks: None) -> ModuleType:  # noqa: ARG001
+    return importlib.import_module("random_scenes")
+
+
+@pytest.fixture(scope="module")
+def ladder(benchmarks: None) -> ModuleType:  # noqa: ARG001
+    return importlib.import_module("friction")
+
+
+def test_torque_is_timed(tmp_path: Path) -> None:
+    tiny = ("--points", "6", "--contacts", "50", "--ring-points", "2", "--repeats", "1")
+    assert "sinh traction" in run("torque.py", *tiny, "--out", str(tmp_path))
+    found = rows(tmp_path / "torque_benchmark.csv")
+    assert {row["what"] for row in found} >= {
+        "import analytic",
+        "1 thrust point",
+        "6 thrust points to 150 rad/s",
+        "50 Hertz contacts",
+    }
+    assert all(float(row["median_s"]) > 0 for row in found)
+    assert {row["processes"] for row in found if row["what"] == "6 thrust points to 300 rad/s"} == {"1", "2"}
+    assert (tmp_path / "torque_benchmark.csv").read_text("utf-8").startswith("# ")  # machine and versions
+
+
+def test_auto_is_compared_with_everything_on(tmp_path: Path) -> None:
+    assert "2 scenes, seeds 30000 to 30001" in run("effects.py", "--scenes", "2", "--out", str(tmp_path))
+    found = rows(tmp_path / "effects.csv")
+    assert [float(row["tolerance"]) for row in found] == [0.1, 0.01, 0.001] * 2
+    assert all(abs(float(row["difference"])) < float(row["tolerance"]) for row in found)
+    assert (tmp_path / "effects.png").stat().st_size > 0
+
+
+def test_errors_of_cheap_rungs_are_listed() -> None:
+    assert "3 scenes of two contacts, seeds 40000 to 40002" in run("friction.py", "--errors", "--scenes", "3")
+
+
+@pytest.mark.parametrize("seed", [416, 1573, 648, 1156])
+def test_the_bound_on_cheap_rungs_holds_in_the_worst_scenes(ladder: ModuleType, seed: int) -> None:
+    """Of 1500: just below full spin, under constant stress; oil that stiffens with the third power of the pressure."""
+    for trial in ladder.rungs_of(seed):
+        assert abs(trial.missed) <= trial.bound, trial
+
+
+def test_a_random_scene_comes_again_from_its_seed(random_scenes: ModuleType) -> None:
+    first, again, other = (random_scenes.random_scene(np.random.default_rng(seed)) for seed in (7, 7, 8))
+    assert first.operation.axial_load == again.operation.axial_load != other.operation.axial_load
+    assert first.bearing == again.bearing != other.bearing
+
+
+def test_a_scene_and_its_result_go_to_another_process(random_scenes: ModuleType) -> None:
+    scene: Scene = random_scenes.random_scene(np.random.default_rng(7))
+    found, sent = friction_torque(scene), pickle.loads(pickle.dumps(scene))
+    assert sent.effects == scene.effects
+    returned = pickle.loads(pickle.dumps(friction_torque(sent)))
+    np.testing.assert_array_equal(returned.torque.total, found.torque.total)
+    assert returned.provenance == found.provenance
+    with pytest.raises(TypeError):  # still for reading alone
+        returned.provenance["scene"] = "another"
+
+
+def test_the_motion_of_a_cage_is_measured() -> None:
+    told = run("cage.py", "--repeats", "1", "--duration", "0.013", "--bounces", "3")
+    for words in ("processor time, us a step", "largest drift of the energy", "steps a contact", "closed form"):
+        assert words in told
+
+
+def test_sweeps_are_timed() -> None:
+    told = run("sweep.py", "--points", "80", "--contacts", "0", "--workers", "1")
+    assert told.count("torque map") == 2
+    assert told.count("the same again") == 1
