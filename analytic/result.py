@@ -7,7 +7,8 @@ from typing import Any, Literal
 import numpy as np
 
 from analytic.cage.torque import CAGE_KEYS, CagePart
-from analytic.effects.ledger import COMPUTED, DECLARED, OF_CAGE, Effect
+from analytic.effects.ledger import Effect
+from analytic.effects.table import CHOSEN, DECLARED
 from analytic.scene import Array, Scene, Sliding
 from analytic.torque_columns import torque_dataset, torque_html
 
@@ -76,12 +77,12 @@ class FrictionTorque:
     provenance: Mapping[str, str]
     seconds: float  # that the computation took
     cage: CagePart | None = None  # what its torque comes from; None: left out
-    model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.uncertainty
+    model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.torque
     gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
 
     def settled(self, scene: Scene) -> Scene:
         """The scene with every effect and rung decided as here, whatever bounds would say of a change of it."""
-        decisions = {effect.name: effect.decision for effect in self.effects if effect.name in COMPUTED + OF_CAGE}
+        decisions = {effect.name: effect.decision for effect in self.effects if effect.name in CHOSEN}
         return replace(scene, effects={**scene.effects, **decisions}, sliding=self.sliding)
 
     def to_json(self) -> dict[str, Any]:

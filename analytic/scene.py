@@ -19,6 +19,7 @@ Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
+Supply = Literal["oil_bath", "grease"]
 Decision = Literal["auto", "on", "off"]
 PocketAxis = Literal["axial", "radial"]
 CageStart = Literal["rest", "ramp", "sudden", "whirl"]
@@ -154,7 +155,7 @@ class Lubricant:
     eyring_stress: float  # tau_E, Pa
     limiting_shear: float  # zeta: the largest shear stress over the pressure
     traction: Traction
-    supply: Literal["oil_bath", "grease"] = "oil_bath"  # how it comes back to the track
+    supply: Supply = "oil_bath"  # how it comes back to the track
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,10 +1,11 @@
-"""Friction torque of a ball bearing, split by effect: equation 1 of the paper, summed over the balls.
+"""Friction torque of a ball bearing, split by effect: equation 1 of [Paper], summed over the balls.
 
 Every part is the power that one effect loses, over the speed of the ring. Torques are magnitudes about the bearing axis
-and oppose the rotation: turning the other way mirrors them.
+and oppose the rotation: the other direction of rotation mirrors them.
 """
 
 import platform
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
@@ -13,27 +14,37 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.cage.torque import cage_friction
+from analytic.cage.torque import CagePart, cage_friction
 from analytic.contact.factors import ContactCorrection
-from analytic.effects.ledger import DECLARED, EFFECTS, Choices, Effect, share_in
-from analytic.effects.limits import watch
-from analytic.effects.loads import RACES, loaded_balls, points
-from analytic.effects.sliding import chosen_lubrication
-from analytic.effects.warnings import doubts
+from analytic.contact.geometry import RACES
+from analytic.effects.declared import declared_losses
+from analytic.effects.ledger import Ledger, share_in
+from analytic.effects.limits import check_limits
+from analytic.effects.loads import loaded_balls, points
+from analytic.effects.sliding import decide_sliding, decide_without_sliding
+from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loads.balls import LoadedBalls
+from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.lubricated_races import LubricatedRaces, lubricated_races
 from analytic.oil.mixed import MixedContact
-from analytic.oil.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
+from analytic.oil.rolling import (
+    InletFactors,
+    RollingResistance,
+    hydrodynamic_rolling,
+    hysteresis_moment,
+    inlet_factors,
+    rolling_torque,
+)
 from analytic.oil.traction import CoulombTraction, Traction
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.scene import Array, Scene
-from analytic.sliding.long_ellipse import hysteresis_moment
-from analytic.sliding.methods import Sliding, race_sliding
+from analytic.sliding.methods import Sliding, SlidingModel, race_sliding
 
 BY_SLIP = ("spin", "conformity")
 PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
+COVERAGE = 2.0  # standard uncertainties to a half-width of 95 %
 
 
 def friction_torque(
@@ -42,18 +53,18 @@ def friction_torque(
     """Friction torque at every operating point of the scene.
 
     correction : factors on Hertz's contacts, in place of those of the finite geometry; under the rule `solved` they
-        move contact angle and ball loads too
-    film_factor : on every film that the formula gives, > 0: what its uncertainty does to the torque
-    The balls are loaded (`analytic.effects.loads`), and each loses power to each race: per unit speed and summed,
-        race = spin + conformity + hysteresis (equations 9 to 12) + hydrodynamic rolling, where there is an oil
-        total = race + cage (`analytic.cage.torque`) + declared, what the scene tells of seals and drag
-    What slides does so by mixed lubrication where the scene has an oil and a surface. A friction coefficient stands in
-    place of the surface: then what slides does not depend on speed, and at standstill is that of the first motion.
+        change contact angle and ball loads too
+    film_factor : on every film that the formula gives, > 0, to show the effect of its uncertainty
+    The balls are loaded (`analytic.loads`), and each loses power to each race: per unit speed and summed,
+        race = spin + conformity + hysteresis (equations 9 to 12 of [Paper]) + hydrodynamic rolling, where there is oil
+        total = race + cage (`analytic.cage`) + declared losses of seals and drag
+    Sliding is by mixed lubrication where the scene has an oil and a surface. A friction coefficient takes the place of
+    the surface: then sliding friction does not depend on speed, and at standstill it is that of the first motion.
     Rolling takes the oil at the inlet's temperature.
-    With microslip "as_printed" the paper's moments replace the derived ones, at the same spin and coefficients.
-    What is computed, and how, follows from the scene's tolerance (`analytic.effects.ledger`, `analytic.sliding.methods`); the result
-    names it all, with the numerical uncertainty that remains.
-    Raises InputError if the scene gives neither or both of coefficient and surface, asks for an effect that lacks its
+    With microslip "as_printed" the moments of [Paper] replace the derived ones, at the same spin and coefficients.
+    The scene's tolerance decides which effects are computed, and how (`analytic.effects`, `analytic.sliding.methods`);
+    the result lists them all, with the numerical uncertainty that remains.
+    Raises InputError if the scene gives neither or both of coefficient and surface, demands an effect that lacks its
     input, or loads the balls beyond a shoulder.
     """
     started = perf_counter()
@@ -61,14 +72,16 @@ def friction_torque(
     operation = points(scene)
     speed = operation.inner_speed
     require_finite(**{"operation.inner_speed": speed})
-    choices = Choices(scene, speed.size)
-    balls, warnings = loaded_balls(scene, operation, choices, correction=correction)
-    parts, resistance = _rolled(scene, balls, speed, choices)
+    ledger = Ledger(scene, speed.size)
+    balls, load_warnings = loaded_balls(scene, operation, ledger, correction=correction)
+    parts, resistance = _rolling(scene, balls, speed, ledger)
+    inlets = None if scene.lubricant is None else inlet_factors(scene.bearing, scene.lubricant, ring_speed=speed)
     oiled: LubricatedRaces | None = None
     shared: MixedContact | None = None
-    slid: Sliding | None = None
-    conforms = choices.calls_for("conformity", share=None)
-    if conforms or scene.effects.get("spin") != "off":
+    sliding: Sliding | None = None
+    conforms = ledger.decide("conformity")
+    slides = conforms or scene.effects.get("spin") != "off"
+    if slides:
         if scene.lubricant is not None and scene.surface is not None:
             oiled = lubricated_races(
                 scene.bearing,
@@ -78,29 +91,40 @@ def friction_torque(
                 ring_speed=speed,
                 film_factor=film_factor,
             )
-        shared, parts = chosen_lubrication(scene, balls, oiled, choices, speed=speed, rolled=parts)
-        slid = race_sliding(
+        decide_sliding(scene, balls, oiled, ledger, rolled=parts, inlets=inlets)
+    else:
+        decide_without_sliding(ledger, rolled=parts, inlets=inlets)
+    if "rolling" in parts and inlets is not None:
+        parts["rolling"] = _with_inlets(parts["rolling"], inlets, ledger)
+    if slides:
+        if oiled is not None:
+            heating = oiled.heating_factor if ledger.is_on("inlet_heating") else 1.0
+            shared = oiled.shared(asperities=ledger.is_on("asperities"), heating_factor=heating)
+        sliding = race_sliding(
             balls,
             _tractions(scene, oiled, shared),
+            SlidingModel(
+                spins=ledger.is_on("spin"),
+                conforms=conforms,
+                spin_rule=scene.spin_rule,
+                microslip=scene.microslip,
+                method=scene.sliding,
+            ),
             ring_speed=speed,
-            spins=choices.on("spin"),
-            conforms=choices.on("conformity"),
-            spin_rule=scene.spin_rule,
-            microslip=scene.microslip,
-            asked=scene.sliding,
-            beside=_sum(parts, speed),
-            allowed=scene.tolerance - choices.left_out,
+            other_torque=_sum(parts, speed),
+            allowed=scene.tolerance - ledger.left_out,
         )
-        parts |= {name: getattr(slid, name) for name in BY_SLIP if choices.on(name)}
+        parts |= {name: getattr(sliding, name) for name in BY_SLIP if ledger.is_on(name)}
     race = _sum(parts, speed)
-    cage = cage_friction(scene, balls, operation, choices, race=race)
+    cage = cage_friction(scene, balls, operation, ledger, race=race)
     computed = race if cage is None else race + cage.torque
-    declared = _declared(scene, choices, computed)
+    declared = declared_losses(ledger, computed)
     total = computed if declared is None else computed + declared
     if cage is not None:
         parts["cage"] = cage.torque
-        warnings = warnings + list(cage.warnings)
-    watched = watch(scene, operation, balls, choices, slid=slid)
+        load_warnings = load_warnings + list(cage.warnings)
+    limits = check_limits(scene, operation, balls, ledger, sliding=sliding)
+    uncertainty = _uncertainty(ledger, sliding, parts, race=race, total=total)
     at = balls.heaviest
     return FrictionTorque(
         inner_speed=speed,
@@ -108,10 +132,9 @@ def friction_torque(
         contact_angle=balls.contact_angle.mean(axis=0)[at],
         ball_load=balls.load.max(axis=0)[at],
         torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=_uncertainty(choices, slid, parts, race=race, total=total)
-        + (0.0 if cage is None else share_in(cage.half_interval, total)),
+        numerical_uncertainty=uncertainty if cage is None else uncertainty + share_in(cage.half_interval, total),
         friction_coefficient=FrictionCoefficients(
-            **_on_races(None if slid is None else slid.coefficient, at),
+            **_on_races(None if sliding is None else sliding.coefficient, at),
             pocket=None if cage is None else cage.friction_coefficient,
         ),
         cage=cage,
@@ -119,32 +142,42 @@ def friction_torque(
         asperity_share=OnRaces(**_on_races(None if shared is None else shared.asperity_share, at)),
         inner=_loaded(balls, 0, at),
         outer=_loaded(balls, 1, at),
-        effects=tuple(_with_share(choices.made[name], parts, total) for name in EFFECTS if name in choices.made),
-        sliding="auto" if slid is None else slid.rung,
+        effects=ledger.effects(parts, total),
+        sliding="auto" if sliding is None else sliding.method,
         gap_roughness=None if oiled is None else oiled.roughness.rms_roughness,
         warnings=tuple(
-            doubts(scene, choices, watched=watched, oiled=oiled, shared=shared, resistance=resistance) + warnings
+            torque_warnings(ledger, limits=limits, oiled=oiled, shared=shared, resistance=resistance) + load_warnings
         ),
-        provenance=MappingProxyType(
-            {
-                "scene": scene.name,
-                "contact_angle": scene.contact_angle.rule,
-                "spin_rule": scene.spin_rule,
-                "microslip": scene.microslip,
-                "loads": "thrust, all balls alike" if balls.rung == "thrust" else "equilibrium of the ring",
-                "contacts": _contacts(choices, correction),
-                "friction": "given coefficient" if oiled is None else "mixed lubrication",
-                "sliding": _slid_by(slid, speed.size),
-                "cage": "left out" if cage is None else cage.provenance,
-                **_versions(),
-            }
-        ),
+        provenance=_provenance(scene, balls, ledger, correction=correction, oiled=oiled, sliding=sliding, cage=cage),
         seconds=perf_counter() - started,
     )
 
 
+def with_model_uncertainty(
+    scene: Scene, result: FrictionTorque, *, correction: ContactCorrection | None = None
+) -> FrictionTorque:
+    """The torque of a scene with the part of its model uncertainty that is known: that of the film formula.
+
+    result : friction_torque(scene, correction=correction)
+    The torque is computed again, with the same effects and methods, for films thicker and thinner by twice the standard
+    uncertainty of the formula against measured films, 11 % (`validation/film.py`); the larger change counts. Without a
+    film nothing is known. No measurement here gives the errors of rolling, asperities, traction and the oil itself, so
+    the true uncertainty is larger.
+    """
+    if result.film.inner is None:
+        return result
+    same = result.settled(scene)
+    total = result.torque.total
+    changes = [
+        np.abs(friction_torque(same, correction=correction, film_factor=factor).torque.total - total)
+        for factor in (1 - COVERAGE * FORMULA_UNCERTAINTY, 1 + COVERAGE * FORMULA_UNCERTAINTY)
+    ]
+    largest = np.maximum(*changes)
+    return replace(result, model_uncertainty=np.divide(largest, total, out=np.zeros_like(total), where=total > 0))
+
+
 def _require_friction(scene: Scene) -> None:
-    """Exactly one source of the friction of ball on race."""
+    """Raise InputError unless there is exactly one source of the friction of ball on race."""
     if scene.friction_coefficient is not None:
         require_non_negative(**{"friction.coefficient": scene.friction_coefficient})
         if scene.surface is not None:
@@ -165,34 +198,35 @@ def _require_friction(scene: Scene) -> None:
         )
 
 
-def _rolled(
-    scene: Scene, balls: LoadedBalls, speed: Array, choices: Choices
+def _rolling(
+    scene: Scene, balls: LoadedBalls, speed: Array, ledger: Ledger
 ) -> tuple[dict[str, Array], RollingResistance | None]:
-    """What rolling costs without any sliding, (n,) N m: hysteresis of the bodies, and pushing the oil aside."""
+    """The torques of rolling without sliding, (n,) N m: hysteresis of the bodies, and oil in flooded, cool inlets."""
     parts: dict[str, Array] = {}
     resistance: RollingResistance | None = None
-    lacks = (
-        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle, for steel 0.004-0.01"
-    )
-    if choices.calls_for("hysteresis", share=None, lacks=lacks if scene.hysteresis_loss is None else None):
+    contacts = balls.contacts
+    if ledger.decide("hysteresis"):
         assert scene.hysteresis_loss is not None
-        moment = hysteresis_moment(
-            hysteresis_loss=scene.hysteresis_loss, load=balls.load, semi_axis_rolling=balls.contact.semi_axis_x
-        )
-        parts["hysteresis"] = balls.total(moment * balls.rolling_rate)
-    lacks = "no lubricant is given: add a table [lubricant]"
-    if choices.calls_for("rolling", share=None, lacks=lacks if scene.lubricant is None else None):
+        moment = hysteresis_moment(contacts, hysteresis_loss=scene.hysteresis_loss)
+        parts["hysteresis"] = balls.total(moment * contacts.rolling_rate)
+    if ledger.decide("rolling"):
         assert scene.lubricant is not None
         resistance = hydrodynamic_rolling(
-            curvature_x=balls.curvature_along,
-            curvature_y=balls.curvature_across,
-            load=balls.load,
-            modulus=balls.modulus,
+            contacts,
             viscosity=inlet_viscosity(scene.lubricant).viscosity,
             entrainment_speed=speed[:, None] * balls.motion.entrainment_speed,
         )
         parts["rolling"] = balls.total(rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed))
     return parts, resistance
+
+
+def _with_inlets(rolling: Array, inlets: InletFactors, ledger: Ledger) -> Array:
+    """The torque of rolling, (n,) N m, with inlets that heat and starve as far as these effects are on."""
+    if ledger.is_on("inlet_heating"):
+        rolling = rolling * inlets.heating
+    if ledger.is_on("starvation") and inlets.starvation is not None:
+        rolling = rolling * inlets.starvation
+    return rolling
 
 
 def _tractions(scene: Scene, oiled: LubricatedRaces | None, shared: MixedContact | None) -> tuple[Traction, Traction]:
@@ -203,48 +237,17 @@ def _tractions(scene: Scene, oiled: LubricatedRaces | None, shared: MixedContact
     return oiled.traction(shared, 0), oiled.traction(shared, 1)
 
 
-def _declared(scene: Scene, choices: Choices, computed: Array) -> Array | None:
-    """(n,) N m, of seals and drag; settles both."""
-    given = {name: getattr(scene.losses, name) for name in DECLARED}
-    known = {name: value for name, value in given.items() if value is not None}
-    require_non_negative(**{f"losses.{name}": value for name, value in known.items()})
-    total = computed + sum(known.values(), start=0.0)
-    for name, value in given.items():
-        share = None if value is None else share_in(np.full_like(total, value), total)
-        reason = "not declared" if value is None else "declared by the scene"
-        choices.settled(name, on=value is not None, share=share, reason=reason)
-    return np.full_like(computed, sum(known.values())) if known else None
-
-
-def _slid_by(slid: Sliding | None, points: int) -> str:
-    if slid is None:
-        return "nothing slides"
-    return slid.rung if slid.computed is None else f"{slid.rung} at {slid.computed} of {points} points"
-
-
-def _contacts(choices: Choices, correction: ContactCorrection | None) -> str:
-    if correction is not None:
-        return "Hertz with given factors"
-    return "Hertz, corrected for finite geometry" if choices.on("finite_geometry") else "Hertz"
-
-
 def _uncertainty(
-    choices: Choices, slid: Sliding | None, parts: dict[str, Array], *, race: Array, total: Array
+    ledger: Ledger, sliding: Sliding | None, parts: dict[str, Array], *, race: Array, total: Array
 ) -> Array:
-    """(n,) of the total: bounds on what auto left out of the race's torque, and what the rung of sliding misses."""
-    if slid is None:
-        return choices.left_out * share_in(race, total)
+    """(n,) of the total: bounds on what auto left out of the race torque, and on the error of the sliding method."""
+    left_out = ledger.left_out * share_in(race, total)
+    if sliding is None:
+        return left_out
     slipping = _sum({name: part for name, part in parts.items() if name in BY_SLIP}, race)
-    unknown = np.isinf(slid.error)
-    missed = np.where(unknown, np.inf, share_in(np.where(unknown, 0.0, slid.error) * slipping, total))
-    return choices.left_out * share_in(race, total) + missed
-
-
-def _with_share(effect: Effect, parts: dict[str, Array], total: Array) -> Effect:
-    """A part of the torque is told with its own largest share in place of a bound."""
-    if effect.name not in parts:
-        return effect
-    return replace(effect, share=float(np.max(share_in(parts[effect.name], total), initial=0.0)))
+    unknown = np.isinf(sliding.error)
+    error = np.where(unknown, np.inf, share_in(np.where(unknown, 0.0, sliding.error) * slipping, total))
+    return left_out + error
 
 
 def _sum(parts: dict[str, Array], like: Array) -> Array:
@@ -267,13 +270,44 @@ def _loaded(balls: LoadedBalls, race: int, at: tuple[Array, Array]) -> LoadedCon
     )
 
 
+def _provenance(
+    scene: Scene,
+    balls: LoadedBalls,
+    ledger: Ledger,
+    *,
+    correction: ContactCorrection | None,
+    oiled: LubricatedRaces | None,
+    sliding: Sliding | None,
+    cage: CagePart | None,
+) -> Mapping[str, str]:
+    """How each step was computed, and the versions."""
+    contacts = "Hertz, corrected for finite geometry" if ledger.is_on("finite_geometry") else "Hertz"
+    slid_by = "nothing slides" if sliding is None else sliding.method
+    if sliding is not None and sliding.computed is not None:
+        slid_by += f" at {sliding.computed} of {balls.load.shape[1]} points"
+    return MappingProxyType(
+        {
+            "scene": scene.name,
+            "contact_angle": scene.contact_angle.rule,
+            "spin_rule": scene.spin_rule,
+            "microslip": scene.microslip,
+            "loads": "thrust, all balls alike" if balls.rung == "thrust" else "equilibrium of the ring",
+            "contacts": contacts if correction is None else "Hertz with given factors",
+            "friction": "given coefficient" if oiled is None else "mixed lubrication",
+            "sliding": slid_by,
+            "cage": "left out" if cage is None else cage.provenance,
+            **_versions(),
+        }
+    )
+
+
 @cache
 def _versions() -> dict[str, str]:
     """Of the packages that take part."""
-    found = {"python": platform.python_version()}
+    versions = {"python": platform.python_version()}
     for name in ("fembearing", "numpy", "scipy"):
         try:
-            found[name] = version(name)
+            versions[name] = version(name)
         except PackageNotFoundError:
-            found[name] = "not installed"
-    return found
+            versions[name] = "not installed"
+    return versions

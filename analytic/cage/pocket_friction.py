@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.geometry import pocket_contact
-from analytic.contact.hertz import contact_modulus, hertz_contact
+from analytic.contact.hertz import contact_modulus
+from analytic.contact.rolling_contact import elliptic_contact
 from analytic.errors import InputError
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.traction import MixedTraction
@@ -50,8 +51,7 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
     pocket = pocket_contact(scene.bearing, cage, load=0.0)
     curvature = 1 / pocket.ball_radius - 1 / pocket.groove_radius
     modulus = float(contact_modulus(pocket.ball_material, pocket.race_material))
-    contact = hertz_contact(curvature_x=curvature, curvature_y=curvature, load=force, modulus=modulus)
-    area = np.pi * contact.semi_axis_x * contact.semi_axis_y
+    contact = elliptic_contact(curvature_rolling=curvature, curvature_transverse=curvature, load=force, modulus=modulus)
     roughness = gap_roughness(surface)
     asperities = None
     if roughness.rms_roughness > 0:
@@ -59,11 +59,7 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
         asperities = tabulated_asperities(summits=roughness.summits, modulus=modulus, hardness=hardness)
     oil = inlet_viscosity(lubricant)
     shared = mixed_contact(
-        curvature_x=curvature,
-        curvature_y=curvature,
-        load=force,
-        modulus=modulus,
-        contact_area=area,
+        contact,
         entrainment_speed=speed / 2,
         viscosity=oil.viscosity,
         pressure_viscosity=oil.pressure_viscosity,
@@ -85,5 +81,5 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
             "takes the place of both",
         )
     return PocketFriction(
-        coefficient=traction.force(load=force, area=area)(speed) / force, source="mixed lubrication", warnings=warnings
+        coefficient=traction.force(contact)(speed) / force, source="mixed lubrication", warnings=warnings
     )

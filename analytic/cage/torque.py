@@ -24,7 +24,7 @@ from analytic.cage.steady import (
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.effects.bounds import STANDARD_GRAVITY, whirl_number
-from analytic.effects.ledger import Choices
+from analytic.effects.ledger import Ledger
 from analytic.loads.balls import LoadedBalls
 from analytic.scene import Array, Bearing, Cage, Operation, Scene
 
@@ -70,7 +70,7 @@ class CagePart:
 
 
 def cage_friction(
-    scene: Scene, balls: LoadedBalls, operation: Operation, choices: Choices, *, race: Array
+    scene: Scene, balls: LoadedBalls, operation: Operation, ledger: Ledger, *, race: Array
 ) -> CagePart | None:
     """Decides `cage` and `cage_dynamics`, and computes what is called for; None without a cage.
 
@@ -79,15 +79,15 @@ def cage_friction(
     """
     cage = scene.cage
     if cage is None:
-        choices.calls_for("cage", share=None, lacks="no cage is given")
-        choices.calls_for("cage_dynamics", share=None, lacks="no cage is given")
+        ledger.decide("cage")
+        ledger.decide("cage_dynamics")
         return None
     bearing, speed = scene.bearing, np.abs(operation.inner_speed)
     room, _ = half_clearance(
         ball_diameter=bearing.ball_diameter, pocket_diameter=cage.pocket_diameter, pocket_depth=cage.pocket_depth
     )
-    if not choices.calls_for("cage", share=None):
-        choices.settled("cage_dynamics", on=False, reason="the cage is left out")
+    if not ledger.decide("cage"):
+        ledger.settle("cage_dynamics", on=False, reason="the cage is left out")
         return None
     rate = balls.motion.ball_speed.mean(axis=1)
     orbit = balls.motion.cage_speed.mean(axis=1) * speed
@@ -95,7 +95,7 @@ def cage_friction(
     pull = float(np.linalg.norm(PULL[cage.gravity]))
     whirl = whirl_speed(ball_speed=rate * speed, ball_radius=bearing.ball_radius, contact_angle=0.0, room=room)
     thrown = whirl_force(cage_mass=cage.mass, whirl=whirl, orbit_speed=orbit, room=room)
-    moves = _moves(scene, choices, thrown, rate=rate, speed=speed, room=room, pull=pull, race=race)
+    moves = _moves(scene, ledger, thrown, rate=rate, speed=speed, room=room, pull=pull, race=race)
     weight = np.full(speed.shape, cage.mass * max(pull, 1e-3 * STANDARD_GRAVITY))
     friction = friction_in_pocket(
         scene,
@@ -206,7 +206,7 @@ def driven_cage(
 
 
 def _moves(
-    scene: Scene, choices: Choices, thrown: Array, *, rate: Array, speed: Array, room: float, pull: float, race: Array
+    scene: Scene, ledger: Ledger, thrown: Array, *, rate: Array, speed: Array, room: float, pull: float, race: Array
 ) -> bool:
     """Whether the scene calls for the motion."""
     cage, bearing, asked = scene.cage, scene.bearing, scene.effects.get("cage_dynamics", "auto")
@@ -215,7 +215,7 @@ def _moves(
     most = float(np.max(number, initial=0.0))
     if asked == "auto" and most < 1:
         reason = f"the cage cannot whirl: whirl number {most:.3g} at most, below 1; it rests, by the closed form"
-        choices.settled("cage_dynamics", on=False, share=np.zeros_like(speed), reason=reason)
+        ledger.settle("cage_dynamics", on=False, share=np.zeros_like(speed), reason=reason)
         return False
     thrown = np.maximum(thrown, 1e-9)  # N: at standstill no film is asked for without a load
     friction = friction_in_pocket(
@@ -241,7 +241,7 @@ def _moves(
             "steps a contact it is not computed unasked: give fewer points, seeds or steps, a shorter duration, or "
             'effects.cage_dynamics = "on"'
         )
-    return choices.calls_for("cage_dynamics", share=share, lacks=lacks)
+    return ledger.decide("cage_dynamics", bound=share, lacks=lacks)
 
 
 def _stiffness(bearing: Bearing, cage: Cage) -> float:

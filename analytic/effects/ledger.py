@@ -1,40 +1,21 @@
-"""Which effects a scene calls for, and how large those left out could be.
+"""The decisions of one scene: which effects are computed, and what leaving out the others can change.
 
-`auto` leaves an effect out where a cheap bound on its share of the torque fits into what is left of half the scene's
-tolerance; the other half is for the rung by which sliding is integrated. The bounds of all that `auto` leaves out add
-up to less than that half. An effect whose bound would cost as much as itself is always computed. One decision holds for
-the whole series, by its worst point.
+`auto` leaves an effect out where the bound on its share of the torque fits into what remains of half the scene's
+tolerance. The other half is for the method by which sliding is integrated. The bounds of everything that `auto` leaves
+out add up to less than that half. An effect without a cheap bound is always computed. One decision holds for the whole
+series, by its worst point. Every effect of `analytic.effects.table` must be settled, whatever the scene.
 """
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
+from analytic.effects.table import CHOSEN, ENTRIES, LIMITS
 from analytic.errors import InputError
 from analytic.scene import Array, Scene
 
-# In the order in which they are decided: the dearest first, so that leaving it out comes first.
-COMPUTED = (
-    "load_distribution",  # balls loaded unequally by radial load and moment
-    "centrifugal",  # force on the balls
-    "gyroscopic",  # moment on the balls
-    "finite_geometry",  # of the contacts: ball and groove are no half spaces
-    "asperities",  # that carry load beside the film
-    "inlet_heating",  # of the oil by its own shear
-    "starvation",  # of the inlets: oil that does not flow back in time
-    "spin",
-    "conformity",
-    "hysteresis",
-    "rolling",  # against the oil in the inlets
-)
-# Decided after the races (analytic.cage.torque): the cage that slides on balls that carry it, and its motion, where it
-# does not just rest.
-OF_CAGE = ("cage", "cage_dynamics")
-DECLARED = ("seals", "drag")  # torques that the scene tells, in [losses]
-# Watched by a number or a bound, and warned of; nothing in the model computes them (analytic.effects.limits).
-WATCHED = ("elastic_creep", "plasticity", "shoulder")
-EFFECTS = COMPUTED + OF_CAGE + DECLARED + WATCHED
 SHARE_OF_TOLERANCE = 0.5
 
 
@@ -44,8 +25,8 @@ class Effect:
 
     name: str
     decision: Literal["on", "off"]
-    # Of the total, the largest over the series: that of its part of the torque where it has one, else a bound; infinite
-    # where nothing bounds it, None where that is not known.
+    # The largest share of the total over the series: of its part of the torque where it has one, else a bound. Infinite
+    # where nothing bounds it, None where it is not known.
     share: float | None
     reason: str
 
@@ -57,64 +38,87 @@ def size_of(share: float) -> str:
     return "could exceed the torque" if share > 1 else f"could be {share:.2g} of the torque"
 
 
-class Choices:
+class Ledger:
     """The decisions for one scene, as they are made."""
 
     def __init__(self, scene: Scene, points: int) -> None:
-        known = COMPUTED + OF_CAGE + WATCHED
-        unknown = set(scene.effects) - set(known)
+        """points : operating points of the scene. Raises InputError for effects that nobody can choose."""
+        unknown = set(scene.effects) - {*CHOSEN, *LIMITS}
         if unknown:
-            raise InputError(f"effects.{min(unknown)} is not an effect to choose; known: {', '.join(known)}")
-        for name in WATCHED:
+            known = ", ".join((*CHOSEN, *LIMITS))
+            raise InputError(f"effects.{min(unknown)} is not an effect to choose; known: {known}")
+        for name in LIMITS:
             if scene.effects.get(name) == "on":
                 raise InputError(f'effects.{name} = "on" cannot be had: not modelled; give "auto" or "off"')
-        self.asked = scene.effects
+        self.scene = scene
         self.budget = SHARE_OF_TOLERANCE * scene.tolerance
         self.left_out = np.zeros(points)  # sum of the bounds of what auto leaves out, at each point
         self.made: dict[str, Effect] = {}
 
-    def calls_for(self, name: str, *, share: Array | None, lacks: str | None = None) -> bool:
+    def decide(self, name: str, *, bound: Array | None = None, lacks: str | None = None) -> bool:
         """Whether to compute the effect.
 
-        share : (n,) bound on its share of the torque; None: always worth computing, or not known for lack of input
-        lacks : what the scene would have to give for it, in words
-        Raises InputError if the scene wants it on and lacks what it takes.
+        bound : (n,) bound on its share of the torque; None: none is known, or none without the missing input
+        lacks : why nothing can be computed for it, where another reason than a missing input is known, in words
+        Raises InputError if the scene says on and nothing can be computed.
         """
-        asked, worst = self.asked.get(name, "auto"), None if share is None else float(np.max(share, initial=0.0))
+        wanted, lacks = self.scene.effects.get(name, "auto"), ENTRIES[name].lacks(self.scene) or lacks
         if lacks is not None:
-            if asked == "on":
-                raise InputError(f'effects.{name} = "on" cannot be had: {lacks}')
-            return self._decided(name, on=False, share=worst, reason=lacks)
-        if asked == "off":
-            unknown = "; how much it would add is not computed" if worst is None else ""
-            return self._decided(name, on=False, share=worst, reason=f"the scene says off{unknown}")
-        if asked == "on":
-            return self._decided(name, on=True, share=worst, reason="the scene says on")
-        if share is None or worst is None:
-            return self._decided(name, on=True, share=None, reason="always computed: no cheaper bound is known")
-        largest = float(np.max(self.left_out + share, initial=0.0))
-        if largest <= self.budget:
-            self.left_out = self.left_out + share
+            return self._settle(name, on=False, share=bound, reason=lacks)
+        if wanted == "off":
+            unknown = "; how much it would add is not computed" if bound is None else ""
+            return self._settle(name, on=False, share=bound, reason=f"the scene says off{unknown}")
+        if wanted == "on":
+            return self._settle(name, on=True, share=bound, reason="the scene says on")
+        if bound is None:
+            return self._settle(name, on=True, share=None, reason="always computed: no cheaper bound is known")
+        worst, together = _largest(bound), _largest(self.left_out + bound)
+        if together <= self.budget:
+            self.left_out = self.left_out + bound
             reason = f"at most {worst:.2g} of the torque, within what {self.budget:.2g} leaves"
-            return self._decided(name, on=False, share=worst, reason=reason)
-        reason, before = size_of(worst), float(np.max(self.left_out, initial=0.0))
+            return self._settle(name, on=False, share=bound, reason=reason)
+        reason, before = size_of(worst), _largest(self.left_out)
         if worst <= 1:
             reason += f", more than {self.budget:.2g} leaves"
             reason += f" with {before:.2g} already left out" if before > 0 else ""
-        return self._decided(name, on=True, share=worst, reason=reason)
+        return self._settle(name, on=True, share=bound, reason=reason)
 
-    def settled(self, name: str, *, on: bool, reason: str, share: Array | None = None) -> None:
-        """An effect about which there is nothing to decide, with its bound where one is known."""
-        self._decided(name, on=on, share=None if share is None else float(np.max(share, initial=0.0)), reason=reason)
+    def settle(self, name: str, *, on: bool, reason: str, share: Array | None = None) -> None:
+        """Record an effect about which there is nothing to decide, with its bound where one is known.
 
-    def on(self, name: str) -> bool:
+        Raises InputError if the scene says on and the effect is off.
+        """
+        self._settle(name, on=on, share=share, reason=reason)
+
+    def is_on(self, name: str) -> bool:
         return self.made[name].decision == "on"
 
-    def _decided(self, name: str, *, on: bool, share: float | None, reason: str) -> bool:
-        self.made[name] = Effect(name=name, decision="on" if on else "off", share=share, reason=reason)
+    def effects(self, parts: Mapping[str, Array], total: Array) -> tuple[Effect, ...]:
+        """Every effect in the order of the table; one with a part of the torque has its largest share for a bound."""
+        unsettled = [name for name in ENTRIES if name not in self.made]
+        if unsettled:
+            raise RuntimeError(f"effects without a decision: {', '.join(unsettled)}")
+        return tuple(
+            replace(self.made[name], share=_largest(share_in(parts[name], total))) if name in parts else self.made[name]
+            for name in ENTRIES
+        )
+
+    def _settle(self, name: str, *, on: bool, share: Array | None, reason: str) -> bool:
+        if not on and self.scene.effects.get(name) == "on":
+            raise InputError(f'effects.{name} = "on" cannot be had: {reason}')
+        self.made[name] = Effect(
+            name=name,
+            decision="on" if on else "off",
+            share=None if share is None else _largest(share),
+            reason=reason,
+        )
         return on
 
 
 def share_in(part: Array, total: Array) -> Array:
     """part/total, 0 where there is nothing to share."""
     return np.divide(part, total, out=np.zeros(np.broadcast(part, total).shape), where=total > 0)
+
+
+def _largest(share: Array) -> float:
+    return float(np.max(share, initial=0.0))

@@ -1,66 +1,65 @@
-"""Effects that nothing here computes: how near they are, from what was found, and a warning past the limit of each.
+"""Effects that the model does not compute: how near each is to its limit, with a warning beyond it.
 
-What is watched is told of the worst ball and operating point; decided off, whatever its size.
+Each is off, with the number of the worst ball and operating point as its reason.
 """
 
 from collections.abc import Iterator
 
 import numpy as np
 
-from analytic.contact.geometry import Race, shoulder_distance
+from analytic.contact.geometry import RACES, shoulder_distance
 from analytic.effects.bounds import gyroscopic_slip_ratio
-from analytic.effects.ledger import Choices
+from analytic.effects.ledger import Ledger
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
 from analytic.scene import Operation, Scene
-from analytic.sliding.long_ellipse import SlidingContact, sliding_number
+from analytic.sliding.long_ellipse import sliding_number
 from analytic.sliding.methods import Sliding
 
 STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
 LEAST_SLIDING = 3.0  # of the sliding number: below, elastic creep takes a good part of the slip
-RACES: tuple[Race, Race] = ("inner", "outer")
 
 
-def watch(
-    scene: Scene, operation: Operation, balls: LoadedBalls, choices: Choices, *, slid: Sliding | None
+def check_limits(
+    scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger, *, sliding: Sliding | None
 ) -> list[str]:
-    """Settle every effect of `effects.WATCHED` with its number as the reason; return the warnings.
+    """Settle every effect of the kind "limit" with its number as the reason; return the warnings.
 
-    operation : every array (n,)
+    operation : every array (n,);  sliding : None where nothing slides
     Raises InputError for a contact that has left its race.
     """
     return [
-        *_watch_shoulder(scene, operation, balls, choices),
-        *_watch_pressure(balls, choices),
-        *_watch_creep(balls, choices, slid),
-        *_gyroscopic_slip(scene, operation, balls, slid),
+        *_shoulder(scene, operation, balls, ledger),
+        *_plasticity(balls, ledger),
+        *_elastic_creep(balls, ledger, sliding),
+        *_gyroscopic_slip(scene, operation, balls, sliding),
     ]
 
 
-def _watch_shoulder(scene: Scene, operation: Operation, balls: LoadedBalls, choices: Choices) -> Iterator[str]:
+def _shoulder(scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
     b = balls.contact.semi_axis_y
-    room = np.stack(
+    distance = np.stack(
         [
             shoulder_distance(scene.bearing, race, contact_angle=np.abs(angle))
             for race, angle in zip(RACES, balls.contact_angle, strict=True)
         ]
     )
-    room = np.where(balls.load > 0, room, np.inf)
+    distance = np.where(balls.load > 0, distance, np.inf)
     left, nearest = np.inf, "no ball is loaded"
     for index, name in enumerate(RACES):
-        point, ball = np.unravel_index(np.argmin(room[index]), room[index].shape)
-        if room[index, point, ball] <= 0:
+        point, ball = np.unravel_index(np.argmin(distance[index]), distance[index].shape)
+        if distance[index, point, ball] <= 0:
             angles = np.abs(balls.contact_angle[:, point, ball])
-            # The ball's inertia parts its angles: without it the contact would be about between them.
-            parted = shoulder_distance(scene.bearing, name, contact_angle=angles.mean()) > 0
+            # The ball's inertia separates its two angles: without it both would be near their mean.
+            separated = shoulder_distance(scene.bearing, name, contact_angle=angles.mean()) > 0
             speed = f"the speed of {operation.inner_speed[point]:.5g} rad/s, whose centrifugal force moves it there"
             raise InputError(
                 f"{_loads(operation, int(point))}: the contact moves to {angles[index]:.4f} rad, beyond the {name} "
-                f"race's shoulder: lower {speed if parted else 'the load'}, reduce the clearance or raise "
+                f"race's shoulder: lower {speed if separated else 'the load'}, reduce the clearance or raise "
                 "shoulder_half_width"
             )
-        worst = np.unravel_index(np.argmin(room[index] - b[index]), room[index].shape)
-        axis, space = b[index][worst], room[index][worst]
+        worst = np.unravel_index(np.argmin(distance[index] - b[index]), distance[index].shape)
+        axis, space = b[index][worst], distance[index][worst]
         if space - axis < left:
             left, nearest = space - axis, f"semi-axis {axis:.4g} m of {space:.4g} m to the {name} race's shoulder"
         if axis > space:
@@ -68,13 +67,13 @@ def _watch_shoulder(scene: Scene, operation: Operation, balls: LoadedBalls, choi
                 f"the contact ellipse passes the {name} race's shoulder: semi-axis {axis:.4g} m, room {space:.4g} m; "
                 "the true contact is cut off there and its pressure higher"
             )
-    choices.settled("shoulder", on=False, reason=f"watched: {nearest}")
+    ledger.settle("shoulder", on=False, reason=f"watched: {nearest}")
 
 
-def _watch_pressure(balls: LoadedBalls, choices: Choices) -> Iterator[str]:
+def _plasticity(balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
     peaks = balls.contact.peak_pressure.max(axis=(1, 2))
     share = peaks.max() / STATIC_LIMIT
-    choices.settled(
+    ledger.settle(
         "plasticity",
         on=False,
         reason=f"watched: peak pressure {peaks.max():.4g} Pa, {share:.3g} of the static limit {STATIC_LIMIT:.2g} Pa",
@@ -87,26 +86,19 @@ def _watch_pressure(balls: LoadedBalls, choices: Choices) -> Iterator[str]:
             )
 
 
-def _watch_creep(balls: LoadedBalls, choices: Choices, slid: Sliding | None) -> Iterator[str]:
-    if slid is None:
-        choices.settled("elastic_creep", on=False, reason="no effect of sliding is asked for")
+def _elastic_creep(balls: LoadedBalls, ledger: Ledger, sliding: Sliding | None) -> Iterator[str]:
+    if sliding is None:
+        ledger.settle("elastic_creep", on=False, reason="nothing slides")
         return
     least = []
     for race, loaded in enumerate(balls.load > 0):
         creep = sliding_number(
-            SlidingContact(
-                friction_coefficient=slid.coefficient[race],
-                load=balls.load[race],
-                semi_axis_rolling=balls.contact.semi_axis_x[race],
-                semi_axis_transverse=balls.contact.semi_axis_y[race],
-                deformed_radius=balls.deformed_radius[race],
-                rolling_rate=balls.rolling_rate[race],
-            ),
+            balls.race(race),
+            friction_coefficient=sliding.coefficient[race],
             entrainment_speed=balls.motion.entrainment_speed,
-            curvature_rolling=balls.curvature_along[race],
         )
         least.append(float(np.min(creep, where=loaded, initial=np.inf)))
-    choices.settled(
+    ledger.settle(
         "elastic_creep",
         on=False,
         reason=f"watched: sliding number {min(least):.3g} at least; below {LEAST_SLIDING:g} it takes part of the slip",
@@ -119,12 +111,13 @@ def _watch_creep(balls: LoadedBalls, choices: Choices, slid: Sliding | None) -> 
             )
 
 
-def _gyroscopic_slip(scene: Scene, operation: Operation, balls: LoadedBalls, slid: Sliding | None) -> Iterator[str]:
-    """A ball that friction across the grooves cannot hold.
+def _gyroscopic_slip(scene: Scene, operation: Operation, balls: LoadedBalls, sliding: Sliding | None) -> Iterator[str]:
+    """A ball whose gyroscopic moment friction across the grooves cannot hold.
 
-    Of balls that both races load, with the tolerance of the heaviest one's load or more: others lose next to nothing.
+    Only balls that both races load count, with at least the tolerance times the load of the heaviest ball: the others
+    lose next to nothing.
     """
-    if slid is None:
+    if sliding is None:
         return
     speed = np.abs(operation.inner_speed)[:, None]
     ratio = gyroscopic_slip_ratio(
@@ -133,7 +126,7 @@ def _gyroscopic_slip(scene: Scene, operation: Operation, balls: LoadedBalls, sli
         ball_speed=speed * balls.motion.ball_speed,
         cage_speed=speed * balls.motion.cage_speed,
         contact_angle=np.minimum(np.abs(balls.contact_angle.mean(axis=0)), np.pi / 2),
-        friction_force=np.sum(slid.coefficient * balls.load, axis=0),
+        friction_force=np.sum(sliding.coefficient * balls.load, axis=0),
     )
     pressed = balls.load.min(axis=0)
     ratio = np.where(pressed > scene.tolerance * pressed.max(axis=1, keepdims=True), ratio, 0.0)

@@ -10,16 +10,15 @@ import numpy as np
 
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.finite_geometry import RaceCorrections, finite_geometry_factors, race_shape
-from analytic.contact.geometry import Race
+from analytic.contact.geometry import RACES
 from analytic.effects.bounds import centrifugal_ratio, gyroscopic_pull, load_distribution_ratio
-from analytic.effects.ledger import Choices
+from analytic.effects.ledger import Ledger
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, ring_balls, thrust_balls, thrust_balls_at_speed
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.thrust import play_and_free_angle
 from analytic.scene import Array, Bearing, Operation, Scene
 
-RACES: tuple[Race, Race] = ("inner", "outer")
 # Heaviest ball of Z under a radial load Fr without clearance: 4.37 Fr/Z (Stribeck; R. Stribeck, ASME Trans. 29 (1907),
 # not seen: it is the load-distribution integral of point contacts, 1/J_r(0.5) = 4.37).
 STRIBECK = 4.37
@@ -42,7 +41,7 @@ PER_SIZE_SQUARED = 0.5
 
 
 def loaded_balls(
-    scene: Scene, operation: Operation, choices: Choices, *, correction: ContactCorrection | None
+    scene: Scene, operation: Operation, ledger: Ledger, *, correction: ContactCorrection | None
 ) -> tuple[LoadedBalls, list[str]]:
     """The balls at each operating point, and warnings; decides load_distribution to finite_geometry.
 
@@ -50,16 +49,16 @@ def loaded_balls(
     correction : factors on Hertz's contacts that the caller brings; None: those of the finite geometry, if called for
     Raises InputError for loads that no rung takes.
     """
-    solve = _rung(scene, operation, choices)
+    solve = _rung(scene, operation, ledger)
     balls = solve(correction)
     if correction is not None:
-        choices.settled("finite_geometry", on=True, reason="the factors on the contacts come with the call")
+        ledger.settle("finite_geometry", on=True, reason="the factors on the contacts come with the call")
         return balls, []
     size = np.max(balls.contact.semi_axis_y, axis=(0, 2)) / scene.bearing.ball_radius
     # Where balls are loaded unequally or by a preload, a stiffer contact moves loads and angles: no bound is known.
     preloaded = scene.contact_angle.rule == "solved" and play_and_free_angle(scene.bearing, scene.contact_angle)[0] < 0
-    bounded = not preloaded and not choices.on("load_distribution")
-    if not choices.calls_for("finite_geometry", share=PER_SIZE_SQUARED * size**2 if bounded else None):
+    bounded = not preloaded and not ledger.is_on("load_distribution")
+    if not ledger.decide("finite_geometry", bound=PER_SIZE_SQUARED * size**2 if bounded else None):
         return balls, []
     # Not iterated: corrected contacts move loads and angles by less than a hundredth, and the factors, within 0.06 of
     # 1, follow the load's power 1/3 to 2/3, so by less than 1e-4 more.
@@ -82,7 +81,7 @@ def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
     return RaceCorrections(inner=inner, outer=outer)
 
 
-def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[ContactCorrection | None], LoadedBalls]:
+def _rung(scene: Scene, operation: Operation, ledger: Ledger) -> Callable[[ContactCorrection | None], LoadedBalls]:
     """The way to the loaded balls that is called for, as a function of factors on Hertz's contacts."""
     bearing, axial, radial = scene.bearing, operation.axial_load, np.abs(operation.radial_load)
     moment, given = np.abs(operation.moment), scene.contact_angle.rule == "given"
@@ -100,7 +99,7 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
         axial_load=axial, radial_load=radial, moment=moment, contact_angle=angle, pitch_diameter=bearing.pitch_diameter
     )
     share = np.where(axial > 0, share, np.inf) if unequal else share
-    distributed = choices.calls_for("load_distribution", share=PER_DISTRIBUTION * share, lacks=held)
+    distributed = ledger.decide("load_distribution", bound=PER_DISTRIBUTION * share)
     if not distributed and (thrust is None or (given and np.any(share > scene.tolerance))):
         raise InputError(
             f"operation.radial_load and operation.moment are up to {share.max():.3g} of what thrust does, and "
@@ -109,7 +108,7 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
     ratio, pull = inertia_shares(bearing, inner_speed=operation.inner_speed, contact_angle=angle, load=load)
     rolls = scene.lubricant is not None and scene.effects.get("rolling") != "off"
     free = PER_FREE_BALL * np.cbrt(ratio) * (rolls & distributed & (share > UNLOADS))
-    centrifugal = choices.calls_for("centrifugal", share=PER_CENTRIFUGAL * ratio + free, lacks=held)
+    centrifugal = ledger.decide("centrifugal", bound=PER_CENTRIFUGAL * ratio + free)
     worst = int(np.argmax(ratio))
     if centrifugal and ratio[worst] > MOST_CENTRIFUGAL:
         raise InputError(
@@ -117,12 +116,11 @@ def _rung(scene: Scene, operation: Operation, choices: Choices) -> Callable[[Con
             f"{ratio[worst]:.3g} times its load under {axial[worst]:g} N of thrust, above {MOST_CENTRIFUGAL:g}, and it "
             "skids: raise the load or lower the speed"
         )
-    gyroscopic = choices.calls_for(
+    gyroscopic = ledger.decide(
         "gyroscopic",
-        share=pull
+        bound=pull
         # Friction that holds the moment turns the force on a free ball; a moment on the ring may bring it to any angle.
         + free * np.where((moment > 0) & (thrust is None), 1.0, np.sin(angle)),
-        lacks=held,
     )
     if thrust is not None and not (distributed and unequal):
 

@@ -1,181 +1,173 @@
-"""Which effects of sliding a scene calls for, before anything slides: asperities, inlet heating, starvation, spin.
+"""Decisions about asperities, inlet heating, starvation and spin, before anything slides.
 
-Shares are told of the least torque that there can be, rolling without spin on oil alone, and they are bounds on what an
-effect adds: stresses are taken at the mean pressure of each contact, on a long ellipse, times how much that may miss
-(`analytic.sliding.methods.most_missed`).
+Shares are relative to the least torque that the scene can have: rolling without spin on oil alone. Each is a bound on
+what the effect adds: stresses are taken at the mean pressure of each contact, on a long ellipse, times the largest
+error of that (`analytic.sliding.methods.largest_error`).
 """
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from analytic.effects.ledger import Choices, share_in
+from analytic.effects.ledger import Ledger, share_in
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.lubricated_races import LubricatedRaces
-from analytic.oil.mixed import MixedContact
-from analytic.oil.viscosity import inlet_viscosity
-from analytic.scene import Array, Lubricant, Scene
-from analytic.sliding.methods import full_spin, largest_spin_rise, most_missed, rolling_power
-from fembearing.compare.torque.catalogue_models import inlet_shear_factor, replenishment_factor
+from analytic.oil.rolling import InletFactors
+from analytic.scene import Array, Scene
+from analytic.sliding.methods import full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 
 LEAST_FILM = 1e-3  # of the isothermal film, or of smooth surfaces' oil: a bound by less is large enough
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Rubbing:
-    """What is known of sliding as the effects are decided; n operating points, m balls."""
+class _Friction:
+    """Friction of the contacts while the effects are decided; n operating points, m balls."""
 
-    rolls: Array  # (2, n, m) m: torque by conformity without spin, per N of friction
-    spins: Array  # (2, n, m) m: what spin can add to it
-    uneven: Array  # (2, n, m) true over found by mean stresses, at most
-    force: Array  # (2, n, m) N: friction of each contact that only rolls
+    rolls: Array  # (2, n, m) m: torque by conformity without spin for each N of friction
+    spins: Array  # (2, n, m) m: bound on what spin adds to it
+    uneven: Array  # (2, n, m) bound on true friction over that of mean stresses
+    rolling: Array  # (2, n, m) N: friction of each contact that only rolls
     spinning: Array  # (2, n, m) N: of one that spins in full
     floor: Array  # (n,) N m: the least torque
 
 
-def chosen_lubrication(
+def decide_sliding(
     scene: Scene,
     balls: LoadedBalls,
     oiled: LubricatedRaces | None,
-    choices: Choices,
+    ledger: Ledger,
     *,
-    speed: Array,
     rolled: dict[str, Array],
-) -> tuple[MixedContact | None, dict[str, Array]]:
-    """The load shared by oil and asperities, and the torques of rolling that heating and starvation leave.
+    inlets: InletFactors | None,
+) -> None:
+    """Settle asperities, inlet_heating, starvation and spin of balls that slide.
 
-    oiled : None where the friction coefficient is given;  speed : w, (n,), rad/s
-    rolled : torques of what rolls without sliding, by effect, (n,), N m
+    oiled : None where the friction coefficient is given
+    rolled : torques of what rolls without sliding, by effect, (n,), N m;  inlets : None without a lubricant
     """
-    kept = {} if scene.lubricant is None else _kept_of_rolling(scene, scene.lubricant, speed)
+    friction = _least_friction(scene, balls, oiled, beside=_least_rolling(rolled, inlets))
+    friction = _asperities(oiled, ledger, friction)
+    friction = _inlets(balls, oiled, ledger, friction, rolled=rolled, inlets=inlets)
+    rise = friction.uneven * (friction.spinning * (friction.rolls + friction.spins) - friction.rolling * friction.rolls)
+    least = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
+    ledger.decide("spin", bound=share_in(balls.total(least[None]), friction.floor))
+
+
+def decide_without_sliding(ledger: Ledger, *, rolled: dict[str, Array], inlets: InletFactors | None) -> None:
+    """Settle the same four where neither spin nor conformity is computed: inlets then act on rolling alone."""
+    nothing = "neither spin nor conformity is computed, so nothing slides"
+    ledger.decide("asperities", lacks=nothing)
+    floor, rolling = _least_rolling(rolled, inlets), rolled.get("rolling")
+    heated = None if rolling is None or inlets is None else share_in((1 - inlets.heating) * rolling, floor)
+    ledger.decide("inlet_heating", bound=heated, lacks=f"{nothing} or rolls in oil" if heated is None else None)
+    _starvation(ledger, floor, rolling, inlets)
+    ledger.decide("spin")
+
+
+def _least_rolling(rolled: dict[str, Array], inlets: InletFactors | None) -> Array:
+    """(n,) N m: the torque without sliding, with rolling in inlets that heat and starve."""
     least = dict(rolled)
-    if "rolling" in rolled:
-        least["rolling"] = rolled["rolling"] * np.prod(list(kept.values()), axis=0)
-    rubbing = _least(scene, balls, oiled, speed, beside=sum(least.values(), start=np.zeros_like(speed)))
-    rubbing, asperities = _with_asperities(scene, balls, oiled, choices, speed, rubbing)
-    rubbing, heating, rolling = _with_inlets(scene, balls, oiled, choices, rubbing, asperities, kept, rolled)
-    _spin(scene, balls, choices, rubbing)
-    shared = None if oiled is None else oiled.shared(asperities=asperities, heating_factor=heating)
-    return shared, rolled | ({} if rolling is None else {"rolling": rolling})
+    if "rolling" in rolled and inlets is not None:
+        starved = 1.0 if inlets.starvation is None else inlets.starvation
+        least["rolling"] = rolled["rolling"] * (inlets.heating * starved)
+    return np.asarray(sum(least.values(), start=0.0))
 
 
-def _least(scene: Scene, balls: LoadedBalls, oiled: LubricatedRaces | None, speed: Array, *, beside: Array) -> _Rubbing:
+def _least_friction(scene: Scene, balls: LoadedBalls, oiled: LubricatedRaces | None, *, beside: Array) -> _Friction:
     """Oil alone, or the given coefficient; beside : (n,) N m, the least of what else there is."""
-    rolls = rolling_power(balls)
+    rolls = rolling_lever(balls)
     if oiled is None:
-        force = spinning = np.asarray(scene.friction_coefficient) * balls.load
+        rolling = spinning = np.asarray(scene.friction_coefficient) * balls.load
     else:
-        force, spinning = (oiled.oil_friction(slip) for slip in _slips(balls, speed))
-    return _Rubbing(
+        rolling, spinning = (oiled.oil_friction(slip) for slip in _slips(oiled))
+    return _Friction(
         rolls=rolls,
-        spins=largest_spin_rise(balls),
-        uneven=1 + most_missed(balls, None if oiled is None else oiled.lubricant),
-        force=force,
+        spins=largest_spin_lever(balls),
+        uneven=1 + largest_error(balls, None if oiled is None else oiled.lubricant),
+        rolling=rolling,
         spinning=spinning,
-        floor=balls.total(force * rolls) + beside,
+        floor=balls.total(rolling * rolls) + beside,
     )
 
 
-def _slips(balls: LoadedBalls, speed: Array) -> list[Array]:
+def _slips(oiled: LubricatedRaces) -> list[Array]:
     """Slowest and fastest mean sliding of each contact, (2, n, m), m/s: without spin and with all of it."""
-    rolls = rolling_power(balls)
-    return [np.abs(speed)[:, None] * lever for lever in (rolls, rolls + full_spin(balls))]
+    rolls, speed = rolling_lever(oiled.balls), np.abs(oiled.ring_speed)[:, None]
+    return [speed * lever for lever in (rolls, rolls + full_spin_lever(oiled.balls))]
 
 
-def _with_asperities(
-    scene: Scene,
-    balls: LoadedBalls,
-    oiled: LubricatedRaces | None,
-    choices: Choices,
-    speed: Array,
-    rubbing: _Rubbing,
-) -> tuple[_Rubbing, bool]:
+def _asperities(oiled: LubricatedRaces | None, ledger: Ledger, friction: _Friction) -> _Friction:
     if oiled is None:
-        choices.settled("asperities", on=False, reason="the friction coefficient is given")
-        return rubbing, False
-    # Whether the film is thinned by heat is decided later: asperities are bounded as if it were.
-    thinned = 1.0 if scene.effects.get("inlet_heating") == "off" else oiled.heating_factor
+        ledger.decide("asperities")
+        return friction
+    # Whether heat thins the film is decided later: asperities are bounded as if it did.
+    thinned = 1.0 if ledger.scene.effects.get("inlet_heating") == "off" else oiled.heating_factor
     share = oiled.largest_asperity_share(thinned)
-    touching = share * _boundary(oiled) * rubbing.uneven
-    # Oil that bears less is less viscous by far, and shears beside what touches; its film is hardly thicker.
+    touching = share * _boundary(oiled) * friction.uneven
+    # Oil under less load is less viscous by far, and shears beside what touches; its film is hardly thicker.
     left = np.maximum(1 - share - oiled.largest_asperity_area(thinned), 0.0)
     thin = [
         oil - left * oiled.oil_friction(slip, borne=1 - share)
-        for oil, slip in zip((rubbing.force, rubbing.spinning), _slips(balls, speed), strict=True)
+        for oil, slip in zip((friction.rolling, friction.spinning), _slips(oiled), strict=True)
     ]
-    relieved = np.maximum(*thin) * rubbing.uneven / np.maximum(thinned, LEAST_FILM)
-    most = np.maximum(touching, relieved) * (rubbing.rolls + rubbing.spins)
-    if not choices.calls_for("asperities", share=share_in(balls.total(most), rubbing.floor)):
-        return rubbing, False
-    lost = np.minimum(relieved / rubbing.uneven, (1 - LEAST_FILM) * rubbing.force) * rubbing.rolls
+    relieved = np.maximum(*thin) * friction.uneven / np.maximum(thinned, LEAST_FILM)
+    most = np.maximum(touching, relieved) * (friction.rolls + friction.spins)
+    total = oiled.balls.total
+    if not ledger.decide("asperities", bound=share_in(total(most), friction.floor)):
+        return friction
+    lost = np.minimum(relieved / friction.uneven, (1 - LEAST_FILM) * friction.rolling) * friction.rolls
     return replace(
-        rubbing,
-        force=rubbing.force + touching,
-        spinning=rubbing.spinning + touching,
-        floor=rubbing.floor - balls.total(lost),
-    ), True
+        friction,
+        rolling=friction.rolling + touching,
+        spinning=friction.spinning + touching,
+        floor=friction.floor - total(lost),
+    )
 
 
-def _with_inlets(
-    scene: Scene,
+def _inlets(
     balls: LoadedBalls,
     oiled: LubricatedRaces | None,
-    choices: Choices,
-    rubbing: _Rubbing,
-    asperities: bool,
-    kept: dict[str, Array],
+    ledger: Ledger,
+    friction: _Friction,
+    *,
     rolled: dict[str, Array],
-) -> tuple[_Rubbing, Array | float, Array | None]:
-    """Heating and starvation; with the factor of heating on the film, and the torque of rolling where there is any."""
-    if scene.lubricant is None:
+    inlets: InletFactors | None,
+) -> _Friction:
+    """Heating and starvation."""
+    rolling = rolled.get("rolling")
+    if inlets is None:
         for name in ("inlet_heating", "starvation"):
-            choices.calls_for(name, share=None, lacks="no lubricant is given")
-        return rubbing, 1.0, None
-    rolling = rolled.get("rolling", np.zeros_like(rubbing.floor))
-    loss, factor, heating = (1 - kept["inlet_heating"]) * rolling, 1.0, 1.0
-    thinner = np.zeros_like(rubbing.force)
+            ledger.decide(name)
+        return friction
+    loss = 0.0 if rolling is None else (1 - inlets.heating) * rolling
+    thinner = np.zeros_like(friction.rolling)
     if oiled is not None:
         factor = oiled.heating_factor
-        if scene.lubricant.traction == "eyring_sinh":
-            thinner = rubbing.spinning * (1 / np.maximum(factor, LEAST_FILM) - 1)
-        if asperities:
+        if oiled.lubricant.traction == "eyring_sinh":
+            thinner = friction.spinning * (1 / np.maximum(factor, LEAST_FILM) - 1)
+        if ledger.is_on("asperities"):
             more = oiled.largest_asperity_share(factor) - oiled.largest_asperity_share()
             thinner = thinner + more * _boundary(oiled)
-        loss = loss + balls.total(rubbing.uneven * thinner * (rubbing.rolls + rubbing.spins))
-    if choices.calls_for("inlet_heating", share=share_in(loss, rubbing.floor)):
-        heating, rolling = factor, rolling * kept["inlet_heating"]
-        rubbing = replace(rubbing, spinning=rubbing.spinning + thinner)
-    starved = kept.get("starvation")
-    lacks = "bearing.bore_diameter and bearing.outside_diameter are not given" if starved is None else None
-    loss = None if starved is None else share_in((1 - starved) * rolling, rubbing.floor)
-    if choices.calls_for("starvation", share=loss, lacks=lacks) and starved is not None:
-        rolling = rolling * starved
-    return rubbing, heating, rolling if "rolling" in rolled else None
+        loss = loss + balls.total(friction.uneven * thinner * (friction.rolls + friction.spins))
+    acts = rolling is not None or oiled is not None
+    heated = ledger.decide(
+        "inlet_heating",
+        bound=share_in(np.asarray(loss), friction.floor),
+        lacks=None if acts else "the friction coefficient is given and rolling is left out: nothing depends on it",
+    )
+    if heated:
+        rolling = None if rolling is None else rolling * inlets.heating
+        friction = replace(friction, spinning=friction.spinning + thinner)
+    _starvation(ledger, friction.floor, rolling, inlets)
+    return friction
 
 
-def _spin(scene: Scene, balls: LoadedBalls, choices: Choices, rubbing: _Rubbing) -> None:
-    rise = rubbing.uneven * (rubbing.spinning * (rubbing.rolls + rubbing.spins) - rubbing.force * rubbing.rolls)
-    least = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
-    choices.calls_for("spin", share=share_in(balls.total(least[None]), rubbing.floor))
-
-
-def _kept_of_rolling(scene: Scene, lubricant: Lubricant, speed: Array) -> dict[str, Array]:
-    """(n,) of the hydrodynamic rolling torque, what heating and starvation of the inlets leave; by SKF's factors."""
-    bearing, nu = scene.bearing, inlet_viscosity(lubricant).viscosity / lubricant.density
-    bore, outside = bearing.bore_diameter, bearing.outside_diameter
-    mean = bearing.pitch_diameter if bore is None or outside is None else (bore + outside) / 2
-    kept = {
-        "inlet_heating": inlet_shear_factor(mean_diameter=mean, ring_speed=np.abs(speed), kinematic_viscosity=nu),
-    }
-    if bore is not None and outside is not None:
-        kept["starvation"] = replenishment_factor(
-            bore_diameter=bore,
-            outside_diameter=outside,
-            ring_speed=np.abs(speed),
-            kinematic_viscosity=nu,
-            lubrication=lubricant.supply,
-        )
-    return kept
+def _starvation(ledger: Ledger, floor: Array, rolling: Array | None, inlets: InletFactors | None) -> None:
+    """rolling : (n,) N m, with inlets that heat where that is on; None: left out."""
+    if rolling is None or inlets is None or inlets.starvation is None:
+        ledger.decide("starvation", lacks="rolling is left out: nothing depends on it")
+    else:
+        ledger.decide("starvation", bound=share_in((1 - inlets.starvation) * rolling, floor))
 
 
 def _boundary(oiled: LubricatedRaces) -> Array:

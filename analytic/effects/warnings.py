@@ -1,30 +1,28 @@
-"""What the reader has to know before using the numbers of a friction torque."""
+"""Warnings: what the reader has to know before using the numbers of a friction torque."""
 
 from collections.abc import Iterator
 
 import numpy as np
 
-from analytic.effects.ledger import Choices, size_of
+from analytic.contact.geometry import RACES
+from analytic.effects.ledger import Ledger, size_of
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import RollingResistance
-from analytic.scene import Scene
-
-RACES = ("inner", "outer")
 
 MOLECULE = 1e-9  # m, of an oil, its size
 
 
-def doubts(
-    scene: Scene,
-    choices: Choices,
+def torque_warnings(
+    ledger: Ledger,
     *,
-    watched: list[str],
+    limits: list[str],
     oiled: LubricatedRaces | None,
     shared: MixedContact | None,
     resistance: RollingResistance | None,
 ) -> list[str]:
-    """Every warning; watched: those of `analytic.effects.limits`."""
+    """Every warning; limits : those of `analytic.effects.limits`."""
+    scene = ledger.scene
     warnings = [*scene.warnings]
     if scene.friction_coefficient is not None:
         warnings.append(
@@ -45,24 +43,24 @@ def doubts(
         warnings += oiled.roughness.warnings
     for race, name in enumerate(RACES):
         if shared is not None:
-            warnings += _doubts_of_film(shared, race)
+            warnings += _film(shared, race)
         if resistance is not None and np.any(resistance.outside_range[race]):
             warnings.append(
                 f"rolling on the {name} race is extrapolated: its formula is for slow rolling of contacts that are "
                 "longer across it than along"
             )
-    return [*warnings, *watched, *_doubts_of_choices(scene, choices)]
+    return [*warnings, *limits, *_decisions(ledger)]
 
 
-def _doubts_of_choices(scene: Scene, choices: Choices) -> Iterator[str]:
+def _decisions(ledger: Ledger) -> Iterator[str]:
     """Effects that are left out for another reason than their size, and could be larger than the tolerance."""
-    for effect in choices.made.values():
-        if effect.decision == "off" and effect.share is not None and effect.share > scene.tolerance:
+    for effect in ledger.made.values():
+        if effect.decision == "off" and effect.share is not None and effect.share > ledger.scene.tolerance:
             beyond = ", more than the tolerance" if effect.share <= 1 else ""
             yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"
 
 
-def _doubts_of_film(shared: MixedContact, race: int) -> Iterator[str]:
+def _film(shared: MixedContact, race: int) -> Iterator[str]:
     name = RACES[race]
     if np.any(shared.without_film):
         yield (

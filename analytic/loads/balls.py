@@ -5,6 +5,7 @@ races have an axis of two in front, inner and outer; n operating points and m ba
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -13,12 +14,12 @@ from numpy.typing import ArrayLike
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
+from analytic.contact.rolling_contact import RollingContact, deformed_radius
 from analytic.loads.kinematics import BallKinematics, ball_kinematics
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.loads.thrust_inertia import thrust_at_speed
 from analytic.scene import Array, Bearing, ContactAngle
-from analytic.sliding.long_ellipse import deformed_radius
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -31,16 +32,29 @@ class LoadedBalls:
     load: Array  # (2, n, m) Q, N, >= 0
     contact_angle: Array  # (2, n, m) al, rad, >= 0 but where both angles are near 0
     contact: HertzContact  # (2, n, m)
-    curvature_along: Array  # (2, n, m) 1/R_x, relative, 1/m
-    curvature_across: Array  # (2, n, m) 1/R_y, 1/m
+    curvature_rolling: Array  # (2, n, m) 1/R_x, relative, 1/m
+    curvature_transverse: Array  # (2, n, m) 1/R_y, 1/m
     modulus: Array  # (2, 1, 1) E*, Pa
     deformed_radius: Array  # (2, 1, 1) R, of the contact surface across rolling, m
     motion: BallKinematics  # (n, m), per unit ring speed: the torque exists at standstill too
 
-    @property
-    def rolling_rate(self) -> Array:
-        """(2, n, m) w_roll/w."""
-        return np.stack([self.motion.inner_rolling_rate, self.motion.outer_rolling_rate])
+    @cached_property
+    def contacts(self) -> RollingContact:
+        """The contacts on both races, (2, n, m) or broadcasting to it: the only place where they are made."""
+        return RollingContact(
+            load=self.load,
+            semi_axis_rolling=self.contact.semi_axis_x,
+            semi_axis_transverse=self.contact.semi_axis_y,
+            curvature_rolling=self.curvature_rolling,
+            curvature_transverse=self.curvature_transverse,
+            modulus=self.modulus,
+            deformed_radius=self.deformed_radius,
+            rolling_rate=np.stack([self.motion.inner_rolling_rate, self.motion.outer_rolling_rate]),
+        )
+
+    def race(self, index: int) -> RollingContact:
+        """The contacts on the inner (0) or the outer race (1), (n, m) or broadcasting to it."""
+        return RollingContact(**{name: value[index] for name, value in vars(self.contacts).items()})
 
     def total(self, of_contact: Array) -> Array:
         """(n,) sum over all balls, and over both races where there is an axis for them."""
@@ -167,8 +181,8 @@ def _balls(
                 for name in vars(contacts[0])
             }
         ),
-        curvature_along=np.stack([along for along, _ in curvatures]),
-        curvature_across=np.stack([across for _, across in curvatures]),
+        curvature_rolling=np.stack([rolling for rolling, _ in curvatures]),
+        curvature_transverse=np.stack([transverse for _, transverse in curvatures]),
         modulus=np.reshape([contact_modulus(bearing.ball_material, groove.material) for groove in grooves], (2, 1, 1)),
         deformed_radius=deformed_radius(
             groove_radius=np.reshape([groove.groove_radius for groove in grooves], (2, 1, 1)),

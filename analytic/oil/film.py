@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import Array
 
@@ -76,11 +77,8 @@ class FilmAsymptotes:
 
 
 def central_film(
+    contact: EllipticContact,
     *,
-    curvature_x: ArrayLike,
-    curvature_y: ArrayLike,
-    load: ArrayLike,
-    modulus: ArrayLike,
     entrainment_speed: ArrayLike,
     viscosity: ArrayLike,
     pressure_viscosity: ArrayLike,
@@ -106,10 +104,7 @@ def central_film(
     Raises InputError for an argument of the wrong sign, not finite, or if shapes do not broadcast.
     """
     asymptotes = film_asymptotes(
-        curvature_x=curvature_x,
-        curvature_y=curvature_y,
-        load=load,
-        modulus=modulus,
+        contact,
         entrainment_speed=entrainment_speed,
         viscosity=viscosity,
         pressure_viscosity=pressure_viscosity,
@@ -127,11 +122,8 @@ def central_film(
 
 
 def film_asymptotes(
+    contact: EllipticContact,
     *,
-    curvature_x: ArrayLike,
-    curvature_y: ArrayLike,
-    load: ArrayLike,
-    modulus: ArrayLike,
     entrainment_speed: ArrayLike,
     viscosity: ArrayLike,
     pressure_viscosity: ArrayLike,
@@ -141,25 +133,28 @@ def film_asymptotes(
 
     Without speed all are -inf; without load those of elastic bodies are inf; without piezoviscosity its own are -inf.
     """
-    require_positive(curvature_x=curvature_x, curvature_y=curvature_y, modulus=modulus, viscosity=viscosity)
-    require_non_negative(load=load, pressure_viscosity=pressure_viscosity)
+    require_positive(viscosity=viscosity)
+    require_non_negative(pressure_viscosity=pressure_viscosity)
     require_finite(entrainment_speed=entrainment_speed)
     if largest_gap is not None:
         require_positive(largest_gap=largest_gap)
-    along, across = np.asarray(curvature_x, dtype=np.float64), np.asarray(curvature_y, dtype=np.float64)
-    stiff = 2 * np.asarray(modulus, dtype=np.float64)
+    rolling, transverse, load, modulus = (
+        np.asarray(value, dtype=np.float64)
+        for value in (contact.curvature_rolling, contact.curvature_transverse, contact.load, contact.modulus)
+    )
+    stiff = 2 * modulus  # E'
     speed = 2 * np.abs(np.asarray(entrainment_speed, dtype=np.float64))
     try:
-        ellipticity, log_along = across / along, np.log(along)
+        ellipticity, log_rolling = transverse / rolling, np.log(rolling)
         log_stiff = np.log(stiff)
         with np.errstate(divide="ignore"):  # ln 0 where there is no load, no speed or no piezoviscosity
-            log_u = np.log(speed) + np.log(viscosity) + log_along - log_stiff
-            log_w = np.log(load) + 2 * log_along - log_stiff
+            log_u = np.log(speed) + np.log(viscosity) + log_rolling - log_stiff
+            log_w = np.log(load) + 2 * log_rolling - log_stiff
             log_alpha = np.log(pressure_viscosity) + log_stiff
         moving = speed > 0
         log_u = np.where(moving, log_u, 0.0)
         log_m, log_l = log_w - 0.75 * log_u, log_alpha + log_u / 4
-        scale = log_u / 2 - log_along  # ln of R_x U^(1/2)
+        scale = log_u / 2 - log_rolling  # ln of R_x U^(1/2)
         log_ratio = np.log(ellipticity)
         elastic = np.log1p(0.006 * log_ratio + 0.63 * ellipticity ** (4 / 7))
         log_ri = np.log(145) - 15 / 7 * np.log1p(0.796 * ellipticity ** (14 / 15)) - log_ratio - 2 * log_m
@@ -169,7 +164,7 @@ def film_asymptotes(
         with np.errstate(invalid="ignore"):  # inf - inf with neither load nor piezoviscosity: H_EP is then not needed
             log_ep_loaded = np.where(log_l == -np.inf, -np.inf, log_ep - log_m / 12)
         piezoviscous = -np.logaddexp(-8 * log_rp, -8 * log_ep_loaded) / 8
-        room = -np.log(along + across)
+        room = -np.log(rolling + transverse)
         if largest_gap is not None:
             room = np.minimum(room, np.log(largest_gap))
         np.broadcast_shapes(room.shape, log_m.shape, log_l.shape)  # raises here what would not fit later

@@ -9,6 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
+from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import require_positive
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.film import CentralFilm, central_film, inlet_heating_factor, thermal_loading
@@ -30,14 +31,10 @@ class LubricatedRaces:
     surface: Surface
     roughness: GapRoughness
     tables: tuple[AsperityTable | None, AsperityTable | None]  # of inner and outer; None: smooth
+    ring_speed: Array  # (n,) w, rad/s
     entrainment_speed: Array  # (n, m) u, m/s
     film: CentralFilm  # (2, n, m) of smooth surfaces, isothermal
     film_factor: float  # on the formula's, in it
-
-    @property
-    def area(self) -> Array:
-        """A_H = pi a b, m^2."""
-        return np.pi * self.balls.contact.semi_axis_x * self.balls.contact.semi_axis_y
 
     @cached_property
     def heating_factor(self) -> Array:
@@ -62,7 +59,7 @@ class LubricatedRaces:
             if table is not None:
                 with np.errstate(all="ignore"):  # without load there is nothing to share
                     log_share = table.log_pressure((self.film.thickness * heating_factor)[race])
-                    log_share = log_share + np.log(self.area[race] / self.balls.load[race])
+                    log_share = log_share + np.log(self.balls.contacts.area[race] / self.balls.load[race])
                 share[race] = np.exp(np.minimum(np.nan_to_num(log_share, nan=-np.inf), 0.0))
         return np.where(self.film.thickness > 0, share, 1.0)
 
@@ -77,24 +74,23 @@ class LubricatedRaces:
 
     def oil_friction(self, slip_speed: Array, *, borne: Array | float = 1.0) -> Array:
         """(2, n, m) tau A_H of smooth surfaces at slip_speed and their mean pressure, of which oil has `borne`, N."""
-        mean = np.divide(self.balls.load, self.area, out=np.zeros_like(self.area), where=self.area > 0)
+        contacts = self.balls.contacts
         stress = oil_shear_stress(
-            self.lubricant, pressure=borne * mean, speed=slip_speed, film_thickness=self.film.thickness
+            self.lubricant,
+            pressure=borne * contacts.mean_pressure,
+            speed=slip_speed,
+            film_thickness=self.film.thickness,
         )
-        return stress * self.area
+        return stress * contacts.area
 
     def shared(self, *, asperities: bool, heating_factor: Array | float) -> MixedContact:
         """The load shared by film and asperities, or carried by the film alone."""
+        balls, factor = self.balls, np.broadcast_to(heating_factor, self.balls.load.shape)
         tables = self.tables if asperities else (None, None)
         if tables[0] is tables[1]:
-            return self._mixed(slice(None), tables[0], heating_factor)
-        races = [
-            self._mixed(slice(race, race + 1), table, np.broadcast_to(heating_factor, self.balls.load.shape)[race])
-            for race, table in enumerate(tables)
-        ]
-        return MixedContact(
-            **{name: np.concatenate([getattr(race, name) for race in races]) for name in vars(races[0])}
-        )
+            return self._mixed(balls.contacts, tables[0], factor)
+        races = [self._mixed(balls.race(race), table, factor[race]) for race, table in enumerate(tables)]
+        return MixedContact(**{name: np.stack([getattr(race, name) for race in races]) for name in vars(races[0])})
 
     def traction(self, shared: MixedContact, race: int) -> MixedTraction:
         """What resists sliding on one race, (n, m)."""
@@ -106,19 +102,15 @@ class LubricatedRaces:
             film_thickness=shared.film_thickness[race],
         )
 
-    def _mixed(self, races: slice, table: AsperityTable | None, heating_factor: Array | float) -> MixedContact:
-        balls, oil = self.balls, inlet_viscosity(self.lubricant)
+    def _mixed(self, contact: RollingContact, table: AsperityTable | None, heating_factor: Array) -> MixedContact:
+        oil = inlet_viscosity(self.lubricant)
         return mixed_contact(
-            curvature_x=balls.curvature_along[races],
-            curvature_y=balls.curvature_across[races],
-            load=balls.load[races],
-            modulus=balls.modulus[races],
-            contact_area=self.area[races],
+            contact,
             entrainment_speed=self.entrainment_speed,
             viscosity=oil.viscosity,
             pressure_viscosity=oil.pressure_viscosity,
             asperities=table,
-            heating_factor=self.film_factor * np.asarray(heating_factor),
+            heating_factor=self.film_factor * heating_factor,
         )
 
 
@@ -151,10 +143,7 @@ def lubricated_races(
     speed = ring_speed[:, None] * balls.motion.entrainment_speed
     oil = inlet_viscosity(lubricant)
     film = central_film(
-        curvature_x=balls.curvature_along,
-        curvature_y=balls.curvature_across,
-        load=balls.load,
-        modulus=balls.modulus,
+        balls.contacts,
         entrainment_speed=speed,
         viscosity=oil.viscosity,
         pressure_viscosity=oil.pressure_viscosity,
@@ -165,6 +154,7 @@ def lubricated_races(
         surface=surface,
         roughness=roughness,
         tables=(tables[0], tables[1]),
+        ring_speed=ring_speed,
         entrainment_speed=speed,
         film=replace(film, thickness=film_factor * film.thickness),
         film_factor=film_factor,

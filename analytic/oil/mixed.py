@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import expit
 
+from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_non_negative
 from analytic.numerics.root import bracketed_root
 from analytic.oil.film import FilmAsymptotes, film_asymptotes
@@ -38,12 +39,8 @@ class MixedContact:
 
 
 def mixed_contact(
+    contact: EllipticContact,
     *,
-    curvature_x: ArrayLike,
-    curvature_y: ArrayLike,
-    load: ArrayLike,
-    modulus: ArrayLike,
-    contact_area: ArrayLike,
     entrainment_speed: ArrayLike,
     viscosity: ArrayLike,
     pressure_viscosity: ArrayLike,
@@ -65,18 +62,15 @@ def mixed_contact(
     standstill is a jump. A contact without load has no share, and a smooth one only without speed, where h = 0.
     Raises InputError for an argument of the wrong sign, not finite, or if shapes do not broadcast.
     """
-    require_non_negative(contact_area=contact_area, heating_factor=heating_factor)
+    require_non_negative(heating_factor=heating_factor)
     asymptotes = film_asymptotes(
-        curvature_x=curvature_x,
-        curvature_y=curvature_y,
-        load=load,
-        modulus=modulus,
+        contact,
         entrainment_speed=entrainment_speed,
         viscosity=viscosity,
         pressure_viscosity=pressure_viscosity,
         largest_gap=largest_gap,
     )
-    force, area = np.asarray(load, dtype=np.float64), np.asarray(contact_area, dtype=np.float64)
+    force, area = np.asarray(contact.load, dtype=np.float64), contact.area
     try:
         with np.errstate(divide="ignore", invalid="ignore"):  # without load nobody asks for the softness
             log_heating, log_softness = np.log(heating_factor), np.log(area) - np.log(force)

@@ -14,8 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipe
 
 from analytic.contact.hertz import hertz_contact
+from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.scene import Array
+from analytic.oil.viscosity import inlet_viscosity
+from analytic.scene import Array, Bearing, Lubricant, Supply
+
+STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "grease": 6e-8}  # K_rs
+GEOMETRY = 3.1  # K_Z, deep-groove ball bearings of one row
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -28,13 +33,7 @@ class RollingResistance:
 
 
 def hydrodynamic_rolling(
-    *,
-    curvature_x: ArrayLike,
-    curvature_y: ArrayLike,
-    load: ArrayLike,
-    modulus: ArrayLike,
-    viscosity: ArrayLike,
-    entrainment_speed: ArrayLike,
+    contact: EllipticContact, *, viscosity: ArrayLike, entrainment_speed: ArrayLike
 ) -> RollingResistance:
     """Rolling force on each surface and the power that both lose; all arguments broadcast.
 
@@ -51,23 +50,25 @@ def hydrodynamic_rolling(
     Raises InputError for an argument of the wrong sign, not finite, or if shapes do not broadcast.
     """
     require_positive(viscosity=viscosity)
-    require_non_negative(load=load)
     require_finite(entrainment_speed=entrainment_speed)
-    unloaded = hertz_contact(curvature_x=curvature_x, curvature_y=curvature_y, load=1.0, modulus=modulus)
-    along, across = np.asarray(curvature_x, dtype=np.float64), np.asarray(curvature_y, dtype=np.float64)
-    stiff, force = 2 * np.asarray(modulus, dtype=np.float64), np.asarray(load, dtype=np.float64)
+    rolling, transverse, load, modulus = (
+        np.asarray(value, dtype=np.float64)
+        for value in (contact.curvature_rolling, contact.curvature_transverse, contact.load, contact.modulus)
+    )
+    unit = hertz_contact(curvature_x=rolling, curvature_y=transverse, load=1.0, modulus=modulus)
+    stiff = 2 * modulus  # E'
     speed = np.abs(np.asarray(entrainment_speed, dtype=np.float64))
-    slenderness = unloaded.semi_axis_x / unloaded.semi_axis_y  # kappa, the same at every load
+    slenderness = unit.semi_axis_x / unit.semi_axis_y  # kappa, the same at every load
     ellipse = ellipe(1 - np.minimum(slenderness, 1 / slenderness) ** 2)
-    beta = 4 / np.pi * ellipse / (1 + across / along)
+    beta = 4 / np.pi * ellipse / (1 + transverse / rolling)
     try:
-        u = 2 * np.asarray(viscosity, dtype=np.float64) * speed * along / stiff
-        load_share = beta**0.25 * slenderness * force * along**2 / stiff / 6.6  # M U^(3/4)/6.6, finite at standstill
+        u = 2 * np.asarray(viscosity, dtype=np.float64) * speed * rolling / stiff
+        load_share = beta**0.25 * slenderness * load * rolling**2 / stiff / 6.6  # M U^(3/4)/6.6, finite at standstill
         rigid = np.divide(
             u**0.75, u**0.75 + load_share, out=np.zeros(np.broadcast(u, load_share).shape), where=u > 0
         )  # 1/(1 + M/6.6)
         rising, level = 0.77 * beta ** (-1 / 3) * slenderness**0.12 * u ** (2 / 3), 1.8 * beta**-0.25 * u**0.75
-        width = 2 * unloaded.semi_axis_y * np.cbrt(force) * stiff / along
+        width = 2 * unit.semi_axis_y * np.cbrt(load) * stiff / rolling
         resistance = width * (rigid * rising + (1 - rigid) * level)
     except ValueError as problem:
         raise InputError(
@@ -76,7 +77,7 @@ def hydrodynamic_rolling(
     return RollingResistance(
         force=resistance,
         power=2 * speed * resistance,
-        outside_range=np.broadcast_to((along < across) | (rising < level), resistance.shape),
+        outside_range=np.broadcast_to((rolling < transverse) | (rising < level), resistance.shape),
     )
 
 
@@ -88,3 +89,99 @@ def rolling_torque(resistance: RollingResistance, *, entrainment_rate: ArrayLike
     """
     require_non_negative(entrainment_rate=entrainment_rate)
     return 2 * resistance.force * np.asarray(entrainment_rate)
+
+
+def hysteresis_moment(contact: EllipticContact, *, hysteresis_loss: ArrayLike) -> Array:
+    """M_h = (3/16) alpha' Q a, N m: the moment that resists rolling because the bodies lose elastic energy.
+
+    hysteresis_loss : alpha', share of the elastic energy that is lost in each cycle, >= 0; broadcasts with the contact
+    Source: equation 8 of [Paper], from [Johnson1985] p. 285, where a is the semi-axis along rolling.
+    """
+    require_non_negative(hysteresis_loss=hysteresis_loss)
+    return np.asarray(
+        3 / 16 * np.asarray(hysteresis_loss) * np.asarray(contact.load) * np.asarray(contact.semi_axis_rolling)
+    )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class InletFactors:
+    """The shares of the flooded, isothermal rolling torque that remain, each (n,), 0 to 1."""
+
+    heating: Array  # with an inlet that its own shear heats
+    starvation: Array | None  # with a starved inlet; None: the ring diameters are not known
+
+
+def inlet_factors(bearing: Bearing, lubricant: Lubricant, *, ring_speed: Array) -> InletFactors:
+    """Both factors of a bearing with the oil at its inlet temperature; ring_speed : w, (n,), rad/s, any sign."""
+    viscosity = inlet_viscosity(lubricant).viscosity / lubricant.density
+    bore, outside = bearing.bore_diameter, bearing.outside_diameter
+    known = bore is not None and outside is not None
+    heating = inlet_shear_factor(
+        mean_diameter=(bore + outside) / 2 if known else bearing.pitch_diameter,
+        ring_speed=np.abs(ring_speed),
+        kinematic_viscosity=viscosity,
+    )
+    if not known:
+        return InletFactors(heating=heating, starvation=None)
+    starvation = replenishment_factor(
+        bore_diameter=bore,
+        outside_diameter=outside,
+        ring_speed=np.abs(ring_speed),
+        kinematic_viscosity=viscosity,
+        supply=lubricant.supply,
+    )
+    return InletFactors(heating=heating, starvation=starvation)
+
+
+def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinematic_viscosity: ArrayLike) -> Array:
+    """phi_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 nu^0.64]: what heating of the inlet leaves of SKF's rolling torque, 0 to 1.
+
+    mean_diameter : d_m = (d + D)/2, m, > 0;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
+    """
+    require_positive(mean_diameter=mean_diameter, kinematic_viscosity=kinematic_viscosity)
+    require_non_negative(ring_speed=ring_speed)
+    surface = per_minute(ring_speed) * np.asarray(mean_diameter) * 1e3  # n d_m, mm/min
+    return 1 / (1 + 1.84e-9 * surface**1.28 * square_millimetres(kinematic_viscosity) ** 0.64)
+
+
+def replenishment_factor(
+    *,
+    bore_diameter: ArrayLike,
+    outside_diameter: ArrayLike,
+    ring_speed: ArrayLike,
+    kinematic_viscosity: ArrayLike,
+    supply: Supply,
+) -> Array:
+    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/[2 (D - d)])): what starvation leaves of SKF's rolling torque, 0 to 1.
+
+    bore_diameter, outside_diameter : d < D, m;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
+    supply : `oil_bath` (low level; also oil jet) or `grease` (also oil-air), K_rs of 3e-8 or 6e-8; K_Z = 3.1
+    1 - phi_rs bounds what is lost where replenishment is left out.
+    """
+    if supply not in STARVATION:
+        raise InputError(f'supply must be "oil_bath" or "grease", got {supply!r}')
+    bore, outside = ring_diameters(bore_diameter, outside_diameter)
+    require_positive(kinematic_viscosity=kinematic_viscosity)
+    require_non_negative(ring_speed=ring_speed)
+    passing = square_millimetres(kinematic_viscosity) * per_minute(ring_speed) * (bore + outside)
+    return np.exp(-STARVATION[supply] * passing * np.sqrt(GEOMETRY / (2 * (outside - bore))))
+
+
+def ring_diameters(bore_diameter: ArrayLike, outside_diameter: ArrayLike) -> tuple[Array, Array]:
+    """d and D in mm."""
+    require_positive(bore_diameter=bore_diameter, outside_diameter=outside_diameter)
+    bore, outside = 1e3 * np.asarray(bore_diameter), 1e3 * np.asarray(outside_diameter)
+    if not np.all(bore < outside):
+        raise InputError(
+            f"bore_diameter {bore_diameter!r} m must be below outside_diameter {outside_diameter!r} m: "
+            "they are the bearing's own, not the races'"
+        )
+    return bore, outside
+
+
+def per_minute(speed: ArrayLike) -> Array:
+    return np.asarray(speed) * 60 / (2 * np.pi)
+
+
+def square_millimetres(kinematic_viscosity: ArrayLike) -> Array:
+    return 1e6 * np.asarray(kinematic_viscosity)

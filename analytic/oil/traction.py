@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.oil.viscosity import viscosity_under_pressure
 from analytic.scene import Array, Lubricant
@@ -32,12 +33,12 @@ class CoulombTraction:
         return np.asarray(self.friction_coefficient) * pressure
 
     @property
-    def asks_speed(self) -> bool:
+    def depends_on_speed(self) -> bool:
         return False
 
-    def force(self, *, load: ArrayLike, area: ArrayLike) -> Callable[[Array], Array]:  # noqa: ARG002
-        """mu Q, N, as a function of the speed; the arguments broadcast with mu."""
-        friction = np.asarray(self.friction_coefficient) * np.asarray(load)
+    def force(self, contact: EllipticContact) -> Callable[[Array], Array]:
+        """mu Q, N, as a function of the speed; the contact broadcasts with mu."""
+        friction = np.asarray(self.friction_coefficient) * np.asarray(contact.load)
         return lambda _: friction
 
 
@@ -65,7 +66,7 @@ class MixedTraction:
             raise InputError("asperity_share and area_fraction must be at most 1: they are parts of a whole")
 
     @property
-    def asks_speed(self) -> bool:
+    def depends_on_speed(self) -> bool:
         return self.lubricant.traction != "eyring_constant"
 
     def stress(self, pressure: Array, speed: Array) -> Array:
@@ -74,17 +75,15 @@ class MixedTraction:
         oil = _oil_shear(self.lubricant, (1 - share) * pressure, np.asarray(self.film_thickness))(speed)
         return np.asarray(self.boundary_friction) * share * pressure + oil * (1 - np.asarray(self.area_fraction))
 
-    def force(self, *, load: ArrayLike, area: ArrayLike) -> Callable[[Array], Array]:
-        """mu_b s F + tau (A_H - A_a), N, as a function of the speed |v|, m/s, with tau at the mean pressure F/A_H.
+    def force(self, contact: EllipticContact) -> Callable[[Array], Array]:
+        """mu_b s Q + tau (A_H - A_a), N, as a function of the speed |v|, m/s, with tau at the mean pressure Q/A_H.
 
-        load : F, N, >= 0;  area : A_H, m^2, >= 0; they broadcast with the fields
-        A force, because the coefficient has no limit at F = 0.
+        The contact broadcasts with the fields. A force, because the coefficient has no limit at Q = 0.
         """
-        share, force, nominal = np.asarray(self.asperity_share), np.asarray(load), np.asarray(area)
-        mean = np.divide(force, nominal, out=np.zeros(np.broadcast(force, nominal).shape), where=nominal > 0)
-        shear = _oil_shear(self.lubricant, (1 - share) * mean, np.asarray(self.film_thickness))
-        boundary = np.asarray(self.boundary_friction) * share * force
-        wetted = (1 - np.asarray(self.area_fraction)) * nominal
+        share = np.asarray(self.asperity_share)
+        shear = _oil_shear(self.lubricant, (1 - share) * contact.mean_pressure, np.asarray(self.film_thickness))
+        boundary = np.asarray(self.boundary_friction) * share * np.asarray(contact.load)
+        wetted = (1 - np.asarray(self.area_fraction)) * contact.area
         return lambda speed: boundary + shear(speed) * wetted
 
 

@@ -10,12 +10,12 @@ the pure-rolling lines follow from the ratio; here they leave no net force.
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import require_non_negative, require_positive
 from analytic.scene import Array
 from analytic.sliding.long_ellipse import (
     FULL_SPIN,
     MicroslipTorque,
-    SlidingContact,
     pure_rolling_lines,
     spin_to_roll_ratio,
 )
@@ -23,15 +23,14 @@ from analytic.sliding.long_ellipse import (
 
 def as_printed_moments(
     *,
-    friction_coefficient: ArrayLike,
-    load: ArrayLike,
+    friction_force: ArrayLike,
     semi_axis_transverse: ArrayLike,
     ball_radius: ArrayLike,
     spin_to_roll: ArrayLike,
 ) -> tuple[Array, Array]:
     """(M_z, M_r), N m, by the names that the paper gives them; the arguments broadcast.
 
-    friction_coefficient : mu, >= 0;  load : F_n, N, >= 0;  semi_axis_transverse : b, m, >= 0
+    friction_force : mu F_n, N, >= 0;  semi_axis_transverse : b, m, >= 0
     ball_radius : r_b, m, > 0, as equation 11 uses it; the corrected form has the radius of the contact surface here
     spin_to_roll : eps, >= 0: the paper says nothing of negative ones
         eps = 0:        M_z = mu F_n b^2/(4 r_b),  M_r = 0                                            (2, 3)
@@ -40,14 +39,13 @@ def as_printed_moments(
         eps >= 1/2:     M_z = 0,  M_r = 0.375 mu F_n b                                                (6, 7)
     """
     require_non_negative(
-        friction_coefficient=friction_coefficient,
-        load=load,
+        friction_force=friction_force,
         semi_axis_transverse=semi_axis_transverse,
         spin_to_roll=spin_to_roll,
     )
     require_positive(ball_radius=ball_radius)
     ratio, half_length = np.asarray(spin_to_roll, dtype=np.float64), np.asarray(semi_axis_transverse)
-    pull = np.asarray(friction_coefficient) * np.asarray(load) * half_length  # mu F_n b
+    pull = np.asarray(friction_force) * half_length  # mu F_n b
     curved = pull * half_length / (4 * np.asarray(ball_radius))
     g1, g2 = pure_rolling_lines(np.minimum(ratio, FULL_SPIN))  # beyond it they are not asked for
     spin_bracket = g1**2 * (1 - g1**2 / 2) - g2**2 * (1 - g2**2 / 2)
@@ -58,15 +56,17 @@ def as_printed_moments(
 
 
 def as_printed_torque(
-    inner: SlidingContact,
-    outer: SlidingContact,
+    inner: RollingContact,
+    outer: RollingContact,
     *,
+    friction_force: tuple[ArrayLike, ArrayLike],
     inner_spin_rate: ArrayLike,
     outer_spin_rate: ArrayLike,
     ball_radius: ArrayLike,
 ) -> MicroslipTorque:
     """Torque of one ball from its slip on both races with the printed moments, N m; all fields and arguments broadcast.
 
+    friction_force : mu Q on the inner and on the outer race, N, >= 0
     inner_spin_rate, outer_spin_rate : w_s/w of each contact, of either sign, as `race.microslip_torque` finds them
     ball_radius : r_b, m, > 0
         spin = M_z,i |w_s,i|/w + M_z,o |w_s,o|/w,  conformity = M_r,i w_roll,i/w + M_r,o w_roll,o/w
@@ -79,13 +79,12 @@ def as_printed_torque(
     rates = [np.asarray(rate, dtype=np.float64) for rate in (inner_spin_rate, outer_spin_rate)]
     (inner_spin, inner_roll), (outer_spin, outer_roll) = (
         as_printed_moments(
-            friction_coefficient=contact.friction_coefficient,
-            load=contact.load,
+            friction_force=force,
             semi_axis_transverse=contact.semi_axis_transverse,
             ball_radius=ball_radius,
             spin_to_roll=spin_to_roll_ratio(contact, spin_rate=np.abs(rate)),
         )
-        for contact, rate in zip(contacts, rates, strict=True)
+        for contact, force, rate in zip(contacts, friction_force, rates, strict=True)
     )
     return MicroslipTorque(
         spin=inner_spin * np.abs(rates[0]) + outer_spin * np.abs(rates[1]),

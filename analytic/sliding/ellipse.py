@@ -16,12 +16,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import (
-    InputError,
-    require_finite,
-    require_non_negative,
-    require_positive,
-)
+from analytic.contact.rolling_contact import RollingContact
+from analytic.errors import InputError, require_finite, require_positive
 from analytic.numerics.root import bracketed_root, with_secant_slopes
 from analytic.scene import Array
 
@@ -44,15 +40,7 @@ class SlipMoments:
 
 
 def slip_over_ellipse(
-    *,
-    traction: Traction,
-    peak_pressure: ArrayLike,
-    semi_axis_rolling: ArrayLike,
-    semi_axis_transverse: ArrayLike,
-    deformed_radius: ArrayLike,
-    rolling_rate: ArrayLike,
-    spin_rate: ArrayLike,
-    nodes: tuple[int, int] = NODES,
+    contact: RollingContact, *, traction: Traction, spin_rate: ArrayLike, nodes: tuple[int, int] = NODES
 ) -> SlipMoments:
     """Moments of one contact from sliding in both directions at every point of it; the numbers broadcast.
 
@@ -66,35 +54,17 @@ def slip_over_ellipse(
         M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
     Raises InputError for an argument of the wrong sign or not finite, ConvergenceError if no c is found.
     """
-    return _slip(
-        traction,
-        *(peak_pressure, semi_axis_rolling, semi_axis_transverse, deformed_radius, rolling_rate, spin_rate),
-        nodes=nodes,
-        sideways=True,
-    )
+    return _slip(contact, traction, spin_rate, nodes=nodes, sideways=True)
 
 
 def slip_along_axis(
-    *,
-    traction: Traction,
-    peak_pressure: ArrayLike,
-    semi_axis_rolling: ArrayLike,
-    semi_axis_transverse: ArrayLike,
-    deformed_radius: ArrayLike,
-    rolling_rate: ArrayLike,
-    spin_rate: ArrayLike,
-    nodes: tuple[int, int] = NODES,
+    contact: RollingContact, *, traction: Traction, spin_rate: ArrayLike, nodes: tuple[int, int] = NODES
 ) -> SlipMoments:
     """The same with v_y = 0, of a contact much longer across rolling than along it; arguments as `slip_over_ellipse`.
 
     The traction still follows the pressure of each point along rolling.
     """
-    return _slip(
-        traction,
-        *(peak_pressure, semi_axis_rolling, semi_axis_transverse, deformed_radius, rolling_rate, spin_rate),
-        nodes=nodes,
-        sideways=False,
-    )
+    return _slip(contact, traction, spin_rate, nodes=nodes, sideways=False)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -123,7 +93,7 @@ def _sum(of_nodes: Array) -> Array:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Contact:
+class _Integrand:
     """Numbers of shape (*points, 1) and the quadrature; spin is a magnitude, as y may point either way."""
 
     traction: Traction
@@ -180,36 +150,25 @@ class _Contact:
 
 
 def _slip(
-    traction: Traction,
-    peak_pressure: ArrayLike,
-    semi_axis_rolling: ArrayLike,
-    semi_axis_transverse: ArrayLike,
-    deformed_radius: ArrayLike,
-    rolling_rate: ArrayLike,
-    spin_rate: ArrayLike,
-    *,
-    nodes: tuple[int, int],
-    sideways: bool,
+    contact: RollingContact, traction: Traction, spin_rate: ArrayLike, *, nodes: tuple[int, int], sideways: bool
 ) -> SlipMoments:
-    require_non_negative(peak_pressure=peak_pressure, rolling_rate=rolling_rate)
     require_positive(
-        semi_axis_rolling=semi_axis_rolling,
-        semi_axis_transverse=semi_axis_transverse,
-        deformed_radius=deformed_radius,
-        nodes=nodes,
+        semi_axis_rolling=contact.semi_axis_rolling, semi_axis_transverse=contact.semi_axis_transverse, nodes=nodes
     )
     require_finite(spin_rate=spin_rate)
-    given = (peak_pressure, semi_axis_rolling, semi_axis_transverse, deformed_radius, rolling_rate, spin_rate)
+    names = ("load", "semi_axis_rolling", "semi_axis_transverse", "deformed_radius", "rolling_rate")
     try:
-        arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given))
+        arrays = np.broadcast_arrays(
+            *(np.asarray(value, dtype=np.float64) for value in (*(getattr(contact, name) for name in names), spin_rate))
+        )
     except ValueError as problem:
         raise InputError(
             "the arguments of a slip have shapes that do not fit together: give equal lengths"
         ) from problem
-    pressure, along, across, radius, roll, spin = (array[..., None] for array in arrays)
-    contact = _Contact(
+    load, along, across, radius, roll, spin = (array[..., None] for array in arrays)
+    integrand = _Integrand(
         traction=traction,
-        pressure=pressure,
+        pressure=1.5 * load / (np.pi * along * across),
         along=along,
         across=across,
         roll=roll * across**2 / (2 * radius),
@@ -217,8 +176,8 @@ def _slip(
         sideways=sideways,
         nodes=nodes,
     )
-    creep = _forceless_creep(contact)
-    at = contact.at(creep)
+    creep = _forceless_creep(integrand)
+    at = integrand.at(creep)
     pull, along, across = at.pull, along[..., None], across[..., None]
     return SlipMoments(
         spin_moment=np.sign(arrays[5]) * _sum(pull * (at.slide * at.y * across + at.turn * at.x**2 * along)),
@@ -229,14 +188,14 @@ def _slip(
     )
 
 
-def _forceless_creep(contact: _Contact) -> Array:
+def _forceless_creep(integrand: _Integrand) -> Array:
     """c of no net force, (*points, 1): between the c that turn all friction one way and all the other way."""
-    roll, spin = contact.roll, contact.spin
+    roll, spin = integrand.roll, integrand.spin
     vertex = -np.divide(spin, 2 * roll, out=np.ones_like(spin), where=spin < 2 * roll)
     low, high = (roll * vertex + spin) * vertex, roll + spin
 
     def rising(creep: Array) -> Array:
-        at = contact.at(creep)
+        at = integrand.at(creep)
         force = _sum(at.pull * at.slide)
         return np.where(np.abs(force) <= BALANCED * _sum(at.friction), 0.0, -force)[..., None]
 

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.root import bracketed_root
 from analytic.scene import Array, SpinRule
@@ -23,27 +24,6 @@ from analytic.scene import Array, SpinRule
 FULL_SPIN = 0.5  # |eps| from which one pure-rolling line has left the contact and the other is its centre
 # Of the share of spin, or of the moments it balances: where Newton's quadratic steps can do no better.
 ROUND_OFF = 4 * np.finfo(np.float64).eps
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class SlidingContact:
-    """A ball on one race as its friction sees it: one entry a ball or an operating point; the fields broadcast."""
-
-    friction_coefficient: Array | float  # mu, >= 0
-    load: Array | float  # Q, N, >= 0
-    semi_axis_rolling: Array | float  # a, along rolling, m, >= 0
-    semi_axis_transverse: Array | float  # b, across rolling, m, >= 0
-    deformed_radius: Array | float  # R, of the contact surface across rolling, m, > 0
-    rolling_rate: Array | float  # w_roll/w, > 0
-
-    def __post_init__(self) -> None:
-        require_non_negative(
-            friction_coefficient=self.friction_coefficient,
-            load=self.load,
-            semi_axis_rolling=self.semi_axis_rolling,
-            semi_axis_transverse=self.semi_axis_transverse,
-        )
-        require_positive(deformed_radius=self.deformed_radius, rolling_rate=self.rolling_rate)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -58,17 +38,6 @@ class MicroslipTorque:
     outer_spin_moment: Array  # N m, with the sign of the spin
     inner_rolling_moment: Array  # N m, >= 0
     outer_rolling_moment: Array  # N m, >= 0
-
-
-def deformed_radius(*, groove_radius: ArrayLike, ball_diameter: ArrayLike) -> Array:
-    """R, m: radius of the contact surface across rolling, 2 f D/(2 f + 1) with f = r_g/D; the arguments broadcast.
-
-    groove_radius, ball_diameter : r_g, D, m, > 0
-    Bodies of equal elasticity meet halfway: the curvature of the surface is the mean of ball's and groove's.
-    """
-    require_positive(groove_radius=groove_radius, ball_diameter=ball_diameter)
-    conformity = np.asarray(groove_radius, dtype=np.float64) / np.asarray(ball_diameter, dtype=np.float64)
-    return 2 * conformity * np.asarray(ball_diameter, dtype=np.float64) / (2 * conformity + 1)
 
 
 def pure_rolling_lines(spin_to_roll: ArrayLike) -> tuple[Array, Array]:
@@ -88,37 +57,40 @@ def pure_rolling_lines(spin_to_roll: ArrayLike) -> tuple[Array, Array]:
 
 def microslip_moments(
     *,
-    friction_coefficient: ArrayLike,
-    load: ArrayLike,
+    friction_force: ArrayLike,
     semi_axis_transverse: ArrayLike,
     deformed_radius: ArrayLike,
     spin_to_roll: ArrayLike,
 ) -> tuple[Array, Array]:
     """(spin moment, rolling moment) of one contact, N m; the arguments broadcast.
 
-    friction_coefficient : mu, >= 0; load : Q, N, >= 0; semi_axis_transverse : b, m, >= 0; deformed_radius : R, m, > 0
+    friction_force : mu Q, N, >= 0;  semi_axis_transverse : b, m, >= 0;  deformed_radius : R, m, > 0
     spin_to_roll : eps = (w_s/w_roll)(R/b), any finite number; the spin moment is odd in it, the rolling moment even
         M_spin = (3/4) mu Q b [g1^2 (1 - g1^2/2) - g2^2 (1 - g2^2/2)]
         M_roll = mu Q b^2/(4 R) [2/5 + g1^3 (1 - 3 g1^2/5) - g2^3 (1 - 3 g2^2/5)]
     with the pure-rolling lines g1, g2. No spin: 0 and 0.0806 mu Q b^2/R; |eps| >= 1/2: (3/8) mu Q b and 0. The power
     that the contact loses is M_spin w_s + M_roll w_roll, and its derivative by w_s is M_spin.
     """
-    require_non_negative(
-        friction_coefficient=friction_coefficient, load=load, semi_axis_transverse=semi_axis_transverse
-    )
+    require_non_negative(friction_force=friction_force, semi_axis_transverse=semi_axis_transverse)
     require_positive(deformed_radius=deformed_radius)
     require_finite(spin_to_roll=spin_to_roll)
     ratio, half_length = np.asarray(spin_to_roll), np.asarray(semi_axis_transverse)
-    friction = np.asarray(friction_coefficient) * np.asarray(load)
+    friction = np.asarray(friction_force)
     spin = friction * half_length * np.sign(ratio) * _spin_moment(np.abs(ratio))
     return spin, friction * half_length**2 / np.asarray(deformed_radius) * _rolling_moment(np.abs(ratio))
 
 
 def microslip_torque(
-    inner: SlidingContact, outer: SlidingContact, *, spin_difference: ArrayLike, spin_rule: SpinRule
+    inner: RollingContact,
+    outer: RollingContact,
+    *,
+    friction_force: tuple[ArrayLike, ArrayLike],
+    spin_difference: ArrayLike,
+    spin_rule: SpinRule,
 ) -> MicroslipTorque:
-    """Torque of one ball from its slip on both races, N m; all fields and spin_difference broadcast.
+    """Torque of one ball from its slip on both races, N m; all fields and arguments broadcast.
 
+    friction_force : mu Q on the inner and on the outer race, N, >= 0
     spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) where the contact angles are equal
     `balanced`: the ball, free about the contact normal, takes the spin that leaves no moment on it,
         M_spin,i(w_s,i) + M_spin,o(w_s,o) = 0
@@ -132,7 +104,7 @@ def microslip_torque(
     difference = np.asarray(spin_difference, dtype=np.float64)
     match spin_rule:
         case "balanced":
-            shares = _balanced_shares(inner, outer, difference)
+            shares = _balanced_shares((inner, outer), friction_force, difference)
         case "inner_control":
             shares = np.zeros_like(difference), np.ones_like(difference)
         case "outer_control":
@@ -140,8 +112,8 @@ def microslip_torque(
         case _:
             raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
     inner_rate, outer_rate = shares[0] * difference, -shares[1] * difference
-    inner_spin, inner_roll = contact_moments(inner, spin_rate=inner_rate)
-    outer_spin, outer_roll = contact_moments(outer, spin_rate=outer_rate)
+    inner_spin, inner_roll = contact_moments(inner, friction_force=friction_force[0], spin_rate=inner_rate)
+    outer_spin, outer_roll = contact_moments(outer, friction_force=friction_force[1], spin_rate=outer_rate)
     fields = np.broadcast_arrays(
         inner_spin * inner_rate + outer_spin * outer_rate,
         inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
@@ -160,18 +132,17 @@ def microslip_torque(
     )
 
 
-def contact_moments(contact: SlidingContact, *, spin_rate: ArrayLike) -> tuple[Array, Array]:
+def contact_moments(contact: RollingContact, *, friction_force: ArrayLike, spin_rate: ArrayLike) -> tuple[Array, Array]:
     """(spin moment, rolling moment), N m: microslip_moments of a contact that spins with w_s/w = spin_rate."""
     return microslip_moments(
-        friction_coefficient=contact.friction_coefficient,
-        load=contact.load,
+        friction_force=friction_force,
         semi_axis_transverse=contact.semi_axis_transverse,
         deformed_radius=contact.deformed_radius,
         spin_to_roll=spin_to_roll_ratio(contact, spin_rate=spin_rate),
     )
 
 
-def spin_to_roll_ratio(contact: SlidingContact, *, spin_rate: ArrayLike) -> Array:
+def spin_to_roll_ratio(contact: RollingContact, *, spin_rate: ArrayLike) -> Array:
     """eps = (w_s/w_roll)(R/b) of a contact that spins with w_s/w = spin_rate; its fields and spin_rate broadcast.
 
     Where the contact is a point it is the largest number if it spins and 0 if it does not.
@@ -182,47 +153,24 @@ def spin_to_roll_ratio(contact: SlidingContact, *, spin_rate: ArrayLike) -> Arra
         return np.nan_to_num(numerator / denominator, nan=0.0)
 
 
-def sliding_number(contact: SlidingContact, *, entrainment_speed: ArrayLike, curvature_rolling: ArrayLike) -> Array:
+def sliding_number(contact: RollingContact, *, friction_coefficient: ArrayLike, entrainment_speed: ArrayLike) -> Array:
     """chi = [w_roll b^2/(2 R u)]/(mu a/R_x): sliding from conformity over elastic creep; all arguments broadcast.
 
-    entrainment_speed : u/w, m, > 0
-    curvature_rolling : 1/R_x, relative curvature along rolling, 1/m, > 0
+    friction_coefficient : mu, >= 0;  entrainment_speed : u/w, m, > 0
     Below about 3 part of the contact sticks, and the moments of micro-slip are too large. Infinite where mu or a is 0.
     """
-    require_positive(entrainment_speed=entrainment_speed, curvature_rolling=curvature_rolling)
+    require_non_negative(friction_coefficient=friction_coefficient)
+    require_positive(entrainment_speed=entrainment_speed)
     half_length, radius = np.asarray(contact.semi_axis_transverse), np.asarray(contact.deformed_radius)
     sliding = np.asarray(contact.rolling_rate) * half_length**2 / (2 * radius * np.asarray(entrainment_speed))
-    creep = np.asarray(contact.friction_coefficient) * np.asarray(contact.semi_axis_rolling)
-    creep = creep * np.asarray(curvature_rolling)
+    creep = np.asarray(friction_coefficient) * np.asarray(contact.semi_axis_rolling)
+    creep = creep * np.asarray(contact.curvature_rolling)
     return np.divide(sliding, creep, out=np.full(np.broadcast(sliding, creep).shape, np.inf), where=creep > 0)
 
 
-def hysteresis_moment(*, hysteresis_loss: ArrayLike, load: ArrayLike, semi_axis_rolling: ArrayLike) -> Array:
-    """M_h = (3/16) alpha' Q a, N m: what a body that gives back too little resists rolling with; arguments broadcast.
-
-    hysteresis_loss : alpha', share of the elastic energy lost in each cycle, >= 0
-    load : Q, N, >= 0;  semi_axis_rolling : a, along rolling, m, >= 0
-    The paper's equation 8, from Johnson (1985) p. 285 (not seen), where a is the semi-axis along rolling.
-    """
-    require_non_negative(hysteresis_loss=hysteresis_loss, load=load, semi_axis_rolling=semi_axis_rolling)
-    return np.asarray(3 / 16 * np.asarray(hysteresis_loss) * np.asarray(load) * np.asarray(semi_axis_rolling))
-
-
-def hysteresis_torque(inner: SlidingContact, outer: SlidingContact, *, hysteresis_loss: ArrayLike) -> Array:
-    """Torque of one ball from hysteresis on both races, N m: (M_h,i R_o + M_h,o R_i)/(2 r), equation 12 for one ball.
-
-    hysteresis_loss : alpha', >= 0; broadcasts with the fields of both contacts
-    """
-    torque = 0.0
-    for contact in (inner, outer):
-        moment = hysteresis_moment(
-            hysteresis_loss=hysteresis_loss, load=contact.load, semi_axis_rolling=contact.semi_axis_rolling
-        )
-        torque = torque + moment * np.asarray(contact.rolling_rate)
-    return np.asarray(torque)
-
-
-def _balanced_shares(inner: SlidingContact, outer: SlidingContact, difference: Array) -> tuple[Array, Array]:
+def _balanced_shares(
+    contacts: tuple[RollingContact, RollingContact], friction_force: tuple[ArrayLike, ArrayLike], difference: Array
+) -> tuple[Array, Array]:
     """Shares of w_s,i - w_s,o that inner and outer take so that their moments are opposite; they add up to 1.
 
     Newton kept in a bracket, for the contact that can carry the larger moment: its share is the one that can be next to
@@ -230,10 +178,10 @@ def _balanced_shares(inner: SlidingContact, outer: SlidingContact, difference: A
     """
     limit_inner, limit_outer, ratio_inner, ratio_outer = np.broadcast_arrays(
         *(
-            np.asarray(c.friction_coefficient) * np.asarray(c.load) * np.asarray(c.semi_axis_transverse)
-            for c in (inner, outer)
+            np.asarray(force) * np.asarray(contact.semi_axis_transverse)
+            for contact, force in zip(contacts, friction_force, strict=True)
         ),
-        *(spin_to_roll_ratio(c, spin_rate=difference) for c in (inner, outer)),
+        *(spin_to_roll_ratio(contact, spin_rate=difference) for contact in contacts),
     )
     swap = limit_outer > limit_inner
     limit, limit_other = np.where(swap, limit_outer, limit_inner), np.where(swap, limit_inner, limit_outer)

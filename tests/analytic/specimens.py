@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.effects.ledger import COMPUTED
+from analytic.effects.table import COMPUTED
 from analytic.result import TorqueParts
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Lubricant, Operation, Scene, Surface
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.effects.ledger import EFFECTS
+from analytic.effects.table import ENTRIES
 from analytic.errors import InputError
 from analytic.scene import Bearing, ContactAngle, Scene
 from analytic.scenefile.read import builtin_scene, parse_scene
@@ -28,7 +28,7 @@ def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
     assert found.torque.cage is None
     np.testing.assert_array_equal(found.torque.total, part(found.torque, "spin"))
     told = {effect.name: effect for effect in found.effects}
-    assert list(told) == list(EFFECTS)
+    assert list(told) == list(ENTRIES)
     assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "the scene says on")
     assert (told["conformity"].decision, told["conformity"].share) == ("off", None)
     assert "says off" in told["conformity"].reason

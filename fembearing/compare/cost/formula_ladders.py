@@ -11,7 +11,7 @@ import numpy as np
 
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.contact.hertz_fitted import fitted_error, hertz_contact_fitted
-from analytic.effects.ledger import COMPUTED
+from analytic.effects.table import COMPUTED
 from analytic.effects.loads import inertia_shares, points
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, ring_balls, thrust_balls_at_speed

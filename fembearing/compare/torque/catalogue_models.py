@@ -10,18 +10,21 @@ edition has 0.15 for mu_bl). A. Palmgren, Ball and Roller Bearing Engineering, 3
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.oil.rolling import (
+    inlet_shear_factor,
+    per_minute,
+    replenishment_factor,
+    ring_diameters,
+    square_millimetres,
+)
 from analytic.oil.viscosity import inlet_viscosity
-from analytic.scene import Array, Scene
+from analytic.scene import Array, Scene, Supply
 
-Lubrication = Literal["oil_bath", "grease"]
-STARVATION = {"oil_bath": 3e-8, "grease": 6e-8}  # K_rs
-GEOMETRY = 3.1  # K_Z, deep-groove ball bearings of one row
 ROLLING = (3.9e-7, 1.7)  # R_1, R_2 of series 62
 SLIDING = (3.23e-3, 36.5)  # S_1, S_2 of series 62
 BOUNDARY_FRICTION = 0.12  # mu_bl
@@ -113,7 +116,7 @@ def catalogue_band(
     radial_load: ArrayLike,
     ring_speed: ArrayLike,
     kinematic_viscosity: ArrayLike,
-    lubrication: Lubrication,
+    lubrication: Supply,
 ) -> CatalogueBand:
     """Both models, Palmgren's with the least and the largest of his usual load factors; arguments as `skf_torque`."""
     values = {
@@ -153,7 +156,7 @@ def skf_torque(
     radial_load: ArrayLike,
     ring_speed: ArrayLike,
     kinematic_viscosity: ArrayLike,
-    lubrication: Lubrication,
+    lubrication: Supply,
 ) -> Array:
     """SKF's rolling and sliding torque M_rr + M_sl, N m, without seals and drag; the arguments broadcast.
 
@@ -169,7 +172,7 @@ def skf_torque(
     normal clearance.
     Raises InputError for an argument of the wrong sign or not finite, and for a bore no smaller than the outside.
     """
-    bore, outside = _diameters(bore_diameter, outside_diameter)
+    bore, outside = ring_diameters(bore_diameter, outside_diameter)
     load, thrust, oil, speed = _operation(
         static_rating, axial_load, radial_load, kinematic_viscosity=kinematic_viscosity, ring_speed=ring_speed
     )
@@ -191,7 +194,7 @@ def skf_torque(
         outside_diameter=outside_diameter,
         ring_speed=ring_speed,
         kinematic_viscosity=kinematic_viscosity,
-        lubrication=lubrication,
+        supply=lubrication,
     )
     boundary = np.exp(-2.6e-8 * (speed * oil) ** 1.4 * mean)
     friction = boundary * BOUNDARY_FRICTION + (1 - boundary) * FILM_FRICTION
@@ -216,7 +219,7 @@ def palmgren_torque(
     M_0 does not end at standstill: it is meant for bearings that turn at ordinary speed under ordinary load.
     """
     require_positive(load_factor=load_factor)
-    bore, outside = _diameters(bore_diameter, outside_diameter)
+    bore, outside = ring_diameters(bore_diameter, outside_diameter)
     load, thrust, oil, speed = _operation(
         static_rating, axial_load, radial_load, kinematic_viscosity=kinematic_viscosity, ring_speed=ring_speed
     )
@@ -227,52 +230,6 @@ def palmgren_torque(
     working = np.maximum(3.3 * thrust - 0.1 * load, load)
     loaded = np.asarray(load_factor) * (static / np.asarray(static_rating)) ** 0.55 * working * mean
     return (viscous + loaded) / 1e3  # N mm to N m
-
-
-def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinematic_viscosity: ArrayLike) -> Array:
-    """phi_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 nu^0.64]: what heating of the inlet leaves of SKF's rolling torque, 0 to 1.
-
-    mean_diameter : d_m = (d + D)/2, m, > 0;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
-    """
-    require_positive(mean_diameter=mean_diameter, kinematic_viscosity=kinematic_viscosity)
-    require_non_negative(ring_speed=ring_speed)
-    surface = _per_minute(ring_speed) * np.asarray(mean_diameter) * 1e3  # n d_m, mm/min
-    return 1 / (1 + 1.84e-9 * surface**1.28 * _square_millimetres(kinematic_viscosity) ** 0.64)
-
-
-def replenishment_factor(
-    *,
-    bore_diameter: ArrayLike,
-    outside_diameter: ArrayLike,
-    ring_speed: ArrayLike,
-    kinematic_viscosity: ArrayLike,
-    lubrication: Lubrication,
-) -> Array:
-    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/[2 (D - d)])): what starvation leaves of SKF's rolling torque, 0 to 1.
-
-    bore_diameter, outside_diameter : d < D, m;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
-    lubrication : `oil_bath` (low level; also oil jet) or `grease` (also oil-air), K_rs of 3e-8 or 6e-8; K_Z = 3.1
-    1 - phi_rs bounds what is lost where replenishment is left out.
-    """
-    if lubrication not in STARVATION:
-        raise InputError(f'lubrication must be "oil_bath" or "grease", got {lubrication!r}')
-    bore, outside = _diameters(bore_diameter, outside_diameter)
-    require_positive(kinematic_viscosity=kinematic_viscosity)
-    require_non_negative(ring_speed=ring_speed)
-    passing = _square_millimetres(kinematic_viscosity) * _per_minute(ring_speed) * (bore + outside)
-    return np.exp(-STARVATION[lubrication] * passing * np.sqrt(GEOMETRY / (2 * (outside - bore))))
-
-
-def _diameters(bore_diameter: ArrayLike, outside_diameter: ArrayLike) -> tuple[Array, Array]:
-    """d and D in mm."""
-    require_positive(bore_diameter=bore_diameter, outside_diameter=outside_diameter)
-    bore, outside = 1e3 * np.asarray(bore_diameter), 1e3 * np.asarray(outside_diameter)
-    if not np.all(bore < outside):
-        raise InputError(
-            f"bore_diameter {bore_diameter!r} m must be below outside_diameter {outside_diameter!r} m: "
-            "they are the bearing's own, not the races'"
-        )
-    return bore, outside
 
 
 def _operation(
@@ -287,12 +244,4 @@ def _operation(
     require_positive(static_rating=static_rating, kinematic_viscosity=kinematic_viscosity)
     require_non_negative(axial_load=axial_load, radial_load=radial_load, ring_speed=ring_speed)
     load, thrust = np.asarray(radial_load, dtype=np.float64), np.asarray(axial_load, dtype=np.float64)
-    return load, thrust, _square_millimetres(kinematic_viscosity), _per_minute(ring_speed)
-
-
-def _per_minute(speed: ArrayLike) -> Array:
-    return np.asarray(speed) * 60 / (2 * np.pi)
-
-
-def _square_millimetres(kinematic_viscosity: ArrayLike) -> Array:
-    return 1e6 * np.asarray(kinematic_viscosity)
+    return load, thrust, square_millimetres(kinematic_viscosity), per_minute(ring_speed)

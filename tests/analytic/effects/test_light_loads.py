@@ -11,7 +11,7 @@ from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
-from analytic.uncertainty import with_model_uncertainty
+from analytic.torque import with_model_uncertainty
 
 OILED = """
 name = "light"

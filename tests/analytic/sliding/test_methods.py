@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.effects.ledger import COMPUTED
+from analytic.effects.table import COMPUTED
 from analytic.loads.balls import LoadedBalls, thrust_balls
 from analytic.oil.lubricated_races import lubricated_races
 from analytic.scene import Array, Bearing, ContactAngle, Lubricant

@@ -1,0 +1,89 @@
+"""The contact of a ball with its race, or with its cage pocket, as film, rolling resistance and sliding take it.
+
+z runs along the load, x along rolling, y transverse. All fields of a contact broadcast: one entry for each ball, race
+or operating point. A friction coefficient or a law of traction is an argument of its own and no field.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.contact.hertz import hertz_contact
+from analytic.errors import require_non_negative, require_positive
+from analytic.scene import Array
+
+Numbers = Array | float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class EllipticContact:
+    """Two elastic bodies under load; raises InputError for a field of the wrong sign or not finite."""
+
+    load: Numbers  # Q, N, >= 0
+    semi_axis_rolling: Numbers  # a, m, >= 0, and not 0 under load
+    semi_axis_transverse: Numbers  # b, m, likewise
+    curvature_rolling: Numbers  # 1/R_x, relative curvature of both bodies along rolling, 1/m, > 0
+    curvature_transverse: Numbers  # 1/R_y, relative curvature across rolling, 1/m, > 0
+    modulus: Numbers  # E*, Pa, > 0
+
+    def __post_init__(self) -> None:
+        require_non_negative(
+            load=self.load,
+            semi_axis_rolling=self.semi_axis_rolling,
+            semi_axis_transverse=self.semi_axis_transverse,
+        )
+        require_positive(
+            curvature_rolling=self.curvature_rolling,
+            curvature_transverse=self.curvature_transverse,
+            modulus=self.modulus,
+        )
+
+    @property
+    def area(self) -> Array:
+        """A_H = pi a b, m^2."""
+        return np.pi * np.asarray(self.semi_axis_rolling) * np.asarray(self.semi_axis_transverse)
+
+    @property
+    def mean_pressure(self) -> Array:
+        """Q/A_H, Pa; 0 where the contact is a point."""
+        load, area = np.broadcast_arrays(np.asarray(self.load, dtype=np.float64), self.area)
+        return np.divide(load, area, out=np.zeros(area.shape), where=area > 0)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RollingContact(EllipticContact):
+    """A ball that rolls on its race; rates are per unit ring speed w, so that they exist at standstill."""
+
+    deformed_radius: Numbers  # R, of the contact surface across rolling, m, > 0
+    rolling_rate: Numbers  # w_roll/w, > 0
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        require_positive(deformed_radius=self.deformed_radius, rolling_rate=self.rolling_rate)
+
+
+def elliptic_contact(
+    *, curvature_rolling: ArrayLike, curvature_transverse: ArrayLike, load: ArrayLike, modulus: ArrayLike
+) -> EllipticContact:
+    """The contact of two bodies with the semi-axes of `hertz_contact`; its arguments and errors, which broadcast."""
+    hertz = hertz_contact(curvature_x=curvature_rolling, curvature_y=curvature_transverse, load=load, modulus=modulus)
+    return EllipticContact(
+        load=np.asarray(load, dtype=np.float64),
+        semi_axis_rolling=hertz.semi_axis_x,
+        semi_axis_transverse=hertz.semi_axis_y,
+        curvature_rolling=np.asarray(curvature_rolling, dtype=np.float64),
+        curvature_transverse=np.asarray(curvature_transverse, dtype=np.float64),
+        modulus=np.asarray(modulus, dtype=np.float64),
+    )
+
+
+def deformed_radius(*, groove_radius: ArrayLike, ball_diameter: ArrayLike) -> Array:
+    """R, m: radius of the contact surface across rolling, 2 f D/(2 f + 1) with f = r_g/D; the arguments broadcast.
+
+    groove_radius, ball_diameter : r_g, D, m, > 0
+    Bodies of equal elasticity meet halfway: the curvature of the surface is the mean of ball's and groove's.
+    """
+    require_positive(groove_radius=groove_radius, ball_diameter=ball_diameter)
+    conformity = np.asarray(groove_radius, dtype=np.float64) / np.asarray(ball_diameter, dtype=np.float64)
+    return 2 * conformity * np.asarray(ball_diameter, dtype=np.float64) / (2 * conformity + 1)

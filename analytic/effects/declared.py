@@ -1,0 +1,25 @@
+"""Losses that no formula here gives: the scene declares them, and the total counts them."""
+
+import numpy as np
+
+from analytic.effects.ledger import Ledger, share_in
+from analytic.effects.table import DECLARED
+from analytic.errors import require_non_negative
+from analytic.scene import Array
+
+
+def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
+    """(n,) N m, of seals and drag together; settles both. None: nothing is declared.
+
+    computed : (n,) N m, the torque of all that is computed
+    Raises InputError for a loss below 0.
+    """
+    given = {name: getattr(ledger.scene.losses, name) for name in DECLARED}
+    known = {name: value for name, value in given.items() if value is not None}
+    require_non_negative(**{f"losses.{name}": value for name, value in known.items()})
+    total = computed + sum(known.values(), start=0.0)
+    for name, value in given.items():
+        share = None if value is None else share_in(np.full_like(total, value), total)
+        reason = "not declared" if value is None else "declared by the scene"
+        ledger.settle(name, on=value is not None, share=share, reason=reason)
+    return np.full_like(computed, sum(known.values())) if known else None
