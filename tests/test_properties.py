@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 
 from analytic import friction_torque, load_scene
-from analytic.effects.ledger import COMPUTED
+from analytic.effects.table import COMPUTED
 from analytic.errors import InputError
 from analytic.scene import Autocorrelation, ContactAngle, Operation, Scene
 

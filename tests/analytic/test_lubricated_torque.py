@@ -9,6 +9,7 @@ import pytest
 
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import contact_modulus
+from analytic.contact.rolling_contact import elliptic_contact
 from analytic.errors import InputError
 from analytic.oil.film import central_film, inlet_heating_factor
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
@@ -44,8 +45,7 @@ def scene(bearing_6205: Bearing) -> Scene:
 def at_rest(scene: Scene) -> Scene:
     return replace(scene, operation=Operation(axial_load=np.array([730.0]), inner_speed=np.array([0.0])))
 
-
-def as_given(scene: Scene, coefficient: float) -> Scene:
+    effects = PLAIN | {"inlet_heating": "auto", "asperities": "auto"}  # which need an oil and a surface
     effects = PLAIN | {"inlet_heating": "auto"}  # which needs an oil
     return replace(scene, lubricant=None, surface=None, friction_coefficient=coefficient, effects=effects)
 
@@ -65,12 +65,15 @@ def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float
         film, share = getattr(found.film, race), getattr(found.asperity_share, race)
         contact, groove = getattr(found, race), getattr(bearing, race)
         modulus = contact_modulus(bearing.ball_material, groove.material)
-        along, across = race_curvatures(bearing, race, contact_angle=found.contact_angle)
-        oil = central_film(
-            curvature_x=along,
-            curvature_y=across,
+        rolling, transverse = race_curvatures(bearing, race, contact_angle=found.contact_angle)
+        softer = elliptic_contact(
+            curvature_rolling=rolling,
+            curvature_transverse=transverse,
             load=contact.load * (1 - share),
             modulus=modulus * (1 - share),
+        )
+        oil = central_film(
+            softer,
             entrainment_speed=u,
             viscosity=viscosity,
             pressure_viscosity=OIL.pressure_viscosity * x,

@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.effects.ledger import COMPUTED, Choices
+from analytic.effects.ledger import Ledger
+from analytic.effects.table import COMPUTED
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import EVERYTHING, FINISH, OIL, drawn, idling, without
@@ -23,15 +24,15 @@ def shares(
 ) -> dict[str, tuple[np.ndarray, np.ndarray]]:
     """Of each effect: the change of the torque where it alone is off, over the torque, and its bound, (n,)."""
     told: dict[str, np.ndarray] = {}
-    original = Choices.calls_for
+    original = Ledger.decide
 
-    def remembered(self: Choices, name: str, *, share: np.ndarray | None, lacks: str | None = None) -> bool:
-        if share is not None:
-            told[name] = share
-        return original(self, name, share=share, lacks=lacks)
+    def remembered(self: Ledger, name: str, *, bound: np.ndarray | None = None, lacks: str | None = None) -> bool:
+        if bound is not None:
+            told[name] = bound
+        return original(self, name, bound=bound, lacks=lacks)
 
     with monkeypatch.context() as patch:
-        patch.setattr(Choices, "calls_for", remembered)
+        patch.setattr(Ledger, "decide", remembered)
         whole = friction_torque(scene).torque.total
     measured = {
         name: np.abs(friction_torque(without(scene, name)).torque.total / whole - 1) for name in told if name in names
@@ -121,7 +122,7 @@ def test_oil_that_its_own_heat_thins_lets_spin_cost_more(scene: Scene, monkeypat
         operation=Operation(axial_load=np.array([430.0, 1600.0]), inner_speed=np.array([1000.0, 1070.0])),
         lubricant=replace(OIL, viscosity=0.2, eyring_stress=2.1e6),
         sliding="single_coefficient",
-        effects={**EVERYTHING, **dict.fromkeys(("centrifugal", "gyroscopic", "rolling"), "off")},
+        effects={**EVERYTHING, **dict.fromkeys(("centrifugal", "gyroscopic", "rolling", "starvation"), "off")},
     )
     measured, bound = shares(hot, monkeypatch, ("spin",))["spin"]
     assert np.all(measured > 0.3)

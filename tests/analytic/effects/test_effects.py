@@ -14,8 +14,8 @@ import analytic.loads.ring
 import analytic.oil.lubricated_races
 import analytic.sliding.ball
 import analytic.torque
-from analytic.effects.ledger import Choices
-from analytic.effects.warnings import doubts
+from analytic.effects.ledger import Ledger
+from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
@@ -132,7 +132,7 @@ def test_starvation_left_out_takes_nothing_from_rolling(
     scene: Scene, how: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Its bound is the formula itself: what is skipped is its use."""
-    factor = Calls(monkeypatch, analytic.effects.sliding, "replenishment_factor")
+    factor = Calls(monkeypatch, analytic.oil.rolling, "replenishment_factor")
     effects = {"inlet_heating": "off", "starvation": how}
     found = friction_torque(replace(scene, effects=effects))
     assert (decided(found)["starvation"], len(factor)) == ("off", 1)
@@ -174,13 +174,13 @@ def test_what_is_a_part_of_the_torque_and_left_out_never_runs(scene: Scene, monk
 
 
 def test_auto_spends_its_half_of_the_tolerance_on_all_effects_together(scene: Scene) -> None:
-    choices = Choices(replace(scene, tolerance=0.1), 2)
-    assert not choices.calls_for("centrifugal", share=np.array([0.03, 0.001]))
-    assert not choices.calls_for("gyroscopic", share=np.array([0.001, 0.04]))  # at no point more than 0.05
-    assert choices.calls_for("finite_geometry", share=np.array([0.03, 0.0]))
-    assert not choices.calls_for("spin", share=np.array([0.015, 0.005]))
-    np.testing.assert_allclose(choices.left_out, [0.046, 0.046], rtol=1e-14)  # round-off
-    assert "0.041 already left out" in choices.made["finite_geometry"].reason
+    ledger = Ledger(replace(scene, tolerance=0.1), 2)
+    assert not ledger.decide("centrifugal", bound=np.array([0.03, 0.001]))
+    assert not ledger.decide("gyroscopic", bound=np.array([0.001, 0.04]))  # at no point more than 0.05
+    assert ledger.decide("finite_geometry", bound=np.array([0.03, 0.0]))
+    assert not ledger.decide("spin", bound=np.array([0.015, 0.005]))
+    np.testing.assert_allclose(ledger.left_out, [0.046, 0.046], rtol=1e-14)  # round-off
+    assert "0.041 already left out" in ledger.made["finite_geometry"].reason
 
 
 def test_thrust_and_radial_load_in_one_series_do_not_skid(scene: Scene) -> None:
@@ -256,13 +256,13 @@ def test_balls_that_skid_are_refused_with_their_speed(scene: Scene) -> None:
 )
 def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, words: str) -> None:
     """Where it calls for the effect, and in the warning where the scene leaves the effect out all the same."""
-    choices = Choices(replace(scene, effects={"spin": "off"}), 2)
-    choices.calls_for("centrifugal", share=np.array([share, 0.02]))
-    choices.calls_for("spin", share=np.array([share, 0.02]))
-    called, left = choices.made["centrifugal"], choices.made["spin"]
+    ledger = Ledger(replace(scene, effects={"spin": "off"}), 2)
+    ledger.decide("centrifugal", bound=np.array([share, 0.02]))
+    ledger.decide("spin", bound=np.array([share, 0.02]))
+    called, left = ledger.made["centrifugal"], ledger.made["spin"]
     assert called.reason == (f"{words}, more than 0.15 leaves" if share < 1 else words)  # half of the tolerance
     assert (left.decision, left.share, left.reason) == ("off", share, "the scene says off")
-    told = doubts(scene, choices, watched=[], oiled=None, shared=None, resistance=None)
+    told = torque_warnings(ledger, limits=[], oiled=None, shared=None, resistance=None)
     beyond = ", more than the tolerance" if share < 1 else ""
     assert f"spin is left out and {words}{beyond}: the scene says off" in told
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.contact.factors import ContactCorrection
-from analytic.effects.ledger import COMPUTED
+from analytic.effects.table import COMPUTED
 from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene

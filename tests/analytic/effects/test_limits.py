@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.effects.bounds import gyroscopic_slip_ratio
-from analytic.effects.ledger import WATCHED
+from analytic.effects.table import LIMITS
 from analytic.loads.ring import ring_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene
@@ -48,7 +48,7 @@ def numbers_in(text: str) -> list[float]:
 
 def test_every_watched_effect_is_listed_with_its_number(scene: Scene) -> None:
     found = friction_torque(scene)
-    assert {effect.name for effect in found.effects} >= set(WATCHED)
+    assert {effect.name for effect in found.effects} >= set(LIMITS)
     peak, share, limit = numbers_in(reason_of(found, "plasticity"))
     np.testing.assert_allclose([peak, share], [2.1831e9, 2.1831 / 4.2], rtol=5e-4)  # four and three digits
     assert limit == 4.2e9
@@ -66,7 +66,7 @@ def test_every_watched_effect_is_listed_with_its_number(scene: Scene) -> None:
 
 def test_nothing_slides_and_no_cage(scene: Scene) -> None:
     found = friction_torque(replace(scene, cage=None, effects={"spin": "off", "conformity": "off"}))
-    assert reason_of(found, "elastic_creep") == "no effect of sliding is asked for"
+    assert reason_of(found, "elastic_creep") == "nothing slides"
     assert reason_of(found, "cage") == "no cage is given"
 
 

@@ -1,0 +1,125 @@
+"""The table of effects is complete whatever the scene says, and `on` is never without consequence or refusal."""
+
+import re
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.effects.ledger import Ledger
+from analytic.effects.table import CHOSEN, COMPUTED, ENTRIES
+from analytic.errors import InputError
+from analytic.result import FrictionTorque
+from analytic.scene import Bearing, Cage, Scene
+from analytic.torque import friction_torque
+from tests.analytic.specimens import drawn, dry, idling
+
+# A bound of less than this on the share of an effect may leave the total as it is, to the last digit.
+NEXT_TO_NOTHING = 1e-9
+
+
+def decisions(result: FrictionTorque) -> dict[str, str]:
+    return {effect.name: effect.decision for effect in result.effects}
+
+
+def scene_of(bearing: Bearing, random: np.random.Generator) -> Scene:
+    """A random scene with a random word on each effect."""
+    cage = Cage(
+        pocket_diameter=8.14e-3,
+        pocket_depth=4.07e-3,
+        wall_thickness=0.9e-3,
+        mass=6.58e-3,
+        material=bearing.ball_material,
+    )
+    words: dict[str, Any] = {name: ("auto", "on", "off")[random.integers(3)] for name in CHOSEN}
+    return replace(
+        drawn(bearing, random, 2),
+        tolerance=10 ** random.uniform(-3, -1),
+        cage=cage if random.random() < 0.7 else None,
+        effects=words,
+    )
+
+
+def computed(scene: Scene) -> tuple[Scene, FrictionTorque]:
+    """The torque; every refusal must name an effect that the scene says on, which is then left to auto."""
+    for _ in range(len(CHOSEN) + 1):
+        try:
+            return scene, friction_torque(scene)
+        except InputError as problem:
+            refused = re.match(r'effects\.(\w+) = "on" cannot be had: \w', str(problem))
+            assert refused, problem
+            name = refused.group(1)
+            assert scene.effects[name] == "on"
+            scene = replace(scene, effects={**scene.effects, name: "auto"})
+    raise AssertionError("refused for ever")
+
+
+@pytest.mark.parametrize("seed", range(24))
+def test_every_effect_is_settled_and_none_is_ignored(bearing_6205: Bearing, seed: int) -> None:
+    scene, result = computed(scene_of(bearing_6205, np.random.default_rng(71_000 + seed)))
+    effects = {effect.name: effect for effect in result.effects}
+    assert list(effects) == list(ENTRIES)
+    for name, word in scene.effects.items():
+        assert word in ("auto", effects[name].decision)
+        share = effects[name].share
+        if word == "on" and not (share is not None and share < NEXT_TO_NOTHING):
+            _, other = computed(replace(scene, effects={**scene.effects, name: "off"}))
+            assert np.any(other.torque.total != result.torque.total), name
+
+
+def test_without_sliding_the_inlets_act_on_rolling(bearing_6205: Bearing) -> None:
+    """At 200 rad/s and 0.043 Pa s each factor takes a visible part of the rolling torque."""
+    still: dict[str, Any] = {"spin": "off", "conformity": "off"}
+    scene = idling(bearing_6205)
+    fast = replace(scene, operation=replace(scene.operation, inner_speed=np.array([150.0, 200.0])))
+    off = friction_torque(replace(fast, effects=still | {"inlet_heating": "off", "starvation": "off"}))
+    assert list(decisions(off)) == list(ENTRIES)
+    for name in ("inlet_heating", "starvation"):
+        others = {"inlet_heating": "off", "starvation": "off"} | {name: "on"}
+        on = friction_torque(replace(fast, effects=still | others))
+        assert decisions(on)[name] == "on"
+        assert np.all(np.asarray(on.torque.rolling) < 0.999 * np.asarray(off.torque.rolling))
+        # It does the same to rolling in a scene whose balls slide.
+        sliding = friction_torque(replace(fast, effects={"finite_geometry": "off", "asperities": "off"} | others))
+        np.testing.assert_allclose(on.torque.rolling, sliding.torque.rolling, rtol=1e-12)  # round-off
+
+
+@pytest.mark.parametrize(
+    ("change", "effects", "words"),
+    [
+        ({}, {"asperities": "on"}, "neither spin nor conformity is computed"),
+        ({"lubricant": None}, {"inlet_heating": "on"}, "no lubricant is given"),
+        ({}, {"inlet_heating": "on", "rolling": "off"}, "nothing slides or rolls in oil"),
+        ({}, {"starvation": "on", "rolling": "off"}, "rolling is left out"),
+        ({}, {"spin": "on", "starvation": "on", "rolling": "off"}, "rolling is left out"),
+        ({"friction_coefficient": 0.07, "surface": None}, {"spin": "on", "asperities": "on"}, "coefficient is given"),
+        ({}, {"cage": "on"}, "no cage is given"),
+    ],
+)
+def test_an_effect_that_cannot_act_is_refused(
+    bearing_6205: Bearing, change: dict[str, Any], effects: dict[str, Any], words: str
+) -> None:
+    still = {"spin": "off", "conformity": "off"}
+    scene = idling(bearing_6205)
+    if change.get("lubricant", scene.lubricant) is None:
+        change = change | {"surface": None, "friction_coefficient": 0.07}
+    with pytest.raises(InputError, match=f'= "on" cannot be had: .*{words}'):
+        friction_torque(replace(scene, **change, effects=still | effects))
+
+
+def test_a_motion_of_a_cage_that_is_left_out_is_refused(bearing_6205: Bearing) -> None:
+    scene = scene_of(bearing_6205, np.random.default_rng(5))
+    assert scene.cage is not None
+    words: dict[str, Any] = {"cage": "off", "cage_dynamics": "on"}
+    with pytest.raises(InputError, match='cage_dynamics = "on" cannot be had: the cage is left out'):
+        friction_torque(replace(scene, effects=words))
+
+
+def test_the_ledger_names_what_nobody_settled(bearing_6205: Bearing) -> None:
+    ledger = Ledger(replace(dry(bearing_6205), effects={}), 1)
+    for name in COMPUTED:
+        if name != "starvation":
+            ledger.settle(name, on=False, reason="test")
+    with pytest.raises(RuntimeError, match="without a decision: starvation, cage, cage_dynamics, seals, drag, elastic"):
+        ledger.effects({}, np.array([0.1]))
