@@ -45,8 +45,9 @@ def scene(bearing_6205: Bearing) -> Scene:
 def at_rest(scene: Scene) -> Scene:
     return replace(scene, operation=Operation(axial_load=np.array([730.0]), inner_speed=np.array([0.0])))
 
+
+def as_given(scene: Scene, coefficient: float) -> Scene:
     effects = PLAIN | {"inlet_heating": "auto", "asperities": "auto"}  # which need an oil and a surface
-    effects = PLAIN | {"inlet_heating": "auto"}  # which needs an oil
     return replace(scene, lubricant=None, surface=None, friction_coefficient=coefficient, effects=effects)
 
 
