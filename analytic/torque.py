@@ -15,9 +15,10 @@ import numpy as np
 
 from analytic.cage.torque import cage_friction
 from analytic.contact.factors import ContactCorrection
+from analytic.contact.geometry import RACES
 from analytic.effects.ledger import DECLARED, EFFECTS, Choices, Effect, share_in
 from analytic.effects.limits import watch
-from analytic.effects.loads import RACES, loaded_balls, points
+from analytic.effects.loads import chosen_balls
 from analytic.effects.sliding import chosen_lubrication
 from analytic.effects.warnings import doubts
 from analytic.errors import InputError, require_finite, require_non_negative
@@ -58,11 +59,11 @@ def friction_torque(
     """
     started = perf_counter()
     _require_friction(scene)
-    operation = points(scene)
+    operation = scene.operation.as_series()
     speed = operation.inner_speed
     require_finite(**{"operation.inner_speed": speed})
     choices = Choices(scene, speed.size)
-    balls, warnings = loaded_balls(scene, operation, choices, correction=correction)
+    balls, warnings = chosen_balls(scene, operation, choices, correction=correction)
     parts, resistance = _rolled(scene, balls, speed, choices)
     oiled: LubricatedRaces | None = None
     shared: MixedContact | None = None

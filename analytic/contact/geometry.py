@@ -14,6 +14,7 @@ from analytic.errors import InputError, require_non_negative
 from analytic.scene import Array, Bearing, Cage, Contact, Groove, Ring, Wall
 
 Race = Literal["inner", "outer"]
+RACES: tuple[Race, Race] = ("inner", "outer")
 
 
 def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:

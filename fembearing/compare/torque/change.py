@@ -9,7 +9,7 @@ import numpy as np
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.finite_geometry import RaceCorrections
 from analytic.effects.ledger import COMPUTED, OF_CAGE
-from analytic.effects.loads import corrections_of
+from analytic.loads.finite_geometry import corrections_of
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.torque import friction_torque
