@@ -11,8 +11,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from analytic.contact.finite_geometry import thrust_correction
     from analytic.contact.hertz import hertz_contact
+    from analytic.loads.finite_geometry import thrust_correction
     from analytic.loads.ring import ring_equilibrium
     from analytic.loads.thrust import thrust_equilibrium
     from analytic.scenefile.read import load_scene
@@ -35,7 +35,7 @@ _HOME = {
     "hertz_contact": "analytic.contact.hertz",
     "load_scene": "analytic.scenefile.read",
     "ring_equilibrium": "analytic.loads.ring",
-    "thrust_correction": "analytic.contact.finite_geometry",
+    "thrust_correction": "analytic.loads.finite_geometry",
     "thrust_equilibrium": "analytic.loads.thrust",
 }
 

@@ -14,6 +14,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.errors import InputError
+
 Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["balanced", "inner_control", "outer_control"]
@@ -207,6 +209,21 @@ class Operation:
     inner_speed: Array  # rad/s, the outer ring stands still
     radial_load: Array | float = 0.0  # N, along x, which points at the first ball
     moment: Array | float = 0.0  # N m, about y: it tilts the inner ring's x-side against the axial load
+
+    @property
+    def is_thrust(self) -> bool:
+        """Whether no point has a radial load or a moment."""
+        return not (np.any(self.radial_load) or np.any(self.moment))
+
+    def as_series(self) -> "Operation":
+        """The same with every array (n,). Raises InputError if there is no point or shapes do not fit."""
+        try:
+            arrays = np.broadcast_arrays(*(np.atleast_1d(values) for values in vars(self).values()))
+        except ValueError as problem:
+            raise InputError("the arrays of operation have shapes that do not fit: give equal lengths") from problem
+        if arrays[0].size == 0:
+            raise InputError("operation.axial_load is empty: give at least one operating point")
+        return Operation(**dict(zip(vars(self), arrays, strict=True)))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

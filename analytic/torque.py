@@ -20,7 +20,7 @@ from analytic.contact.geometry import RACES
 from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
-from analytic.effects.loads import loaded_balls, points
+from analytic.effects.loads import chosen_balls
 from analytic.effects.sliding import decide_sliding, decide_without_sliding
 from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError, require_finite, require_non_negative
@@ -69,11 +69,11 @@ def friction_torque(
     """
     started = perf_counter()
     _require_friction(scene)
-    operation = points(scene)
+    operation = scene.operation.as_series()
     speed = operation.inner_speed
     require_finite(**{"operation.inner_speed": speed})
     ledger = Ledger(scene, speed.size)
-    balls, load_warnings = loaded_balls(scene, operation, ledger, correction=correction)
+    balls, load_warnings = chosen_balls(scene, operation, ledger, correction=correction)
     parts, resistance = _rolling(scene, balls, speed, ledger)
     inlets = None if scene.lubricant is None else inlet_factors(scene.bearing, scene.lubricant, ring_speed=speed)
     oiled: LubricatedRaces | None = None
@@ -291,7 +291,7 @@ def _provenance(
             "contact_angle": scene.contact_angle.rule,
             "spin_rule": scene.spin_rule,
             "microslip": scene.microslip,
-            "loads": "thrust, all balls alike" if balls.rung == "thrust" else "equilibrium of the ring",
+            "loads": "thrust, all balls alike" if balls.method == "thrust" else "equilibrium of the ring",
             "contacts": contacts if correction is None else "Hertz with given factors",
             "friction": "given coefficient" if oiled is None else "mixed lubrication",
             "sliding": slid_by,

@@ -26,8 +26,7 @@ from analytic import catalog
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.geometry import Race, race_curvatures, shoulder_distance
 from analytic.contact.hertz import contact_modulus, hertz_contact
-from analytic.loads.thrust import thrust_equilibrium
-from analytic.scene import Array, Bearing, Contact, ContactAngle, Material
+from analytic.scene import Array, Bearing, Contact, Material
 
 OFF_SHOULDER = 1.15  # Hertz's semi-axes b that every solved contact kept from its centre to the shoulder, at least
 SMALL = 0.1  # b/r below which the factors' uncertainty falls with it, as the factors do: a point contact is Hertz's
@@ -98,21 +97,6 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     return CorrectedGeometry(
         factors=ContactFactors(**factors), uncertainty=MappingProxyType(uncertainty), covered=covered, warnings=warnings
     )
-
-
-def thrust_correction(bearing: Bearing, contact_angle: ContactAngle, *, axial_load: ArrayLike) -> RaceCorrections:
-    """The correction of both races under thrust, at the ball loads and contact angles that Hertz's contacts give.
-
-    axial_load : Fa, (n,), N, > 0
-    Not iterated: corrected contacts move load and angle by less than a hundredth, and the factors, within 0.06 of 1,
-    follow the load's power 1/3 to 2/3, so by less than 1e-4 more.
-    """
-    balls = thrust_equilibrium(bearing, contact_angle, axial_load=axial_load)
-    inner, outer = (
-        finite_geometry_factors(race_shape(bearing, race, contact_angle=balls.contact_angle, ball_load=balls.ball_load))
-        for race in ("inner", "outer")
-    )
-    return RaceCorrections(inner=inner, outer=outer)
 
 
 def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> ContactShape:

@@ -8,10 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from analytic.contact.geometry import RACES, shoulder_distance
-from analytic.effects.bounds import gyroscopic_slip_ratio
 from analytic.effects.ledger import Ledger
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
+from analytic.loads.inertia import gyroscopic_slip_ratio
 from analytic.scene import Operation, Scene
 from analytic.sliding.long_ellipse import sliding_number
 from analytic.sliding.methods import Sliding

@@ -9,24 +9,31 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from analytic.contact.factors import ContactCorrection
-from analytic.contact.geometry import race_curvatures
+from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
 from analytic.contact.rolling_contact import RollingContact, deformed_radius
 from analytic.loads.kinematics import BallKinematics, ball_kinematics
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.thrust import thrust_equilibrium
-from analytic.loads.thrust_inertia import thrust_at_speed
-from analytic.scene import Array, Bearing, ContactAngle
+from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium
+from analytic.scene import Array, Bearing, ContactAngle, Operation
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadEffects:
+    """Which effects on the loads of the balls are included."""
+
+    load_distribution: bool = True  # by radial load and moment
+    centrifugal: bool = True  # force of each ball
+    gyroscopic: bool = True  # moment of each ball
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LoadedBalls:
     """n operating points, m balls in columns."""
 
-    rung: Literal["thrust", "ring"]  # by which they were loaded
+    method: Literal["thrust", "ring"]  # by which they were loaded
     alike: int  # balls that each column stands for
     ball_radius: float  # r, m
     load: Array  # (2, n, m) Q, N, >= 0
@@ -67,98 +74,100 @@ class LoadedBalls:
         return np.arange(self.load.shape[1]), np.max(self.load, axis=0).argmax(axis=1)
 
 
+def loaded_balls(
+    bearing: Bearing,
+    contact_angle: ContactAngle,
+    operation: Operation,
+    effects: LoadEffects,
+    *,
+    correction: ContactCorrection | None = None,
+) -> LoadedBalls:
+    """The balls by the cheapest method that has the effects.
+
+    operation : every array (n,);  correction : factors on Hertz's contacts, with a shape that the method takes:
+    (n,) for thrust, (n, m) for the ring
+    Raises InputError and ConvergenceError as the equilibrium does.
+    """
+    method = ring_balls if effects.load_distribution and not operation.is_thrust else thrust_balls
+    return method(bearing, contact_angle, operation, effects, correction=correction)
+
+
 def thrust_balls(
     bearing: Bearing,
     contact_angle: ContactAngle,
+    operation: Operation,
+    effects: LoadEffects,
     *,
-    axial_load: ArrayLike,
     correction: ContactCorrection | None = None,
 ) -> LoadedBalls:
-    """All balls alike, one column for Z of them; the arguments and errors of thrust_equilibrium, axial_load (n,)."""
-    found = thrust_equilibrium(bearing, contact_angle, axial_load=axial_load, correction=correction)
-    angle = found.contact_angle[:, None]
+    """All balls alike, one column for Z of them, whatever the radial load and the moment.
+
+    Arguments and errors of thrust_equilibrium, or of thrust_at_speed where the effects include inertia.
+    """
+    if effects.centrifugal or effects.gyroscopic:
+        turning = thrust_at_speed(
+            bearing,
+            contact_angle,
+            axial_load=operation.axial_load,
+            inner_speed=operation.inner_speed,
+            centrifugal=effects.centrifugal,
+            gyroscopic=effects.gyroscopic,
+            correction=correction,
+        )
+        loads, angles = (turning.inner_load, turning.outer_load), (turning.inner_angle, turning.outer_angle)
+        contacts = turning.inner, turning.outer
+    else:
+        still = thrust_equilibrium(bearing, contact_angle, axial_load=operation.axial_load, correction=correction)
+        loads, angles, contacts = (still.ball_load,) * 2, (still.contact_angle,) * 2, (still.inner, still.outer)
     return _balls(
         bearing,
-        rung="thrust",
+        method="thrust",
         alike=bearing.ball_count,
-        load=np.stack([found.ball_load[:, None]] * 2),
-        angle=np.stack([angle, angle]),
-        contacts=(found.inner, found.outer),
-    )
-
-
-def thrust_balls_at_speed(
-    bearing: Bearing,
-    contact_angle: ContactAngle,
-    *,
-    axial_load: ArrayLike,
-    inner_speed: ArrayLike,
-    centrifugal: bool,
-    gyroscopic: bool,
-    correction: ContactCorrection | None = None,
-) -> LoadedBalls:
-    """The same with the balls' inertia; the arguments and errors of thrust_at_speed, load and speed (n,)."""
-    found = thrust_at_speed(
-        bearing,
-        contact_angle,
-        axial_load=axial_load,
-        inner_speed=inner_speed,
-        centrifugal=centrifugal,
-        gyroscopic=gyroscopic,
-        correction=correction,
-    )
-    return _balls(
-        bearing,
-        rung="thrust",
-        alike=bearing.ball_count,
-        load=np.stack([found.inner_load, found.outer_load])[..., None],
-        angle=np.stack([found.inner_angle, found.outer_angle])[..., None],
-        contacts=(found.inner, found.outer),
+        load=np.stack(loads)[..., None],
+        angle=np.stack(angles)[..., None],
+        contacts=contacts,
     )
 
 
 def ring_balls(
     bearing: Bearing,
     contact_angle: ContactAngle,
+    operation: Operation,
+    effects: LoadEffects,
     *,
-    axial_load: ArrayLike,
-    radial_load: ArrayLike,
-    moment: ArrayLike,
-    inner_speed: ArrayLike,
-    centrifugal: bool,
-    gyroscopic: bool,
     correction: ContactCorrection | None = None,
 ) -> LoadedBalls:
-    """Each ball in its own column; the arguments and errors of ring_equilibrium, loads and speed (n,).
+    """Each ball in its own column; errors of ring_equilibrium.
 
-    A ball that is pressed the other way spins the other way and loses the same: its angles are told as if it were not.
+    A ball that is pressed the other way spins the other way and has the same losses: its angles are given as if it
+    were not.
     """
-    found = ring_equilibrium(
+    ring = ring_equilibrium(
         bearing,
         contact_angle,
-        axial_load=axial_load,
-        radial_load_x=radial_load,
-        moment_y=moment,
-        inner_speed=inner_speed,
-        centrifugal=centrifugal,
-        gyroscopic=gyroscopic,
+        axial_load=operation.axial_load,
+        radial_load_x=operation.radial_load,
+        moment_y=operation.moment,
+        inner_speed=operation.inner_speed,
+        centrifugal=effects.centrifugal,
+        gyroscopic=effects.gyroscopic,
         correction=correction,
     )
-    angle = np.stack([found.inner_angle, found.outer_angle])
+    angle = np.stack([ring.inner_angle, ring.outer_angle])
     return _balls(
         bearing,
-        rung="ring",
+        method="ring",
         alike=1,
-        load=np.stack([found.inner_load, found.outer_load]),
+        load=np.stack([ring.inner_load, ring.outer_load]),
         angle=np.where(angle.sum(axis=0) < 0, -angle, angle),
-        contacts=(found.inner, found.outer),
+        contacts=(ring.inner, ring.outer),
     )
 
 
 def _balls(
     bearing: Bearing,
     *,
-    rung: Literal["thrust", "ring"],
+    method: Literal["thrust", "ring"],
     alike: int,
     load: Array,
     angle: Array,
@@ -167,10 +176,10 @@ def _balls(
     grooves = (bearing.inner, bearing.outer)
     curvatures = [
         race_curvatures(bearing, race, contact_angle=np.abs(of_race))
-        for race, of_race in zip(("inner", "outer"), angle, strict=True)
+        for race, of_race in zip(RACES, angle, strict=True)
     ]
     return LoadedBalls(
-        rung=rung,
+        method=method,
         alike=alike,
         ball_radius=bearing.ball_radius,
         load=load,

@@ -1,16 +1,15 @@
 """Five freedoms of the inner ring: every ball takes its own load and contact angle on each race.
 
-The outer ring is fixed; the inner ring is loaded and displaced along the bearing axis z, along x and y, and tilted
+The outer ring is fixed. The inner ring is loaded and displaced along the bearing axis z, along x and y, and tilted
 about x and y, right-handed. The rings are rigid apart from the contacts, tilts are small. Displacement, load and moment
-refer to the centre of the circle on which the inner groove's centre of curvature lies, of the radius
+refer to the centre of the circle on which the inner groove's centre of curvature lies. Its radius is
 R = bottom_radius + groove_radius: a tilt about it moves each groove along the axis. Ball j sits at the azimuth
 psi_j = 2 pi j/Z, from x towards y. A groove reaches equally far to both sides.
 
-With the contacts' stiffness held, the energy of the ring is convex in its place: there is no second equilibrium,
-and with three balls or more there is always one. The loads of the balls are unique; the place is not where the loaded
-balls leave a freedom, as in a bearing with clearance that hangs on one ball. Then it is one of the possible places.
-Source: A. B. Jones, J. Basic Eng. 82 (1960) 309-320, and T. A. Harris and M. N. Kotzalas, Advanced Concepts of Bearing
-Technology, 5th ed. (2007), sections 1 and 3 (neither seen: derived here from energy and Euler's equation of a ball).
+With the contacts' stiffness held, the energy of the ring is convex in its place. There is no second equilibrium, and
+with three balls or more there is always one. The loads of the balls are unique. The place is not where the loaded balls
+leave a freedom, as in a bearing with clearance that hangs on one ball: it is then one of the possible places.
+Source: [Jones1960] and [Harris2007b] sections 1 and 3: derived here from energy and Euler's equation of a ball.
 """
 
 from dataclasses import dataclass
@@ -22,8 +21,9 @@ from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.loads.ball_balance import BallBalance, settled_ball
-from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.inertia import force_and_moment
 from analytic.loads.thrust import play_and_free_angle, unit_contacts
+from analytic.numerics.newton import ConvexState, least_energy
 from analytic.numerics.rows import merged, part_of
 from analytic.scene import Array, Bearing, ContactAngle
 
@@ -31,15 +31,11 @@ from analytic.scene import Array, Bearing, ContactAngle
 TOLERANCE = 1e-12
 # Of a displacement, in the balls' stiffness: what rounding of the ring's place leaves as force.
 PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps
-# Of A0, likewise: the place of a ball under a force of its own is found from the grooves' centres.
+# Of A0, likewise: the place of a ball under a force of its own is computed from the grooves' centres.
 BALL_ROUND_OFF = 16 * np.finfo(np.float64).eps
-LEAST_TANGENT = 1e-13  # of the tangent's trace, well below the softest freedom that a loaded ball holds
-# Newton takes 3 to 15 steps; clearance with balls that touch and part up to some 50.
-MOST_STEPS = 300
+ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of the balls' loads times A0, whose rounding moves them
 # Contact stiffness, centrifugal and friction force follow the angles: 3 or 4 rounds at rest, about 10 at high speed.
 MOST_ROUNDS = 100
-LEAST_DESCENT = 1e-4  # of what the slope promises: Armijo's customary share
-ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of the balls' loads times A0, whose rounding moves them
 LEAST_BALLS = 3  # that hold a ring in all five freedoms
 
 
@@ -80,21 +76,22 @@ def ring_equilibrium(
     """Ball loads, contact angles and ring displacement under any load; loads and speed broadcast to (...).
 
     axial_load, radial_load_x, radial_load_y : N;  moment_x, moment_y : about x and y, N m; any sign
-    inner_speed : rad/s; with it come the balls' centrifugal force and gyroscopic moment, where these are wanted
+    inner_speed : rad/s; with it come the balls' centrifugal force and gyroscopic moment, unless these are left out
     contact_angle : rule "solved"; free, where given, replaces the clearance by A0 (1 - cos al0)
     correction : factors on Hertz's contacts, each a number or (..., Z); None leaves them as they are
 
-    Each ball settles between groove centres that are V = (A0 cos al0 + u_r, u_a) apart (analytic.loads.ball_balance), with
+    Each ball settles between groove centres that are V = (A0 cos al0 + u_r, u_a) apart
+    (analytic.loads.ball_balance), with
         u_r = x cos psi + y sin psi,  u_a = z + R (t_x sin psi - t_y cos psi)
     and the load is the sum of the ball forces. K of a contact is Hertz's at its own angle, and its force acts along the
-    normal: the work of a K that changes with the angle, (2/5)(delta/A0) d ln K/d al of the force, is left out.
+    normal. The work of a K that changes with the angle, (2/5)(delta/A0) d ln K/d al of the force, is left out.
     At speed w a ball rolls without slip at both contacts' centres and spins alike on both races, about an axis at the
     pitch (al_i + al_o)/2 (analytic.loads.kinematics), with the cage speed w_m and the ball speed w_b
         F_c = m (d_m/2) w_m^2,  M_g = (m D^2/10) w_b w_m sin((al_i + al_o)/2)
-    Friction across the groove carries M_g, on each race in proportion to its load (half each where the loads are equal;
-    race control would give it to one race): it needs mu >= M_g/(r (Q_i + Q_o)), which is not asked for here.
-    No load on a bearing with clearance: nothing touches, and the ring is left in the middle of its play.
-    Fewer than three balls hold a ring under thrust alone; its other freedoms are then held, with stiffness 0.
+    Friction across the groove carries M_g, on each race in proportion to its load: half each where the loads are equal
+    (race control would give it to one race). It needs mu >= M_g/(r (Q_i + Q_o)), which is not checked here.
+    Without load on a bearing with clearance nothing touches, and the ring is left in the middle of its play.
+    Fewer than three balls carry thrust alone: the other freedoms of the ring are then held, with stiffness 0.
     Raises InputError for a number that is not finite, the rule `given`, a radial load or moment on fewer than three
     balls, a load that drives a ball out of its groove (an angle beyond pi/2), and as thrust_equilibrium does for the
     bearing; ConvergenceError where the iteration stops short.
@@ -124,17 +121,18 @@ def ring_equilibrium(
             f"ball_count = {bearing.ball_count} carries thrust alone: a radial load or a moment needs at least "
             f"{LEAST_BALLS} balls"
         )
-    found, steps = _equilibrium(ring, load, speed, angle=free or 0.0)
-    balls, held = found.balls, found.held
+    state, steps = _equilibrium(ring, load, speed, angle=free or 0.0)
+    balls, held = state.balls, state.held
     angle = np.where(balls.inner_load > 0, np.abs(balls.inner_angle), 0.0)
     if np.any(angle > np.pi / 2):
         point, ball = np.unravel_index(np.argmax(angle), angle.shape)
-        # The ball's inertia parts its angles: without it the contact would be about between them.
-        parted = angle[point, ball] + np.abs(balls.outer_angle[point, ball]) < np.pi
-        cause = f"the speed, {speed[point]:.5g} rad/s," if parted else "the load"
+        # Inertia makes the angle larger on the inner race and smaller on the outer one. Without it both would be about
+        # their mean.
+        by_speed = angle[point, ball] + np.abs(balls.outer_angle[point, ball]) < np.pi
+        cause = f"the speed, {speed[point]:.5g} rad/s," if by_speed else "the load"
         raise InputError(
             f"{cause} drives a ball {angle[point, ball]:.3f} rad out of its groove, past pi/2: no contact bears it, "
-            f"lower the {'speed' if parted else 'load'}"
+            f"lower the {'speed' if by_speed else 'load'}"
         )
     inner, outer = (
         loaded_contact(contact, load=load)
@@ -145,8 +143,8 @@ def ring_equilibrium(
     return RingEquilibrium(
         free_angle=free,
         azimuth=ring.azimuth,
-        displacement=(found.place / unit).reshape(whole),
-        stiffness=(found.tangent * np.outer(unit, unit)).reshape(*whole, 5),
+        displacement=(state.place / unit).reshape(whole),
+        stiffness=(state.tangent * np.outer(unit, unit)).reshape(*whole, 5),
         inner_load=balls.inner_load.reshape(each),
         outer_load=balls.outer_load.reshape(each),
         inner_angle=balls.inner_angle.reshape(each),
@@ -155,7 +153,7 @@ def ring_equilibrium(
         outer=_reshaped(outer, each),
         centrifugal_force=held.centrifugal_force.reshape(each),
         gyroscopic_moment=held.gyroscopic_moment.reshape(each),
-        residual=found.residual.reshape(shape),
+        residual=state.residual.reshape(shape),
         iterations=steps.reshape(shape),
     )
 
@@ -173,17 +171,11 @@ class _Held:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _State:
+class _State(ConvexState):
     """n rings at a place, m (tilts times R), with the forces there."""
 
-    place: Array  # (n, 5)
     held: _Held
     balls: BallBalance  # (n, Z)
-    energy: Array  # (n,) of balls and load, J
-    gradient: Array  # (n, 5) N
-    tangent: Array  # (n, 5, 5) N/m
-    residual: Array  # (n,) N
-    tolerance: Array  # (n,) N
 
 
 class _Ring:
@@ -235,16 +227,13 @@ class _Ring:
                 centrifugal_force=still,
                 gyroscopic_moment=still,
             )
-        motion = ball_kinematics(
+        force, moment = force_and_moment(
+            bearing,
             inner_speed=speed[:, None],
-            inner_angle=np.clip(inner_angle, -np.pi / 2, np.pi / 2),  # on its way a ball may leave its groove
+            inner_angle=np.clip(inner_angle, -np.pi / 2, np.pi / 2),  # before it settles a ball may leave its groove
             outer_angle=np.clip(outer_angle, -np.pi / 2, np.pi / 2),
-            pitch_diameter=bearing.pitch_diameter,
-            ball_diameter=bearing.ball_diameter,
         )
-        centrifugal = self.centrifugal * bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2
-        inertia = self.gyroscopic * bearing.ball_mass * bearing.ball_diameter**2 / 10
-        moment = inertia * motion.ball_speed * motion.cage_speed * np.sin((inner_angle + outer_angle) / 2)
+        centrifugal, moment = self.centrifugal * force, self.gyroscopic * moment
         friction = moment / bearing.ball_radius * shares[0], moment / bearing.ball_radius * shares[1]
         at_inner = friction[0][..., None] * np.stack([-np.sin(inner_angle), np.cos(inner_angle)], axis=-1)
         at_outer = friction[1][..., None] * np.stack([np.sin(outer_angle), -np.cos(outer_angle)], axis=-1)
@@ -261,11 +250,6 @@ class _Ring:
         """(n, 5) of the balls' forces (n, Z, 2) on the inner grooves."""
         return np.reshape(force, (len(force), -1)) @ self.travel.reshape(-1, 5)
 
-    def tangent(self, balls: BallBalance) -> Array:
-        """(n, 5, 5) N/m."""
-        rows = self.travel.reshape(-1, 5)
-        return rows.T @ (balls.tangent @ self.travel).reshape(len(balls.tangent), -1, 5)
-
     def at(self, place: Array, held: _Held) -> _State:
         balls = settled_ball(
             self.bearing,
@@ -277,10 +261,10 @@ class _Ring:
             ball_force=held.ball_force,
         )
         rows = self.travel.reshape(-1, 5)
-        gradient = self.resultant(balls.force) - held.ring_force
         tangent = rows.T @ (balls.tangent @ self.travel).reshape(len(place), -1, 5)
         forces = np.max(np.abs(held.ring_force), axis=-1) + np.max(balls.outer_load, axis=-1)
-        pushed = np.any(held.ball_force, axis=(-2, -1)) * self.bearing.groove_centre_distance
+        distance = self.bearing.groove_centre_distance
+        pushed = np.any(held.ball_force, axis=(-2, -1)) * distance
         rounding = PLACE_ROUND_OFF * np.max(np.abs(place), axis=-1) * np.trace(tangent, axis1=-2, axis2=-1)
         if pushed.any():
             contacts = 1.5 * np.sum(np.cbrt(held.inner.stiffness**2 * balls.inner_load), axis=-1)  # dQ/d delta, N/m
@@ -290,21 +274,31 @@ class _Ring:
             held=held,
             balls=balls,
             energy=np.sum(balls.energy, axis=-1) - np.sum(held.ring_force * place, axis=-1),
-            gradient=gradient,
+            gradient=self.resultant(balls.force) - held.ring_force,
             tangent=tangent,
-            residual=np.max(np.abs(gradient), axis=-1),
             tolerance=TOLERANCE * forces + rounding,
+            energy_rounding=ENERGY_ROUND_OFF * distance * np.sum(balls.outer_load, axis=-1),
+            longest_step=np.maximum(distance, np.max(np.abs(place), axis=-1)),
+        )
+
+    def settled(self, place: Array, held: _Held) -> tuple[_State, NDArray[np.intp]]:
+        """The rings where the energy of what is held is least, and Newton's steps to there, (n,)."""
+        return least_energy(
+            lambda trial, state: self.at(trial, state.held),
+            self.at(place, held),
+            problem="the ring's equilibrium",
+            remedy="Check the loads, the speed, the clearance and the materials for a slipped unit.",
         )
 
 
-def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tuple[_State, Array]:
-    """Rounds of Newton's method, each holding what the angles of the last one give, until one has nothing to do."""
+def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tuple[_State, NDArray[np.intp]]:
+    """Rounds of Newton's method until one has nothing to do; each holds what the angles of the last one give."""
     angles, active = np.full((len(load), ring.bearing.ball_count), angle), np.arange(len(load))
     held = ring.held(load, speed, active, inner_angle=angles, outer_angle=angles, shares=(0.0, 0.0))
-    found, steps = _settled(ring, ring.at(_start(ring, load, held), held))
+    state, steps = ring.settled(_start(ring, load, held), held)
     left = tolerance = 0.0  # N: change of the forces that a round holds
     for _ in range(MOST_ROUNDS):
-        balls = part_of(found.balls, active)
+        balls = part_of(state.balls, active)
         both = balls.inner_load + balls.outer_load
         held = ring.held(
             load[active],
@@ -317,19 +311,19 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
                 np.divide(balls.outer_load, both, out=np.zeros_like(both), where=both > 0),
             ),
         )
-        again, more = _settled(ring, ring.at(found.place[active], held))
-        # A ball that floats, or is wedged, follows its forces without the ring's notice.
+        again, more = ring.settled(state.place[active], held)
+        # The ring does not notice the force of a ball that floats or is wedged: that has to settle too.
         change = np.maximum(
-            np.abs(held.ball_force - found.held.ball_force[active]).max(axis=(-2, -1)),
-            np.abs(held.ring_force - found.held.ring_force[active]).max(axis=-1),
+            np.abs(held.ball_force - state.held.ball_force[active]).max(axis=(-2, -1)),
+            np.abs(held.ring_force - state.held.ring_force[active]).max(axis=-1),
         )
-        found = merged(found, active, again)
+        state = merged(state, active, again)
         steps[active] += more
         active = active[(more > 0) | (change > again.tolerance)]
         if not len(active):
-            return found, steps
+            return state, steps
         left, tolerance = float(np.max(change)), float(again.tolerance[np.argmax(change)])
-    remedy = "Raise the load or lower the speed: the gyroscopic moment asks for more friction than the balance has."
+    remedy = "Raise the load or lower the speed: the gyroscopic moment needs more friction than the balance has."
     problem = "the balls' own forces in the ring's equilibrium"
     raise ConvergenceError(iterations=MOST_ROUNDS, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
 
@@ -345,47 +339,6 @@ def _start(ring: _Ring, load: Array, held: _Held) -> Array:
     reach = share * np.stack([along[0], approach[1] + max(play, 0.0), along[2]])
     towards = load / np.maximum(parts, 1e-300)[[0, 1, 1, 2, 2]].T
     return towards * reach[[0, 1, 1, 2, 2]].T
-
-
-def _settled(ring: _Ring, state: _State) -> tuple[_State, Array]:
-    """Newton's method on the convex energy of what is held, and its steps; one that lowers too little is halved."""
-    steps = np.zeros(len(state.place), dtype=int)
-    distance = ring.bearing.groove_centre_distance
-    for _ in range(MOST_STEPS):
-        open_ = np.flatnonzero(state.residual > state.tolerance)
-        if not len(open_):
-            return state, steps
-        now = part_of(state, open_)
-        # A freedom that nothing holds is left where it is; where nothing touches at all the load leads on.
-        trace = np.trace(now.tangent, axis1=-2, axis2=-1)
-        least = LEAST_TANGENT * trace + LEAST_TANGENT * now.residual / distance
-        step = -np.linalg.solve(now.tangent + least[:, None, None] * np.eye(5), now.gradient[..., None])[..., 0]
-        longest = np.maximum(distance, np.max(np.abs(now.place), axis=-1))
-        step *= np.minimum(1.0, longest / np.maximum(np.max(np.abs(step), axis=-1), longest))[:, None]
-        slope = np.sum(now.gradient * step, axis=-1)
-        rounding = ENERGY_ROUND_OFF * distance * np.sum(now.balls.outer_load, axis=-1)
-        share = np.ones(len(step))
-        while True:
-            trial = ring.at(now.place + share[:, None] * step, now.held)
-            enough = now.energy + LEAST_DESCENT * share * slope + rounding
-            short = trial.energy > enough
-            if not np.any(short):
-                break
-            share = np.where(short, share / 2, share)
-        state = merged(state, open_, trial)
-        steps[open_] += 1
-    raise _not_settled(state)
-
-
-def _not_settled(state: _State) -> ConvergenceError:
-    worst = int(np.argmax(state.residual / np.maximum(state.tolerance, 1e-300)))
-    return ConvergenceError(
-        iterations=MOST_STEPS,
-        residual=float(state.residual[worst]),
-        tolerance=float(state.tolerance[worst]),
-        problem="the ring's equilibrium",
-        remedy="Check the loads, the speed, the clearance and the materials for a slipped unit.",
-    )
 
 
 def _in_groove(angle: Array) -> Array:

@@ -1,10 +1,14 @@
-"""Pure thrust: every ball carries the same load at the same contact angle on both races.
+"""Pure thrust: every ball carries the same load at the same contact angle, at rest and at speed.
 
-Assumes rigid rings apart from the contacts, a slow bearing (no centrifugal force) and no radial load or moment.
+Assumes rigid rings apart from the contacts, and no radial load or moment. At rest, or slow, both races have one load
+and one angle. At speed centrifugal force and gyroscopic moment make them differ: what `analytic.loads.ring` solves for
+each ball under any load is here, with the same contacts, forces and share of the moment, one equation in one angle.
 Angles are measured from the radial plane; the axial load presses the inner ring along the axis.
-Source: T. A. Harris and M. N. Kotzalas, Essential Concepts of Bearing Technology, 5th ed. (2007), section 7.
+Source: [Harris2007] section 7 at rest; at speed [Jones1960] and [Harris2007b] section 3: the balance is that of the
+forces on the ball.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,16 +17,17 @@ from numpy.typing import ArrayLike
 from analytic.contact.factors import ContactCorrection, corrected_contact
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact
-from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.loads.inertia import force_and_moment
+from analytic.numerics.root import bracketed_root
 from analytic.scene import Array, Bearing, ContactAngle
 
-# ln(tan al) of every angle that a double can tell from 0 or from pi/2.
-LEAST, MOST = -740.0, 700.0
-# Newton's error in ln(tan al) is of the order of its last step's square: below this step it is round-off.
+# ln(tan b) of every angle that a double can tell from 0 or from pi/2; tan b times any force ratio stays a double.
+LEAST, MOST = -740.0, 600.0
+# Newton's error in ln(tan b) is of the order of its last step's square: below this step it is round-off.
 LAST_STEP = 1e-8
-# Newton takes 4 to 8 steps; halving that range down to the last step takes 37, and mixed steps no more than the sum.
-MOST_STEPS = 200
-# A curvature that follows the angle changes the next angle by less than 1e-3 of the change before; 3 or 4 rounds.
+# The angles that a round holds change the next ones by less than 1e-3 at rest (curvatures; 3 or 4 rounds), by a tenth
+# at most at speed (speeds and friction too; 4 or 5).
 MOST_ROUNDS = 50
 ROUND_OFF = 4 * np.finfo(np.float64).eps
 
@@ -43,6 +48,18 @@ class ThrustEquilibrium:
         return self.inner.approach + self.outer.approach
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ThrustAtSpeed:
+    """Every ball of a bearing under thrust; arrays have the shape (n,) of load and speed."""
+
+    inner_load: Array  # Q_i, N
+    outer_load: Array  # Q_o, N
+    inner_angle: Array  # al_i, rad
+    outer_angle: Array  # al_o, rad, below al_i
+    inner: HertzContact
+    outer: HertzContact
+
+
 def thrust_equilibrium(
     bearing: Bearing,
     contact_angle: ContactAngle,
@@ -60,7 +77,7 @@ def thrust_equilibrium(
     has no al0 and is solved in the same form. contact_angle.free replaces the al0 of the clearance.
     The left side falls as al grows from 0 to pi/2, so there is one root, bracketed in ln(tan al) at any load.
     Raises InputError for a load that is not positive, an angle outside its range, a clearance of 2 A0 or more,
-    or a groove no wider than the ball. It does not ask whether the contact stays in the groove: race_contact does.
+    or a groove no wider than the ball. Whether the contact stays in the groove is not checked here: race_contact does.
     """
     require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
     load = np.asarray(axial_load, dtype=np.float64)
@@ -68,22 +85,11 @@ def thrust_equilibrium(
     if contact_angle.rule == "given":
         if contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
             raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
-        tangent = np.full_like(load, np.tan(contact_angle.value))
-        return _equilibrium(bearing, load, tangent, _units(bearing, tangent, factors), free_angle=None)
-    play, free = play_and_free_angle(bearing, contact_angle)
-    units = _units(bearing, np.asarray(np.tan(free or 0.0)), factors)
-    tangent = _loaded_tangent(bearing, load, play=play, units=units)
-    before = 0.0  # no rate yet
-    for _ in range(MOST_ROUNDS):
-        units, last = _units(bearing, tangent, factors), tangent
-        tangent = _loaded_tangent(bearing, load, play=play, units=units, start=last)
-        # Of ln(tan al), which rounds where it is large: at a light load on no clearance it is -10.
-        change = float(np.max(np.abs(np.log(tangent / last)) / (1 + np.abs(np.log(last))), initial=0.0))
-        # The changes fall at least as a geometric series: the next would be below round-off, that of the contacts too.
-        if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:
-            return _equilibrium(bearing, load, tangent, units, free_angle=free)
-        before = change
-    raise _not_settled(MOST_ROUNDS, before)
+        angle = np.full_like(load, contact_angle.value)
+        contacts = unit_contacts(bearing, inner_angle=angle, outer_angle=angle, correction=factors)
+        return _at_rest(_balls(load / bearing.ball_count, np.tan(angle), contacts), free_angle=None)
+    thrust = _Thrust(bearing, contact_angle, load)
+    return _at_rest(thrust.followed(thrust.frozen(factors), factors), free_angle=thrust.free_angle)
 
 
 def thrust_equilibrium_frozen(
@@ -95,26 +101,71 @@ def thrust_equilibrium_frozen(
     al from  A0 (cos al0/cos al - 1) = delta,  Fa/(Z sin al) = K delta^1.5,  K^(-2/3) = K_i^(-2/3) + K_o^(-2/3)
     with K_i and K_o at al0, where thrust_equilibrium lets the curvatures along rolling follow al.
     al of a 6205 from 0.18 rad: 1.7e-5 too large (relative) under 1000 N, less under less.
-    Source: Harris and Kotzalas, section 7, there with K from charts; the printed form not seen.
+    Source: [Harris2007] section 7, there with K from charts.
     Raises InputError as thrust_equilibrium does, and for the rule `given` and a preload, which leave no free angle.
     """
     require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
-    load = np.asarray(axial_load, dtype=np.float64)
     if contact_angle.rule == "given":
         raise InputError(
             "the frozen stiffness solves for the loaded contact angle, which the rule 'given' gives: "
             "use thrust_equilibrium, or the rule 'solved'"
         )
-    play, free = play_and_free_angle(bearing, contact_angle)
-    if free is None:
+    thrust = _Thrust(bearing, contact_angle, np.asarray(axial_load, dtype=np.float64))
+    if thrust.free_angle is None:
         raise InputError(
             "the frozen stiffness is that of the free contact angle, which a preload of "
             f"{-bearing.diametral_clearance:.6g} m on the diameter does not leave: use thrust_equilibrium, "
             "or give contact_angle.free"
         )
-    units = _units(bearing, np.asarray(np.tan(free)), ContactCorrection())
-    tangent = _loaded_tangent(bearing, load, play=play, units=units)
-    return _equilibrium(bearing, load, tangent, units, free_angle=free)
+    return _at_rest(thrust.frozen(ContactCorrection()), free_angle=thrust.free_angle)
+
+
+def thrust_at_speed(
+    bearing: Bearing,
+    contact_angle: ContactAngle,
+    *,
+    axial_load: ArrayLike,
+    inner_speed: ArrayLike,
+    centrifugal: bool = True,
+    gyroscopic: bool = True,
+    correction: ContactCorrection | None = None,
+) -> ThrustAtSpeed:
+    """Loads and contact angles of the balls on both races; load and speed broadcast to (n,).
+
+    axial_load : Fa, N, > 0;  inner_speed : w, rad/s, any sign;  contact_angle : rule "solved", as thrust_equilibrium
+    correction : factors on Hertz's contacts, each a number or (n,); None leaves them as they are
+    On each race friction across the groove is mu = M_g/(r (Q_i + Q_o)) times the load, so that what presses there acts
+    at the angle b = al + p, tan p = mu, as Q/cos p. Along the axis and outward the ball is at rest where
+        Q_i sin b_i = Q_o sin b_o = (Fa/Z) cos p,  cot b_o = cot b_i + F_c Z/Fa
+    and the grooves' centres keep the radial distance of concentric rings,
+        (r_gi - r + delta_i) cos al_i + (r_go - r + delta_o) cos al_o = A0 cos al0
+    Its left side falls as b_i grows. F_c and M_g are those of analytic.loads.inertia.
+    Raises InputError as thrust_equilibrium does, ConvergenceError where the gyroscopic moment needs friction that no
+    balance has.
+    """
+    require_finite(inner_speed=inner_speed)
+    load, speed = np.broadcast_arrays(np.asarray(axial_load, np.float64), np.asarray(inner_speed, np.float64))
+    require_positive(axial_load=load, ball_count=bearing.ball_count)
+    factors = correction or ContactCorrection()
+    thrust = _Thrust(bearing, contact_angle, load)
+
+    def inertia(balls: _Balls) -> tuple[Array, Array]:
+        force, moment = force_and_moment(
+            bearing, inner_speed=speed, inner_angle=balls.angle[0], outer_angle=balls.angle[1]
+        )
+        friction = gyroscopic * np.abs(moment) / (bearing.ball_radius * balls.load.sum(axis=0))
+        return centrifugal * force / thrust.push, np.arctan(friction)
+
+    at_rest = thrust.followed(thrust.frozen(factors), factors)
+    balls = thrust.followed(at_rest, factors, inertia=inertia)
+    return ThrustAtSpeed(
+        inner_load=balls.load[0],
+        outer_load=balls.load[1],
+        inner_angle=balls.angle[0],
+        outer_angle=balls.angle[1],
+        inner=loaded_contact(balls.contacts[0], load=balls.load[0]),
+        outer=loaded_contact(balls.contacts[1], load=balls.load[1]),
+    )
 
 
 def free_angle(bearing: Bearing) -> float | None:
@@ -162,87 +213,158 @@ def unit_contacts(
         race_curvatures(bearing, "inner", contact_angle=inner_angle),
         race_curvatures(bearing, "outer", contact_angle=outer_angle),
     )
-    along, across = (np.array(curvatures) for curvatures in zip(*pairs, strict=True))
+    rolling, transverse = (np.array(curvatures) for curvatures in zip(*pairs, strict=True))
     moduli = [contact_modulus(bearing.ball_material, ring.material) for ring in (bearing.inner, bearing.outer)]
     # One call for both races: most callers have few balls, and pay by the call.
     both = hertz_contact(
-        curvature_x=along, curvature_y=across, load=1.0, modulus=np.reshape(moduli, (2,) + (1,) * (along.ndim - 1))
+        curvature_x=rolling,
+        curvature_y=transverse,
+        load=1.0,
+        modulus=np.reshape(moduli, (2,) + (1,) * (rolling.ndim - 1)),
     )
     inner, outer = (HertzContact(**{name: field[race] for name, field in vars(both).items()}) for race in (0, 1))
     return corrected_contact(inner, correction.inner), corrected_contact(outer, correction.outer)
 
 
-def _equilibrium(
-    bearing: Bearing, load: Array, tangent: Array, units: tuple[HertzContact, HertzContact], *, free_angle: float | None
-) -> ThrustEquilibrium:
-    ball_load = _ball_load(bearing, load, tangent)
-    inner, outer = (loaded_contact(unit, load=ball_load) for unit in units)
-    return ThrustEquilibrium(
-        free_angle=free_angle, contact_angle=np.arctan(tangent), ball_load=ball_load, inner=inner, outer=outer
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Balls:
+    """The balls under thrust, and what they were solved with; races in front."""
+
+    tangent: Array  # (n,) tan b_i
+    angle: Array  # (2, n) al, rad
+    load: Array  # (2, n) Q, N
+    contacts: tuple[HertzContact, HertzContact]  # (n,) under 1 N
+
+
+class _Thrust:
+    """A bearing under thrust by the rule `solved`."""
+
+    def __init__(self, bearing: Bearing, contact_angle: ContactAngle, load: Array) -> None:
+        self.bearing, self.push = bearing, load / bearing.ball_count  # Fa/Z, N
+        self.play, self.free_angle = play_and_free_angle(bearing, contact_angle)
+
+    def frozen(self, factors: ContactCorrection) -> _Balls:
+        """At rest, with the contacts of the free angle; of 0 where there is none."""
+        angle = np.asarray(self.free_angle or 0.0)
+        contacts = unit_contacts(self.bearing, inner_angle=angle, outer_angle=angle, correction=factors)
+        # What opens the angle is added up: the play, the load on a bearing without play (or against its preload), a
+        # load that dwarfs A0.
+        distance = self.bearing.groove_centre_distance
+        approach = (contacts[0].approach + contacts[1].approach) * np.cbrt(self.push) ** 2
+        flat = (2 * approach / distance) ** (3 / 8)
+        if self.play < 0:
+            flat = np.minimum(flat, (approach / -self.play) ** 1.5)
+        opened = np.sqrt(2 * max(self.play, 0.0) / distance) + flat + approach / distance
+        return self.balanced(contacts, start=opened, outward=np.zeros(()), lean=np.zeros(()))
+
+    def followed(
+        self,
+        balls: _Balls,
+        factors: ContactCorrection,
+        *,
+        inertia: Callable[[_Balls], tuple[Array, Array]] | None = None,
+    ) -> _Balls:
+        """Rounds from these balls on, each with the contacts and forces of the angles before, until none changes.
+
+        inertia : balls -> (F_c Z/Fa, p), which a round holds; None at rest
+        """
+        change = 0.0  # no rate yet
+        for _ in range(MOST_ROUNDS):
+            last, before = balls, change
+            contacts = unit_contacts(
+                self.bearing, inner_angle=np.abs(last.angle[0]), outer_angle=np.abs(last.angle[1]), correction=factors
+            )
+            outward, lean = (np.zeros(()), np.zeros(())) if inertia is None else inertia(last)
+            balls = self.balanced(contacts, start=last.tangent, outward=outward, lean=lean)
+            # Of ln(tan b_i), which rounds where it is large: at a light load on no clearance it is -10.
+            logarithm, held = np.log(balls.tangent), np.log(last.tangent)
+            steps = np.maximum(
+                np.abs(logarithm - held) / (1 + np.abs(held)), np.abs(balls.angle - last.angle).max(axis=0)
+            )
+            change = float(np.max(steps, initial=0.0))
+            # The changes fall at least as a geometric series: the next would be below round-off, that of the contacts
+            # too.
+            if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:
+                return balls
+        at_speed = "" if inertia is None else " of balls at speed"
+        raise ConvergenceError(
+            iterations=MOST_ROUNDS,
+            residual=change,
+            tolerance=float(ROUND_OFF),
+            unit="of ln(tan al)",
+            problem=f"the contact angle{at_speed}",
+            remedy="Raise the load or lower the speed; check load, speed, clearance and ball mass for a slipped unit.",
+        )
+
+    def balanced(
+        self, contacts: tuple[HertzContact, HertzContact], *, start: Array, outward: Array, lean: Array
+    ) -> _Balls:
+        """The balls with contacts and forces held, by Newton in ln(tan b_i) kept in a bracket.
+
+        contacts : under 1 N;  start : of tan b_i;  outward : F_c Z/Fa;  lean : p, rad
+        Written delta_i cos al_i + delta_o cos al_o + play = L_i (1 - cos al_i) + L_o (1 - cos al_o), L = r_g - r, with
+        a preload on the other side, the left side falls and the right side rises. The logarithms of both are nearly
+        straight in ln(tan b_i) for loads from nothing to far above A0.
+        """
+        bearing, start = self.bearing, np.log(np.broadcast_to(start, self.push.shape))
+        lengths = np.array([bearing.inner.groove_radius, bearing.outer.groove_radius]) - bearing.ball_radius
+        lengths = lengths.reshape(2, *(1,) * start.ndim)
+        clearance, preload = max(self.play, 0.0), max(-self.play, 0.0)
+        turn, side = np.cos(lean), np.sin(lean)
+        units = np.stack([np.broadcast_to(contact.approach, start.shape) for contact in contacts])
+        alone = units * np.cbrt(self.push * turn) ** 2  # delta under a load of (Fa/Z) cos p, m
+
+        def rising(logarithm: Array) -> tuple[Array, Array]:
+            tangent = np.exp(logarithm)
+            relief = 1 / (1 + outward * tangent)  # tan b_o/tan b_i, which is d ln(tan b_o)/d ln(tan b_i) too
+            both, rates = np.stack([tangent, tangent * relief]), np.stack([np.ones_like(relief), relief])
+            cosine = 1 / np.hypot(1, both)
+            sine = both * cosine
+            cosine_al, sine_al = cosine * turn + sine * side, sine * turn - cosine * side
+            turned = rates * sine * cosine  # d b/d ln(tan b_i)
+            approach = alone * np.cbrt(sine) ** -2
+            left = np.sum(approach * cosine_al, axis=0) + clearance
+            right = np.sum(lengths * sine_al**2 / (1 + cosine_al), axis=0) + preload
+            falls = np.sum(approach * (2 / 3 * cosine_al * rates * cosine**2 + sine_al * turned), axis=0)
+            rises = np.sum(lengths * sine_al * turned, axis=0)
+            return np.log(right / left), falls / left + rises / right
+
+        tangent = np.exp(
+            bracketed_root(
+                rising,
+                start=start,
+                low=np.full_like(start, LEAST),
+                high=np.full_like(start, MOST),
+                relative=0.0,
+                absolute=LAST_STEP,
+                unit="of ln(tan al)",
+                problem="the loaded contact angle",
+                remedy="Check the load, the speed, the clearance and the materials for a slipped unit.",
+            )
+        )
+        return _balls(self.push, tangent, contacts, outward=outward, lean=lean)
+
+
+def _balls(
+    push: Array,
+    tangent: Array,
+    contacts: tuple[HertzContact, HertzContact],
+    *,
+    outward: ArrayLike = 0.0,
+    lean: ArrayLike = 0.0,
+) -> _Balls:
+    """push : Fa/Z, N;  tangent : tan b_i;  outward : F_c Z/Fa;  lean : p, rad."""
+    both = np.stack([tangent, tangent / (1 + outward * tangent)])  # tan b
+    return _Balls(
+        tangent=tangent,
+        angle=np.arctan(both) - lean,
+        load=push * np.cos(lean) * np.hypot(1, both) / both,
+        contacts=contacts,
     )
 
 
-def _units(bearing: Bearing, tangent: Array, factors: ContactCorrection) -> tuple[HertzContact, HertzContact]:
-    angle = np.arctan(tangent)
-    return unit_contacts(bearing, inner_angle=angle, outer_angle=angle, correction=factors)
-
-
-def _ball_load(bearing: Bearing, load: Array, tangent: Array) -> Array:
-    """Q = Fa/(Z sin al), N."""
-    return load * np.hypot(1, tangent) / (bearing.ball_count * tangent)
-
-
-def _loaded_tangent(
-    bearing: Bearing,
-    load: Array,
-    *,
-    play: float,
-    units: tuple[HertzContact, HertzContact],
-    start: Array | None = None,
-) -> Array:
-    """tan al of the equilibrium, of the load's shape, by Newton in ln(tan al) kept in a bracket.
-
-    play : A0 (1 - cos al0), negative under preload, m
-    units : both contacts under 1 N, held: delta_i + delta_o = Q^(2/3) of theirs
-    Written delta cos al + play = A0 (1 - cos al), with a preload on the other side: ln of the left falls, ln of the
-    right rises with ln(tan al), both nearly straight for loads from nothing to far above A0. Without a start what opens
-    the angle is added up: the play, the load on a bearing without play (or against its preload), a load that dwarfs A0.
-    """
-    distance, play, preload = bearing.groove_centre_distance, max(play, 0.0), max(-play, 0.0)
-    alone = (units[0].approach + units[1].approach) * np.cbrt(load / bearing.ball_count) ** 2  # delta of Q = Fa/Z, m
-    if start is None:
-        flat = (2 * alone / distance) ** (3 / 8)
-        flat = np.minimum(flat, (alone / preload) ** 1.5) if preload else flat
-        logarithm = np.log(np.sqrt(2 * play / distance) + flat + alone / distance)
-    else:
-        logarithm = np.log(start)
-    largest = np.inf
-    low, high = np.full_like(logarithm, LEAST), np.full_like(logarithm, MOST)
-    for _ in range(MOST_STEPS):
-        tangent = np.exp(logarithm)
-        secant = np.hypot(1, tangent)
-        cosine, sine = 1 / secant, tangent / secant
-        closing = alone * np.cbrt(sine) ** -2 * cosine  # delta cos al
-        opening = distance * sine**2 / (1 + cosine)  # A0 (1 - cos al), without the difference of two large numbers
-        left, right = closing + play, opening + preload
-        slope = closing * (2 / 3 * cosine**2 + sine**2) / left + distance * sine**2 * cosine / right
-        step = np.log(left / right) / slope
-        low, high = np.where(step > 0, logarithm, low), np.where(step < 0, logarithm, high)
-        newton = (logarithm + step >= low) & (logarithm + step <= high)
-        step = np.where(newton, step, (low + high) / 2 - logarithm)
-        logarithm = logarithm + step
-        largest = float(np.max(np.abs(step), initial=0.0))
-        if largest <= LAST_STEP:
-            return np.exp(logarithm)
-    raise _not_settled(MOST_STEPS, largest)
-
-
-def _not_settled(iterations: int, residual: float) -> ConvergenceError:
-    return ConvergenceError(
-        iterations=iterations,
-        residual=residual,
-        tolerance=LAST_STEP,
-        unit="of ln(tan al)",
-        problem="the loaded contact angle",
-        remedy="Check the axial load, the clearance and the materials for a slipped unit.",
+def _at_rest(balls: _Balls, *, free_angle: float | None) -> ThrustEquilibrium:
+    inner, outer = (loaded_contact(contact, load=balls.load[0]) for contact in balls.contacts)
+    return ThrustEquilibrium(
+        free_angle=free_angle, contact_angle=balls.angle[0], ball_load=balls.load[0], inner=inner, outer=outer
     )

@@ -1,15 +1,15 @@
-"""Dataclasses of arrays, one row for each operating point: some rows of all of them, and rows put back."""
+"""Dataclasses of arrays with one row for each operating point: take some rows out, and put them back."""
 
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-Rows = TypeVar("Rows")  # a dataclass of arrays with a row for each operating point
+Rows = TypeVar("Rows")  # a dataclass of arrays, or of such dataclasses, with a row for each operating point
 
 
 def part_of(whole: Rows, index: NDArray[np.intp]) -> Rows:
-    """The rows at the index, in rising order, of every array in a dataclass."""
+    """The rows at the index, which rises, of every array."""
     if len(index) == len(next(iter(vars(whole).values()))):
         return whole
     fields = vars(whole).items()
@@ -17,7 +17,7 @@ def part_of(whole: Rows, index: NDArray[np.intp]) -> Rows:
 
 
 def merged(whole: Rows, index: NDArray[np.intp], part: Rows) -> Rows:
-    """The dataclass with those rows of every array taken from the part."""
+    """The whole with the rows at the index, which rises, taken from the part."""
     if len(index) == len(next(iter(vars(whole).values()))):
         return part
     fields = {}

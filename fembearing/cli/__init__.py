@@ -339,4 +339,3 @@ def _solved(uncertainties: dict[str, float], accuracy: float) -> int:
         "ask for a larger --tolerance",
         NOT_SOLVED,
     )
-

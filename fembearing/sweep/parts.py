@@ -18,9 +18,8 @@ from numpy.typing import NDArray
 from analytic.errors import FembearingError
 from analytic.scene import Array, Scene
 from analytic.sliding.methods import SERIES
-from analytic.torque import friction_torque
+from analytic.torque import friction_torque, with_model_uncertainty
 from analytic.torque_columns import COLUMNS, torque_values
-from analytic.torque import with_model_uncertainty
 from fembearing.compare.contact import columns as of_contact
 from fembearing.sweep.grid import Grid
 

@@ -7,8 +7,7 @@ import numpy as np
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.scenefile.read import builtin_scene, load_scene
-from analytic.torque import friction_torque
-from analytic.torque import with_model_uncertainty
+from analytic.torque import friction_torque, with_model_uncertainty
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"
 

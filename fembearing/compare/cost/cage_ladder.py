@@ -7,7 +7,7 @@ import numpy as np
 from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.torque import CagePart, cage_friction, driven_cage
 from analytic.effects.ledger import Choices
-from analytic.effects.loads import loaded_balls, points
+from analytic.effects.loads import chosen_balls
 from analytic.errors import InputError
 from analytic.scene import Array, Operation, Scene
 from fembearing.compare.cost.ladder import Question, Way, deviation
@@ -29,14 +29,14 @@ def cage_question(scene: Scene) -> Question:
         raise InputError("the scene has no [cage]")
     if not scene.has_friction and cage.friction_coefficient is None:
         raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
-    series = points(scene)
+    series = scene.operation.as_series()
     fastest = int(np.argmax(np.abs(series.inner_speed)))
     operation = Operation(**{name: values[[fastest]] for name, values in vars(series).items()})
     turning = float(operation.inner_speed[0])
     if turning == 0:
         raise InputError("the bearing stands still, and its cage takes nothing")
     resting = replace(scene, operation=operation, effects={**scene.effects, "cage": "on", "cage_dynamics": "off"})
-    balls, _ = loaded_balls(resting, operation, Choices(resting, 1), correction=None)
+    balls, _ = chosen_balls(resting, operation, Choices(resting, 1), correction=None)
 
     def closed_form() -> CagePart:
         part = cage_friction(resting, balls, operation, Choices(resting, 1), race=np.zeros(1))

@@ -12,9 +12,9 @@ import numpy as np
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.contact.hertz_fitted import fitted_error, hertz_contact_fitted
 from analytic.effects.table import COMPUTED
-from analytic.effects.loads import inertia_shares, points
 from analytic.errors import InputError
-from analytic.loads.balls import LoadedBalls, ring_balls, thrust_balls_at_speed
+from analytic.loads.balls import LoadedBalls, LoadEffects, ring_balls, thrust_balls
+from analytic.loads.inertia import inertia_ratios
 from analytic.loads.thrust import ThrustEquilibrium, free_angle, thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.scene import Array, Autocorrelation, Contact, Decision, Operation, Scene, Sliding
 from analytic.surface.heightmap import FEWEST_POINTS, WIDEST, measure
@@ -80,7 +80,7 @@ def load_question(scene: Scene) -> Question:
     bearing, rule = scene.bearing, scene.contact_angle
     if rule.rule == "given":
         raise InputError('contact_angle.rule = "given" holds the angle, and thrust gives the loads in closed form')
-    operation = points(scene)
+    operation = scene.operation.as_series()
     axial = operation.axial_load
 
     def of_thrust(solve: Callable[..., ThrustEquilibrium]) -> Array:
@@ -89,13 +89,8 @@ def load_question(scene: Scene) -> Question:
     def unloaded() -> Array:
         return np.stack([axial / (bearing.ball_count * np.sin(_free_angle(scene)))] * 2)
 
-    def with_inertia(solve: Callable[..., LoadedBalls], **sideways: Array | float) -> Array:
-        speed = operation.inner_speed
-        found = solve(bearing, rule, axial_load=axial, inner_speed=speed, centrifugal=True, gyroscopic=True, **sideways)
-        return found.load.max(axis=2)
-
-    def of_ring() -> Array:
-        return with_inertia(ring_balls, radial_load=operation.radial_load, moment=operation.moment)
+    def with_inertia(solve: Callable[..., LoadedBalls]) -> Array:
+        return solve(bearing, rule, operation, LoadEffects()).load.max(axis=2)
 
     def sideways() -> Array:
         return _of_alike(scene, operation)
@@ -116,10 +111,15 @@ def load_question(scene: Scene) -> Question:
             Way(name="thrust, solved", run=lambda: of_thrust(thrust_equilibrium), bound=beyond_thrust),
             Way(
                 name="thrust, at speed",
-                run=lambda: with_inertia(thrust_balls_at_speed),
+                run=lambda: with_inertia(thrust_balls),
                 bound=lambda: float(np.max(sideways())) + SETTLED,
             ),
-            Way(name="equilibrium of the ring", run=of_ring, bound=lambda: ROUND_OFF, may_refer=True),
+            Way(
+                name="equilibrium of the ring",
+                run=lambda: with_inertia(ring_balls),
+                bound=lambda: ROUND_OFF,
+                may_refer=True,
+            ),
         ),
     )
 
@@ -146,9 +146,10 @@ def friction_question(scene: Scene) -> Question:
             may_refer=name == SLIDING[-1][0],
         )
 
+    points = scene.operation.as_series().axial_load.size
     return Question(
         quantity="friction torque",
-        reference=f"sliding integrated over the ellipse; worst of {points(scene).axial_load.size} operating points",
+        reference=f"sliding integrated over the ellipse; worst of {points} operating points",
         ways=tuple(way(*rung) for rung in SLIDING),
     )
 
@@ -245,7 +246,7 @@ def _of_still(scene: Scene, operation: Operation) -> Array:
     """(n,) what the inertia of the balls does to their load under thrust, of the true one."""
     bearing = scene.bearing
     thrust = thrust_equilibrium(bearing, scene.contact_angle, axial_load=operation.axial_load)
-    centrifugal, pull = inertia_shares(
+    centrifugal, pull = inertia_ratios(
         bearing,
         inner_speed=operation.inner_speed,
         contact_angle=thrust.contact_angle,

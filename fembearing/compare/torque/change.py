@@ -9,11 +9,10 @@ import numpy as np
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.finite_geometry import RaceCorrections
 from analytic.effects.table import CHOSEN
-from analytic.effects.loads import corrections_of
+from analytic.loads.finite_geometry import corrections_of
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
-from analytic.torque import friction_torque
-from analytic.torque import with_model_uncertainty
+from analytic.torque import friction_torque, with_model_uncertainty
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.verdict import Verdict, worst
 from fembearing.compare.torque.heaviest_ball import balls_of
@@ -112,9 +111,7 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     """
     plain = replace(scene, effects={**scene.effects, **dict.fromkeys(BESIDE, "off")})
     hertz = _with_reasons(scene, with_model_uncertainty(plain, friction_torque(plain)))
-    scene = replace(
-        scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in CHOSEN}
-    )
+    scene = replace(scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in CHOSEN})
     corrected = _corrected(scene, factors(inner), factors(outer))
     solved = int(np.argmax(hertz.ball_load))
     expected = _outcome(corrected, solved)

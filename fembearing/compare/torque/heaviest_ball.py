@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from analytic.contact.geometry import Race, race_contact
+from analytic.contact.geometry import RACES, Race, race_contact
 from analytic.effects.ledger import Choices
-from analytic.effects.loads import RACES, loaded_balls, points
+from analytic.effects.loads import chosen_balls
 from analytic.loads.balls import LoadedBalls
 from analytic.scene import Contact, Scene
 
@@ -14,8 +14,8 @@ from analytic.scene import Contact, Scene
 def balls_of(scene: Scene) -> LoadedBalls:
     """The loaded balls at every operating point, with Hertz's contacts. Raises InputError as friction_torque does."""
     plain = replace(scene, effects={**scene.effects, "finite_geometry": "off"})
-    operation = points(plain)
-    balls, _ = loaded_balls(plain, operation, Choices(plain, operation.axial_load.size), correction=None)
+    operation = plain.operation.as_series()
+    balls, _ = chosen_balls(plain, operation, Choices(plain, operation.axial_load.size), correction=None)
     return balls
 
 

@@ -7,8 +7,7 @@ import numpy as np
 
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
-from analytic.torque import friction_torque
-from analytic.torque import with_model_uncertainty
+from analytic.torque import friction_torque, with_model_uncertainty
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
 
 

@@ -22,16 +22,13 @@ from analytic.contact.finite_geometry import (
     race_shape,
     shape_bases,
     stored_fit,
-    thrust_correction,
 )
 from analytic.contact.geometry import race_contact
 from analytic.contact.hertz import hertz_contact
-from analytic.loads.thrust import thrust_equilibrium
-from analytic.scene import Bearing, Contact, ContactAngle, Material
+from analytic.scene import Bearing, Contact, Material
 
 VALIDATION = Path(__file__).resolve().parents[3] / "validation" / "correction"
 NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
-SOLVED = ContactAngle(rule="solved", free=0.18)
 SHAPE = ContactShape(
     conformity=0.521,
     rolling_curvature=0.27,
@@ -183,41 +180,6 @@ def test_a_contact_near_its_shoulder_is_left_alone() -> None:
     assert "nearer to the shoulder" in near.warnings[0]
     assert far.covered
     assert far.warnings == ()
-
-
-def test_each_load_takes_its_own_factors(bearing_6205: Bearing) -> None:
-    """Many loads at once are each of them alone, in the corrected equilibrium too."""
-    loads = np.array([90.0, 400.0, 1500.0])
-    together = thrust_correction(bearing_6205, SOLVED, axial_load=loads)
-    found = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads, correction=together.correction)
-    assert together.warnings == ()
-    for number, load in enumerate(loads):
-        alone = thrust_correction(bearing_6205, SOLVED, axial_load=load)
-        for race in ("inner", "outer"):
-            for name in NAMES:
-                many, one = (getattr(getattr(each, race).factors, name) for each in (together, alone))
-                np.testing.assert_allclose(many[number], one, rtol=1e-12)  # round-off
-        single = thrust_equilibrium(bearing_6205, SOLVED, axial_load=load, correction=alone.correction)
-        np.testing.assert_allclose(
-            found.contact_angle[number], single.contact_angle, rtol=1e-12
-        )  # the root's tolerance
-    balance = (bearing_6205.groove_centre_distance + found.approach) * np.cos(found.contact_angle)
-    np.testing.assert_allclose(balance, bearing_6205.groove_centre_distance * np.cos(0.18), rtol=1e-13)  # round-off
-
-
-def test_factors_at_hertz_equilibrium_are_those_at_the_corrected_one(bearing_6205: Bearing) -> None:
-    """Once more from where the corrected contacts settle: what thrust_correction leaves out."""
-    loads = np.array([50.0, 1000.0, 3000.0])
-    first = thrust_correction(bearing_6205, SOLVED, axial_load=loads)
-    balls = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads, correction=first.correction)
-    for race in ("inner", "outer"):
-        shape = race_shape(bearing_6205, race, contact_angle=balls.contact_angle, ball_load=balls.ball_load)
-        again = finite_geometry_factors(shape)
-        for name in NAMES:
-            before, after = (np.asarray(getattr(f, name)) for f in (getattr(first, race).factors, again.factors))
-            np.testing.assert_allclose(after, before, rtol=1e-4)  # as its docstring says
-    hertz = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads)
-    assert (np.abs(balls.contact_angle / hertz.contact_angle - 1) > 1e-4).all()  # there was something to leave out
 
 
 def test_a_correction_brings_its_own_peak_pressure() -> None:

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-import analytic.effects.loads
 import analytic.effects.sliding
 import analytic.loads.balls
+import analytic.loads.finite_geometry
 import analytic.loads.ring
 import analytic.oil.lubricated_races
 import analytic.sliding.ball
@@ -77,7 +77,7 @@ def test_balls_without_inertia_do_not_ask_for_their_motion_in_the_ring(
     scene: Scene, how: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The bound takes the motion of one ball beside the ring; the forces need that of each, round by round."""
-    motion = Calls(monkeypatch, analytic.loads.ring, "ball_kinematics")
+    motion = Calls(monkeypatch, analytic.loads.ring, "force_and_moment")
     effects = {"load_distribution": "on", "centrifugal": how, "gyroscopic": how}
     asked = replace(loaded_aside(scene, 3.0), effects=effects)
     assert [decided(friction_torque(asked))[name] for name in ("centrifugal", "gyroscopic")] == ["off"] * 2
@@ -88,7 +88,7 @@ def test_balls_without_inertia_do_not_ask_for_their_motion_in_the_ring(
 
 @pytest.mark.parametrize("how", ["auto", "off"])
 def test_contacts_of_half_spaces_ask_for_no_factors(scene: Scene, how: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    factors = Calls(monkeypatch, analytic.effects.loads, "finite_geometry_factors")
+    factors = Calls(monkeypatch, analytic.loads.finite_geometry, "finite_geometry_factors")
     found = friction_torque(replace(scene, effects={"finite_geometry": how}))
     assert (decided(found)["finite_geometry"], len(factors)) == ("off", 0)
     friction_torque(replace(scene, effects={"finite_geometry": "on"}))

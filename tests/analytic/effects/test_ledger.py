@@ -47,12 +47,13 @@ def computed(scene: Scene) -> tuple[Scene, FrictionTorque]:
         try:
             return scene, friction_torque(scene)
         except InputError as problem:
-            refused = re.match(r'effects\.(\w+) = "on" cannot be had: \w', str(problem))
-            assert refused, problem
-            name = refused.group(1)
-            assert scene.effects[name] == "on"
-            scene = replace(scene, effects={**scene.effects, name: "auto"})
-    raise AssertionError("refused for ever")
+            words = str(problem)
+        refused = re.match(r'effects\.(\w+) = "on" cannot be had: \w', words)
+        assert refused, words
+        name = refused.group(1)
+        assert scene.effects[name] == "on"
+        scene = replace(scene, effects={**scene.effects, name: "auto"})
+    raise AssertionError("more refusals than effects")
 
 
 @pytest.mark.parametrize("seed", range(24))

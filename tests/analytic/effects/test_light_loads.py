@@ -10,8 +10,7 @@ from analytic.effects.table import COMPUTED
 from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
-from analytic.torque import friction_torque
-from analytic.torque import with_model_uncertainty
+from analytic.torque import friction_torque, with_model_uncertainty
 
 OILED = """
 name = "light"

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.effects.bounds import gyroscopic_slip_ratio
 from analytic.effects.table import LIMITS
+from analytic.loads.inertia import gyroscopic_slip_ratio
 from analytic.loads.ring import ring_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene

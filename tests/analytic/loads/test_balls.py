@@ -9,7 +9,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq, minimize
 
 from analytic.errors import InputError
-from analytic.loads.balls import LoadedBalls, ring_balls
+from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls, ring_balls
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Groove, Material, Operation, Scene
 from analytic.sliding.ball import Rung
 from analytic.torque import friction_torque
@@ -54,17 +54,8 @@ def torque(scene: Scene, **change: float) -> float:
 
 
 def balls_of(scene: Scene, *, centrifugal: bool = True, gyroscopic: bool = True) -> LoadedBalls:
-    run = scene.operation
-    return ring_balls(
-        scene.bearing,
-        scene.contact_angle,
-        axial_load=run.axial_load,
-        radial_load=run.radial_load,
-        moment=run.moment,
-        inner_speed=run.inner_speed,
-        centrifugal=centrifugal,
-        gyroscopic=gyroscopic,
-    )
+    effects = LoadEffects(centrifugal=centrifugal, gyroscopic=gyroscopic)
+    return ring_balls(scene.bearing, scene.contact_angle, scene.operation, effects)
 
 
 def slip_power(load: np.ndarray, b: np.ndarray, radius: np.ndarray, roll: np.ndarray, spin: float) -> float:
@@ -165,9 +156,13 @@ def test_a_vanishing_radial_load_leaves_the_thrusts_torque(scene: Scene) -> None
 
 
 def test_the_ring_without_side_load_is_the_closed_form(scene: Scene) -> None:
-    slow = {**ALL, "centrifugal": "off", "gyroscopic": "off", "load_distribution": "off"}
-    closed, ring = (replace(scene, effects={**slow, "load_distribution": how}) for how in ("off", "on"))
-    np.testing.assert_allclose(torque(ring, radial_load=0.0), torque(closed, radial_load=0.0), rtol=1e-9)
+    thrust = replace(scene, operation=operation(310.0, 0.0, 900.0))
+    ring, closed = balls_of(thrust), loaded_balls(scene.bearing, scene.contact_angle, thrust.operation, LoadEffects())
+    assert (ring.method, closed.method) == ("ring", "thrust")
+    np.testing.assert_allclose(ring.total(ring.load), closed.total(closed.load), rtol=1e-9)
+    for name in ("load", "contact_angle", "rolling_rate", "deformed_radius"):
+        every = np.broadcast_to(getattr(closed, name), getattr(ring, name).shape)
+        np.testing.assert_allclose(getattr(ring, name), every, rtol=1e-9)
 
 
 @pytest.mark.parametrize("count", [8, 9])

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from analytic.effects.table import COMPUTED
-from analytic.loads.balls import LoadedBalls, thrust_balls
+from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.oil.lubricated_races import lubricated_races
-from analytic.scene import Array, Bearing, ContactAngle, Lubricant
+from analytic.scene import Array, Bearing, ContactAngle, Lubricant, Operation
 from analytic.sliding.ball import RaceContact, SlipFriction, slip_friction
 from analytic.sliding.methods import most_missed, rolling_power
 from analytic.torque import friction_torque
@@ -18,6 +18,7 @@ from tests.analytic.specimens import FINISH, OIL, drawn, without
 SMOOTH = replace(FINISH, rms_roughness=0.0)
 CONSTANT, SINH = (replace(OIL, traction=traction) for traction in ("eyring_constant", "eyring_sinh"))
 ANGLE = ContactAngle(rule="given", value=0.2)
+STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
 
 
 @pytest.mark.parametrize("rung", ["single_coefficient", "along_axis"])
@@ -42,7 +43,8 @@ def run(bearing: Bearing, oil: Lubricant, *, groove: float, load: Any, speed: An
     }
     loads, speeds = (grid.ravel() for grid in np.meshgrid(load, speed))
     thrust = loads * bearing.ball_count * np.sin(0.2)
-    balls = thrust_balls(replace(bearing, **rings), ANGLE, axial_load=thrust)
+    operation = Operation(axial_load=thrust, inner_speed=np.zeros_like(thrust))
+    balls = thrust_balls(replace(bearing, **rings), ANGLE, operation, STILL)
     races = lubricated_races(bearing, balls, lubricant=oil, surface=SMOOTH, ring_speed=speeds)
     shared = races.shared(asperities=False, heating_factor=1.0)
     contacts = [

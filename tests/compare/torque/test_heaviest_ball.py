@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.effects.loads import RACES
+from analytic.contact.geometry import RACES
 from analytic.errors import InputError
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium

@@ -11,8 +11,7 @@ from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import ConvergenceError, InputError
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.thrust import thrust_equilibrium
-from analytic.loads.thrust_inertia import ThrustAtSpeed, thrust_at_speed
+from analytic.loads.thrust import ThrustAtSpeed, thrust_at_speed, thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle
 
 SOLVED = ContactAngle(rule="solved")

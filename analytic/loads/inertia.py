@@ -1,0 +1,181 @@
+"""Inertia of the balls: centrifugal force and gyroscopic moment, and how large they are beside the loads.
+
+Arguments of the formulas broadcast. The speeds of a ball come from `analytic.loads.kinematics`.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.loads.kinematics import ball_kinematics
+from analytic.scene import Array, Bearing
+
+
+def centrifugal_force(*, ball_mass: ArrayLike, pitch_diameter: ArrayLike, cage_speed: ArrayLike) -> Array:
+    """F_c = m (d_m/2) w_m^2, outward, N.
+
+    ball_mass : m, kg;  pitch_diameter : d_m, m;  cage_speed : w_m, rad/s, any sign
+    """
+    return np.asarray(ball_mass) * np.asarray(pitch_diameter) / 2 * np.asarray(cage_speed) ** 2
+
+
+def gyroscopic_moment(
+    *,
+    ball_mass: ArrayLike,
+    ball_diameter: ArrayLike,
+    ball_speed: ArrayLike,
+    cage_speed: ArrayLike,
+    axis_angle: ArrayLike,
+) -> Array:
+    """M_g = J w_b w_m sin(axis_angle), J = m D^2/10, about the direction of rolling, N m.
+
+    ball_mass : m, kg;  ball_diameter : D, m;  ball_speed, cage_speed : w_b, w_m, rad/s, any sign
+    axis_angle : of w_b to the bearing axis, rad, any sign
+    """
+    inertia = np.asarray(ball_mass) * np.asarray(ball_diameter) ** 2 / 10
+    return inertia * np.asarray(ball_speed) * np.asarray(cage_speed) * np.sin(axis_angle)
+
+
+def force_and_moment(
+    bearing: Bearing, *, inner_speed: Array, inner_angle: Array, outer_angle: Array
+) -> tuple[Array, Array]:
+    """(F_c, M_g) of balls at their contact angles, N and N m; M_g has the sign of the mean contact angle.
+
+    inner_speed : w, rad/s, any sign, the outer ring stands still
+    inner_angle, outer_angle : al_i, al_o, rad, in [-pi/2, pi/2]
+    """
+    motion = ball_kinematics(
+        inner_speed=inner_speed,
+        inner_angle=inner_angle,
+        outer_angle=outer_angle,
+        pitch_diameter=bearing.pitch_diameter,
+        ball_diameter=bearing.ball_diameter,
+    )
+    force = centrifugal_force(
+        ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=motion.cage_speed
+    )
+    moment = gyroscopic_moment(
+        ball_mass=bearing.ball_mass,
+        ball_diameter=bearing.ball_diameter,
+        ball_speed=motion.ball_speed,
+        cage_speed=motion.cage_speed,
+        axis_angle=(inner_angle + outer_angle) / 2,
+    )
+    return force, moment
+
+
+def centrifugal_ratio(
+    *, ball_mass: ArrayLike, pitch_diameter: ArrayLike, cage_speed: ArrayLike, load: ArrayLike
+) -> Array:
+    """F_c/Q: centrifugal force of a ball over its load on the race; infinite without load.
+
+    ball_mass : m, kg;  pitch_diameter : d_m, m;  cage_speed : w_m, rad/s;  load : Q, N; all >= 0
+    """
+    require_non_negative(ball_mass=ball_mass, pitch_diameter=pitch_diameter, cage_speed=cage_speed, load=load)
+    return ratio(
+        centrifugal_force(ball_mass=ball_mass, pitch_diameter=pitch_diameter, cage_speed=cage_speed), over=load
+    )
+
+
+def gyroscopic_pull(
+    *,
+    ball_mass: ArrayLike,
+    ball_radius: ArrayLike,
+    ball_speed: ArrayLike,
+    cage_speed: ArrayLike,
+    contact_angle: ArrayLike,
+    load: ArrayLike,
+) -> Array:
+    """J w_b w_m cos(al)/(r Q): axial pull of the friction that holds the gyroscopic moment, over a ball's thrust.
+
+    ball_mass : m, kg;  ball_radius : r, m, > 0;  ball_speed, cage_speed : w_b, w_m, rad/s
+    contact_angle : al, rad, 0 to pi/2;  load : Q, N; all >= 0
+    The moment J w_b w_m sin(al) needs a force across the groove of that over r. Its axial part, cos(al) of it, adds to
+    the thrust Q sin(al). The pull changes loads and angles; whether the ball slides is `gyroscopic_slip_ratio`.
+    """
+    require_positive(ball_radius=ball_radius)
+    require_non_negative(
+        ball_mass=ball_mass, ball_speed=ball_speed, cage_speed=cage_speed, contact_angle=contact_angle, load=load
+    )
+    radius = np.asarray(ball_radius)
+    upright = gyroscopic_moment(
+        ball_mass=ball_mass,
+        ball_diameter=2 * radius,
+        ball_speed=ball_speed,
+        cage_speed=cage_speed,
+        axis_angle=np.pi / 2,
+    )
+    return ratio(upright * np.cos(contact_angle) / radius, over=load)
+
+
+def gyroscopic_slip_ratio(
+    *,
+    ball_mass: ArrayLike,
+    ball_radius: ArrayLike,
+    ball_speed: ArrayLike,
+    cage_speed: ArrayLike,
+    contact_angle: ArrayLike,
+    friction_force: ArrayLike,
+) -> Array:
+    """M_g/(r F): gyroscopic moment of a ball over what friction across both grooves can hold.
+
+    ball_mass : m, kg;  ball_radius : r, m;  ball_speed, cage_speed : w_b, w_m, rad/s
+    contact_angle : al, the angle of w_b to the bearing axis, rad, 0 to pi/2
+    friction_force : F, the sum of mu Q over both races, N; all >= 0
+    The moment is about the direction of rolling, so that friction across the grooves carries it with the arm r. Above 1
+    the ball turns about that axis too. With the arm 3/8 b of spin's friction it would be some ten times as large.
+    """
+    require_non_negative(
+        ball_mass=ball_mass,
+        ball_radius=ball_radius,
+        ball_speed=ball_speed,
+        cage_speed=cage_speed,
+        contact_angle=contact_angle,
+        friction_force=friction_force,
+    )
+    if np.any(np.asarray(contact_angle) > np.pi / 2):
+        raise InputError(
+            f"contact_angle must be at most pi/2 rad, got {float(np.max(contact_angle))!r}; is it in degrees?"
+        )
+    radius = np.asarray(ball_radius)
+    moment = gyroscopic_moment(
+        ball_mass=ball_mass,
+        ball_diameter=2 * radius,
+        ball_speed=ball_speed,
+        cage_speed=cage_speed,
+        axis_angle=contact_angle,
+    )
+    return ratio(moment, over=np.asarray(friction_force) * radius)
+
+
+def inertia_ratios(bearing: Bearing, *, inner_speed: Array, contact_angle: Array, load: Array) -> tuple[Array, Array]:
+    """(`centrifugal_ratio`, `gyroscopic_pull`) of a ball with one contact angle on both races, each (n,).
+
+    inner_speed : w, rad/s, any sign, the outer ring stands still;  contact_angle : al, rad;  load : Q, N
+    """
+    motion = ball_kinematics(
+        inner_speed=inner_speed,
+        inner_angle=contact_angle,
+        outer_angle=contact_angle,
+        pitch_diameter=bearing.pitch_diameter,
+        ball_diameter=bearing.ball_diameter,
+    )
+    cage_speed = np.abs(motion.cage_speed)
+    centrifugal = centrifugal_ratio(
+        ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=cage_speed, load=load
+    )
+    pull = gyroscopic_pull(
+        ball_mass=bearing.ball_mass,
+        ball_radius=bearing.ball_radius,
+        ball_speed=np.abs(motion.ball_speed),
+        cage_speed=cage_speed,
+        contact_angle=contact_angle,
+        load=load,
+    )
+    return centrifugal, pull
+
+
+def ratio(part: ArrayLike, *, over: ArrayLike) -> Array:
+    """part/over, both >= 0: 0 where the part is 0, infinite where only the part is not."""
+    part, over = np.broadcast_arrays(np.asarray(part, dtype=np.float64), np.asarray(over, dtype=np.float64))
+    return np.divide(part, over, out=np.where(part > 0, np.inf, 0.0), where=over > 0)

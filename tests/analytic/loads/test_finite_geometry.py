@@ -1,0 +1,64 @@
+"""The correction for finite geometry under thrust: its factors follow each load, and need no iteration."""
+
+import numpy as np
+import pytest
+
+from analytic.contact.finite_geometry import finite_geometry_factors, race_shape
+from analytic.loads.balls import LoadEffects, ring_balls, thrust_balls
+from analytic.loads.finite_geometry import corrections_of, thrust_correction
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.scene import Bearing, ContactAngle, Operation
+
+NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
+SOLVED = ContactAngle(rule="solved", free=0.18)
+STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
+
+
+def test_each_load_takes_its_own_factors(bearing_6205: Bearing) -> None:
+    """Many loads at once give what each gives alone, in the corrected equilibrium too."""
+    loads = np.array([90.0, 400.0, 1500.0])
+    together = thrust_correction(bearing_6205, SOLVED, axial_load=loads)
+    balls = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads, correction=together.correction)
+    assert together.warnings == ()
+    for number, load in enumerate(loads):
+        alone = thrust_correction(bearing_6205, SOLVED, axial_load=load)
+        for race in ("inner", "outer"):
+            for name in NAMES:
+                many, one = (getattr(getattr(each, race).factors, name) for each in (together, alone))
+                np.testing.assert_allclose(many[number], one, rtol=1e-12)  # round-off
+        single = thrust_equilibrium(bearing_6205, SOLVED, axial_load=load, correction=alone.correction)
+        np.testing.assert_allclose(
+            balls.contact_angle[number], single.contact_angle, rtol=1e-12
+        )  # the root's tolerance
+    balance = (bearing_6205.groove_centre_distance + balls.approach) * np.cos(balls.contact_angle)
+    np.testing.assert_allclose(balance, bearing_6205.groove_centre_distance * np.cos(0.18), rtol=1e-13)  # round-off
+
+
+def test_factors_at_the_hertz_equilibrium_are_those_at_the_corrected_one(bearing_6205: Bearing) -> None:
+    """Once more from the equilibrium of the corrected contacts: the iteration that thrust_correction leaves out."""
+    loads = np.array([50.0, 1000.0, 3000.0])
+    first = thrust_correction(bearing_6205, SOLVED, axial_load=loads)
+    balls = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads, correction=first.correction)
+    for race in ("inner", "outer"):
+        shape = race_shape(bearing_6205, race, contact_angle=balls.contact_angle, ball_load=balls.ball_load)
+        again = finite_geometry_factors(shape)
+        for name in NAMES:
+            before, after = (np.asarray(getattr(f, name)) for f in (getattr(first, race).factors, again.factors))
+            np.testing.assert_allclose(after, before, rtol=1e-4)  # as the docstring of the module says
+    hertz = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads)
+    assert (np.abs(balls.contact_angle / hertz.contact_angle - 1) > 1e-4).all()  # there was something to leave out
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_loaded_balls_take_the_factors_of_their_loads(bearing_6205: Bearing, race: str) -> None:
+    loads = np.array([90.0, 400.0])
+    thrust = Operation(axial_load=loads, inner_speed=np.zeros(2))
+    alike = corrections_of(bearing_6205, thrust_balls(bearing_6205, SOLVED, thrust, STILL))
+    expected = getattr(thrust_correction(bearing_6205, SOLVED, axial_load=loads), race).factors
+    for name in NAMES:
+        np.testing.assert_array_equal(getattr(getattr(alike, race).factors, name), getattr(expected, name))
+    aside = Operation(axial_load=loads / 9, inner_speed=np.zeros(2), radial_load=np.array([700.0, 900.0]))
+    balls = ring_balls(bearing_6205, SOLVED, aside, STILL)
+    approach = np.asarray(getattr(corrections_of(bearing_6205, balls), race).factors.approach)
+    assert np.any(balls.load == 0)
+    np.testing.assert_array_equal(approach == 1, balls.load[0] == 0)
