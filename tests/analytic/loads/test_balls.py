@@ -11,7 +11,7 @@ from scipy.optimize import brentq, minimize
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls, ring_balls
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Groove, Material, Operation, Scene
-from analytic.sliding.ball import Rung
+from analytic.sliding.ball import SlidingMethod
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL
 
@@ -198,11 +198,11 @@ def oiled(scene: Scene) -> Scene:
     )
 
 
-@pytest.mark.parametrize("rung", ["single_coefficient", "along_axis", "over_ellipse"])
-def test_balls_without_load_add_nothing(oiled: Scene, rung: Rung) -> None:
+@pytest.mark.parametrize("method", ["single_coefficient", "along_axis", "over_ellipse"])
+def test_balls_without_load_add_nothing(oiled: Scene, method: SlidingMethod) -> None:
     """One ball of nine hangs in the clearance: the torque is that of a bearing whose other balls are not there."""
     still: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off"}
-    alone = replace(oiled, sliding=rung, effects={**oiled.effects, **still})
+    alone = replace(oiled, sliding=method, effects={**oiled.effects, **still})
     aside = replace(alone, operation=operation(0.0, 30.0, 40.0))
     found = friction_torque(aside)
     for values in (found.torque.total, found.ball_load, found.film.inner, found.asperity_share.outer):
