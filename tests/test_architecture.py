@@ -37,9 +37,10 @@ def address_complaints(root: Path) -> Iterator[str]:
     for path in files_of_the_project(root):
         if LOCK_FILE.search(path.name):
             yield f"{path.relative_to(root)}: a lock file; exact versions live in constraints.txt"
-        for number, line in enumerate(path.read_text("utf-8", errors="ignore").splitlines(), start=1):
-            if REGISTRY.search(line):
-                yield f"{path.relative_to(root)}:{number}: names a package registry"
+        text = path.read_text("utf-8", errors="ignore")
+        for address in REGISTRY.finditer(text):
+            line = text.count("\n", 0, address.start()) + 1
+            yield f"{path.relative_to(root)}:{line}: names a package registry"
 
 
 def code_complaints(root: Path) -> Iterator[str]:
@@ -58,14 +59,14 @@ def code_complaints(root: Path) -> Iterator[str]:
                 private = [alias.name for alias in node.names if re.match(r"_(?!_)", alias.name)]
                 yield from (f"{file}:{node.lineno}: {name} is private to its module" for name in private)
             called = ast.unparse(node.func).rpartition(".")[2] if isinstance(node, ast.Call) else ""
-            if called in ("import_module", "__import__") and path.name != "__init__.py":
+            if isinstance(node, ast.Call) and called in ("import_module", "__import__") and path.name != "__init__.py":
                 yield f"{file}:{node.lineno}: the contracts do not see an import by a computed name"
 
 
 def map_complaints(root: Path) -> Iterator[str]:
     """The tables of docs/architecture.md against the tree; a folder is one with Python files in it."""
     table = (root / "docs/architecture.md").read_text("utf-8")
-    rows = {name for name in ROW.findall(table)}
+    rows = set(ROW.findall(table))
     code = [path for top in OURS for path in (root / top).rglob("*.py")]
     tree = {f"{path.parent.relative_to(root).as_posix()}/" for path in code}
     tree |= {f"{path.parent.name}/{path.name}" for path in code if path.parent.parent == root and path.stem[0] != "_"}
@@ -76,9 +77,7 @@ def map_complaints(root: Path) -> Iterator[str]:
     for nouns, place in NOUNS.findall(table):
         texts = [path.read_text("utf-8") for path in code if path.is_relative_to(root / place)]
         for noun in re.findall(r"\w+", nouns):
-            if not any(
-                path.is_relative_to(root / place) and f"class {noun}" in path.read_text("utf-8") for path in code
-            ):
+            if not any(re.search(rf"^class {noun}\b", text, re.MULTILINE) for text in texts):
                 yield f"docs/architecture.md names {noun} in {place}, which does not define it"
 
 
