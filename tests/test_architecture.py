@@ -58,8 +58,9 @@ def code_complaints(root: Path) -> Iterator[str]:
             if isinstance(node, ast.ImportFrom):
                 private = [alias.name for alias in node.names if re.match(r"_(?!_)", alias.name)]
                 yield from (f"{file}:{node.lineno}: {name} is private to its module" for name in private)
-            called = ast.unparse(node.func).rpartition(".")[2] if isinstance(node, ast.Call) else ""
-            if isinstance(node, ast.Call) and called in ("import_module", "__import__") and path.name != "__init__.py":
+            called = getattr(node, "func", None)
+            name = getattr(called, "attr", getattr(called, "id", ""))
+            if isinstance(node, ast.Call) and name in ("import_module", "__import__") and path.name != "__init__.py":
                 yield f"{file}:{node.lineno}: the contracts do not see an import by a computed name"
 
 
