@@ -1,7 +1,7 @@
 """The central film against measured films: python validation/film.py [--out FOLDER]
 
 A steel ball rolls on a glass disc under oil, and interferometry gives the film in the middle. The comparison goes the
-way of ASME V&V 20 (not seen): the error E = S - D of the computed against the measured film is that of the formula to
+way of [ASME2009]: the error E = S - D of the computed against the measured film is that of the formula to
 within u_val = sqrt(u_num^2 + u_input^2 + u_D^2). All uncertainties are standard ones. Prints a table and what follows
 for the formula, and draws film.png into the folder (validation/reports).
 """

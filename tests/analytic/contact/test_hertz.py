@@ -104,7 +104,7 @@ def test_every_ratio_agrees_with_many_digits(ratio: float, x_is_larger: bool) ->
 
 
 def test_a_ball_on_a_flat_is_the_circular_closed_form() -> None:
-    radius = 1 / LARGE  # Johnson 1985, eqs 4.22 to 4.24
+    radius = 1 / LARGE  # [Johnson1985] equations 4.22 to 4.24
     a = (3 * LOAD * radius / (4 * MODULUS)) ** (1 / 3)
     found = contact(LARGE, LARGE)
     np.testing.assert_allclose([found.semi_axis_x, found.semi_axis_y], a, rtol=ROUND_OFF)

@@ -32,7 +32,7 @@ def maximum(**changed: float | list[float]) -> SubsurfaceMaximum:
 def integrated(depth: float, *, a: float, b: float, ratio: float) -> np.ndarray:
     """sigma_x, sigma_y, sigma_z on the axis under the semi-ellipsoid, in units of its peak, by quadrature.
 
-    Point loads: Boussinesq; K. L. Johnson, Contact Mechanics (1985), section 3.2. In polar coordinates about the axis,
+    Point loads: Boussinesq's, [Johnson1985] section 3.2. In polar coordinates about the axis,
     with r = R(direction) sin(t), neither the centre nor the pressure's edge is singular.
     """
 
@@ -56,7 +56,7 @@ def integrated(depth: float, *, a: float, b: float, ratio: float) -> np.ndarray:
 
 
 def line(z: np.ndarray, ratio: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The same under a line along y, z in half-widths: K. L. Johnson, Contact Mechanics (1985), section 4.2(a)."""
+    """The same under a line along y, z in half-widths: [Johnson1985] section 4.2(a)."""
     root = np.hypot(1, z)
     across, down = -((1 + 2 * z**2) / root - 2 * z), -1 / root
     return across, ratio * (across + down), down
@@ -73,7 +73,7 @@ def test_stresses_are_the_sum_of_point_loads(depth: float, a: float, b: float, r
 
 
 def test_the_circle_is_huber() -> None:
-    """M. T. Huber, Annalen der Physik 14 (1904) 153, not seen; in text books, Johnson (1985), section 3.4."""
+    """[Huber1904], as text books print it: [Johnson1985] section 3.4."""
     a, z = A, DEPTHS
     found = stress(z, semi_axis_y=A)
     angle = np.arctan2(a, z)

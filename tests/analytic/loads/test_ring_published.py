@@ -33,7 +33,7 @@ def made(*, ball: float, pitch: float, count: int, grooves: tuple[float, float],
 
 
 def test_radial_load_spreads_as_the_load_distribution_integral() -> None:
-    """J_r(eps) of many balls at angle 0: F = Z Q_max J_r, and 4.37 F/Z without clearance (Stribeck's number)."""
+    """J_r(eps) of many balls at angle 0: F = Z Q_max J_r, and 4.37 F/Z without clearance ([Stribeck1907])."""
     count = 401
     for clearance, load in ((0.0, 9100.0), (23e-6, 5200.0), (-11e-6, 7300.0)):
         bearing = made(ball=7.94e-3, pitch=39.01e-3, count=count, grooves=(0.52, 0.53), clearance=clearance)

@@ -151,7 +151,7 @@ def test_the_contact_surface_lies_halfway_between_ball_and_groove() -> None:
 
 
 def test_hysteresis_takes_its_share_of_the_work_of_the_front_half() -> None:
-    """Pressing the surface down ahead of the centre takes the moment of the pressure there, 3/16 Q a (Johnson 9.2)."""
+    """Pressing the surface down ahead of the centre takes the pressure's moment there: 3/16 Q a [Johnson1985]."""
     a, lost = 0.12e-3, 0.0063
 
     def pressure_times_arm(x: float, y: float) -> float:

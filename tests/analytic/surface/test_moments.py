@@ -24,7 +24,7 @@ def test_published_values_of_a_gaussian_autocorrelation() -> None:
 
 @pytest.mark.parametrize("bandwidth", [1.7, 3.0, 9.3])
 def test_nayaks_distribution_of_summit_heights(bandwidth: float) -> None:
-    """Density over u = z/Sq of P. R. Nayak, J. Lubr. Tech. 93 (1971) 398 (not seen): that it integrates to 1 shows
+    """Density over u = z/Sq of [Nayak1971]: that it integrates to 1 shows
     that it is written down rightly, and its mean and spread are McCool's."""
     c1 = bandwidth / (2 * bandwidth - 3)
 
