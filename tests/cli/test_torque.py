@@ -10,6 +10,7 @@ from rich.console import Console
 
 from analytic.scenefile.read import parse_scene
 from fembearing import cli
+from fembearing.cli.console import NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.terminal.torque import print_torque
 
@@ -131,7 +132,7 @@ def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Pa
 def test_beyond_the_tolerance_the_status_says_so(command) -> None:
     """The variant that is no model has no known uncertainty."""
     status, out, err = command(str(SCENES / "6205_paper_as_printed.toml"))
-    assert status == cli.NOT_SOLVED
+    assert status == NOT_SOLVED
     assert "beyond the tolerance 0.05: numerical uncertainty unknown" in " ".join(out.split())
     assert "is no model" in err
 
