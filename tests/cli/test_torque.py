@@ -9,7 +9,6 @@ import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import parse_scene
-from fembearing import cli
 from fembearing.cli.console import NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.terminal.torque import print_torque
@@ -38,18 +37,6 @@ def printed(text: str) -> str:
     out = StringIO()
     print_torque(Console(file=out, width=80), torque_of_scene(parse_scene(text, origin="here")))
     return out.getvalue()
-
-
-@pytest.fixture
-def command(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
-    def run(*arguments: str) -> tuple[int, str, str]:
-        monkeypatch.setattr("sys.argv", ["fembearing", "torque", *arguments])
-        with pytest.raises(SystemExit) as stop:
-            cli.main()
-        captured = capsys.readouterr()
-        return int(stop.value.code or 0), captured.out, captured.err
-
-    return run
 
 
 def test_the_tables_hold_the_numbers_of_the_result() -> None:
@@ -115,7 +102,7 @@ def test_a_long_series_is_shown_in_part() -> None:
 
 def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text(OILED, "utf-8")
-    status, out, err = command(str(tmp_path / "a.toml"), "--json")
+    status, out, err = command("torque", str(tmp_path / "a.toml"), "--json")
     found = json.loads(out)
     assert (status, err) == (0, "")
     assert [point["axial_load"] for point in found["points"]] == [900.0, 400.0]
@@ -125,13 +112,13 @@ def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Pa
     assert set(band) == {"low", "high", "values", "note"}
     assert len(band["low"]) == len(band["values"]["SKF"]) == 2
     assert np.all(np.array(band["low"]) < band["high"])
-    status, out, _ = command("--json")
+    status, out, _ = command("torque", "--json")
     assert json.loads(out)["catalogue_band"]["low"] is None
 
 
 def test_beyond_the_tolerance_the_status_says_so(command) -> None:
     """The variant that is no model has no known uncertainty."""
-    status, out, err = command(str(SCENES / "6205_paper_as_printed.toml"))
+    status, out, err = command("torque", str(SCENES / "6205_paper_as_printed.toml"))
     assert status == NOT_SOLVED
     assert "beyond the tolerance 0.05: numerical uncertainty unknown" in " ".join(out.split())
     assert "is no model" in err
@@ -141,7 +128,7 @@ def test_a_tighter_tolerance_takes_dearer_rungs(command, tmp_path: Path) -> None
     (tmp_path / "a.toml").write_text(OILED, "utf-8")
     rungs = []
     for tolerance in ("20 %", "0.1 %"):
-        status, out, _ = command(str(tmp_path / "a.toml"), "--tolerance", tolerance, "--json")
+        status, out, _ = command("torque", str(tmp_path / "a.toml"), "--tolerance", tolerance, "--json")
         found = json.loads(out)
         assert status == 0
         assert max(point["uncertainty"]["numerical"] for point in found["points"]) <= found["tolerance"]
@@ -160,7 +147,7 @@ def test_a_tighter_tolerance_takes_dearer_rungs(command, tmp_path: Path) -> None
 )
 def test_a_mistake_is_one_line(command, tmp_path: Path, change: tuple[str, str], words: str) -> None:
     (tmp_path / "a.toml").write_text(OILED.replace(*change), "utf-8")
-    status, out, err = command(str(tmp_path / "a.toml"))
+    status, out, err = command("torque", str(tmp_path / "a.toml"))
     assert (status, out) == (2, "")
     assert err.count("\n") == 1
     assert words in err
