@@ -75,8 +75,8 @@ def condense(
         further = middle_plane(system, body) if body.pinned else system.far_force
         compliance, drift, own = solve(system.matrix, push, further)
         if body.pinned:
-            across = drift[:, None] * force[1]
-            compliance = compliance + own * force[1][:, None] * force[1] - across - across.T
+            transverse = drift[:, None] * force[1]
+            compliance = compliance + own * force[1][:, None] * force[1] - transverse - transverse.T
             drift = np.zeros_like(drift)
         compliance = (compliance + compliance.T) / 2
         if not (np.isfinite(compliance).all() and is_positive_definite(compliance)):

@@ -126,11 +126,11 @@ def _surface(mesh: MeshHex2, nodes: NDArray[np.intp], points: Array, weights: Ar
     side = among[:, cells[0]]
     assert (among[:, cells] == side[:, None]).all()
     corners = ElementHex2.refdom.p[:, side]
-    across = int(np.flatnonzero(np.ptp(corners, axis=1) == 0)[0])  # the direction normal to the facet
-    points = np.insert(points, across, corners[across, 0], axis=0)
+    normal = int(np.flatnonzero(np.ptp(corners, axis=1) == 0)[0])  # axis normal to the facet
+    points = np.insert(points, normal, corners[normal, 0], axis=0)
     basis = Basis(mesh, ElementHex2(), elements=cells, quadrature=(points, weights))
-    along, other = np.delete(basis.mapping.DF(points, tind=cells), across, axis=1).swapaxes(0, 1)
-    return basis, np.linalg.norm(np.cross(along, other, axis=0), axis=0) * weights
+    first, second = np.delete(basis.mapping.DF(points, tind=cells), normal, axis=1).swapaxes(0, 1)
+    return basis, np.linalg.norm(np.cross(first, second, axis=0), axis=0) * weights
 
 
 def _shape_functions(basis: Basis, area: Array) -> Array:

@@ -169,7 +169,7 @@ def test_loads_on_both_sides_of_the_farther_shoulder_part_too(contacts: dict[str
     contact = replace(contacts["inner"], shoulder=0.7e-3, contact_angle=0.01)
     loads = [120.0, 180.0, 420.0]  # ellipses of 0.64, 0.73 and 0.97 mm
     series = solve_series(contact, recipe=REAL, level=2, loads=loads)
-    ends = [tuple(np.isfinite(part.pair.footprint.room)) for part in series]
+    ends = [tuple(np.isfinite(part.pair.footprint.shoulders)) for part in series]
     assert ends == [(False, False), (False, True), (True, True)]
 
 

@@ -137,8 +137,8 @@ def test_touching_nodes_move_as_in_the_contact(
     body = getattr(found.pair, side)
     towards = -found.pair.normal if side == "upper" else found.pair.normal
     material = material_of(found.contact, side)
-    room = found.pair.footprint.room
-    condensed = condense(body, material=material, force=towards, semi_axes=found.pair.semi_axes, room=room)
+    shoulders = found.pair.footprint.shoulders
+    condensed = condense(body, material=material, force=towards, semi_axes=found.pair.semi_axes, shoulders=shoulders)
     if solver == "scipy":
         monkeypatch.setattr(condensation, "PyPardisoSolver", None)
     moved = body_displacement(found, side=side)
