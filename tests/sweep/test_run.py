@@ -194,7 +194,7 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path:
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (room, limits[1]))
     try:
-        with pytest.raises(InputError, match=r"cannot be written: .*; make room: what is done is kept") as found:
+        with pytest.raises(InputError, match=r"cannot be written: .*; free some space: what is done is kept") as found:
             run_sweep(path, out=out)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
