@@ -62,7 +62,7 @@ def solved(run: Any, scene: str, *options: str) -> dict[str, Any]:
 def test_a_race_of_other_materials_is_as_stiff_as_its_modulus(
     run, scene: str, pair: str, materials: tuple[tuple[float, float], tuple[float, float]]
 ) -> None:
-    """At one angle, stiffness goes as E* and peak pressure as E*^(2/3): so with Hertz, and nearly so on the groove."""
+    """At one angle, stiffness scales as E* and peak pressure as E*^(2/3): exactly for Hertz, nearly for the groove."""
     steel, other = (solved(run, name, "--pair", pair, "--load", "12 N") for name in ("steel", scene))
     softer = contact_modulus(*materials) / contact_modulus(STEEL, STEEL)
     assert other["hertz"]["stiffness"] / steel["hertz"]["stiffness"] == pytest.approx(softer, rel=1e-9)  # round-off
@@ -80,7 +80,7 @@ def test_a_pocket_of_peek_is_solved(run) -> None:
     assert 0 < found["fe"]["peak_pressure"] < 30e6  # Pa: far below what PEEK bears
 
 
-def test_a_ring_without_its_bore_is_checked_but_for_the_ring(run) -> None:
+def test_without_its_bore_everything_but_the_ring_is_checked(run) -> None:
     """And without a [cage] there is no pocket; standard output holds JSON alone, the warning is in it."""
     status, out, err = run("validate", "no bore", "--json")
     found = json.loads(out)
@@ -95,7 +95,7 @@ def test_a_ring_without_its_bore_is_checked_but_for_the_ring(run) -> None:
     ("scene", "options", "word"),
     [("no bore", ("--geometry", "ring"), "bore_diameter"), ("steel", ("--pair", "pocket"), "[cage]")],
 )
-def test_what_the_scene_does_not_give_is_named(run, scene: str, options: tuple[str, ...], word: str) -> None:
+def test_a_quantity_missing_in_the_scene_is_named(run, scene: str, options: tuple[str, ...], word: str) -> None:
     status, out, err = run("contact", scene, *options, "--json")
     assert (status, out, err.count("\n")) == (2, "", 1)
     assert word in err

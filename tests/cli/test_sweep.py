@@ -26,7 +26,7 @@ def sweep(command: Callable[..., Any], tmp_path: Path, in_process: list[Any]) ->
     return lambda grid, *options: command("sweep", str(grid), "--out", str(tmp_path / "out"), *options)
 
 
-def test_a_sweep_ends_with_its_files_and_is_found_again(
+def test_a_sweep_writes_its_files_and_a_second_run_keeps_them(
     sweep: Callable[..., Any], grid_file: Write, tmp_path: Path
 ) -> None:
     status, told, complaint = sweep(grid_file(AXES), "--json")
@@ -45,7 +45,7 @@ def test_a_sweep_ends_with_its_files_and_is_found_again(
     }
 
 
-def test_maps_are_all_there_or_drawn_again(
+def test_maps_are_complete_or_drawn_again(
     sweep: Callable[..., Any], grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out, drawn = tmp_path / "out", []
@@ -71,7 +71,7 @@ def test_maps_are_all_there_or_drawn_again(
 def test_failed_points_end_with_status_3_and_their_reasons(
     sweep: Callable[..., Any], grid_file: Write, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("fembearing.report.figures.sweep_maps.write_maps", lambda *_: None)  # of which others tell
+    monkeypatch.setattr("fembearing.report.figures.sweep_maps.write_maps", lambda *_: None)  # which other tests check
     status, told, complaint = sweep(grid_file("conformity = [0.52, 0.5]\n" + AXES))
     assert (status, complaint) == (3, "")
     assert "24 points: 24 computed, 0 from before, 12 failed" in told
@@ -87,7 +87,7 @@ def test_a_mistake_ends_with_status_2_and_one_line(sweep: Callable[..., Any], gr
 
 
 @pytest.mark.usefixtures("in_process")
-def test_a_map_shows_what_the_dataset_holds_in_units_of_people(grid_file: Write, tmp_path: Path) -> None:
+def test_a_map_shows_the_dataset_in_common_units(grid_file: Write, tmp_path: Path) -> None:
     dataset = run_sweep(grid_file(AXES.replace("100 N", "20 N")), out=tmp_path / "out").dataset()
     figure = map_figure(dataset, "torque_total")
     panel, bar = figure.axes

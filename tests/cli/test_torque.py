@@ -1,4 +1,4 @@
-"""`fembearing torque` as a user meets it: tables of 80 characters, JSON, exit status, one line for each mistake."""
+"""`fembearing torque` as a user sees it: tables of 80 characters, JSON, exit status, one line for each mistake."""
 
 import json
 from io import StringIO
@@ -68,15 +68,15 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
         assert word in words
 
 
-def test_without_oil_the_band_is_left_out_with_a_word() -> None:
+def test_without_oil_the_band_is_left_out_with_a_reason() -> None:
     said = printed(OILED.partition("[lubricant]")[0] + "[friction]\ncoefficient = 0.1\n")
     assert "No catalogue band: no lubricant is given: add a table [lubricant]." in " ".join(said.split())
     assert "add a table [lubricant]" in " ".join(said.rpartition("Effects")[2].split())  # brackets are no markup
     assert "catalogue" not in said.splitlines()[1]
 
 
-def test_an_effect_that_the_scene_says_off_is_told_as_deliberate() -> None:
-    """Centrifugal force of balls that thrust does not hold: more than the torque, on purpose, and in no uncertainty."""
+def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
+    """Centrifugal force of balls without thrust exceeds the torque; left out on purpose, it is in no uncertainty."""
     text = OILED.replace('["900 N", "400 N"]', '"0 N"\nradial_load = "100 N"').replace("2000 rpm", "30000 rpm")
     off = parse_scene(text + '[effects]\ncentrifugal = "off"\n', origin="here")
     said = " ".join(printed(text + '[effects]\ncentrifugal = "off"\n').split())
@@ -116,24 +116,24 @@ def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Pa
     assert json.loads(out)["catalogue_band"]["low"] is None
 
 
-def test_beyond_the_tolerance_the_status_says_so(command) -> None:
-    """The variant that is no model has no known uncertainty."""
+def test_beyond_the_tolerance_the_status_is_3(command) -> None:
+    """The variant as printed is not a model and has no known uncertainty."""
     status, out, err = command("torque", str(SCENES / "6205_paper_as_printed.toml"))
     assert status == NOT_SOLVED
     assert "beyond the tolerance 0.05: numerical uncertainty unknown" in " ".join(out.split())
     assert "is no model" in err
 
 
-def test_a_tighter_tolerance_takes_dearer_rungs(command, tmp_path: Path) -> None:
+def test_a_tighter_tolerance_chooses_a_costlier_method(command, tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text(OILED, "utf-8")
-    rungs = []
+    methods = []
     for tolerance in ("20 %", "0.1 %"):
         status, out, _ = command("torque", str(tmp_path / "a.toml"), "--tolerance", tolerance, "--json")
         found = json.loads(out)
         assert status == 0
         assert max(point["uncertainty"]["numerical"] for point in found["points"]) <= found["tolerance"]
-        rungs.append(found["provenance"]["sliding"])
-    assert rungs[0] != rungs[1] == "over_ellipse"
+        methods.append(found["provenance"]["sliding"])
+    assert methods[0] != methods[1] == "over_ellipse"
 
 
 @pytest.mark.parametrize(

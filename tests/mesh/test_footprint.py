@@ -1,4 +1,4 @@
-"""Meshes of a contact cut off at a shoulder: half of it, a line of the mesh on the shoulder."""
+"""Meshes of a contact cut off at a shoulder: half of it is meshed, with a line of the mesh on the shoulder."""
 
 import math
 from dataclasses import replace
@@ -44,7 +44,7 @@ def test_a_line_of_the_mesh_is_the_shoulder(
     x, y, _ = race.doflocs
     on_line = np.intersect1d(np.flatnonzero(np.abs(y - shoulder) < 1e-12 * shoulder), bodies.lower.surface)
     assert on_line.size == 2 * 2 + 1  # corners and middle nodes of two cells
-    # from the middle out to where the ellipse goes over, or for one that only just does, that of 0.995
+    # from the middle to where the ellipse crosses the shoulder, or to 0.995 where it only just reaches it
     reach = SEMI_AXES["inner"][0] * math.sqrt(1 - min(1 / overrun, 0.995) ** 2)
     assert x[on_line].max() == pytest.approx(reach, rel=1e-9)
     facets = race.facets[:, np.isin(race.facets, bodies.lower.surface).all(axis=0)]
@@ -62,7 +62,7 @@ def test_touching_nodes_face_each_other_along_the_balls_normal(contacts: dict[st
     assert bodies.gap.max() > 5e-6
 
 
-def test_a_shoulder_cuts_off_what_reaches_it(contacts: dict[str, Contact]) -> None:
+def test_a_shoulder_cuts_off_an_ellipse_that_reaches_it(contacts: dict[str, Contact]) -> None:
     contact = replace(contacts["inner"], shoulder=0.8e-3)
     assert footprint_of(contact, (0.1e-3, 0.8e-3)) == Footprint(semi_axes=(0.1e-3, 0.8e-3))
     over = footprint_of(contact, (0.1e-3, 0.81e-3))
@@ -82,7 +82,7 @@ def test_the_farther_shoulder_is_the_groove_mirrored_about_its_bottom(contacts: 
     assert farther_shoulder(contact) == pytest.approx(far, rel=1e-12)  # round-off
 
 
-def test_too_much_beyond_the_shoulder_is_refused(contacts: dict[str, Contact]) -> None:
+def test_an_ellipse_too_far_beyond_the_shoulder_is_refused(contacts: dict[str, Contact]) -> None:
     narrow = replace(contacts["inner"], shoulder=0.3e-3)
     with pytest.raises(InputError, match=r"shoulder stands at 0\.0003 m: the mesh holds up to 3 times") as caught:
         pair_mesh(narrow, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES["inner"])

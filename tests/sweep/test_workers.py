@@ -1,4 +1,4 @@
-"""Processes that are killed, here and on a Dask cluster: nothing is lost with them, and nothing left of them."""
+"""Processes that are killed, here and on a Dask cluster: no result is lost, and no process remains."""
 
 import multiprocessing
 import operator
@@ -35,13 +35,13 @@ def wait_until(holds: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-def test_a_task_that_ends_its_process_is_told_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OMP_NUM_THREADS", "3")
     monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
     tasks = {number: (operator.neg, number) for number in range(7)}
     tasks |= {name: (os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")}
     found = dict(each_done(operator.call, tasks | {"deadly": (os._exit, 3)}, workers=2))
-    assert found.pop("OMP_NUM_THREADS") == "3"  # as a person said
+    assert found.pop("OMP_NUM_THREADS") == "3"  # as the user has set it
     assert found.pop("MKL_NUM_THREADS") == str(max(1, cores() // 2))
     assert "MKL_NUM_THREADS" not in os.environ
     assert isinstance(found.pop("deadly"), LostWorkerError)
@@ -49,7 +49,7 @@ def test_a_task_that_ends_its_process_is_told_and_all_others_are_done(monkeypatc
     assert not multiprocessing.active_children()
 
 
-def test_a_worker_killed_once_costs_nothing_but_time(
+def test_a_worker_killed_once_costs_only_time(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(parts, "MOST_SCENES", EACH)
@@ -111,7 +111,7 @@ cli.main()
 """
 
 
-def test_a_process_stopped_or_killed_in_the_middle_goes_on_where_it_was(
+def test_a_sweep_stopped_or_killed_in_the_middle_continues(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
 ) -> None:
     path, out = grid_file(SERIES + SCENES), tmp_path / "out"
@@ -148,7 +148,7 @@ def test_a_process_stopped_or_killed_in_the_middle_goes_on_where_it_was(
 
 
 def lives(group: int) -> bool:
-    """Whether a process of the group does."""
+    """Whether a process of the group is alive."""
     try:
         os.killpg(group, 0)
     except ProcessLookupError:
@@ -157,7 +157,7 @@ def lives(group: int) -> bool:
 
 
 class Unreadable:
-    """What the modules of a cluster do not know."""
+    """An object that a cluster cannot read."""
 
     def __reduce__(self) -> tuple[Any, ...]:
         return import_module, ("nowhere",)
