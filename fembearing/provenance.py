@@ -1,4 +1,4 @@
-"""Where a result comes from and how: versions, machine, scene."""
+"""Origin of a result: versions, machine, scene."""
 
 import hashlib
 import json
@@ -30,18 +30,17 @@ PACKAGES = (
     "netCDF4",
 )
 
-
-# What another run of the same scene with the same seeds may tell otherwise; all else of its JSON is the same.
-TIMES = ("seconds", "spread", "warm_up", "predicted", "price", "chosen", "choices")  # with what is chosen by them
+# Keys whose values may differ between two runs of one scene with the same seeds; the rest of the JSON is the same.
+TIMES = ("seconds", "spread", "warm_up", "predicted", "price", "chosen", "choices")  # and choices that depend on them
 MEMORY = ("memory", "peak_memory")
 ORIGIN = ("date", "command", "python", "platform", "processor", "cores", "versions")
 VARYING = frozenset((*TIMES, *MEMORY, *ORIGIN))
 
 
 def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingProxyType({})) -> dict[str, Any]:
-    """The scene in full, SI, and its hash; time, command, machine, and the versions of what computed a result.
+    """The whole scene in SI and its hash; date, command, machine, and the versions of the packages.
 
-    seeds : of all that is random, by what it is; nothing is without them
+    seeds : of each random quantity, by its name; without them nothing is random
     """
     content = _plain(scene)
     return {
@@ -60,14 +59,14 @@ def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingP
 
 
 def repeatable(content: Any) -> Any:
-    """A result's JSON without what another run may tell otherwise."""
+    """The JSON of a result without the values that may differ in another run."""
     if isinstance(content, dict):
         return {key: repeatable(value) for key, value in content.items() if key not in VARYING}
     return [repeatable(value) for value in content] if isinstance(content, list) else content
 
 
 def _plain(value: Any) -> Any:
-    """A noun as plain types."""
+    """A dataclass, array or mapping as plain types."""
     if is_dataclass(value):
         return {part.name: _plain(getattr(value, part.name)) for part in fields(value)}
     if isinstance(value, np.ndarray):
@@ -79,4 +78,4 @@ def _version(package: str) -> str | None:
     try:
         return version(package)
     except PackageNotFoundError:
-        return None  # optional here: another solver takes its place
+        return None  # optional: another solver replaces it

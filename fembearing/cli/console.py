@@ -1,7 +1,7 @@
 """What the commands write: results on standard output, progress and complaints on standard error, and a status.
 
-Exit status: 0 done and within tolerance, 1 done but a check failed, 2 the input is at fault, 3 could not be solved to
-the asked accuracy.
+Exit status: 0 done and within tolerance, 1 done but a check failed, 2 the input is at fault, 3 not solved to the
+required accuracy.
 """
 
 import errno
@@ -18,11 +18,11 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, Ti
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
 INTERRUPTED, PIPE_CLOSED, TERMINATED = 130, 141, 143  # what a shell makes of the three signals
-NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard output can take no more
+OUTPUT_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard output takes no more
 
 
 class Output(Console):
-    """Standard output. Rich would end with status 1 when the reader goes away, and that means a failed check here."""
+    """Standard output. Where the reader goes away, Rich would end with status 1, which here means a failed check."""
 
     def on_broken_pipe(self) -> None:
         close_output()
@@ -33,20 +33,21 @@ out, err = Output(), Console(stderr=True)
 
 
 def close_output() -> None:
-    """Let what is still buffered go nowhere: Python would complain of it on its way out."""
+    """Discard what is still buffered: Python would complain about it when it ends."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def complain(problem: object, status: int) -> int:
+    """Write a problem in one line on standard error; the status, for `sys.exit`."""
     words = " ".join(str(problem).split())
-    if words:  # typer has none where it printed the help
+    if words:  # empty where typer printed the help
         typer.echo(f"fembearing: {words}", err=True)
     return status
 
 
 @contextmanager
 def shown_progress() -> Iterator[Callable[[float, str], None]]:
-    """A bar on standard error with the time left; silent where that is no terminal."""
+    """A bar with the time left on standard error, if that is a terminal."""
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
         task = bar.add_task("starting", total=1.0)

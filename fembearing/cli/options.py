@@ -1,41 +1,30 @@
-"""What the commands take: their arguments and options, each described once, and how a text with a unit is read."""
+"""Arguments and options that several commands take, each described once, and how their texts are read."""
 
-from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
 from analytic.errors import InputError
+from analytic.scene import Scene
 from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.read import builtin_scene, load_scene
 
+BUILTIN = "6205"
 TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
 LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
-
-
-class PairName(StrEnum):
-    inner = "inner"
-    outer = "outer"
-    pocket = "pocket"
-
-
-class GeometryName(StrEnum):
-    real = "real"
-    hertzian = "hertzian"
-    wall = "wall"
-    ring = "ring"
-
+GeometryName = Literal["real", "hertzian", "wall", "ring"]
 
 ScenePath = Annotated[
     Path | None, typer.Argument(metavar="[SCENE]", help="Scene file, TOML; the built-in 6205 without it.")
 ]
-Tolerance = Annotated[str | None, typer.Option(help='Asked accuracy, for example "1 %"; the scene\'s without it.')]
+Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %"; the scene\'s without it.')]
 Accuracy = Annotated[
     str | None,
     typer.Option(
         "--tolerance",
-        help='Accuracy asked of the finite elements, for example "0.1 %"; the scene\'s tolerance without it. Verdicts '
-        "on Hertz are by the scene's either way.",
+        help='Accuracy required of the finite elements, for example "0.1 %"; the scene\'s tolerance without it. '
+        "The verdict on Hertz always takes the scene's.",
     ),
 ]
 Folder = Annotated[
@@ -58,10 +47,20 @@ Geometry = Annotated[
 ]
 
 
+def read_scene(path: Path | None) -> Scene:
+    """The scene of a file, or the built-in one."""
+    return load_scene(builtin_scene(BUILTIN) if path is None else path)
+
+
+def read_tolerance(given: str | None, scene: Scene) -> float:
+    """The tolerance of an option, or the scene's."""
+    return scene.tolerance if given is None else read_option("--tolerance", TOLERANCE, given)
+
+
 def read_option(option: str, dimension: Dimension, given: str) -> float:
-    """The value of an option in SI. Raises InputError for what is none."""
+    """The value of an option in SI. Raises InputError for a text that is not a value of this dimension."""
     try:
-        number: object = float(given)  # an option is text, a pure number too
+        number: object = float(given)  # on the command line a pure number is text too
     except ValueError:
         number = given
     try:

@@ -1,4 +1,4 @@
-"""`fembearing sweep`: the command, what it says at its end, and its maps beside the dataset."""
+"""`fembearing sweep`: it computes a grid, draws maps of the dataset, and prints a summary."""
 
 import shutil
 from pathlib import Path
@@ -17,12 +17,12 @@ MAPS = "maps"
 
 def sweep(
     grid: Annotated[Path, typer.Argument(metavar="GRID", help="Grid file, TOML: a scene, and axes.")],
-    folder: Annotated[Path, typer.Option("--out", help="Folder of this sweep; made, or gone on with if it is there.")],
+    folder: Annotated[Path, typer.Option("--out", help="Folder of this sweep; made, or continued if it is there.")],
     workers: Annotated[int | None, typer.Option(help="Processes of this machine; one a core without it.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a Dask cluster that computes instead.")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Compute a scene at every point of a product of axes; stopped and started again, it goes on where it was.
+    """Compute a scene at every point of a product of axes; a stopped sweep continues when it is started again.
 
     GRID holds scene = "bearing.toml", what = "torque" or "contact", and a table of axes, with lines as
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" } or conformity = [0.51, 0.52].
@@ -30,9 +30,9 @@ def sweep(
     from fembearing.sweep.run import run_sweep
 
     try:
-        with shown_progress() as report:
-            result = run_sweep(grid, out=folder, workers=workers, scheduler=scheduler, progress=report)
-            report(1.0, "maps")
+        with shown_progress() as progress:
+            result = run_sweep(grid, out=folder, workers=workers, scheduler=scheduler, progress=progress)
+            progress(1.0, "maps")
             maps = _maps(result)
     except KeyboardInterrupt:
         complain(f"stopped; what is done is kept in {folder}: the same command goes on", INTERRUPTED)
@@ -45,15 +45,12 @@ def sweep(
 
 
 def _maps(result: "Sweep") -> list[Path]:
-    """The maps of the dataset, drawn unless those that are there are newer."""
+    """The maps of the dataset. They are drawn again where they are older than it."""
     folder, dataset = Path(result.folder) / MAPS, Path(result.file)
     if folder.exists() and folder.stat().st_mtime_ns < dataset.stat().st_mtime_ns:
         shutil.rmtree(folder)
     if not folder.exists():
-        from fembearing.report.figures.sweep_maps import (  # with matplotlib: not for a sweep that is there
-            PLOTTED,
-            write_maps,
-        )
+        from fembearing.report.figures.sweep_maps import PLOTTED, write_maps  # takes matplotlib
         from fembearing.report.new_folder import whole_folder
 
         with whole_folder(folder) as apart:

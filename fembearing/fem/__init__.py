@@ -1,4 +1,4 @@
 """Elastic contact of two bodies by finite elements, on the meshes of `fembearing.mesh`.
 
-Takes nothing of the production model but its nouns: a check that borrows what it checks proves nothing.
+It imports the nouns of the production model and none of its formulas: a check must not use what it checks.
 """

@@ -1,7 +1,7 @@
-"""Static condensation: a body reduced to what its contact nodes feel.
+"""Static condensation: a body reduced to the response of its contact nodes.
 
-With unit normal forces f on the touching nodes and the far-field displacement that belongs to a
-load Q, the touching nodes move by compliance @ f + drift * Q along the direction of their force.
+Under normal forces f, N, on the touching nodes and the far-field displacement of a load Q, N, the touching nodes move
+by compliance @ f + drift * Q, m, along the direction of their force.
 """
 
 import os
@@ -26,7 +26,7 @@ from fembearing.fem.farfield import pressed_ellipse
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import UNCUT
 
-# Where MKL's own packages put it: pypardiso, told nothing, searches all of the environment for half a second.
+# MKL's own packages install it here. Without this hint pypardiso searches the whole environment for half a second.
 for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
     os.environ.setdefault("PYPARDISO_MKL_RT", str(library))
 try:
@@ -36,12 +36,14 @@ except ImportError:  # other processors than x86-64 have no MKL
     PyPardisoSolver, PyPardisoError = None, LinAlgError
 
 Array = NDArray[np.float64]
-UNBALANCED = 1e-8  # relative: round-off leaves less than 1e-12
-OUT_OF_MEMORY = (-2, -8, -9)  # of PARDISO's status codes: too little memory, too many entries to count, disk full
+UNBALANCED = 1e-8  # relative residual force; round-off leaves less than 1e-12
+OUT_OF_MEMORY = (-2, -8, -9)  # status codes of PARDISO: too little memory, too many entries to count, disk full
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CondensedBody:
+    """A body reduced to its m touching nodes."""
+
     compliance: Array  # (m, m) m/N, symmetric
     drift: Array  # (m,) m/N, for each newton of the whole load
     unknowns: int
@@ -53,27 +55,28 @@ def condense(
     material: Material,
     force: Array,
     semi_axes: tuple[float, float],
-    room: tuple[float, float] = UNCUT,
+    shoulders: tuple[float, float] = UNCUT,
 ) -> CondensedBody:
     """Reduce a body to its touching nodes.
 
     force : (3, m) unit vectors along which the contact pushes this body
-    semi_axes, room : of the pressure whose far field holds the body, m
-    Raises SingularError for a body that is not held, or whose equations are not those of an elastic one.
+    semi_axes, shoulders : size of the pressure whose far field holds the body, m, as in `Footprint`
+    Raises SingularError for a body that is not held, or whose stiffness is not that of an elastic body.
 
-    Half a ball has no plane of symmetry across the contact: its middle plane is held there, at rest on the average, by
-    forces spread evenly over it. A unit force f then comes with -f_y of those, and what it moves is told from where the
-    middle plane is: P^T K^-1 P with P = push - (forces of the plane) f_y, K held at a single node that feels nothing.
+    Half a ball has no plane of symmetry y = 0. Forces spread evenly over its middle plane keep that plane at rest on
+    average in the transverse direction. A unit force f on a node is therefore balanced by -f_y on the plane, and
+    displacements are relative to the plane: P^T K^-1 P with P = push - (forces on the plane) f_y. K is held at a single
+    node, whose reaction is zero.
     """
-    system = held_stiffness(body, material=material, semi_axes=semi_axes, room=room)
+    system = held_stiffness(body, material=material, semi_axes=semi_axes, shoulders=shoulders)
     push = system.forces(body.touching, force)
     solve = _by_superlu if PyPardisoSolver is None else _by_pardiso
     with system.solving():
-        beside = middle_plane(system, body) if body.pinned else system.far_force
-        compliance, drift, own = solve(system.matrix, push, beside)
+        further = middle_plane(system, body) if body.pinned else system.far_force
+        compliance, drift, own = solve(system.matrix, push, further)
         if body.pinned:
-            across = drift[:, None] * force[1]
-            compliance = compliance + own * force[1][:, None] * force[1] - across - across.T
+            transverse = drift[:, None] * force[1]
+            compliance = compliance + own * force[1][:, None] * force[1] - transverse - transverse.T
             drift = np.zeros_like(drift)
         compliance = (compliance + compliance.T) / 2
         if not (np.isfinite(compliance).all() and is_positive_definite(compliance)):
@@ -82,7 +85,7 @@ def condense(
 
 
 def middle_plane(system: "HeldBody", body: BodyMesh) -> Array:
-    """(n,) a unit force across, spread evenly over a ball's middle plane."""
+    """(n,) a unit force in the transverse direction, spread evenly over the middle plane of a ball."""
     plane = body.planes[2]
     area = np.asarray(surface_mass(body.mesh, plane).sum(axis=1)).ravel()
     full = np.zeros((3, system.nodes))
@@ -92,17 +95,17 @@ def middle_plane(system: "HeldBody", body: BodyMesh) -> Array:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class HeldBody:
-    """The equations of one body after its held degrees of freedom are taken out."""
+    """The equations of one body without its held degrees of freedom."""
 
     name: str  # of the body
     matrix: csr_matrix  # (n, n) N/m
-    far_force: Array  # (n,) force on the free ones from the far field of a unit load
-    free: NDArray[np.intp]  # (n,) degrees of freedom
-    held: Array  # (3, nodes) displacement that the far field of a unit load gives the held ones, m/N; 0 elsewhere
+    far_force: Array  # (n,) force that the far field of a unit load puts on the free degrees of freedom
+    free: NDArray[np.intp]  # (n,) numbers of the free degrees of freedom
+    held: Array  # (3, nodes) displacement of the held ones in the far field of a unit load, m/N; 0 at free ones
     nodes: int
 
     def forces(self, nodes: NDArray[np.intp], direction: Array) -> csr_matrix:
-        """(n, m): unit forces on `nodes` along `direction` (3, m)."""
+        """(n, m): one column for the unit force on each of `nodes` along `direction` (3, m)."""
         count = nodes.size
         rows = np.concatenate([nodes + axis * self.nodes for axis in range(3)])
         full = csr_matrix((direction.ravel(), (rows, np.tile(np.arange(count), 3))), shape=(3 * self.nodes, count))
@@ -117,16 +120,16 @@ class HeldBody:
         moved = load * self.held.ravel()
         right = push + load * self.far_force
         with self.solving():
-            found = solve(self.matrix, right)
-            left = np.linalg.norm(self.matrix @ found - right)
-            if not left <= UNBALANCED * np.linalg.norm(right):
-                raise LinAlgError(f"forces of {left:.1e} N stay without balance")
-        moved[self.free] = found
+            free = solve(self.matrix, right)
+            residual = np.linalg.norm(self.matrix @ free - right)
+            if not residual <= UNBALANCED * np.linalg.norm(right):
+                raise LinAlgError(f"forces of {residual:.1e} N stay without balance")
+        moved[self.free] = free
         return moved.reshape(3, self.nodes)
 
     @contextmanager
     def solving(self) -> Iterator[None]:
-        """Around a call of either solver: its own complaint becomes a SingularError that names the body."""
+        """For the call of either solver: its own error becomes a SingularError that names the body."""
         equations = f"{self.name}: its {self.free.size} equations"
         try:
             diagonal = self.matrix.diagonal()
@@ -144,7 +147,7 @@ class HeldBody:
 
 
 def held_stiffness(
-    body: BodyMesh, *, material: Material, semi_axes: tuple[float, float], room: tuple[float, float] = UNCUT
+    body: BodyMesh, *, material: Material, semi_axes: tuple[float, float], shoulders: tuple[float, float] = UNCUT
 ) -> HeldBody:
     """Assemble a body and hold its planes of symmetry and its far boundary."""
     matrix = stiffness(body.mesh, material)
@@ -157,7 +160,9 @@ def held_stiffness(
     is_held[:, body.clamped] = True
     x, y, z = body.mesh.doflocs[:, body.far]
     side = 1.0 if z.size and z.min() >= 0 else -1.0
-    displacement[:, body.far] = pressed_ellipse(x, y, side * z, semi_axes=semi_axes, room=room, material=material)
+    displacement[:, body.far] = pressed_ellipse(
+        x, y, side * z, semi_axes=semi_axes, shoulders=shoulders, material=material
+    )
     displacement[2] *= side
     held, free = np.flatnonzero(is_held), np.flatnonzero(~is_held)
     rows = matrix[free]
@@ -175,25 +180,25 @@ def held_stiffness(
 def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array, float]:
     """push.T K^-1 push, push.T K^-1 far_force and far_force.T K^-1 far_force from one factorisation.
 
-    PARDISO eliminates all degrees of freedom of [K B; B.T 0] but those that stand for the columns of B, the pushes and
-    the far field: what is left of them is -B.T K^-1 B.
+    The columns of B are those of `push`, and `far_force`. PARDISO eliminates the degrees of freedom of K from
+    [K B; B.T 0]; the Schur complement that remains is -B.T K^-1 B.
     """
     size, columns = matrix.shape[0], push.shape[1] + 1
     stiffest = matrix.diagonal().max()
-    scale = stiffest / np.append(np.ones(columns - 1), np.abs(far_force).max() or 1.0)  # one size with the matrix
+    scale = stiffest / np.append(np.ones(columns - 1), np.abs(far_force).max() or 1.0)  # same magnitude as the matrix
     border = hstack([push, csr_matrix(far_force[:, None])]) @ diags_array(scale)
-    corner = csr_matrix((np.zeros(columns), (np.arange(columns),) * 2), shape=(columns, columns))  # stored, though zero
+    corner = csr_matrix((np.zeros(columns), (np.arange(columns),) * 2), shape=(columns, columns))  # stored zeros
     upper = triu(vstack([hstack([matrix, border]), hstack([csr_matrix((columns, size)), corner])]), format="csr")
     upper.sort_indices()
     solver = _pardiso(schur=True)
     solver.perm = np.repeat(np.array([0, 1], dtype=np.int32), [size, columns])
     solver.set_phase(12)
     try:
-        # pypardiso has no public call that hands out a Schur complement: its own `factorize` gives PARDISO a vector
-        left = solver._call_pardiso(upper, np.zeros(max(size + columns, columns**2)))[: columns**2]
+        # pypardiso has no public call that returns a Schur complement; its `factorize` passes a vector to PARDISO
+        complement = solver._call_pardiso(upper, np.zeros(max(size + columns, columns**2)))[: columns**2]
     finally:
         solver.free_memory(everything=True)
-    moved = -left.reshape(columns, columns) / np.outer(scale, scale)
+    moved = -complement.reshape(columns, columns) / np.outer(scale, scale)
     return moved[:-1, :-1], moved[:-1, -1], float(moved[-1, -1])
 
 
@@ -209,7 +214,7 @@ def _solution_by_pardiso(matrix: csr_matrix, right: Array) -> Array:
 
 
 def _pardiso(*, schur: bool) -> Any:
-    assert PyPardisoSolver is not None  # the caller asked
+    assert PyPardisoSolver is not None  # the caller has checked it
     solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
     for number, value in ((1, 1), (2, 2), (10, 8), (36, int(schur))):  # own settings, METIS, pivot 1e-8, complement
         solver.set_iparm(number, value)
@@ -217,7 +222,7 @@ def _pardiso(*, schur: bool) -> Any:
 
 
 def _by_superlu(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array, float]:
-    """The same from one solution for each touching node."""
+    """As `_by_pardiso`, from one solution for each touching node."""
     moved = _solution_by_superlu(matrix, np.column_stack([push.toarray(), far_force]))
     return push.T @ moved[:, :-1], push.T @ moved[:, -1], float(far_force @ moved[:, -1])
 

@@ -1,8 +1,8 @@
-"""Unilateral contact under a given load: which nodes carry it, and how far the bodies approach.
+"""Unilateral contact under a given load: which nodes carry it, and the approach of the bodies.
 
     gap + compliance f + drift Q - lever d >= 0,   f >= 0,   f (that gap) = 0,   sum(f lever) = Q
 
-f: normal force of each touching node, d: approach, lever: cosine between normal and load.
+f: normal force of each touching node, Q: load, d: approach, lever: cosine of the angle between normal and load.
 """
 
 import numpy as np
@@ -12,9 +12,9 @@ from scipy.linalg import LinAlgError, cholesky
 from analytic.errors import ConvergenceError
 
 Array = NDArray[np.float64]
-ROUNDS = 400  # two to eight are usual; 48 the most that 25 nodes took whose compliance spans nine decades
-PATIENCE = 3  # rounds that may pass without fewer nodes in the wrong before nodes change sides one at a time
-ROUND_OFF = 1e-12  # of an overlap, and of the share of a node's compliance that no other node explains
+ROUNDS = 400  # two to eight are usual; 25 nodes whose compliance spans nine decades took 48 at most
+PATIENCE = 3  # rounds without a decrease of the wrong nodes, after which nodes change one at a time
+ROUND_OFF = 1e-12  # relative, of an overlap, and of a pivot in the factorisation of the compliance
 NOT_POSITIVE = (
     "Gaps or compliances are not finite, or the compliance is not positive definite: check that each body is held, "
     "moduli and Poisson ratios, and that no two nodes of the mesh coincide."
@@ -25,16 +25,16 @@ UNSETTLED = "Change the load or the size of the mesh by a per cent, or take anot
 def press(
     *, compliance: Array, drift: Array, gap: Array, lever: Array, load: float, start: NDArray[np.bool_]
 ) -> tuple[Array, float, int]:
-    """Forces (m,), N, the approach, m, and the rounds taken.
+    """Forces (m,), N, the approach, m, and the number of rounds.
 
-    compliance : (m, m) m/N, symmetric; positive definite, or there is no answer or many
+    compliance : (m, m) m/N, symmetric positive definite: only then is there exactly one answer
     lever : (m,) positive
-    start : (m,) nodes thought to touch; any start ends in the same answer
+    start : (m,) first guess of the nodes that touch; every start ends in the same answer
 
-    Each round solves for the nodes that touch. Then all nodes in the wrong change sides, those that pull and those that
-    overlap, as long as that leaves fewer and fewer; else the last of them alone, which never goes in circles where
-    the compliance is positive definite (block pivoting by Portugal, Judice and Vicente, 1994, on Murty's, 1974; neither
-    seen; the tests try every subset).
+    Each round solves for the nodes that are taken to touch. A node is wrong if it pulls, or if it overlaps without
+    touching. All wrong nodes change sets as long as their number decreases; otherwise the last of them alone changes,
+    which cannot cycle where the compliance is positive definite.
+    Source: block pivoting [Portugal1994] on the method of [Murty1974]; the tests try every subset of nodes.
     Raises ConvergenceError if the compliance is not finite or not positive definite, or the nodes do not settle.
     """
     opened = gap + drift * load
@@ -53,7 +53,7 @@ def press(
             raise _stopped(rounds, missing, active, remedy=NOT_POSITIVE)
         system[:-1, -1] = -lever[index]
         system[-1, :-1] = lever[index]
-        scale = system[0, 0]  # forces in N against an approach in m: bring both to one size
+        scale = system[0, 0]  # gives forces in N and the approach in m the same magnitude
         system[:, -1] *= scale
         solution = np.linalg.solve(system, np.append(-opened[index], load))
         force = np.zeros_like(gap)
@@ -65,7 +65,7 @@ def press(
         count = int(wrong.sum())
         if count == 0:
             return force, approach, rounds
-        # the pull of a node, or the force that would part one that overlaps
+        # the force with which a node pulls, or that would open an overlap
         missing = float(np.where(active, -force, overlap / compliance.diagonal())[wrong].max())
         if count < fewest:
             fewest, patience = count, PATIENCE
@@ -73,18 +73,18 @@ def press(
             patience -= 1
         else:
             wrong[: np.flatnonzero(wrong)[-1]] = False
-        active ^= wrong  # never empty: of forces that carry the load one pushes
+        active ^= wrong  # never empty: forces that carry the load include one that pushes
     raise _stopped(ROUNDS, missing, active, remedy=UNSETTLED)
 
 
 def is_positive_definite(matrix: Array) -> bool:
-    """Beyond round-off; `matrix` is symmetric and finite."""
+    """Whether a symmetric and finite matrix is positive definite beyond round-off."""
     try:
         factor = cholesky(matrix, lower=True, check_finite=False)
     except LinAlgError:
         return False
-    own = factor.diagonal() ** 2 / matrix.diagonal()  # of each node's compliance, the share that those before leave
-    return bool(own.min() > ROUND_OFF)
+    pivots = factor.diagonal() ** 2 / matrix.diagonal()  # share of each diagonal that the rows before do not explain
+    return bool(pivots.min() > ROUND_OFF)
 
 
 def _stopped(rounds: int, missing: float, active: NDArray[np.bool_], *, remedy: str) -> ConvergenceError:

@@ -1,4 +1,4 @@
-"""Linear elasticity: the stiffness of one body. Degrees of freedom run u_x of all nodes, then u_y, then u_z."""
+"""Linear elasticity: the stiffness of one body. Degrees of freedom: u_x of all nodes, then u_y, then u_z."""
 
 from collections.abc import Callable
 
@@ -14,17 +14,17 @@ from analytic.scene import Contact, Material
 
 Array = NDArray[np.float64]
 
-QUADRATURE = 5  # degree: 3 points each way integrate a quadratic cell's products exactly where it is a brick
-# Above this Poisson ratio the change of volume is integrated with 2 points each way. With 3 a quadratic cell locks: at
-# 0.4999 the peak pressure comes out 60 % high on 35 000 unknowns, with 2 it is right to 0.02 %. Below, both agree.
+QUADRATURE = 5  # degree: 3 points in each direction, exact for a quadratic cell that is a brick
+# Above this Poisson ratio the change of volume is integrated with 2 points in each direction. With 3 a quadratic cell
+# locks: at 0.4999 and 35 000 unknowns the peak pressure is 60 % too high; with 2, 0.02 %. Below, both agree.
 NEARLY_INCOMPRESSIBLE = 0.45
-REDUCED = 3  # degree: 2 points each way
+REDUCED = 3  # degree: 2 points in each direction
 CORNERS = 4  # of a facet
-FINE = 30  # points each way over a facet that a strip's border crosses
+FINE = 30  # points in each direction over a facet that the border of a strip crosses
 
 
 def require_elastic(contact: Contact) -> None:
-    """Raise InputError unless both bodies of a contact are stable elastic ones and something presses them together."""
+    """Raise InputError unless both bodies of a contact are stable elastic ones and the load is positive."""
     require_positive(load=contact.load, ball_radius=contact.ball_radius)
     if not contact.groove_radius > 0:  # infinite: a flat
         raise InputError(f"groove_radius must be positive, got {contact.groove_radius!r}; check sign and unit")
@@ -38,7 +38,7 @@ def require_elastic(contact: Contact) -> None:
 
 
 def lame_parameters(material: Material) -> tuple[float, float]:
-    """lambda and mu, Pa. Source: any text book, for example Timoshenko and Goodier, Theory of Elasticity."""
+    """lambda and mu, Pa. Source: any textbook, for example [Timoshenko1970]."""
     modulus, ratio = material.youngs_modulus, material.poisson_ratio
     return modulus * ratio / ((1 + ratio) * (1 - 2 * ratio)), modulus / (2 * (1 + ratio))
 
@@ -46,8 +46,8 @@ def lame_parameters(material: Material) -> tuple[float, float]:
 def stiffness(mesh: MeshHex2, material: Material) -> csr_matrix:
     """Stiffness matrix (3 n, 3 n), N/m, of the weak form lambda div u div v + 2 mu eps(u) : eps(v).
 
-    Every cell's nine products of derivatives come from one matrix product, and the sparsity of one displacement
-    component serves all nine blocks. A `Basis` would invert the map of every cell once for each of its 27 functions.
+    One matrix product gives the nine products of derivatives of a cell, and all nine blocks share the sparsity of one
+    displacement component. A `Basis` would invert the map of every cell once for each of its 27 functions.
     """
     lam, mu = lame_parameters(material)
     product = dilation = _products(mesh, QUADRATURE)
@@ -63,7 +63,7 @@ def stiffness(mesh: MeshHex2, material: Material) -> csr_matrix:
 
 
 def _products(mesh: MeshHex2, degree: int) -> Array:
-    """The integrals of d_i v d_j u over each cell, (cells, 3, 3, 27, 27), m; v runs along the last axis but one."""
+    """Integrals of d_i v d_j u over each cell, (cells, 3, 3, 27, 27), m; v runs along the last axis but one."""
     points, weights = get_quadrature(RefHex, degree)
     mapping, element = mesh.mapping(), mesh.elem()
     functions = mesh.dofs.element_dofs.shape[0]
@@ -77,7 +77,7 @@ def _products(mesh: MeshHex2, degree: int) -> Array:
 
 
 def _summation(nodes: NDArray[np.intp], count: int) -> Callable[[Array], csr_matrix]:
-    """What adds up the cells' matrices (cells, f, f) into one over `count` nodes; `nodes` (cells, f) are the cells'."""
+    """A function that adds cell matrices (cells, f, f) into one over `count` nodes; `nodes` (cells, f) of each cell."""
     rows, columns = np.broadcast_arrays(nodes[:, :, None], nodes[:, None, :])
     entries, place = np.unique(rows.ravel().astype(np.int64) * count + columns.ravel(), return_inverse=True)
     start = np.searchsorted(entries, np.arange(count + 1, dtype=np.int64) * count)
@@ -92,8 +92,8 @@ def _summation(nodes: NDArray[np.intp], count: int) -> Callable[[Array], csr_mat
 def surface_mass(mesh: MeshHex2, nodes: NDArray[np.intp]) -> csr_matrix:
     """Mass matrix (m, m), m^2, of the surface facets whose corners are all among `nodes`; rows follow `nodes`.
 
-    It turns nodal forces into a pressure: the forces are the integrals of pressure times shape function. All facets
-    must be the same side of their cells, as those of a patch are: then no point has to be looked for in its cell.
+    It turns nodal forces into a pressure: a force is the integral of the pressure times the shape function. All facets
+    must be the same side of their cells, as those of a patch are: then the points are the same in every cell.
     """
     basis, area = _surface(mesh, nodes, *get_quadrature(RefQuad, QUADRATURE))
     shape = _shape_functions(basis, area)
@@ -104,7 +104,7 @@ def surface_mass(mesh: MeshHex2, nodes: NDArray[np.intp]) -> csr_matrix:
 def strip_integrals(mesh: MeshHex2, nodes: NDArray[np.intp], *, low: float, high: float) -> Array:
     """(m,) m^2: integrals of the shape functions of `nodes` over the part of their surface where low < y < high, m.
 
-    The strip's borders cross facets, so that each is summed over `FINE` by `FINE` points of equal weight.
+    The borders of the strip cross facets: each facet is summed over `FINE` by `FINE` points of equal weight.
     """
     ticks = (np.arange(FINE) + 0.5) / FINE
     points = np.array(np.meshgrid(ticks, ticks)).reshape(2, -1)
@@ -117,7 +117,7 @@ def strip_integrals(mesh: MeshHex2, nodes: NDArray[np.intp], *, low: float, high
 
 
 def _surface(mesh: MeshHex2, nodes: NDArray[np.intp], points: Array, weights: Array) -> tuple[Basis, Array]:
-    """Quadrature over the facets whose corners are all among `nodes`: its basis and areas (cells, points), m^2.
+    """Quadrature over the facets whose corners are all among `nodes`: the basis, and areas (cells, points), m^2.
 
     points, weights : (2, p) and (p,) on the unit square
     """
@@ -126,13 +126,13 @@ def _surface(mesh: MeshHex2, nodes: NDArray[np.intp], points: Array, weights: Ar
     side = among[:, cells[0]]
     assert (among[:, cells] == side[:, None]).all()
     corners = ElementHex2.refdom.p[:, side]
-    across = int(np.flatnonzero(np.ptp(corners, axis=1) == 0)[0])  # the direction that leaves the facet
-    points = np.insert(points, across, corners[across, 0], axis=0)
+    normal = int(np.flatnonzero(np.ptp(corners, axis=1) == 0)[0])  # axis normal to the facet
+    points = np.insert(points, normal, corners[normal, 0], axis=0)
     basis = Basis(mesh, ElementHex2(), elements=cells, quadrature=(points, weights))
-    along, other = np.delete(basis.mapping.DF(points, tind=cells), across, axis=1).swapaxes(0, 1)
-    return basis, np.linalg.norm(np.cross(along, other, axis=0), axis=0) * weights
+    first, second = np.delete(basis.mapping.DF(points, tind=cells), normal, axis=1).swapaxes(0, 1)
+    return basis, np.linalg.norm(np.cross(first, second, axis=0), axis=0) * weights
 
 
 def _shape_functions(basis: Basis, area: Array) -> Array:
-    """(27, cells, points)."""
+    """Values of the shape functions, (27, cells, points)."""
     return np.array([np.broadcast_to(np.asarray(each[0]), area.shape) for each in basis.basis])

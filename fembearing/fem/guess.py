@@ -1,4 +1,4 @@
-"""First guess of a contact's ellipse, to size the first mesh. Nothing but the mesh depends on it."""
+"""First guess of the contact ellipse. It sizes the first mesh; nothing else depends on it."""
 
 import numpy as np
 
@@ -12,10 +12,10 @@ def plane_strain_modulus(material: Material) -> float:
 
 
 def expected_semi_axes(contact: Contact) -> tuple[float, float]:
-    """Semi-axes along rolling and transverse, m, within a few per cent of Hertz's.
+    """Semi-axes in the rolling and the transverse direction, m, within a few per cent of Hertz's.
 
     Raises InputError for a load, shape or material that no contact has.
-    Source: the fits of Brewe and Hamrock (1977) as printed in many text books; the paper itself not seen.
+    Source: the fits of [Brewe1977], as printed in many textbooks.
     """
     require_elastic(contact)
     curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius

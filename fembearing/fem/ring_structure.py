@@ -1,8 +1,8 @@
-"""What a ring's structure takes from the approach of a solved contact, or adds to it.
+"""The change of the approach of a solved contact by the structure of its ring.
 
-The contact's forces are known, and they are kept: as the approach is the derivative of an energy that is least for
-them, the change that another body makes is, to first order, the difference of the two bodies' own displacements along
-the forces, averaged with them as weights.
+The contact forces are kept. They minimise an energy whose derivative is the approach; therefore replacing one body by
+another changes the approach, to first order, by the difference of the two bodies' displacements along the forces,
+averaged with the forces as weights.
 """
 
 from typing import Literal
@@ -16,14 +16,14 @@ from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import into_ring, ring_piece
 
 End = Literal["free", "held"]
-HALVES = 2  # a piece of the ring is a half of what is loaded
+HALVES = 2  # the meshed piece is one half of the loaded ring
 
 
 def ring_compression(solution: MeshSolution, *, recipe: Recipe, end: End = "free") -> float:
-    """Mean displacement of the ring's surface along the forces of `solution`, m, its seat on a rigid shaft or housing.
+    """Mean displacement of the ring's surface along the forces of `solution`, m; the seat is rigid.
 
-    recipe : that the contact was meshed with
-    end : whether the piece of the ring is free where it is cut off, or clamped: the whole ring lies between
+    recipe : of the mesh of the contact
+    end : the cut ends of the piece of the ring are free or clamped; the whole ring lies between the two
     Raises InputError if the ring is not known or cannot be meshed, or the contact reaches over its shoulder.
     """
     contact, pair = solution.contact, solution.pair
@@ -38,11 +38,11 @@ def ring_compression(solution: MeshSolution, *, recipe: Recipe, end: End = "free
     system = held_stiffness(body, material=contact.race_material, semi_axes=pair.semi_axes)
     direction = into_ring(contact, np.hstack([pair.normal, image]))
     push = system.forces(body.touching, direction) @ np.tile(solution.force, 2)
-    moved = system.displacement(push, load=0.0).ravel()[system.free]  # no far field: the ring ends on its seat
+    moved = system.displacement(push, load=0.0).ravel()[system.free]  # no far field: the seat holds the ring
     return float(push @ moved) / (contact.load / HALVES)
 
 
 def block_compression(solution: MeshSolution) -> float:
-    """The same of the solution's own block, which ends in the displacement of a half space, m."""
+    """As `ring_compression`, m, for the block of the solution, which is held by the far field of a half space."""
     force, load, block = solution.force, solution.contact.load, solution.bodies.lower
     return float(force @ (block.compliance @ force + block.drift * load)) / (load / solution.pair.footprint.parts)

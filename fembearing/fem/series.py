@@ -1,9 +1,9 @@
-"""One contact under many loads, on as few meshes as their spread needs.
+"""One contact under many loads, on as few meshes as their range needs.
 
-Condensing two bodies takes nearly all the time of a solution and does not know the load, so loads whose ellipses fit
-one mesh share it: a band. Semi-axes grow about as load^(1/3), which sizes the next band's mesh from the last one's
-ellipse; what was found there is checked, and a band that does not fit its mesh is split. So is one that a shoulder
-divides: a mesh is cut off there or it is not, and each load has the one that its own ellipse asks for.
+The condensation of two bodies takes nearly all the time of a solution and does not depend on the load. Loads whose
+ellipses fit one mesh therefore share it: a band. Semi-axes grow about as load^(1/3), which sizes the mesh of the next
+band from the ellipse of the last one. The computed ellipses are checked, and a band that does not fit its mesh is
+split. A band is also split where only some of its ellipses reach a shoulder: a mesh is either cut off there or not.
 """
 
 from collections.abc import Iterable, Sequence
@@ -26,32 +26,33 @@ from fembearing.mesh.footprint import farther_shoulder
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
-# Ellipse over that of its mesh. Between these the approach is off by no more than 0.41 % on a third level (worst seen
-# on idealised contacts, validation/benchmarks/calibrations.py); below, too few cells carry it, and from 1.4 on it runs
-# over the nodes that may touch.
+# Ellipse of the contact over the ellipse of its mesh. Within these bounds the error of the approach on a third level is
+# at most 0.41 % (worst case on idealised contacts, validation/benchmarks/calibrations.py). Below, too few cells carry
+# the contact; from 1.4 on it reaches beyond the nodes that may touch.
 NARROWEST, WIDEST = 0.7, 1.3
-# A second level measures an ellipse to 3 %, and the groove's is not quite self-similar: before a band is split, more.
+# Excess over these bounds before a band is split: a second level measures an ellipse to 3 %, and the ellipses of a
+# groove are not quite self-similar.
 SLACK = 0.05
-SMALLER = 0.85  # a mesh for so much of an ellipse that is itself too wide to be meshed
-GOOD_GUESS = 0.03  # how far the ellipse of a band's own load may miss its mesh, in semi-axes
-AT_SHOULDER = 0.01  # and where a shoulder stands that near: as of a single solution, whose mesh is cut off or is not
+SMALLER = 0.85  # size of the mesh over an ellipse that is too wide to be meshed
+GOOD_GUESS = 0.03  # deviation of the ellipse of a band's own load from its mesh, in semi-axes
+AT_SHOULDER = 0.01  # the same where a shoulder is that near, as for a single solution: its mesh is cut off or it is not
 
 
 def solve_series(contact: Contact, *, recipe: Recipe, level: int, loads: ArrayLike) -> tuple[MeshSolution, ...]:
-    """Solve a contact under each of `loads` on one level of a recipe; in the order given, repeated loads too.
+    """Solve a contact under each of `loads` on one level of a recipe; the order and repeated loads are kept.
 
     loads : (n,) N, in any order; the contact's own load does not matter
-    Loads within a factor of 6 share one mesh, whatever their number: `solution.bodies` is then the same object.
+    Loads within a factor of 6 share one mesh, however many they are: their `bodies` are then the same object.
     Raises InputError for loads that are not positive and finite, or a contact that cannot be meshed;
-    ConvergenceError for one that does not settle.
+    ConvergenceError for one that does not converge.
     """
     given = checked_loads(loads)
     solved: dict[float, MeshSolution] = {}
     latest = None
     for band in _bands(sorted(set(given.tolist()))):
-        found = _solve_band(contact, recipe=recipe, loads=band, latest=latest)
-        solved |= {part.contact.load: part for part in found}
-        latest = found[-1]
+        solutions = _solve_band(contact, recipe=recipe, loads=band, latest=latest)
+        solved |= {part.contact.load: part for part in solutions}
+        latest = solutions[-1]
     series = tuple(solved[load] for load in given.tolist())
     return series if level == recipe.levels[1] else on_level(series, recipe=recipe, level=level)
 
@@ -70,7 +71,7 @@ def on_level(
 ) -> tuple[MeshSolution, ...]:
     """The loads of a solved series on another level, each on a mesh for the same ellipse as in `series`.
 
-    extended : add cells all round a block, to see what its far boundary does
+    extended : add cells around a block, to measure the effect of its far boundary
     Raises InputError and ConvergenceError as `solve_series`.
     """
     meshes: dict[CondensedPair, CondensedPair] = {}
@@ -88,13 +89,13 @@ def on_level(
 
 
 def off_mesh(solution: MeshSolution) -> float:
-    """How far an ellipse is from the one that its mesh is made for: the larger of two ratios, less one."""
+    """Deviation of an ellipse from that of its mesh: the larger of |ratio of semi-axes - 1|."""
     ratios = np.divide(solution.semi_axes, solution.pair.semi_axes)
     return float(np.abs(ratios - 1).max())
 
 
 def _bands(loads: Sequence[float]) -> Iterable[tuple[float, ...]]:
-    """Neighbours that one mesh holds; `loads` rising."""
+    """Groups of loads that one mesh can hold; `loads` increase."""
     band: list[float] = []
     for load in loads:
         if band and load > band[0] * (WIDEST / NARROWEST) ** 3:
@@ -107,21 +108,23 @@ def _bands(loads: Sequence[float]) -> Iterable[tuple[float, ...]]:
 def _solve_band(
     contact: Contact, *, recipe: Recipe, loads: tuple[float, ...], latest: MeshSolution | None
 ) -> tuple[MeshSolution, ...]:
-    """On the second level; `latest` is a solution nearby to size the mesh from."""
-    found = _mesh_of_band(replace(contact, load=_load_of_mesh(loads)), recipe=recipe, latest=latest)
-    series = tuple(_under(found, load) for load in loads)
-    if len(loads) == 1 or all(_fits(part) and _ends_rightly(part) for part in series):
+    """A band on the second level; `latest`, the solution of a similar load, sizes the mesh."""
+    meshed = _mesh_of_band(replace(contact, load=_load_of_mesh(loads)), recipe=recipe, latest=latest)
+    series = tuple(_under(meshed, load) for load in loads)
+    if len(loads) == 1 or all(_fits(part) and _is_cut_correctly(part) for part in series):
         return series
     reached = [sum(part.semi_axes[1] > shoulder for shoulder in _shoulders(contact)) for part in series]
-    before = sum(count == reached[0] for count in reached)
-    split = before if before < len(loads) else len(loads) // 2
-    below = _solve_band(contact, recipe=recipe, loads=loads[:split], latest=found)
+    alike = sum(count == reached[0] for count in reached)
+    split = alike if alike < len(loads) else len(loads) // 2
+    below = _solve_band(contact, recipe=recipe, loads=loads[:split], latest=meshed)
     return below + _solve_band(contact, recipe=recipe, loads=loads[split:], latest=below[-1])
 
 
 def _mesh_of_band(own: Contact, *, recipe: Recipe, latest: MeshSolution | None) -> MeshSolution:
-    """A solution on a mesh for the ellipse of `own`, or for a smaller one where that is too wide to be meshed: what
-    lies a little above the largest mesh still fits it, unless it reaches over a shoulder that this mesh does not know.
+    """A solution on a mesh for the ellipse of `own`, or for a smaller ellipse where that is too wide to be meshed.
+
+    An ellipse a little wider than the largest mesh still fits it, unless it reaches a shoulder at which this mesh is
+    not cut off.
     """
     try:
         return _fitted(own, recipe=recipe, latest=latest)
@@ -130,7 +133,7 @@ def _mesh_of_band(own: Contact, *, recipe: Recipe, latest: MeshSolution | None) 
             smaller = _fitted(replace(own, load=own.load * SMALLER**3), recipe=recipe, latest=latest)
         except InputError:
             raise problem from None
-        if not _ends_rightly(_under(smaller, own.load)):
+        if not _is_cut_correctly(_under(smaller, own.load)):
             raise
         return smaller
 
@@ -139,10 +142,10 @@ def _fitted(contact: Contact, *, recipe: Recipe, latest: MeshSolution | None) ->
     if latest is None:
         return fitted_solution(contact, recipe=recipe)
     level, start = recipe.levels[1], _scaled(latest, contact.load)
-    found = fitted_on_level(contact, recipe=recipe, level=level, start=start, good=GOOD_GUESS)
-    if _ends_rightly(found):
-        return found
-    return fitted_on_level(contact, recipe=recipe, level=level, start=found.semi_axes, good=AT_SHOULDER)
+    solution = fitted_on_level(contact, recipe=recipe, level=level, start=start, good=GOOD_GUESS)
+    if _is_cut_correctly(solution):
+        return solution
+    return fitted_on_level(contact, recipe=recipe, level=level, start=solution.semi_axes, good=AT_SHOULDER)
 
 
 def _under(solution: MeshSolution, load: float) -> MeshSolution:
@@ -153,11 +156,11 @@ def _under(solution: MeshSolution, load: float) -> MeshSolution:
 
 
 def _load_of_mesh(loads: tuple[float, ...]) -> float:
-    """The load whose ellipse sizes a band's mesh, N: one of `loads` if the mesh then holds all, else between two."""
+    """The load whose ellipse sizes the mesh of a band, N: one of `loads` if that mesh holds all, else one between."""
     low, high = loads[0], loads[-1]
     least, most = high / WIDEST**3, low / NARROWEST**3
     share = np.log(1 / NARROWEST) / np.log(WIDEST / NARROWEST)
-    middle = low ** (1 - share) * high**share  # both ends equally near to what the mesh holds
+    middle = low ** (1 - share) * high**share  # both ends are equally near the bounds
     inside = [load for load in loads if least <= load <= most]
     return float(min(inside, key=lambda load: abs(np.log(load / middle)), default=middle))
 
@@ -173,14 +176,14 @@ def _fits(solution: MeshSolution) -> bool:
 
 
 def _shoulders(contact: Contact) -> tuple[float, float]:
-    """How far away they stand at y < 0 and at y > 0, m."""
+    """Distances of the shoulders at y < 0 and at y > 0, m."""
     return farther_shoulder(contact), contact.shoulder
 
 
-def _ends_rightly(solution: MeshSolution) -> bool:
-    """Whether the mesh is cut off just at those shoulders that the load's own ellipse reaches."""
-    for room, shoulder in zip(solution.pair.footprint.room, _shoulders(solution.contact), strict=True):
+def _is_cut_correctly(solution: MeshSolution) -> bool:
+    """Whether the mesh is cut off at exactly those shoulders that the ellipse of the load reaches."""
+    for cut, shoulder in zip(solution.pair.footprint.shoulders, _shoulders(solution.contact), strict=True):
         beyond = solution.semi_axes[1] / shoulder - 1
-        if beyond <= -AT_SHOULDER if np.isfinite(room) else beyond >= AT_SHOULDER:
+        if beyond <= -AT_SHOULDER if np.isfinite(cut) else beyond >= AT_SHOULDER:
             return False
     return True

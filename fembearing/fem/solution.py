@@ -27,45 +27,46 @@ from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
-# How far off, in semi-axes, the mesh may be made on the first and the second level. The first shows a slender ellipse
-# up to a tenth too short; a mesh that is 1 % off changes no quantity by more than its own discretisation error
-# (validation/benchmarks/calibrations.py).
+# Deviation of the ellipse from that of its mesh, in semi-axes, on the first and the second level. A slender ellipse is
+# up to a tenth too short on the first; a mesh that is 1 % too large or too small changes no quantity by more than its
+# own discretisation error (validation/benchmarks/calibrations.py).
 GOOD_GUESSES = (0.1, 0.01)
-# A mesh far too large is touched by one node and shows no size, one far too small is touched all over and shows 1.6
-# times its own. Each try mends a factor of 4 or 1.6: these many, a guess 100 times too large or too small.
+# On a mesh far too large a single node touches and the ellipse has no size. On one far too small all nodes touch and
+# the ellipse is 1.6 times that of the mesh. A round corrects a factor of 4 or 1.6: all rounds together correct a guess
+# that is 100 times too large or too small.
 SMALLEST_CHANGE = 0.25
 MOST_GUESSES = 12
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CondensedPair:
-    """Two bodies on one mesh, reduced to the nodes that may touch: to be pressed under any load that suits the mesh."""
+    """Two bodies reduced to the nodes that may touch, ready to be pressed by any load that suits their mesh."""
 
     contact: Contact
     level: int
     pair: PairMesh
     upper: CondensedBody
     lower: CondensedBody
-    mass: csr_matrix  # (m, m) m^2, of the upper body's surface over the nodes that may touch, as far as a shoulder
+    mass: csr_matrix  # (m, m) m^2, of the upper body's surface up to a shoulder, over the nodes that may touch
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MeshSolution:
-    """A contact on one mesh. Node arrays run over the nodes that may touch, of a quarter or of a half."""
+    """A contact on one mesh. Arrays run over the nodes that may touch, of a quarter or of half the contact."""
 
     contact: Contact
     level: int
     pair: PairMesh
     quantities: Quantities
-    semi_axes: tuple[float, float]  # m, of the ellipse that a mesh should follow: from y <= 0 where y > 0 is cut off
-    shoulder: ShoulderLoad | None  # None where the contact ends before it
-    x: Array  # (m,) along rolling, m
-    y: Array  # (m,) transverse, m
+    semi_axes: tuple[float, float]  # m, of the ellipse that a mesh should follow; from y <= 0 where y > 0 is cut off
+    shoulder: ShoulderLoad | None  # None where the contact ends before its shoulder
+    x: Array  # (m,) rolling direction, m
+    y: Array  # (m,) transverse direction, m
     force: Array  # (m,) normal force on the meshed part, N
     pressure: Array  # (m,) Pa
     unknowns: int
     rounds: int  # of the active set
-    seconds: float  # that meshing and solving took
+    seconds: float  # of meshing and solving
     bodies: CondensedPair
 
     @property
@@ -82,16 +83,16 @@ def solve_on_mesh(
     extended: bool = False,
     upper: CondensedBody | None = None,
 ) -> MeshSolution:
-    """Solve a contact on one level of a recipe, the mesh made for an ellipse of `semi_axes` (m).
+    """Solve a contact on one level of a recipe, on a mesh for an ellipse of `semi_axes` (m).
 
-    extended : add cells all round a block, to see what its far boundary does
-    upper : the ball's condensation where it is known for this level and ellipse: no block changes it
-    Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not settle.
+    extended : add cells around a block, to measure the effect of its far boundary
+    upper : the condensed ball of this level and ellipse, if it is known; it does not depend on `extended`
+    Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not converge.
     """
     start = time.perf_counter()
     bodies = condensed_pair(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended, upper=upper)
-    found = pressed(bodies, load=contact.load, expected=semi_axes)
-    return replace(found, seconds=time.perf_counter() - start)
+    solution = pressed(bodies, load=contact.load, expected=semi_axes)
+    return replace(solution, seconds=time.perf_counter() - start)
 
 
 def condensed_pair(
@@ -105,8 +106,8 @@ def condensed_pair(
 ) -> CondensedPair:
     """Mesh both bodies of a contact and condense them; arguments as those of `solve_on_mesh`.
 
-    Nothing in it depends on the load but `semi_axes`. Raises InputError if the mesh cannot be made, SingularError if
-    the equations of a body have no single answer.
+    Only `semi_axes` depend on the load. Raises InputError if the mesh cannot be made, SingularError if the equations of
+    a body have no unique solution.
     """
     require_elastic(contact)
     pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended)
@@ -116,11 +117,11 @@ def condensed_pair(
 
 
 def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]) -> MeshSolution:
-    """Press two condensed bodies together; its `seconds` are those of pressing alone.
+    """Press two condensed bodies together; `seconds` counts the pressing alone.
 
     load : of the whole contact, N
-    expected : semi-axes, m, to start from; any end in the same answer
-    Raises ConvergenceError if the contact does not settle.
+    expected : first guess of the semi-axes, m; every guess ends in the same answer
+    Raises ConvergenceError if the contact does not converge.
     """
     start = time.perf_counter()
     pair, upper, lower = bodies.pair, bodies.upper, bodies.lower
@@ -135,19 +136,19 @@ def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]
         load=load / parts,
         start=(x / expected[0]) ** 2 + (y / expected[1]) ** 2 < 1,
     )
-    along_load = force * lever
+    carried = force * lever  # part of the load that each node carries, N
     pressure = nodal_pressure(force, bodies.mass)
-    room = pair.footprint.room[1]
-    centroid = float(along_load @ y / along_load.sum()) if half else 0.0
+    distance = pair.footprint.shoulders[1]
+    centroid = float(carried @ y / carried.sum()) if half else 0.0
     shoulder = None
-    if np.isfinite(room):
-        strip = strip_integrals(pair.upper.mesh, pair.upper.touching, low=(1 - STRIP) * room, high=room)
+    if np.isfinite(distance):
+        strip = strip_integrals(pair.upper.mesh, pair.upper.touching, low=(1 - STRIP) * distance, high=distance)
         strip_force = float(strip @ (pressure * lever))
-        shoulder = shoulder_load(centroid=centroid, strip_force=strip_force, shoulder=room, load=load)
-    measured = semi_axis(x, along_load), semi_axis(y, along_load, centre=centroid)
-    ellipse = uncut_semi_axes(x, y, along_load) if half else measured
+        shoulder = shoulder_load(centroid=centroid, strip_force=strip_force, shoulder=distance, load=load)
+    measured = semi_axis(x, carried), semi_axis(y, carried, centre=centroid)
+    ellipse = uncut_semi_axes(x, y, carried) if half else measured
     area = np.asarray(bodies.mass.sum(axis=1)).ravel()
-    inside = (ellipse[0], min(ellipse[1], room))
+    inside = (ellipse[0], min(ellipse[1], distance))
     quantities = Quantities(
         semi_axis_rolling=measured[0],
         semi_axis_transverse=measured[1],
@@ -174,10 +175,10 @@ def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]
 
 
 def fitted_solution(contact: Contact, *, recipe: Recipe, guess: tuple[float, float] | None = None) -> MeshSolution:
-    """A contact on the second level, whose mesh is made for the ellipse that it finds there: its `pair.semi_axes`.
+    """A contact on the second level, on a mesh for its own ellipse there: `pair.semi_axes`.
 
-    guess : to start from, m; its own unless given
-    Raises ConvergenceError if the ellipse keeps running away from its mesh.
+    guess : semi-axes to start from, m; `expected_semi_axes` unless given
+    Raises ConvergenceError if the ellipse and its mesh do not converge.
     """
     coarse, fine = recipe.levels[:2]
     start = expected_semi_axes(contact) if guess is None else guess
@@ -188,19 +189,19 @@ def fitted_solution(contact: Contact, *, recipe: Recipe, guess: tuple[float, flo
 def fitted_on_level(
     contact: Contact, *, recipe: Recipe, level: int, start: tuple[float, float], good: float
 ) -> MeshSolution:
-    """A contact on one level, whose mesh is made for the ellipse that it finds there.
+    """A contact on one level, on a mesh for its own ellipse there.
 
     start : semi-axes of the first mesh, m
-    good : by how much of a semi-axis the ellipse may miss its mesh
-    Raises ConvergenceError if the ellipse keeps running away from its mesh.
+    good : largest deviation of the ellipse from that of the mesh, in semi-axes
+    Raises ConvergenceError if the ellipse and its mesh do not converge.
     """
     semi_axes, misfit = start, np.inf
     for _ in range(MOST_GUESSES):
-        found = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes)
-        changes = [max(new / old, SMALLEST_CHANGE) for new, old in zip(found.semi_axes, semi_axes, strict=True)]
+        solution = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes)
+        changes = [max(new / old, SMALLEST_CHANGE) for new, old in zip(solution.semi_axes, semi_axes, strict=True)]
         misfit = max(abs(change - 1) for change in changes)
         if misfit < good:
-            return found
+            return solution
         semi_axes = (semi_axes[0] * changes[0], semi_axes[1] * changes[1])
     raise ConvergenceError(
         iterations=MOST_GUESSES,
@@ -213,17 +214,17 @@ def fitted_on_level(
 
 
 def _condensed(contact: Contact, pair: PairMesh, upper: CondensedBody | None) -> tuple[CondensedBody, CondensedBody]:
-    pressed_on = {"semi_axes": pair.semi_axes, "room": pair.footprint.room}
+    footprint = {"semi_axes": pair.semi_axes, "shoulders": pair.footprint.shoulders}
     if upper is None or pair.upper.name != "ball":
-        upper = condense(pair.upper, material=contact.ball_material, force=-pair.normal, **pressed_on)
+        upper = condense(pair.upper, material=contact.ball_material, force=-pair.normal, **footprint)
     if pair.upper.name == pair.lower.name and contact.ball_material == contact.race_material:
         return upper, upper  # two half spaces of one material are mirror images
-    return upper, condense(pair.lower, material=contact.race_material, force=pair.normal, **pressed_on)
+    return upper, condense(pair.lower, material=contact.race_material, force=pair.normal, **footprint)
 
 
 def _mass_within(pair: PairMesh) -> csr_matrix:
-    """Of the ball's surface; beyond a shoulder that cuts the contact off there is no pressure, and rows are empty."""
+    """Mass matrix of the upper surface; rows beyond a shoulder, where there is no pressure, are empty."""
     nodes = pair.upper.touching
     within = np.flatnonzero(pair.footprint.holds(pair.upper.mesh.doflocs[1, nodes]))
-    some = surface_mass(pair.upper.mesh, nodes[within]).tocoo()
-    return csr_matrix((some.data, (within[some.row], within[some.col])), shape=(nodes.size, nodes.size))
+    inside = surface_mass(pair.upper.mesh, nodes[within]).tocoo()
+    return csr_matrix((inside.data, (within[inside.row], within[inside.col])), shape=(nodes.size, nodes.size))

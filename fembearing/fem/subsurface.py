@@ -1,7 +1,7 @@
 """Stresses under the centre of a computed contact, and their maxima: where rolling-contact fatigue begins.
 
-Depth runs from the contact's centre along the load into the body; a stress is positive in tension. The axis is where
-the two planes of symmetry meet, so along rolling (x), across it (y) and along the load (z) are principal directions.
+Depth runs from the centre of the contact along the load into the body; tensile stress is positive. On the axis, where
+the two planes of symmetry meet, the rolling (x), the transverse (y) and the load direction (z) are principal.
 """
 
 from dataclasses import dataclass
@@ -22,10 +22,10 @@ from fembearing.mesh.bodies import BodyMesh
 
 Array = NDArray[np.float64]
 Side = Literal["upper", "lower"]
-DEEPEST = 3.0  # minor semi-axes that a curve covers; both maxima lie within 0.8
-POINTS = 301  # of a curve
-# A quadratic cell's stress is an order more accurate at these points than elsewhere (Barlow, 1976, not seen); 2 each
-# way, which are also the points where the change of volume of a nearly incompressible body is integrated.
+DEEPEST = 3.0  # end of a curve, in minor semi-axes; both maxima lie within 0.8
+POINTS = 301  # in a curve
+# Two points in each direction. There the stress in a quadratic cell is one order more accurate than elsewhere
+# [Barlow1976], and there the change of volume of a nearly incompressible body is integrated too.
 GAUSS = (1 + np.array([-1.0, 1.0]) / np.sqrt(3)) / 2
 
 
@@ -47,12 +47,12 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
     """Stresses on the axis of a body of a solved contact, to 3 minor semi-axes or to its far side if that is nearer.
 
     side : "upper" is the ball, "lower" the race, seat or sheet
-    The body is solved once more under the contact's forces. In each layer under the centre, stresses at the cell's
-    Gauss points are brought to the axis by a fit even in x and y; a cubic spline with one knot a layer, half as many
-    as there are points, smooths what still alternates within a cell.
-    Raises InputError for half a contact: its axis lies in one plane of symmetry only, so that x, y and z are not the
-    directions of principal stress there.
-    Off the axis, at the edge of the contact, other stresses may be larger; they are not looked at.
+    The body is solved once more under the contact forces. In each layer under the centre, a fit even in x and y takes
+    the stresses from the Gauss points of the cell to the axis. A cubic spline with one knot for each layer, half as
+    many as there are points, smooths the remaining oscillation within a cell.
+    Raises InputError for half a contact: its axis lies in one plane of symmetry only, so that x, y and z are not
+    principal directions there.
+    Larger stresses may occur off the axis, at the edge of the contact; they are not computed.
     """
     if solution.pair.footprint.half:
         raise InputError(
@@ -61,15 +61,17 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
         )
     body, material = _body(solution, side)
     displacement = body_displacement(solution, side=side)
-    place, sampled = _stress_at_axis(body, displacement, material)
-    minor = min(solution.pair.semi_axes)  # the mesh's: those measured are 0 where a single node touches
+    place, stresses = _stress_at_axis(body, displacement, material)
+    minor = min(solution.pair.semi_axes)  # of the mesh: the measured ones are 0 where a single node touches
     lines = _layers(body)
 
     def even(depth: Any) -> Any:
-        return np.arcsinh(depth / minor)  # layers are even near the surface and grow below: here they are even again
+        return np.arcsinh(
+            depth / minor
+        )  # layers are even near the surface and grow below it; in this coordinate all are about even
 
     knots = even(lines)
-    spline = make_lsq_spline(even(place), sampled, np.concatenate([[knots[0]] * 3, knots, [knots[-1]] * 3]), k=3)
+    spline = make_lsq_spline(even(place), stresses, np.concatenate([[knots[0]] * 3, knots, [knots[-1]] * 3]), k=3)
     depth = np.linspace(0.0, min(DEEPEST * minor, lines[-1]), POINTS)
     stress = spline(even(depth)).T
     shear, mises = _max_shear(stress), _von_mises(stress)
@@ -90,17 +92,17 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
 def body_displacement(solution: MeshSolution, *, side: Side) -> Array:
     """Displacement (3, nodes), m, of a body's mesh under the forces and the far field of a solved contact.
 
-    As `condense` tells it: half a ball moves as seen from its middle plane, which holds it across.
+    As in `condense`, the displacement of half a ball is relative to its middle plane, which is held transversely.
     """
     pair = solution.pair
     body, material = _body(solution, side)
-    system = held_stiffness(body, material=material, semi_axes=pair.semi_axes, room=pair.footprint.room)
-    towards = -pair.normal if side == "upper" else pair.normal
-    push = system.forces(body.touching, towards) @ solution.force
+    system = held_stiffness(body, material=material, semi_axes=pair.semi_axes, shoulders=pair.footprint.shoulders)
+    direction = -pair.normal if side == "upper" else pair.normal
+    push = system.forces(body.touching, direction) @ solution.force
     plane = middle_plane(system, body) if body.pinned else 0 * push
-    across = float(towards[1] @ solution.force)
-    # The forces are those on the meshed part of the body, the far field is that of the whole load.
-    moved = system.displacement(push - across * plane, load=solution.contact.load)
+    transverse = float(direction[1] @ solution.force)
+    # The forces act on the meshed part of the body; the far field is that of the whole load.
+    moved = system.displacement(push - transverse * plane, load=solution.contact.load)
     moved[1] -= plane @ moved.ravel()[system.free]
     return moved
 
@@ -112,9 +114,9 @@ def _body(solution: MeshSolution, side: Side) -> tuple[BodyMesh, Material]:
 
 
 def _stress_at_axis(body: BodyMesh, displacement: Array, material: Material) -> tuple[Array, Array]:
-    """Depths (p,), m, increasing, two a layer, and the stresses (p, 3) along x, y and z there, Pa."""
+    """Depths (p,), m, increasing, two in each layer, and the stresses (p, 3) along x, y and z there, Pa."""
     axis = _axis(body)
-    cells = np.flatnonzero(np.isin(body.mesh.t[:2], axis).all(axis=0))  # a cell's first edge runs along depth
+    cells = np.flatnonzero(np.isin(body.mesh.t[:2], axis).all(axis=0))  # the first edge of a cell runs along depth
     points = np.array(np.meshgrid(GAUSS, GAUSS, GAUSS, indexing="ij")).reshape(3, -1)
     basis = Basis(body.mesh, ElementHex2(), elements=cells, quadrature=(points, np.ones(points.shape[1])))
     strain = [basis.interpolate(part).grad[i] for i, part in enumerate(displacement)]  # along x, y, z alone
@@ -122,9 +124,9 @@ def _stress_at_axis(body: BodyMesh, displacement: Array, material: Material) -> 
     stress = lam * sum(strain) + 2 * mu * np.array(strain)
 
     x, y, z = np.asarray(basis.global_coordinates())
-    known = np.array([np.abs(z), *stress]).reshape(4, cells.size, 4, 2)  # four points across, two along depth
+    known = np.array([np.abs(z), *stress]).reshape(4, cells.size, 4, 2)  # four points in x and y, two along depth
     square = np.array([np.ones_like(x), (x / x.max()) ** 2, (y / y.max()) ** 2]).reshape(3, cells.size, 4, 2)
-    to_axis = np.linalg.pinv(square.transpose(1, 3, 2, 0))[:, :, 0]  # (cells, 2, 4): the even fit's value at x = y = 0
+    to_axis = np.linalg.pinv(square.transpose(1, 3, 2, 0))[:, :, 0]  # (cells, 2, 4): value of the even fit at x = y = 0
     depth, *parts = np.einsum("clp,qcpl->qcl", to_axis, known).reshape(4, -1)
     order = np.argsort(depth)
     return depth[order], np.array(parts).T[order]
@@ -136,7 +138,7 @@ def _axis(body: BodyMesh) -> NDArray[np.intp]:
 
 
 def _layers(body: BodyMesh) -> Array:
-    """Depths of the layers' faces on the axis, m, from the surface's 0; middle nodes left out."""
+    """Depths of the faces of the layers on the axis, m, beginning with 0; middle nodes are left out."""
     return np.sort(np.abs(body.mesh.doflocs[2, _axis(body)]))[::2]
 
 
@@ -146,19 +148,19 @@ def _max_shear(stress: Array) -> Array:
 
 
 def _von_mises(stress: Array) -> Array:
-    """Of principal stresses (3, ...)."""
+    """Equivalent stress of von Mises from principal stresses (3, ...)."""
     x, y, z = stress
     return np.sqrt(((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) / 2)
 
 
 def _greatest(depth: Array, values: Array, measure: Any) -> tuple[float, float]:
-    """The largest value of a curve, refined between its points, and its depth."""
+    """The largest value of a curve, refined between its points, and its depth, m."""
     top = int(np.argmax(values))
     low, high = depth[max(top - 1, 0)], depth[min(top + 1, depth.size - 1)]
-    sharp = 1e-6 * (high - low)  # m; SciPy's own, 1e-5, is no length of a contact
-    found: Any = minimize_scalar(
-        lambda at: -measure(at), bounds=(low, high), method="bounded", options={"xatol": sharp}
+    tolerance = 1e-6 * (high - low)  # m; SciPy's default, 1e-5 m, is larger than a contact
+    refined: Any = minimize_scalar(
+        lambda at: -measure(at), bounds=(low, high), method="bounded", options={"xatol": tolerance}
     )
-    if -found.fun > values[top]:
-        return float(-found.fun), float(found.x)
-    return float(values[top]), float(depth[top])  # on the surface, where a search would only come near it
+    if -refined.fun > values[top]:
+        return float(-refined.fun), float(refined.x)
+    return float(values[top]), float(depth[top])  # on the surface, which the search approaches but never reaches

@@ -1,4 +1,4 @@
-"""The ball: an octant, or a quarter, from its pole, where the contact is, to its middle plane."""
+"""The ball: an octant or a quarter, from the pole, where the contact is, to the middle plane."""
 
 import numpy as np
 
@@ -11,11 +11,11 @@ from fembearing.mesh.recipe import Recipe
 
 
 def ball_octant(contact: Contact, recipe: Recipe, level: int, footprint: Footprint) -> BodyMesh:
-    """A smooth map of the cube [0, 1]^3, its face Z = 1 under the contact; and its mirror image for half a contact.
+    """The ball as a smooth map of the cube [0, 1]^3, with the face Z = 1 under the contact.
 
-    The map x = X sqrt(1 - Y^2/2 - Z^2/2 + Y^2 Z^2/3) and its permutations sends the cube's faces
-    X, Y, Z = 1 to the sphere and X, Y, Z = 0 to the octant's planes.
-    Source: P. Nowell, "Mapping a cube to a sphere" (2005), not seen; the ball's volume checks it.
+    The map x = X sqrt(1 - Y^2/2 - Z^2/2 + Y^2 Z^2/3) and its permutations takes the faces X, Y, Z = 1 of the cube to
+    the sphere and the faces X, Y, Z = 0 to the planes of the octant. Half a contact gets the mirror image as well.
+    Source: [Nowell2005]; the volume of the ball checks it.
     """
     radius, semi_axes = contact.ball_radius, footprint.semi_axes
     cells = cells_of(recipe, level, growth=radius / min(semi_axes))
@@ -24,11 +24,11 @@ def ball_octant(contact: Contact, recipe: Recipe, level: int, footprint: Footpri
     zone_x, zone_y = zone = (places_facing(contact, zone) if footprint.cut else zone) / radius
     square, difference = np.array([zone_x, zone_y]) ** 2, zone_x**2 - zone_y**2
     linear = 3 + 2 * np.array([difference, -difference])
-    near = np.sqrt(12 * square / (linear + np.sqrt(linear**2 - 24 * square)))  # the map's inverse on the face Z = 1
+    near = np.sqrt(12 * square / (linear + np.sqrt(linear**2 - 24 * square)))  # inverse of the map on the face Z = 1
     near = np.copysign(near, zone)
     growth = radius / (recipe.patch.margin_size * min(semi_axes))
     share = outside_share(patch, rings=patch.cells.outside, growth=growth, straight=False)
-    # Not straight: at the cube's far corner the map is flat, and cells with middle nodes half way turn inside out.
+    # Not straight: the map is flat at the cube's far corner, where cells with centred middle nodes turn inside out.
     cube = near * (1 - share) + far_square(patch.u, patch.v) * share
     lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=radius)
     at_x, at_y = cube[:, patch.column]

@@ -1,4 +1,4 @@
-"""A body as a mesh with the sets of nodes that carry conditions, and what all bodies are built with."""
+"""A body: its mesh and the sets of nodes that carry conditions; and the grid of a block."""
 
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -10,7 +10,7 @@ from skfem import MeshHex2
 from fembearing.mesh.patch import NODE, PatchMesh, depth_lines, far_square, outside_share
 from fembearing.mesh.recipe import Cells, Recipe
 
-FURTHER = 2.0  # times its reach: how far a block is extended to see what its far boundary does
+FURTHER = 2.0  # size of an extended block over its own, to measure the effect of its far boundary
 
 Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
@@ -27,16 +27,16 @@ class BodyMesh:
     surface: Nodes  # all nodes of the loaded surface
     far: Nodes  # nodes that carry the far-field displacement of a half space
     clamped: Nodes  # nodes that cannot move
-    planes: tuple[Nodes, Nodes, Nodes]  # nodes with u_x = 0, u_y = 0, u_z = 0; across, a halved ball has its centre
+    planes: tuple[Nodes, Nodes, Nodes]  # nodes with u_x = 0, u_y = 0, u_z = 0; for u_y, half a ball has its centre
 
     @property
     def pinned(self) -> bool:
-        """Whether a single node keeps the body from moving across: the middle of a ball without that symmetry."""
+        """Whether a single node holds the body transversely: the centre of a ball without that plane of symmetry."""
         return self.planes[1].size == 1
 
 
 def body_mesh(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
-    """A body whose nodes lie at `position` (3, nodes), m. Its first layer is the loaded one where it lies at z > 0."""
+    """A body with nodes at `position` (3, nodes), m. The loaded layer is the first one if z > 0, else the last."""
     lower = position[2].min() < 0 and name != "ball"
     surface_layer = patch.cells.depth if lower else 0
     on_surface = np.abs(patch.layer - surface_layer) < NODE
@@ -65,7 +65,7 @@ def body_mesh(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
 
 
 def cells_of(recipe: Recipe, level: int, *, growth: float) -> Cells:
-    """Cell counts of a level; more of them where a far boundary `growth` times off the contact needs them."""
+    """Cell counts of a level; more than in the recipe where a far boundary `growth` semi-axes away needs them."""
     needed = int(np.ceil(np.log(growth) / np.log(recipe.domain.growth)))
     base = recipe.cells
     return replace(base, outside=max(base.outside, needed), depth=max(base.depth, needed)).times(level)
@@ -73,7 +73,7 @@ def cells_of(recipe: Recipe, level: int, *, growth: float) -> Cells:
 
 @dataclass(frozen=True, kw_only=True)
 class Block:
-    """The grid of a block: columns under the patch out to `reach` and down to it, or on to `further`."""
+    """The grid of a block: columns under the patch, outwards and downwards to `reach`, or to `further`, m."""
 
     recipe: Recipe
     level: int
@@ -83,17 +83,17 @@ class Block:
 
     @property
     def whole(self) -> Cells:
-        """Out to `reach`."""
+        """Cell counts up to `reach`."""
         return cells_of(self.recipe, self.level, growth=self.reach / min(self.semi_axes))
 
     @property
     def growth(self) -> float:
-        """From the margin's rim to `reach`."""
+        """Ratio of `reach` to the rim of the margin."""
         return self.reach / (self.recipe.patch.margin_size * min(self.semi_axes))
 
     @property
     def added(self) -> Array:
-        """Rings and layers from `reach` to `further`, in units of `reach`: each as much larger as the rings are."""
+        """Rings and layers from `reach` to `further`, over `reach`; they grow by the ratio of the rings inside."""
         if self.further is None:
             return np.array([])
         ratio = self.further / self.reach
@@ -103,20 +103,21 @@ class Block:
 
     @property
     def cells(self) -> Cells:
+        """Cell counts of the whole block."""
         return replace(
             self.whole, outside=self.whole.outside + self.added.size, depth=self.whole.depth + self.added.size
         )
 
     def plane(self, patch: PatchMesh, zone: Array) -> Array:
-        """x, y of the columns, (2, columns), m; `zone` is where they start, those further out on its rim."""
+        """x, y of the columns, (2, columns), m; `zone` holds those in the contact, and its rim for the others."""
         share = outside_share(patch, rings=self.whole.outside, growth=self.growth)
         added = np.interp(patch.ring - self.whole.rings, np.arange(self.added.size + 1), [1.0, *self.added])
         return zone * (1 - share) + self.reach * share * added * far_square(patch.u, patch.v)
 
     def stack(self, patch: PatchMesh, plane: Array, height: Array, *, side: Literal[1, -1]) -> Array:
-        """Positions (3, nodes) of columns that run from their `height` towards the plane z = side * reach.
+        """Positions (3, nodes), m, of columns from their `height` to the plane z = side * reach.
 
-        Layers of a body below are counted from the far boundary upwards, so that its cells stay right-handed.
+        Layers of the lower body are counted upwards from the far boundary, so that its cells stay right-handed.
         """
         lines = depth_lines(self.whole.depth, depth=self.recipe.depth, minor=min(self.semi_axes), extent=self.reach)
         corners = np.append(lines[::2], self.reach * self.added)

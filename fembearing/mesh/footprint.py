@@ -1,8 +1,7 @@
-"""Where a contact is expected, so that the mesh can follow it: an ellipse, cut off at a shoulder of the groove.
+"""The expected contact, which the mesh follows: an ellipse, cut off at a shoulder of the groove.
 
-An ellipse that ends before the nearer shoulder leaves the contact symmetric, and a quarter of it is meshed. From where
-it reaches over, the contact is cut off on that side alone, unless the contact angle is zero: half of it is meshed then,
-y < 0 and y > 0.
+The contact is symmetric if the ellipse ends before the nearer shoulder: a quarter of it is meshed. A longer ellipse is
+cut off on that side alone, unless the contact angle is zero: half of it is meshed, y < 0 and y > 0.
 """
 
 import math
@@ -17,61 +16,64 @@ from analytic.scene import Contact
 Array = NDArray[np.float64]
 ROUND_OFF = 1e-9  # of a coordinate
 UNCUT = (math.inf, math.inf)
-NEARLY = 0.995  # of a semi-axis: an ellipse reaching less far over is meshed as one that does; 1 % off does no harm
-MOST_OVERRUN = 3.0  # semi-axis of the mesh over the room: beyond, little of the ellipse is left to follow
-STEEPEST = 1.2  # rad, profile angle up to which a groove is meshed as a height over the plane tangent at the contact
+NEARLY = 0.995  # largest shoulder distance in the mesh, in semi-axes; an error of 1 % in the mesh does no harm
+MOST_OVERRUN = 3.0  # semi-axis of the mesh over the shoulder distance; beyond, too little of the ellipse is left
+STEEPEST = 1.2  # rad, profile angle up to which a groove is meshed as a height over the tangent plane
 
 
 @dataclass(frozen=True, kw_only=True)
 class Footprint:
-    """Semi-axes in m, and how far the contact can reach at y < 0 and at y > 0; inf where the ellipse itself ends it."""
+    """Semi-axes of the expected ellipse, and the distances of the shoulders that cut it off."""
 
-    semi_axes: tuple[float, float]  # along rolling and transverse, m
-    room: tuple[float, float] = UNCUT  # m
-    half: bool = False  # both sides of y = 0 are meshed, not one
+    semi_axes: tuple[float, float]  # rolling and transverse, m
+    shoulders: tuple[float, float] = UNCUT  # m, at y < 0 and at y > 0; inf where the ellipse ends before the shoulder
+    half: bool = False  # whether both sides of y = 0 are meshed
 
     @property
     def parts(self) -> int:
-        """Of the whole contact, as many as are alike: one is meshed."""
+        """Number of equal parts of the contact, of which one is meshed."""
         return 2 if self.half else 4
 
     @property
     def cut(self) -> bool:
         """Whether a shoulder ends the contact on either side."""
-        return self.room != UNCUT
+        return self.shoulders != UNCUT
 
     def holds(self, y: Array) -> NDArray[np.bool_]:
-        """Whether contact may be at y, m: up to a shoulder and on it."""
-        below, above = self.room
+        """Whether contact is possible at y, m: up to a shoulder and on it."""
+        below, above = self.shoulders
         return (-(1 + ROUND_OFF) * below <= y) & (y <= (1 + ROUND_OFF) * above)
 
     @property
     def ends(self) -> tuple[float, float]:
-        """`room` in semi-axes, where it cuts the ellipse off."""
-        below, above = (min(room / self.semi_axes[1], NEARLY) if math.isfinite(room) else room for room in self.room)
+        """`shoulders` in semi-axes, below 1 where they cut the ellipse off."""
+        below, above = (
+            min(shoulder / self.semi_axes[1], NEARLY) if math.isfinite(shoulder) else shoulder
+            for shoulder in self.shoulders
+        )
         return below, above
 
 
 def footprint_of(contact: Contact, semi_axes: tuple[float, float]) -> Footprint:
-    """What the mesh follows for an ellipse of `semi_axes`, m. Raises InputError where a shoulder leaves too little."""
-    across = semi_axes[1]
-    if across <= contact.shoulder:
+    """The footprint of an ellipse of `semi_axes`, m. Raises InputError where a shoulder leaves too little of it."""
+    transverse = semi_axes[1]
+    if transverse <= contact.shoulder:
         return Footprint(semi_axes=semi_axes)
-    if across > MOST_OVERRUN * contact.shoulder:
+    if transverse > MOST_OVERRUN * contact.shoulder:
         raise InputError(
-            f"{contact.pair}: {contact.load:g} N spread the contact to {across:.3g} m across, its shoulder stands at "
-            f"{contact.shoulder:.3g} m: the mesh holds up to {MOST_OVERRUN:g} times that. Lower the load or the "
+            f"{contact.pair}: {contact.load:g} N spread the contact to {transverse:.3g} m across, its shoulder stands "
+            f"at {contact.shoulder:.3g} m: the mesh holds up to {MOST_OVERRUN:g} times that. Lower the load or the "
             "contact angle, or raise shoulder_half_width"
         )
-    further = farther_shoulder(contact)
-    room = further if across > further else math.inf
-    return Footprint(semi_axes=semi_axes, room=(room, contact.shoulder), half=room != contact.shoulder)
+    farther = farther_shoulder(contact)
+    below = farther if transverse > farther else math.inf
+    return Footprint(semi_axes=semi_axes, shoulders=(below, contact.shoulder), half=below != contact.shoulder)
 
 
 def farther_shoulder(contact: Contact) -> float:
-    """Distance to the other shoulder on the plane tangent at the contact's centre, m.
+    """Distance to the other shoulder on the plane tangent at the centre of the contact, m.
 
-    Two contact angles further round the groove's profile than the nearer one, but no further than `STEEPEST`.
+    Its profile angle is that of the nearer shoulder plus twice the contact angle, at most `STEEPEST`.
     """
     if contact.shoulder >= contact.groove_radius:
         return contact.shoulder

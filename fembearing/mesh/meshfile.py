@@ -1,4 +1,4 @@
-"""Meshes as files: VTK's .vtu through meshio, cells and node sets without loss."""
+"""Meshes as .vtu files of VTK, written by meshio, with cells and node sets and without loss."""
 
 import os
 from pathlib import Path
@@ -12,7 +12,7 @@ from skfem.io.meshio import from_meshio, to_meshio
 from analytic.errors import InputError
 from fembearing.mesh.bodies import BodyMesh, BodyName
 
-ABSENT = -1  # number of a node that may not touch
+ABSENT = -1  # number of a node that cannot touch
 SETS = ("surface", "far", "clamped", "plane_x", "plane_y", "plane_z")
 
 
@@ -29,7 +29,7 @@ def write_body(path: Path, body: BodyMesh, **fields: Any) -> None:
         marks[name] = np.isin(np.arange(count), nodes).astype(np.int8)
     content = to_meshio(body.mesh)
     content.point_data.update(marks | fields)
-    temporary = path.with_name(f".{path.stem}-{os.getpid()}.vtu")  # not tempfile's: that one only its owner may read
+    temporary = path.with_name(f".{path.stem}-{os.getpid()}.vtu")  # a file of tempfile could be read by its owner only
     try:
         meshio.vtu.write(str(temporary), content)
         os.replace(temporary, path)
@@ -47,7 +47,7 @@ def read_body(path: Path, *, name: BodyName) -> BodyMesh:
             raise TypeError(f"cells are {', '.join(sorted(content.cells_dict))}, wanted hexahedron27")
         order = content.point_data["touching"]
         sets = {part: np.flatnonzero(content.point_data[part]) for part in SETS}
-    except Exception as problem:  # what meshio raises depends on where the damage is, and not all of it is public
+    except Exception as problem:  # the error of meshio depends on the damage, and some are not public
         reason = str(problem).splitlines()[0] if str(problem) else type(problem).__name__
         raise InputError(f"{path}: not a mesh written by fembearing ({reason})") from problem
     touching = np.flatnonzero(order != ABSENT)
@@ -65,7 +65,7 @@ def read_body(path: Path, *, name: BodyName) -> BodyMesh:
 
 
 def _require_sound(content: meshio.Mesh) -> None:
-    """Raises ValueError for numbers that no mesh has; a node that does not exist would take memory up to its number."""
+    """Raise ValueError for impossible numbers; a cell with a node that does not exist would exhaust memory."""
     if not np.isfinite(content.points).all():
         raise ValueError("a position is not finite")
     for block in content.cells:

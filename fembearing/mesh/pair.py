@@ -1,7 +1,7 @@
 """Two bodies in contact as meshes.
 
-Both are meshed over the same patch, so their contact nodes face each other: a ball's node and the race's node where
-the ball's normal meets the race.
+Both have the same patch, so that their contact nodes face each other: a node of the ball, and the node of the race
+where the normal of the ball meets it.
 """
 
 from dataclasses import dataclass, replace
@@ -21,7 +21,7 @@ from fembearing.mesh.race import distance_to_race, race_block
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
-WIDEST_CONTACT = 0.7  # of the ball's radius, margin included: further round, the octant's map folds
+WIDEST_CONTACT = 0.7  # over the ball's radius, margin included; the map of the octant folds beyond
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -32,11 +32,11 @@ class PairMesh:
     lower: BodyMesh
     gap: Array  # (m,) along the normal, m
     normal: Array  # (3, m) unit vectors out of the upper body
-    footprint: Footprint  # where the mesh expects the edge
+    footprint: Footprint  # the contact that the mesh expects
 
     @property
     def semi_axes(self) -> tuple[float, float]:
-        """Along rolling and transverse, m."""
+        """Rolling and transverse, m."""
         return self.footprint.semi_axes
 
 
@@ -45,9 +45,9 @@ def pair_mesh(
 ) -> PairMesh:
     """Mesh both bodies of a contact on one level of a recipe.
 
-    semi_axes : expected semi-axes along rolling and transverse, m; they size the mesh
-    extended : add rings and layers of cells to a block, which is then up to twice as large; the others stay where
-        they are, so that the difference shows what the far boundary does and little else
+    semi_axes : expected semi-axes, rolling and transverse, m; they size the mesh
+    extended : add rings and layers of cells to a block, which is then up to twice as large; the other cells stay where
+        they are, so that the difference is the effect of the far boundary and little else
     Raises InputError if the bodies cannot be meshed at that size.
     """
     make = _half_spaces if recipe.geometry == "hertzian" else _ball_on_race
@@ -67,7 +67,7 @@ def pair_mesh(
 def _half_spaces(
     contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool
 ) -> PairMesh:
-    """Two half spaces; where the contact reaches over a shoulder, nothing touches beyond."""
+    """Two half spaces; no node beyond a shoulder can touch."""
     footprint = footprint_of(contact, semi_axes)
     reach = recipe.domain.extent * max(semi_axes)
     further = FURTHER * reach if extended else None
@@ -79,9 +79,9 @@ def _half_spaces(
     lower = body_mesh("half space", patch, block.stack(patch, plane, flat, side=-1))
     curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius
     curvature_y = 1 / contact.ball_radius - 1 / contact.groove_radius
-    held = footprint.holds(y[patch.zone])
-    upper, lower = (replace(body, touching=body.touching[held]) for body in (upper, lower))
-    gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[patch.zone][held]
+    inside = footprint.holds(y[patch.zone])
+    upper, lower = (replace(body, touching=body.touching[inside]) for body in (upper, lower))
+    gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[patch.zone][inside]
     normal = np.tile([[0.0], [0.0], [-1.0]], gap.size)
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, footprint=footprint)
 

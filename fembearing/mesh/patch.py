@@ -1,8 +1,8 @@
 """The patch under a contact: cells that follow the ellipse, from its centre to the far boundary.
 
-Pressure ends at the edge of a contact like a square root, so an edge that crosses cells spoils the
-semi-axes at first order. Here a ring of cell faces lies on the expected edge and the cells shrink
-towards it from both sides. A quarter of the patch is a square core and, around it, rings of cells:
+Pressure ends at the edge of a contact like a square root; an edge that crosses cells would cause a first-order error of
+the semi-axes. Here a ring of cell faces lies on the expected edge, and the cells shrink towards it from both sides. A
+quarter of the patch is a square core with rings of cells around it:
 
     v        ____________
     |       |\\    |     |        u, v: coordinates of the patch; ring number max(u, v) - 1
@@ -11,9 +11,9 @@ towards it from both sides. A quarter of the patch is a square core and, around 
     |       |__|__|\\____|        to 1 on the diagonal
     +-----------------------u
 
-A half of it has v < 0 too. Where a shoulder cuts the ellipse off, the ring on the edge follows the shoulder instead and
-the diagonal runs through the point where the two meet; that side gets twice as many cells along v, since its ring then
-turns further.
+A half of it has v < 0 too. Where a shoulder cuts the ellipse off, the ring on the edge follows the shoulder, and the
+diagonal runs through the point where the shoulder meets the ellipse. That side gets twice as many cells along v, since
+its ring turns through a larger angle.
 
 `layer` counts cells along depth. Nodes of the quadratic cells sit at half steps of all three.
 """
@@ -31,38 +31,37 @@ from fembearing.mesh.recipe import Cells, Depth, Patch
 
 Array = NDArray[np.float64]
 
-
-NODE = 1e-6  # patch coordinates are multiples of 1/(2 cells); nearer than this is the same
-# By how much of its width the core tapers towards a shoulder that just touches the ellipse: without it the cells
-# between the core's corner and that of the edge, far round the ellipse, turn inside out.
+NODE = 1e-6  # tolerance of patch coordinates, which are multiples of 1/(2 cells)
+# Taper of the core towards a shoulder that just touches the ellipse, over its width. Without it the cells between the
+# corner of the core and that of the edge, where the edge has turned far, turn inside out.
 CORNER = 0.6
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PatchMesh:
-    """The patch before it gets a shape: columns of nodes under (u, v), and what connects them."""
+    """The patch before it gets a shape: columns of nodes under (u, v), and the cells that connect them."""
 
     cells: Cells
-    ends: tuple[float, float]  # where the contact is cut off at v < 0 and at v > 0, in semi-axes; inf where it is not
-    topology: MeshHex2  # its own positions mean nothing but (u, v, layer)
+    ends: tuple[float, float]  # where the contact is cut off, at v < 0 and at v > 0, in semi-axes; inf where it is not
+    topology: MeshHex2  # with positions (u, v, layer)
     u: Array  # (columns,)
     v: Array  # (columns,)
-    column: NDArray[np.intp]  # (nodes,) the column a node belongs to
+    column: NDArray[np.intp]  # (nodes,) the column of each node
     layer: Array  # (nodes,) 0 to cells.depth, in half steps
 
     @property
     def ring(self) -> Array:
-        """(columns,) rings outside the core; negative inside it."""
+        """(columns,) number of rings outside the core; negative inside it."""
         return np.maximum(self.u, np.abs(self.v)) - 1.0
 
     @property
     def half(self) -> bool:
-        """Whether both sides of v = 0 are there."""
+        """Whether the patch has both sides of v = 0."""
         return bool(self.v.min() < -NODE)
 
     @property
     def zone(self) -> NDArray[np.bool_]:
-        """(columns,) where contact may be: out to the margin's rim, the rim left out."""
+        """(columns,) where contact is possible: inside the rim of the margin."""
         return self.ring < self.cells.inside + self.cells.margin - NODE
 
 
@@ -70,11 +69,11 @@ def patch_mesh(cells: Cells, *, ends: tuple[float, float] = UNCUT, half: bool = 
     """27-node hexahedra over the patch.
 
     ends : where the contact is cut off at v < 0 and at v > 0, in semi-axes, below 1; inf where it is not
-    half : both sides of v = 0, not one
+    half : whether the patch has both sides of v = 0
     """
     corners: dict[tuple[float, float], int] = {}
-    along = [cells.core * (2 if np.isfinite(end) else 1) for end in ends]  # cells of the core along v < 0 and v > 0
-    places = _quads(cells, below=along[0] if half else 0, above=along[1])
+    counts = [cells.core * (2 if np.isfinite(end) else 1) for end in ends]  # cells of the core at v < 0 and v > 0
+    places = _quads(cells, below=counts[0] if half else 0, above=counts[1])
     quads = np.array(
         [[corners.setdefault((round(u, 9), round(v, 9)), len(corners)) for u, v in quad] for quad in places]
     ).T
@@ -106,12 +105,12 @@ def _quads(cells: Cells, *, below: int, above: int) -> list[list[tuple[float, fl
     ends = [(di, dj) for di in (0, 1) for dj in (0, 1)]
     step = 1 / cells.core
     lines = [*(j / below for j in range(-below, 0)), *(j / above for j in range(above + 1))]
-    across = list(pairwise(lines))
+    strips = list(pairwise(lines))
     quads: list[list[tuple[float, float]]] = [
-        [((i + di) * step, pair[dj]) for di, dj in ends] for i in range(cells.core) for pair in across
+        [((i + di) * step, strip[dj]) for di, dj in ends] for i in range(cells.core) for strip in strips
     ]
     for ring in range(1, cells.rings + 1):
-        quads += [[(float(ring + di), (ring + di) * pair[dj]) for di, dj in ends] for pair in across]
+        quads += [[(float(ring + di), (ring + di) * strip[dj]) for di, dj in ends] for strip in strips]
         for j in range(cells.core):
             quads.append([((ring + dj) * (j + di) * step, float(ring + dj)) for di, dj in ends])
             if below:
@@ -120,32 +119,35 @@ def _quads(cells: Cells, *, below: int, above: int) -> list[list[tuple[float, fl
 
 
 def contact_zone(patch: PatchMesh, *, shape: Patch, footprint: Footprint) -> Array:
-    """x, y of the columns out to the margin, (2, columns), m; columns further out are put on the margin's rim."""
+    """x, y of the columns up to the margin, (2, columns), m; columns further out are put on its rim."""
     u, v, ring, cells = patch.u, patch.v, patch.ring, patch.cells
     direction = ray(u, v, ends=patch.ends)
     scale = np.maximum(1.0, np.maximum(u, np.abs(v)))
     core_u, core_v = u / scale, v / scale
-    room = np.where(v < 0, *np.minimum(patch.ends, 1.0))  # the core is as much flatter as the contact
-    taper = 1 - CORNER * np.maximum(0, 1 - np.sqrt(2 * (1 - room**2))) * np.abs(core_v) * (room < 1)
+    height = np.where(v < 0, *np.minimum(patch.ends, 1.0))  # the core is flattened like the contact
+    taper = 1 - CORNER * np.maximum(0, 1 - np.sqrt(2 * (1 - height**2))) * np.abs(core_v) * (height < 1)
     bulge = shape.core_bulge / 2
     core = shape.core_size * np.array(
-        [taper * core_u * np.sqrt(1 - bulge * core_v**2), room * core_v * np.sqrt(1 - bulge * core_u**2)]
+        [taper * core_u * np.sqrt(1 - bulge * core_v**2), height * core_v * np.sqrt(1 - bulge * core_u**2)]
     )
     inwards = np.clip(1 - ring / cells.inside, 0, 1) ** shape.edge_grading  # 1 at the core, 0 on the edge
     outwards = np.clip((ring - cells.inside) / cells.margin, 0, 1) ** shape.edge_grading  # 0 on the edge
     inside = core * inwards + direction * (1 - inwards)
     outside = direction * (1 + (shape.margin_size - 1) * outwards)
     place = np.where(ring <= NODE, core, np.where(ring <= cells.inside + NODE, inside, outside))
-    along, across = footprint.semi_axes
-    reach = [across if np.isinf(end) else room / end for room, end in zip(footprint.room, patch.ends, strict=True)]
-    return np.array([along * place[0], np.where(v < 0, *reach) * place[1]])
+    rolling, transverse = footprint.semi_axes
+    scales = [
+        transverse if np.isinf(end) else shoulder / end
+        for shoulder, end in zip(footprint.shoulders, patch.ends, strict=True)
+    ]
+    return np.array([rolling * place[0], np.where(v < 0, *scales) * place[1]])
 
 
 def outside_share(patch: PatchMesh, *, rings: int, growth: float, straight: bool = True) -> Array:
-    """(columns,) 0 on the margin's rim to 1 `rings` further out, in cells that grow `growth` times in all.
+    """(columns,) from 0 on the rim of the margin to 1 `rings` further out; `growth` is the ratio of the two radii.
 
-    straight : middle nodes lie half way; else on the smooth curve through the rings, as near as a cell allows that
-        must not turn inside out (a middle node in the outer quarter of its cell does that)
+    straight : middle nodes are centred; else they lie on the smooth curve through the rings, as far as their cell does
+        not turn inside out, as it does with a middle node in its outer quarter
     """
     steps = np.arange(2 * rings + 1) / 2
     share = np.expm1(steps / rings * np.log(growth)) / (growth - 1)
@@ -156,15 +158,15 @@ def outside_share(patch: PatchMesh, *, rings: int, growth: float, straight: bool
 
 
 def far_square(u: Array, v: Array) -> Array:
-    """Where the ray of the patch through (u, v) meets the unit square, (2, ...), 0 to 1, along v from -1."""
+    """Where the ray of the patch through (u, v) meets the unit square, (2, ...): u from 0 to 1, v from -1 to 1."""
     reach = np.maximum(np.maximum(u, np.abs(v)), np.finfo(float).tiny)
     return np.array([u, v]) / reach
 
 
 def depth_lines(layers: int, *, depth: Depth, minor: float, extent: float) -> Array:
-    """Distances under the surface of 2 layers + 1 nodes, m: even down to the layer's depth, then ever thicker.
+    """Depths of the 2 layers + 1 nodes, m: layers are even down to `depth.layer`, then grow.
 
-    Middle nodes lie half way: on the smooth curve through the layers a thick cell would turn inside out.
+    Middle nodes are centred: on the smooth curve through the layers a thick cell would turn inside out.
     """
     even, share = depth.layer * minor, depth.share
     slope = even / share
@@ -179,17 +181,19 @@ def depth_lines(layers: int, *, depth: Depth, minor: float, extent: float) -> Ar
 
 
 def ray(u: Array, v: Array, *, ends: tuple[float, float] = UNCUT) -> Array:
-    """From the centre to the edge, in semi-axes: the angle runs evenly along a ring. Shape (2, ...).
+    """Vector from the centre to the edge, in semi-axes, (2, ...); its angle is even along a ring.
 
-    A unit vector, or shorter where the contact is cut off at one of `ends`.
+    It is a unit vector, or shorter where the contact is cut off at one of `ends`.
     """
-    across, along = far_square(u, v)
+    square_u, square_v = far_square(u, v)
     end = np.where(v < 0, *ends)
     cut = np.isfinite(end)
-    height = np.where(cut, end, np.sqrt(0.5))  # of the ellipse's point on the diagonal
+    height = np.where(cut, end, np.sqrt(0.5))  # of the point of the ellipse on the diagonal
     diagonal = np.where(cut, np.arcsin(height), np.pi / 4)
-    beside = np.abs(v) <= u
-    angle = np.where(beside, np.abs(along) * diagonal, np.pi / 2 - across * (np.pi / 2 - diagonal))
+    sideways = np.abs(v) <= u
+    angle = np.where(sideways, np.abs(square_v) * diagonal, np.pi / 2 - square_u * (np.pi / 2 - diagonal))
     x, y = np.cos(angle), np.sin(angle)
-    flat = cut & ~beside
-    return np.array([np.where(flat, across * np.cos(diagonal), x), np.where(v < 0, -1.0, 1.0) * np.where(flat, end, y)])
+    flat = cut & ~sideways
+    return np.array(
+        [np.where(flat, square_u * np.cos(diagonal), x), np.where(v < 0, -1.0, 1.0) * np.where(flat, end, y)]
+    )

@@ -1,4 +1,4 @@
-"""The cage pocket as it is made: half a sphere of sheet metal on its own rim."""
+"""The real cage pocket: half a sphere of sheet metal, held at its rim."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from fembearing.mesh.recipe import Recipe
 def pocket_wall(contact: Contact, recipe: Recipe, level: int, footprint: Footprint) -> BodyMesh:
     """Half a spherical pocket of sheet metal, from its pole to its rim in the plane where the halves join.
 
-    The patch is laid on the sphere with distances from the pole kept; the rim is held as rivets hold it.
+    The patch is laid on the sphere so that distances from the pole stay the same; the rim is clamped, as by rivets.
     Raises InputError if the contact would reach the rim.
     """
     if contact.wall is None:

@@ -1,4 +1,4 @@
-"""How good the cells of a mesh are."""
+"""Quality of the cells of a mesh."""
 
 from dataclasses import dataclass
 
@@ -10,13 +10,13 @@ from skfem.refdom import RefHex
 
 @dataclass(frozen=True, kw_only=True)
 class Quality:
-    """Of the Jacobian determinant det J at every integration point of every cell."""
+    """Counts, volume, and the Jacobian determinant det J over the integration points of all cells."""
 
     cells: int
     nodes: int
     volume: float  # m^3
-    least_determinant: float  # smallest det J over the mean of its own cell; must be positive
-    worst_cell: int  # the cell that holds it
+    least_determinant: float  # smallest det J over the mean |det J| of its cell; must be positive
+    worst_cell: int  # the cell with the smallest value
     worst_place: tuple[float, float, float]  # its centre, m
     negative_points: int  # integration points with det J <= 0
 
@@ -26,7 +26,7 @@ class Quality:
 
 
 def mesh_quality(mesh: MeshHex2, *, degree: int = 5) -> Quality:
-    """Quality over the integration points of quadrature `degree`; 5 is what the stiffness is integrated with."""
+    """Quality at the integration points of a quadrature `degree`; the stiffness is integrated with 5."""
     points, weights = get_quadrature(RefHex, degree)
     determinant = -mesh.mapping().detDF(points)  # scikit-fem's reference cell is left-handed: det J = -1 on a unit cube
     relative = determinant.min(axis=1) / np.abs(determinant).mean(axis=1)

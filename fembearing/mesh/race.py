@@ -1,4 +1,4 @@
-"""The race: a block of the ring under its groove. A thick seat of a cage pocket is one too, with two equal radii."""
+"""The race: a block of the ring under its groove. A thick seat of a cage pocket is a race with two equal radii."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,14 +10,14 @@ from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
-LEAST_FURTHER = 1.5  # times its reach: the least by which a block that fills its ring can be extended
-WIDEST_BLOCK = 0.7  # of the rolling radius: further round, an inner ring's surface falls too steeply
+LEAST_FURTHER = 1.5  # smallest size of an extended block over its own, where the ring limits it
+WIDEST_BLOCK = 0.7  # over the rolling radius; beyond, the surface of an inner ring is too steep
 
 
 def race_block(contact: Contact, recipe: Recipe, level: int, footprint: Footprint, extended: bool) -> BodyMesh:
-    """A block of the ring under its groove; columns start where the ball's normals meet the race, the rim's too.
+    """A block of the ring under its groove; columns start where the normals of the ball meet the race.
 
-    Where a shoulder cuts the contact off, the patch is the race's instead, so that a line of the mesh is the shoulder.
+    Where a shoulder cuts the contact off, the patch lies on the race instead, and the shoulder is a line of the mesh.
     """
     semi_axes = footprint.semi_axes
     widest = WIDEST_BLOCK * abs(contact.rolling_radius)
@@ -35,45 +35,45 @@ def race_block(contact: Contact, recipe: Recipe, level: int, footprint: Footprin
 def race_height(contact: Contact, x: Array, y: Array) -> Array:
     """z of the race's surface over the tangent plane, m: a torus, and the land beyond each shoulder.
 
-    The profile's height r_g - sqrt(r_g^2 - y^2) adds to the ring's radius on the inner ring and
-    takes from it on the outer; the ring turns about an axis parallel to y.
+    The height of the profile, r_g - sqrt(r_g^2 - y^2), is added to the radius of an inner ring and subtracted from that
+    of an outer ring; the axis of the ring is parallel to y.
     """
-    across = np.clip(y, -farther_shoulder(contact), contact.shoulder)
-    rise = across**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - across**2))
+    inside = np.clip(y, -farther_shoulder(contact), contact.shoulder)
+    rise = inside**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - inside**2))
     side, radius = np.sign(contact.rolling_radius), abs(contact.rolling_radius)
-    # The square of the ring's radius at y, less x^2, less the square of its radius at the bottom of the groove.
+    # Square of the ring's radius at y, minus x^2, minus the square of its radius at the bottom of the groove.
     out = (side * 2 * radius + rise) * rise - x**2
     return side * out / (np.sqrt(radius**2 + out) + radius)
 
 
 def distance_to_race(contact: Contact, normal: Array) -> Array:
-    """Along each of the ball's normals (3, m): how far the race lies from the ball, m.
+    """Distance of the race from the ball along each of the ball's normals (3, m), m.
 
-    Heights are formed as sagittas, not as differences of radii: a light contact's gap is far below their round-off.
+    Heights are computed as sagittas. Differences of radii have a round-off far above the gap of a light contact.
     """
-    radius, across = contact.ball_radius, normal[0] ** 2 + normal[1] ** 2
-    height = radius * across / (1 + np.sqrt(1 - across))  # of the ball's surface over the tangent plane
+    radius, square = contact.ball_radius, normal[0] ** 2 + normal[1] ** 2
+    height = radius * square / (1 + np.sqrt(1 - square))  # of the ball's surface over the tangent plane
 
     def miss(distance: Array) -> Array:
         reach = radius + distance
         return height + normal[2] * distance - race_height(contact, normal[0] * reach, normal[1] * reach)
 
     step = 1e-6 * radius
-    distance = np.zeros_like(across)
-    for _ in range(8):  # Newton, the slope by difference: six digits a round from the ball's own surface
-        found = miss(distance)
-        distance = distance - found * step / (miss(distance + step) - found)
+    distance = np.zeros_like(square)
+    for _ in range(8):  # Newton with the slope by difference, which gains six digits in each round
+        left = miss(distance)
+        distance = distance - left * step / (miss(distance + step) - left)
     return distance
 
 
 def meeting_places(contact: Contact, zone: Array) -> Array:
-    """x, y where the ball's normals through its surface points above `zone` (2, ...) meet the race, m."""
-    across = zone / contact.ball_radius
-    normal = np.vstack([across, -np.sqrt(1 - np.sum(across**2, axis=0))])
+    """x, y where the normals of the ball at its points above `zone` (2, ...) meet the race, m."""
+    plane = zone / contact.ball_radius
+    normal = np.vstack([plane, -np.sqrt(1 - np.sum(plane**2, axis=0))])
     return zone + distance_to_race(contact, normal) * normal[:2]
 
 
 def places_facing(contact: Contact, zone: Array) -> Array:
-    """x, y on the ball's surface of those of its normals that meet the race at `zone` (2, ...), m."""
+    """x, y of the points of the ball whose normals meet the race at `zone` (2, ...), m."""
     radius = contact.ball_radius
     return radius * zone / np.sqrt(np.sum(zone**2, axis=0) + (radius - race_height(contact, *zone)) ** 2)

@@ -1,4 +1,4 @@
-"""Mesh recipes: how a contact is meshed, read from TOML. Every mesh that is solved comes from one."""
+"""Mesh recipes, read from TOML: every mesh that is solved is made from one."""
 
 import tomllib
 from dataclasses import dataclass, fields
@@ -11,16 +11,19 @@ from analytic.errors import InputError
 
 Geometry = Literal["real", "hertzian", "wall"]
 
-
-LARGEST = 1000  # of any number in a recipe: beyond it, a slip
-LEAST = {"core_bulge": (0, True), "margin_size": (1, False), "growth": (1, False)}  # and whether it is itself accepted
+LARGEST = 1000  # number in a recipe; a larger one is a mistake
+LEAST = {
+    "core_bulge": (0, True),
+    "margin_size": (1, False),
+    "growth": (1, False),
+}  # lower bound, and whether it is accepted itself
 
 
 @dataclass(frozen=True, kw_only=True)
 class Cells:
-    """Cells of a quarter patch, per level unit in a recipe, in full once multiplied by a level."""
+    """Cells of a quarter patch: per level unit in a recipe, all of them after `times(level)`."""
 
-    core: int  # each way across the square core of the contact
+    core: int  # in each direction in the square core of the contact
     inside: int  # rings from the core to the edge of the contact
     margin: int  # rings just outside the edge
     outside: int  # rings from there to the far boundary
@@ -28,9 +31,11 @@ class Cells:
 
     @property
     def rings(self) -> int:
+        """Number of rings from the core to the far boundary."""
         return self.inside + self.margin + self.outside
 
     def times(self, level: int) -> "Cells":
+        """Cell counts of a level."""
         return Cells(**{part.name: level * getattr(self, part.name) for part in fields(self)})
 
 
@@ -46,21 +51,27 @@ class Patch:
 
 @dataclass(frozen=True, kw_only=True)
 class Depth:
-    layer: float  # evenly thick layers down to here, in minor semi-axes
-    share: float  # of all layers that lie in them
+    """Layers of cells under the surface."""
+
+    layer: float  # depth of the evenly thick layers, in minor semi-axes
+    share: float  # number of these layers over the number of all
 
 
 @dataclass(frozen=True, kw_only=True)
 class Domain:
-    extent: float  # far boundary of a block, in major semi-axes
-    growth: float  # the far boundary may lie this many times further off for each outer cell per level unit
+    """The far boundary of a block."""
+
+    extent: float  # distance of the far boundary, in major semi-axes
+    growth: float  # largest ratio of distances that one outer cell per level unit may span
 
 
 @dataclass(frozen=True, kw_only=True)
 class Recipe:
+    """How a contact is meshed."""
+
     name: str
     geometry: Geometry
-    levels: tuple[int, ...]  # increasing; one ratio in all three directions between two levels
+    levels: tuple[int, ...]  # increasing; from one to the next, cells shrink by one ratio in all three directions
     cells: Cells  # per level unit
     patch: Patch
     depth: Depth
@@ -68,7 +79,7 @@ class Recipe:
 
 
 def load_recipe(name: str) -> Recipe:
-    """The recipe that ships with the package under `name`. Raises InputError if it is missing or at fault."""
+    """The recipe `name` of the package. Raises InputError if it is missing or invalid."""
     return parse_recipe(files("fembearing") / "meshes" / f"{name}.toml", name=name)
 
 
@@ -100,7 +111,7 @@ def parse_recipe(source: Traversable, *, name: str) -> Recipe:
 
 
 def _section(name: str, key: str, kind: type, number: type, given: Any) -> Any:
-    """One table of a recipe: exactly the fields of `kind`, each a positive `number` (zero where that has a meaning)."""
+    """One table of a recipe: exactly the fields of `kind`, each a positive `number`, or zero where that is allowed."""
     wanted = {part.name for part in fields(kind)}
     if not isinstance(given, dict) or given.keys() != wanted:
         raise InputError(f"mesh recipe {name}: [{key}] must hold exactly {', '.join(sorted(wanted))}, got {given!r}")

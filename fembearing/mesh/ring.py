@@ -1,9 +1,9 @@
-"""The ring behind a groove: half of a piece of it, from groove, shoulders and side faces down to its seat.
+"""The ring under a groove: half of a piece of it, from groove, shoulders and side faces to its seat.
 
-The block of `fembearing.mesh.race` stands for a half space; this is the ring as it is made, to see what its structure
-adds. At a contact angle the ball does not press on the ring's middle, so only the plane across the bearing's axis
-through the ball is one of symmetry. The frame is the ring's: origin at the bottom of the groove, x along rolling,
-y along the bearing's axis, z from the seat towards the ball.
+The block of `fembearing.mesh.race` represents a half space; this is the real ring, which shows the effect of its
+structure. At a contact angle the ball does not press on the middle of the ring, so that the only plane of symmetry is
+the radial plane through the ball, x = 0. The frame is that of the ring: the origin is the bottom of the groove, x the
+rolling direction, y the axis of the bearing, and z the direction from the seat to the ball.
 """
 
 from dataclasses import dataclass, replace
@@ -24,43 +24,43 @@ from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
 Nodes = NDArray[np.intp]
-ROUND = 4.0  # thicknesses under the groove, or major semi-axes: how far round the ring the piece reaches each way
-FURTHEST = 0.9 * np.pi  # rad: and no further round than this
-COARSENING = 3.0  # times: by how much, at most, a layer or ring of cells per level unit adds to what is inside it
+LENGTH = 4.0  # of the piece from x = 0, in thicknesses under the groove or major semi-axes
+LONGEST = 0.9 * np.pi  # rad: largest angle of the piece from x = 0
+COARSENING = 3.0  # largest ratio by which one ring or layer of cells per level unit extends those inside
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RingPiece:
-    """Half of a piece of a ring, seated on a rigid shaft or in a rigid housing."""
+    """Half of a piece of a ring on a rigid shaft or in a rigid housing."""
 
-    body: BodyMesh  # touching: the race's nodes, then their images across the groove; those of its middle come twice
-    end: Nodes  # nodes where the piece is cut off the rest of the ring: free in `body`
+    body: BodyMesh  # touching: the nodes of the race, then their mirror images in y; those at y = 0 come twice
+    end: Nodes  # nodes where the piece is cut from the rest of the ring: free in `body`
 
     @property
     def held(self) -> BodyMesh:
-        """The body with its cut end clamped: stiffer than the whole ring, as the free end is softer."""
+        """The body with clamped cut end: stiffer than the whole ring, while `body` is softer."""
         return replace(self.body, clamped=np.union1d(self.body.clamped, self.end))
 
 
 def ring_piece(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> RingPiece:
     """A piece of the ring on the same patch as the race of that recipe, level and `semi_axes` (m).
 
-    Near the contact its cells are the race's too, so that the difference of the two shows the structure.
-    Raises InputError if the ring is not known, or too narrow for the contact's surroundings.
+    Near the contact its cells are those of the race, so that the difference is the effect of the structure.
+    Raises InputError if the ring is not given, or too narrow for the contact.
     """
     ring = known_ring(contact)
     thickness = abs(ring.bottom_radius - ring.seat_radius)
-    length = min(ROUND * max(thickness, *semi_axes), FURTHEST * ring.bottom_radius)
-    room = ring.width / 2 - contact.groove_radius * np.sin(contact.contact_angle)
+    length = min(LENGTH * max(thickness, *semi_axes), LONGEST * ring.bottom_radius)
+    to_side = ring.width / 2 - contact.groove_radius * np.sin(contact.contact_angle)
     reach = min(
         recipe.domain.extent * max(semi_axes),
         WIDEST_BLOCK * abs(contact.rolling_radius) / LEAST_FURTHER,
-        WIDEST_BLOCK * room,
+        WIDEST_BLOCK * to_side,
     )
     if not reach > recipe.patch.margin_size * max(semi_axes):
         raise InputError(
             f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {max(semi_axes):.3g} m, too wide "
-            f"for the {room:.3g} m from it to the ring's side: lower the load or raise bearing.width"
+            f"for the {to_side:.3g} m from it to the ring's side: lower the load or raise bearing.width"
         )
     block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach)
     whole, extent = block.whole, min(reach, thickness)
@@ -72,17 +72,17 @@ def ring_piece(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[fl
     side = np.where(mirrored, -1.0, 1.0)
     zone = meeting_places(contact, contact_zone(patch, shape=recipe.patch, footprint=Footprint(semi_axes=semi_axes)))
     x, y = block.plane(patch, zone)[:, column]
-    angle, along = _columns(contact, ring, x, side * y)
-    # Past the reach of the race's block, columns go on to the side faces and to the cut end.
+    angle, axial = _columns(contact, ring, x, side * y)
+    # Outside the reach of the race's block, further columns extend to the side faces and to the cut end.
     share = np.interp(patch.ring - whole.rings, np.arange(further.size), further)[column]
-    round_ring, across = far_square(patch.u, patch.v)[:, column]
-    angle = angle * (1 - share) + length / ring.bottom_radius * round_ring * share
-    along = along * (1 - share) + ring.width / 2 * side * across * share
+    far_u, far_v = far_square(patch.u, patch.v)[:, column]
+    angle = angle * (1 - share) + length / ring.bottom_radius * far_u * share
+    axial = axial * (1 - share) + ring.width / 2 * side * far_v * share
     lines = depth_lines(whole.depth, depth=recipe.depth, minor=min(semi_axes), extent=extent)
     corners = np.append(lines[::2], extent + (thickness - extent) * deeper[1:]) / thickness
-    below = patch.cells.depth - mesh.doflocs[2]  # layers are counted from the seat upwards
+    below = patch.cells.depth - mesh.doflocs[2]  # layers are counted upwards from the seat
     down = np.interp(below, np.arange(corners.size), corners)
-    position = _position(contact, ring, angle, along, down)
+    position = _position(contact, ring, angle, axial, down)
     body = _body(patch, MeshHex2(np.ascontiguousarray(position), mesh.t), column, mirrored, below)
     quality = mesh_quality(body.mesh)
     if not quality.valid:
@@ -105,21 +105,21 @@ def known_ring(contact: Contact) -> Ring:
 
 
 def into_ring(contact: Contact, vector: Array) -> Array:
-    """Directions (3, ...) in the frame of the contact, as they are in that of the ring."""
+    """Directions (3, ...), given in the frame of the contact, in that of the ring."""
     x, y, z = vector
     sine, cosine = np.sin(contact.contact_angle), np.cos(contact.contact_angle)
     return np.array([x, y * cosine - z * sine, y * sine + z * cosine])
 
 
-def ring_surface(contact: Contact, ring: Ring, along: Array) -> Array:
-    """Radius of the groove and its lands, m, at `along`, m from the ring's middle."""
-    across = np.minimum(np.abs(along), ring.shoulder_half_width)
-    rise = across**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - across**2))
+def ring_surface(contact: Contact, ring: Ring, axial: Array) -> Array:
+    """Radius of the groove and its lands, m, at the distance `axial`, m, from the middle of the ring."""
+    inside = np.minimum(np.abs(axial), ring.shoulder_half_width)
+    rise = inside**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - inside**2))
     return ring.bottom_radius + np.sign(contact.rolling_radius) * rise
 
 
 def _columns(contact: Contact, ring: Ring, x: Array, y: Array) -> tuple[Array, Array]:
-    """Angle round the ring, rad, and place along the axis, m, of points of the race over x, y of the tangent plane."""
+    """Angle about the bearing axis, rad, and axial position, m, of the points of the race over x, y of the contact."""
     tilt, radius = contact.contact_angle, contact.groove_radius
     place = into_ring(contact, np.array([x, y, race_height(contact, x, y)]))
     above = radius * (1 - np.cos(tilt)) + place[2]
@@ -127,20 +127,20 @@ def _columns(contact: Contact, ring: Ring, x: Array, y: Array) -> tuple[Array, A
     return angle, radius * np.sin(tilt) + place[1]
 
 
-def _position(contact: Contact, ring: Ring, angle: Array, along: Array, down: Array) -> Array:
-    """Positions (3, nodes), m, of columns along the ring's radii; `down` is 0 on the surface, 1 on the seat."""
-    surface = ring_surface(contact, ring, along)
+def _position(contact: Contact, ring: Ring, angle: Array, axial: Array, down: Array) -> Array:
+    """Positions (3, nodes), m, of columns along radii of the ring; `down` is 0 on the surface, 1 on the seat."""
+    surface = ring_surface(contact, ring, axial)
     radius = surface * (1 - down) + ring.seat_radius * down
-    # The height over the groove's bottom without the difference of two radii: rings may be large.
+    # Height over the bottom of the groove without the round-off of a difference of two radii, which may be large.
     height = radius - ring.bottom_radius - 2 * radius * np.sin(angle / 2) ** 2
-    return np.array([radius * np.sin(angle), along, np.sign(contact.rolling_radius) * height])
+    return np.array([radius * np.sin(angle), axial, np.sign(contact.rolling_radius) * height])
 
 
 def _body(patch: PatchMesh, mesh: MeshHex2, column: Nodes, mirrored: NDArray[np.bool_], below: Array) -> BodyMesh:
     surface = np.flatnonzero(below < NODE)
     order = np.full((2, patch.u.size), -1)
     order[mirrored[surface].astype(int), column[surface]] = surface
-    order[1] = np.where(order[1] < 0, order[0], order[1])  # nodes on the mirror are their own images
+    order[1] = np.where(order[1] < 0, order[0], order[1])  # nodes on the mirror plane are their own images
     none = np.array([], dtype=np.intp)
     return BodyMesh(
         name="ring",
@@ -154,7 +154,7 @@ def _body(patch: PatchMesh, mesh: MeshHex2, column: Nodes, mirrored: NDArray[np.
 
 
 def _added(ratio: float, level: int) -> Array:
-    """0 to 1 in steps that grow evenly: the rings or layers from a size to `ratio` times it; 0 alone for none."""
+    """Rings or layers from a size to `ratio` times it, from 0 to 1 in steps of constant ratio; 0 alone for none."""
     if ratio <= 1:
         return np.array([0.0])
     count = level * int(np.ceil(np.log(ratio) / np.log(COARSENING)))
@@ -162,11 +162,11 @@ def _added(ratio: float, level: int) -> Array:
 
 
 def _halved(patch: PatchMesh) -> tuple[MeshHex2, Nodes, NDArray[np.bool_]]:
-    """The quarter patch with its image at v < 0; the quarter's column of every node, and whether it is in the image."""
+    """The quarter patch and its image at v < 0; the column in the quarter of every node, and whether it is an image."""
     quarter = patch.topology
     corners = quarter.doflocs[:, : quarter.t.max() + 1]
     image = corners * np.array([[1.0], [-1.0], [1.0]])
-    # A mirrored cell is left-handed: its corners are taken in the order of a reference cell that is mirrored too.
+    # A mirrored cell is left-handed; its corners are reordered as those of a mirrored reference cell.
     reference = RefHex.p
     flipped = np.array([1 - reference[0], reference[1], reference[2]])
     order = [int(np.flatnonzero((corner == reference.T).all(axis=1))[0]) for corner in flipped.T]
@@ -181,6 +181,6 @@ def _halved(patch: PatchMesh) -> tuple[MeshHex2, Nodes, NDArray[np.bool_]]:
 
 
 def _unique(places: Array) -> tuple[Array, Nodes, Nodes]:
-    """Different columns of patch coordinates, where each comes first, and which one every column is."""
-    found, first, number = np.unique(np.round(places / NODE), axis=1, return_index=True, return_inverse=True)
-    return found, first, number.ravel()
+    """Unique columns of patch coordinates, the first place of each, and the number of every column among them."""
+    unique, first, number = np.unique(np.round(places / NODE), axis=1, return_index=True, return_inverse=True)
+    return unique, first, number.ravel()

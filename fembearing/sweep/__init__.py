@@ -1,5 +1,5 @@
-"""One question at many points: a scene and axes, computed on all cores, kept as it goes, and gathered in one file.
+"""A scene at many points: a product of axes, computed on all cores and gathered in one file; it survives a stop.
 
-`grid` reads what is asked, `parts` computes a piece of it, `workers` spreads the pieces over processes, `store` keeps
-what is done, `run` does it all, and `dataset` gathers it.
+`grid` reads the axes, `parts` computes a piece of the points, `workers` distributes the pieces over processes, `store`
+keeps the finished pieces, `dataset` gathers them, and `run` runs all of these.
 """

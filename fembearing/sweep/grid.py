@@ -1,12 +1,12 @@
-"""What a sweep asks: a grid file, TOML, with a scene and the axes whose product is computed.
+"""The grid of a sweep: a TOML file with a scene and the axes whose product is computed.
 
     what = "torque"           # or "contact", by finite elements
-    scene = "bearing.toml"    # its path from the grid file's folder, the name of a built-in one, or a table
-    [axes]                    # keys of the scene, and of the sweep itself: conformity, pair, ball_load, geometry
+    scene = "bearing.toml"    # path from the folder of the grid file, name of a built-in scene, or a table
+    [axes]                    # keys of the scene, and keys of sweeps: conformity, pair, ball_load, geometry
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
     operation.inner_speed = ["100 rpm", "300 rpm"]
 
-`pair`, `ball_load`, `geometry` and `accuracy` of a contact may stand above [axes] too, for the whole sweep.
+For a contact, `pair`, `ball_load`, `geometry` and `accuracy` may stand above [axes] too, for the whole sweep.
 """
 
 import os
@@ -28,8 +28,8 @@ from analytic.scenefile.read import scene_of
 from analytic.scenefile.text import parse_text, plain, read_text, shown
 
 What = Literal["torque", "contact"]
+# Radius over ball diameter of both grooves. The bottoms of the grooves stay where they are, and so does the clearance.
 CONFORMITY = "conformity"
-# Of both grooves: radius over ball diameter. Their bottoms stay, and so does the clearance.
 OWN_QUANTITIES = {
     CONFORMITY: Dimension(unit="", low=0.5, high=1, example="0.52"),
     "ball_load": Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"'),
@@ -46,41 +46,43 @@ MEMORY_UNKNOWN = 8e9  # bytes, taken where the system does not say
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
-    """One thing that is varied."""
+    """One quantity or word that varies."""
 
     key: str
-    unit: str | None  # SI; "" of a pure number, None of words and counts
+    unit: str | None  # SI; "" for a pure number, None for words and counts
     values: tuple[Value, ...]  # SI
     in_series: bool = False  # a key of [operation]: the torque model takes all its values at once
 
     def in_scene(self, index: int) -> Value:
-        """The value as a scene file has it."""
+        """The value as it is written in a scene file."""
         value = self.values[index]
         return f"{value!r} {self.unit}" if self.unit else value
 
 
 @dataclass(frozen=True, kw_only=True)
 class Grid:
-    """A scene, what to compute of it, and the axes; the last axis varies fastest.
+    """A scene, what to compute for it, and the axes.
 
-    Points are numbered with the axes in the order of `order`: those of a series come last.
+    Points are numbered with the axes in the order of `order`, in which those of a series come last; the last axis
+    varies fastest.
     """
 
     what: What
     document: dict[str, Any]  # of the scene
-    folder: str  # from which the scene's files are sought
-    asked: dict[str, Value]  # OF_CONTACT for the whole sweep
+    folder: str  # base of the relative paths in the scene
+    fixed: dict[str, Value]  # keys of OF_CONTACT for the whole sweep
     axes: tuple[Axis, ...]
     text: str  # of the grid file
     origin: str
 
     @property
     def order(self) -> tuple[Axis, ...]:
+        """The axes in the order in which points are numbered."""
         return (*self.outside, *self.series)
 
     @property
     def outside(self) -> tuple[Axis, ...]:
-        """The axes that make another scene at each value."""
+        """The axes with another scene at each value."""
         return tuple(axis for axis in self.axes if axis not in self.series)
 
     @property
@@ -90,26 +92,30 @@ class Grid:
 
     @property
     def size(self) -> int:
+        """Number of points."""
         return prod(len(axis.values) for axis in self.axes)
 
     @property
     def length(self) -> int:
-        """Points of one series."""
+        """Number of points in one series."""
         return prod(len(axis.values) for axis in self.series)
 
     def chosen(self, variant: int) -> dict[str, int]:
-        """Key to index of the axes outside."""
+        """Key and index of each axis of `outside`."""
         shape = tuple(len(axis.values) for axis in self.outside)
         places = np.unravel_index(variant, shape) if shape else ()
         return {axis.key: int(place) for axis, place in zip(self.outside, places, strict=True)}
 
     def settings(self, variant: int) -> dict[str, Value]:
-        """OF_CONTACT at one choice of the axes outside."""
+        """Values of the keys of OF_CONTACT at one choice of the axes of `outside`."""
         chosen = self.chosen(variant)
-        return self.asked | {a.key: a.values[chosen[a.key]] for a in self.outside if a.key in OF_CONTACT}
+        return self.fixed | {a.key: a.values[chosen[a.key]] for a in self.outside if a.key in OF_CONTACT}
 
     def scene(self, variant: int) -> Scene:
-        """At one choice of the axes outside, and at the first point of its series. Raises InputError as load_scene."""
+        """The scene at one choice of the axes of `outside`, and at the first point of its series.
+
+        Raises InputError as `load_scene`.
+        """
         chosen = self.chosen(variant)
         document = self.document
         for axis in self.order:
@@ -124,25 +130,25 @@ class Grid:
         return self._read(document)
 
     def first_scene(self) -> Scene:
-        """Of the first choice of the axes outside that makes one. Raises InputError if none does."""
-        problem = InputError(f"{self.origin}: no point is a scene")
+        """The first scene that is valid. Raises InputError if none is."""
+        failure = InputError(f"{self.origin}: no point is a scene")
         for variant in range(self.size // self.length):
             try:
                 return self.scene(variant)
-            except InputError as found:
-                problem = found
-        raise problem
+            except InputError as problem:
+                failure = problem
+        raise failure
 
     def _read(self, document: dict[str, Any]) -> Scene:
-        # A copy: the catalog's entries are put into it.
+        # A copy, since the reader adds entries of the catalog to it.
         return scene_of(dict(document), origin=self.origin, folder=Path(self.folder))
 
 
 def load_grid(path: str | os.PathLike[str]) -> Grid:
     """The grid that a TOML file describes.
 
-    Raises InputError, in one line, for a file that cannot be read or is not TOML, for an axis that is unknown, empty or
-    in a wrong unit, for a scene that is none, and for a product that memory does not hold.
+    Raises InputError, in one line, for a file that cannot be read or is not TOML, an axis that is unknown, empty or in
+    a wrong unit, an invalid scene, and a product too large for the memory.
     """
     origin = plain(os.fspath(path))
     text = read_text(path, kind="grid", remedy="give the path of a grid file: a scene and a table [axes]")
@@ -163,11 +169,11 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
     if what not in ("torque", "contact"):
         raise InputError(f'what = {shown(what)} is not a word known here; give "torque" or "contact"')
     axes = tuple(_axis(key, values) for key, values in _listed(given.get("axes")))
-    asked = {key: _own(key)(key, given[key]) for key in OF_CONTACT if key in given}
-    for key in (*asked, *(axis.key for axis in axes)):
+    fixed = {key: _own(key)(key, given[key]) for key in OF_CONTACT if key in given}
+    for key in (*fixed, *(axis.key for axis in axes)):
         if key in OF_CONTACT and what != "contact":
             raise InputError(f'{key} is of a contact; write what = "contact", or leave it out')
-    _require_distinct([axis.key for axis in axes], asked)
+    _require_distinct([axis.key for axis in axes], fixed)
     document, scene_folder = _document(given.get("scene"), folder)
     _require_one_point(document, axes)
     _require_memory(axes)
@@ -175,7 +181,7 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
         what=what,
         document=document,
         folder=str(scene_folder),
-        asked=asked,
+        fixed=fixed,
         axes=axes,
         text=text,
         origin=origin,
@@ -183,7 +189,7 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
 
 
 def _listed(given: object, before: str = "") -> Iterator[tuple[str, object]]:
-    """The axes by their whole keys, which may be quoted or not."""
+    """Whole key and values of each axis; keys may be quoted or not."""
     if not isinstance(given, dict) or not given:
         raise InputError('[axes] is missing; give for example operation.axial_load = ["100 N", "200 N"]')
     for key, inside in given.items():
@@ -194,7 +200,7 @@ def _listed(given: object, before: str = "") -> Iterator[tuple[str, object]]:
 
 
 def _own(key: str) -> Any:
-    """What reads a value of a key of the sweep itself."""
+    """A function that reads a value of a key of sweeps."""
 
     def read(name: str, given: object) -> Value:
         if key in OWN_WORDS:
@@ -216,15 +222,15 @@ def _axis(key: str, given: object) -> Axis:
         dimension = OWN_QUANTITIES.get(key)
     else:
         try:
-            found = scene_key(key)
+            entry = scene_key(key)
         except InputError as problem:
             own = ", ".join((CONFORMITY, "pair", "ball_load", "geometry"))
             raise InputError(f"axes: {problem} (or one of the sweep's own: {own})") from None
-        dimension, in_series = found.dimension, found.in_series
+        dimension, in_series = entry.dimension, entry.in_series
 
         def read(name: str, given: object) -> Value:
             try:
-                return found.read(given)
+                return entry.read(given)
             except ValueError as problem:
                 raise InputError(f"{name} = {shown(given)} {problem}") from None
 
@@ -245,7 +251,7 @@ def _axis(key: str, given: object) -> Axis:
 
 
 def _steps(name: str, given: dict[str, Any], read: Any) -> tuple[float, ...]:
-    """from, to, count and spacing, "linear" where it is not told."""
+    """Values of an axis given by from, to, count and spacing, which is "linear" by default."""
     for key in given:
         if key not in RANGE:
             raise InputError(f"{name}.{plain(key)} is an unknown key; known: {', '.join(RANGE)}")
@@ -263,12 +269,12 @@ def _steps(name: str, given: dict[str, Any], read: Any) -> tuple[float, ...]:
     if spacing == "log" and begin * end <= 0:
         raise InputError(f'{name}: from {begin:g} to {end:g} has no logarithm; give spacing = "linear"')
     steps = np.geomspace(begin, end, count) if spacing == "log" else np.linspace(begin, end, count)
-    steps[[0, -1]] = begin, end  # as they were written
+    steps[[0, -1]] = begin, end  # exactly as written
     return tuple(steps.tolist())
 
 
 def _document(given: object, folder: Path) -> tuple[dict[str, Any], Path]:
-    """The scene as a table, and the folder from which its files are sought."""
+    """The scene as a table, and the base folder of its relative paths."""
     if isinstance(given, dict):
         return given, folder
     builtin = catalog.names("scenes")
@@ -280,7 +286,7 @@ def _document(given: object, folder: Path) -> tuple[dict[str, Any], Path]:
 
 
 def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None:
-    """A list in the scene pairs its points, and a sweep multiplies: one of them has to go."""
+    """Refuse a list in the scene: there, values of several lists form points together; in a sweep, axes multiply."""
     operation = document.get("operation")
     keys = {axis.key for axis in axes}
     for key, value in operation.items() if isinstance(operation, dict) else ():
@@ -290,12 +296,12 @@ def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None
             )
 
 
-def _require_distinct(keys: list[str], asked: dict[str, Value]) -> None:
-    """What one axis sets, no other may set again: a coordinate would say what no scene has."""
+def _require_distinct(keys: list[str], fixed: dict[str, Value]) -> None:
+    """Refuse two settings of one key: a coordinate of the dataset would not be the value in the scene."""
     for key, count in Counter(keys).items():
         if count > 1:
             raise InputError(f"axes.{key} is there twice, with quotes and without; leave one of them out")
-        if key in asked:
+        if key in fixed:
             raise InputError(f"{key} is an axis and has one value for the whole sweep; leave one of them out")
         if key.endswith(".groove_radius") and CONFORMITY in keys:
             raise InputError(f"axes: conformity sets {key} too; leave one of them out")

@@ -1,9 +1,9 @@
-"""A sweep in pieces: which points go together, and what is computed at them.
+"""The pieces of a sweep: which points are computed together, and how.
 
-Points that differ in load and speed alone are one long series of the torque model, which costs little a point; every
-other point is a scene of its own. What a piece holds follows from the grid alone, never from how many work on it, so
+Points that differ only in load and speed form one long series of the torque model, which needs little time for each
+point; any other point is a scene of its own. The pieces depend only on the grid, never on the number of workers, so
 that a sweep gives the same numbers on any machine. Effects are decided for the points of one scene in one piece; a jump
-between pieces is within the scene's tolerance, as the uncertainty of both sides is.
+between pieces is within the tolerance of the scene, since the uncertainties of both pieces are.
 """
 
 from collections.abc import Iterator
@@ -23,15 +23,15 @@ from analytic.torque_columns import COLUMNS, torque_values
 from fembearing.compare.contact import columns as of_contact
 from fembearing.sweep.grid import Grid
 
-LONGEST = 25_000  # points of a series in one piece: some 3 s
-MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: some 5 s
-MOST_SCENES = 50  # in one piece: some 3 s
-MOST_WARNINGS = 20  # kept of a piece
+LONGEST = 25_000  # points of a series in one piece: about 3 s
+MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: about 5 s
+MOST_SCENES = 50  # in one piece: about 3 s
+MOST_WARNINGS = 20  # kept for a piece
 
 
 @dataclass(frozen=True, kw_only=True)
 class Piece:
-    """Points start to stop, numbered in the grid's order."""
+    """The points from start to stop, numbered as in `Grid`."""
 
     start: int
     stop: int
@@ -39,16 +39,16 @@ class Piece:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Part:
-    """What was computed at the points of a piece."""
+    """Results at the n points of a piece."""
 
-    columns: dict[str, Array]  # (n,), NaN where there is nothing
-    words: dict[str, NDArray[np.str_]] = field(default_factory=dict)  # (n,), empty where there is nothing
-    reasons: dict[int, str]  # why a point, counted from the start, failed
+    columns: dict[str, Array]  # (n,), NaN where there is no result
+    words: dict[str, NDArray[np.str_]] = field(default_factory=dict)  # (n,), empty where there is no result
+    reasons: dict[int, str]  # why a point failed, by its number in the piece
     warnings: tuple[str, ...]
 
 
 def pieces(grid: Grid) -> Iterator[Piece]:
-    """All points, in pieces of a few seconds; a contact, and a cage that may move, is one by itself."""
+    """All points, in pieces of a few seconds; each contact, and each scene with a moving cage, is its own piece."""
     length, size = grid.length, grid.size
     if grid.what == "contact" or _cage_may_move(grid):
         ends = range(size + 1)
@@ -63,14 +63,14 @@ def pieces(grid: Grid) -> Iterator[Piece]:
 
 
 def column_notes(grid: Grid) -> dict[str, Any]:
-    """Name to unit and meaning of what is computed."""
+    """Unit and meaning of each computed column."""
     return COLUMNS if grid.what == "torque" else of_contact.COLUMNS
 
 
 def compute_part(grid: Grid, piece: Piece) -> Part:
-    """All points of a piece. What fails at one of them is told by its reason, whatever it is, and the others go on."""
+    """Compute all points of a piece. Any failure at a point is recorded as its reason, and the others continue."""
     count = piece.stop - piece.start
-    found = Part(
+    part = Part(
         columns={name: np.full(count, np.nan) for name in column_notes(grid)},
         words={} if grid.what == "torque" else {of_contact.VERDICT: np.zeros(count, dtype="U16")},
         reasons={},
@@ -83,22 +83,22 @@ def compute_part(grid: Grid, piece: Piece) -> Part:
         try:
             scene = grid.scene(variant)
         except Exception as problem:
-            found.reasons.update(dict.fromkeys((points - piece.start).tolist(), _reason(problem)))
+            part.reasons.update(dict.fromkeys((points - piece.start).tolist(), _reason(problem)))
             continue
         compute = _contact if grid.what == "contact" else _torque
-        for warning in compute(grid, scene, variant, points - first, points - piece.start, found):
+        for warning in compute(grid, scene, variant, points - first, points - piece.start, part):
             warnings[warning] = None
-    return replace(found, warnings=tuple(warnings)[:MOST_WARNINGS])
+    return replace(part, warnings=tuple(warnings)[:MOST_WARNINGS])
 
 
 def _cage_may_move(grid: Grid) -> bool:
-    """Which takes seconds a point."""
+    """Whether the motion of a cage is computed, which takes seconds for each point."""
     cage = grid.document.get("cage")
     return (isinstance(cage, dict) and "start" in cage) or any(axis.key == "cage.start" for axis in grid.axes)
 
 
 def _contact(
-    grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp], at: NDArray[np.intp], found: Part
+    grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp], at: NDArray[np.intp], part: Part
 ) -> tuple[str, ...]:
     from fembearing.compare.contact.discrepancy import solve_contact
 
@@ -112,37 +112,37 @@ def _contact(
             geometry=settings.get("geometry", "real"),
         )
     except Exception as problem:
-        found.reasons[int(at[0])] = _reason(problem)
+        part.reasons[int(at[0])] = _reason(problem)
         return ()
     for name, value in of_contact.contact_values(solution).items():
-        found.columns[name][at] = value
-    found.words[of_contact.VERDICT][at] = of_contact.shown_verdict(solution)
+        part.columns[name][at] = value
+    part.words[of_contact.VERDICT][at] = of_contact.shown_verdict(solution)
     return solution.warnings
 
 
 def _torque(
-    grid: Grid, scene: Scene, variant: int, places: NDArray[np.intp], at: NDArray[np.intp], found: Part
+    grid: Grid, scene: Scene, variant: int, places: NDArray[np.intp], at: NDArray[np.intp], part: Part
 ) -> tuple[str, ...]:
-    """The whole series, or where it fails both of its halves: one point does not take the others with it."""
+    """Compute a series, or where that fails each of its halves, so that a failing point does not affect the others."""
     series = _at(grid, scene, places)
     try:
         result = with_model_uncertainty(series, friction_torque(series))
     except Exception as problem:
         if places.size == 1:
-            found.reasons[int(at[0])] = _reason(problem)
+            part.reasons[int(at[0])] = _reason(problem)
             return ()
         middle = places.size // 2
         halves = (slice(None, middle), slice(middle, None))
         return tuple(
-            warning for half in halves for warning in _torque(grid, scene, variant, places[half], at[half], found)
+            warning for half in halves for warning in _torque(grid, scene, variant, places[half], at[half], part)
         )
     for name, values in torque_values(result).items():
-        found.columns[name][at] = values
+        part.columns[name][at] = values
     return result.warnings
 
 
 def _at(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> Scene:
-    """The scene at some points of its series."""
+    """The scene at these points of its series."""
     series = grid.series
     if not series:
         return scene
@@ -154,6 +154,6 @@ def _at(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> Scene:
 
 
 def _reason(problem: Exception) -> str:
-    """In one line; one that is no complaint of ours by its class too."""
+    """The message in one line, with the class of an exception that is not ours."""
     words = " ".join(str(problem).split())
     return words if isinstance(problem, FembearingError) else f"{type(problem).__name__}: {words}"

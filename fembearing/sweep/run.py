@@ -1,4 +1,4 @@
-"""Do a sweep: compute what its folder does not hold yet, and gather all of it."""
+"""Run a sweep: compute the pieces that its folder does not hold yet, and gather all of them."""
 
 import time
 from collections.abc import Container, Iterator
@@ -22,24 +22,24 @@ SHOWN_REASONS = 5
 
 @dataclass(frozen=True, kw_only=True)
 class Sweep:
-    """What a sweep came to."""
+    """The outcome of a sweep."""
 
     folder: str
     file: str  # the dataset, netCDF
     points: int
     computed: int  # in this run
     kept: int  # from runs before
-    failed: int  # of all
-    lost: int  # of all, whose process died: tried again in the next run
-    reasons: tuple[str, ...]  # of the first that failed
+    failed: int  # of all points
+    lost: int  # of all points: their process died, and the next run tries them again
+    reasons: tuple[str, ...]  # why points failed, the first `SHOWN_REASONS` different ones
     seconds: float
 
     def dataset(self, *names: str) -> Any:
-        """What was found as an xarray.Dataset, in memory: all of it, or these variables where they are in it."""
+        """The results as an xarray.Dataset in memory: all variables, or those of `names` that it holds."""
         import xarray  # on demand: it takes a second
 
-        with xarray.open_dataset(self.file, engine="netcdf4") as found:
-            return (found[[name for name in names if name in found]] if names else found).load()
+        with xarray.open_dataset(self.file, engine="netcdf4") as dataset:
+            return (dataset[[name for name in names if name in dataset]] if names else dataset).load()
 
     def to_json(self) -> dict[str, Any]:
         return asdict(self)
@@ -53,31 +53,33 @@ def run_sweep(
     scheduler: str | None = None,
     progress: Progress = silent,
 ) -> Sweep:
-    """Compute every point of a grid and gather all in `out`/sweep.nc; started again, it goes on where it was.
+    """Compute every point of a grid and gather all in `out`/sweep.nc; a stopped sweep continues when started again.
 
-    grid : of `load_grid`, or the path of a grid file
-    out : folder, made if it is missing; one of the same sweep is gone on with
-    workers : processes of this machine; one a core unless given
-    scheduler : address of a Dask cluster that computes in their place
-    progress : called with the share done, 0 to 1, and how many points that is, with the time left
-    Raises InputError for a mistake in the grid or a folder that holds something else. A point that cannot be computed
-    is told in the dataset's `failure` instead, and the others go on.
+    grid : from `load_grid`, or the path of a grid file
+    out : folder, made if it is missing; a folder of the same sweep is continued
+    workers : number of processes on this machine; one for each core unless given
+    scheduler : address of a Dask cluster that computes instead
+    progress : called with the share done, 0 to 1, and a text with the number of points and the time left
+    Raises InputError for a mistake in the grid or a folder that holds something else. Where a point cannot be computed,
+    `failure` in the dataset gives the reason, and the others continue.
     """
     begun = time.perf_counter()
     if workers is not None and workers < 1:
         raise InputError(f"--workers {workers}: give a whole number from 1, or leave it out for one a core")
-    asked = grid if isinstance(grid, Grid) else load_grid(grid)
-    with opened_store(Path(out), asked) as store:
+    read = grid if isinstance(grid, Grid) else load_grid(grid)
+    with opened_store(Path(out), read) as store:
         finished = store.finished()
         if finished is not None:
-            return _told(store, asked, begun, computed=0, **finished)
-        known = list(pieces(asked))
-        missing = [piece for piece in known if store.load(piece) is None]
-        asked.first_scene()  # where there is none, all of it is a mistake
-        lost = _computed(store, asked, missing, workers=workers, scheduler=scheduler, progress=progress)
+            return _outcome(store, read, begun, computed=0, **finished)
+        all_pieces = list(pieces(read))
+        missing = [piece for piece in all_pieces if store.load(piece) is None]
+        read.first_scene()  # raises where no point is a valid scene
+        lost = _compute(store, read, missing, workers=workers, scheduler=scheduler, progress=progress)
         progress(1.0, "gathering")
         reasons: list[str] = []
-        store.keep_result(lambda file: reasons.extend(write_dataset(file, asked, partial(_parts, store, known, lost))))
+        store.keep_result(
+            lambda file: reasons.extend(write_dataset(file, read, partial(_parts, store, all_pieces, lost)))
+        )
         counts = {
             "failed": len(reasons),
             "lost": sum(piece.stop - piece.start for piece in lost),
@@ -86,13 +88,13 @@ def run_sweep(
         if not lost:
             store.finish(counts)
         done = sum(piece.stop - piece.start for piece in missing if piece not in lost)
-        return _told(store, asked, begun, computed=done, **counts)
+        return _outcome(store, read, begun, computed=done, **counts)
 
 
-def _computed(
+def _compute(
     store: Store, grid: Grid, missing: list[Piece], *, workers: int | None, scheduler: str | None, progress: Progress
 ) -> dict[Piece, str]:
-    """Compute and keep what is missing; the pieces that were lost, and why."""
+    """Compute and keep the missing pieces; the lost ones and why."""
     lost: dict[Piece, str] = {}
     if not missing:
         return lost
@@ -120,10 +122,10 @@ def _computed(
 
 
 def _parts(
-    store: Store, known: list[Piece], lost: dict[Piece, str], names: Container[str]
+    store: Store, all_pieces: list[Piece], lost: dict[Piece, str], names: Container[str]
 ) -> Iterator[tuple[Piece, Part]]:
-    """One piece after the other, so that memory holds one."""
-    for piece in known:
+    """The pieces one after the other, so that memory holds one at a time."""
+    for piece in all_pieces:
         if piece in lost:
             reasons = dict.fromkeys(range(piece.stop - piece.start), lost[piece])
             yield piece, Part(columns={}, reasons=reasons, warnings=())
@@ -133,7 +135,7 @@ def _parts(
             yield piece, part
 
 
-def _told(store: Store, grid: Grid, begun: float, *, computed: int, failed: int, lost: int, reasons: Any) -> Sweep:
+def _outcome(store: Store, grid: Grid, begun: float, *, computed: int, failed: int, lost: int, reasons: Any) -> Sweep:
     return Sweep(
         folder=str(store.folder),
         file=str(store.folder / RESULT),

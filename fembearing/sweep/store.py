@@ -1,8 +1,8 @@
-"""The folder of a sweep: what was asked, and every piece that is done, each written whole or not at all.
+"""The folder of a sweep: its grid, and every finished piece, each written whole or not at all.
 
-A piece is kept under the hash of all that it follows from: the program's version, the scene, the files it names, the
-axes, and which points it holds. So whatever is found under its name is its result, and nothing has to be trusted to be
-finished. One process works on a folder at a time.
+The file name of a piece is a hash of everything that determines it: the version of the program, the scene, the files
+that it names, the axes, and the points of the piece. A file of that name is therefore always the result of the piece.
+One process works on a folder at a time.
 """
 
 import hashlib
@@ -25,41 +25,45 @@ from fembearing.sweep.parts import Part, Piece
 
 try:
     import fcntl
-except ImportError:  # Windows: that nobody else works there is left to the user
+except ImportError:  # Windows: the user has to ensure that no other sweep works in the folder
     fcntl = None
 
-ASKED, DONE, RESULT = "sweep.json", "done.json", "sweep.nc"
-BYTES = "bytes"  # of the result: whether it is still what was written
+GRID, DONE, RESULT = "sweep.json", "done.json", "sweep.nc"
+BYTES = "bytes"  # size of the result, which shows whether it is still complete
 PARTS, LOCK = "parts", ".lock"
 HEIGHT_MAP = "surface.height_map.path"
-DIGITS = 32  # of a hash in a file's name
+DIGITS = 32  # of a hash in a file name
 
 
 @dataclass(frozen=True, kw_only=True)
 class Store:
+    """The folder of one sweep."""
+
     folder: Path
-    identity: str  # hash of all that the results follow from
+    identity: str  # hashes of everything that determines the results
 
     def path(self, piece: Piece) -> Path:
+        """The file of a piece."""
         digest = hashlib.sha256(f"{self.identity} {piece.start} {piece.stop}".encode()).hexdigest()[:DIGITS]
         return self.folder / PARTS / f"{piece.start:010d}-{digest}.npz"
 
     def save(self, piece: Piece, part: Part) -> None:
-        told = {"reasons": part.reasons, "warnings": part.warnings}
+        """Keep the results of a piece."""
+        notes = {"reasons": part.reasons, "warnings": part.warnings}
         content = BytesIO()
         arrays: dict[str, Any] = {f"column {name}": values for name, values in part.columns.items()}
         arrays |= {f"word {name}": values for name, values in part.words.items()}
-        np.savez(content, allow_pickle=False, told=np.array(json.dumps(told)), **arrays)
+        np.savez(content, allow_pickle=False, notes=np.array(json.dumps(notes)), **arrays)
         _write_whole(self.path(piece), lambda file: file.write_bytes(content.getvalue()))
 
     def load(self, piece: Piece, names: Container[str] | None = None) -> Part | None:
-        """What was kept of a piece, of its columns these alone if names are given.
+        """The results of a piece; only the columns of `names` if given.
 
-        None where the piece is not done, or what is there cannot be read, after a power failure say.
+        None where the piece is not finished, or its file is damaged, for example by a power failure.
         """
         try:
             with self.path(piece).open("rb") as file, np.load(file, allow_pickle=False) as content:
-                told = json.loads(str(content["told"]))
+                notes = json.loads(str(content["notes"]))
                 groups: dict[str, dict[str, Any]] = {"column": {}, "word": {}}
                 for key in content.files:
                     kind, _, name = key.partition(" ")
@@ -70,40 +74,40 @@ class Store:
         return Part(
             columns=groups["column"],
             words=groups["word"],
-            reasons={int(place): reason for place, reason in told["reasons"].items()},
-            warnings=tuple(told["warnings"]),
+            reasons={int(place): reason for place, reason in notes["reasons"].items()},
+            warnings=tuple(notes["warnings"]),
         )
 
     def keep_result(self, write: Callable[[Path], Any]) -> None:
-        """The result, as it is written to a path."""
+        """Write the result by a function that takes its path."""
         (self.folder / DONE).unlink(missing_ok=True)
         _write_whole(self.folder / RESULT, write)
 
-    def finish(self, told: dict[str, Any]) -> None:
-        """Every piece is done and the result is there: what a later run can say of it without computing."""
-        text = json.dumps(told | {BYTES: (self.folder / RESULT).stat().st_size}, indent=1)
+    def finish(self, outcome: dict[str, Any]) -> None:
+        """Record the outcome of a complete sweep, so that a later run need not compute anything."""
+        text = json.dumps(outcome | {BYTES: (self.folder / RESULT).stat().st_size}, indent=1)
         _write_whole(self.folder / DONE, lambda file: file.write_text(text, "utf-8"))
 
     def finished(self) -> dict[str, Any] | None:
-        """What `finish` was given; None where something is left to do, or the result is not what it was."""
-        told = _read_json(self.folder / DONE)
+        """The outcome of a complete sweep; None where pieces are missing or the result has changed."""
+        outcome = _read_json(self.folder / DONE)
         try:
-            is_whole = told is not None and told.pop(BYTES, None) == (self.folder / RESULT).stat().st_size
+            is_whole = outcome is not None and outcome.pop(BYTES, None) == (self.folder / RESULT).stat().st_size
         except FileNotFoundError:
             return None
-        return told if is_whole else None
+        return outcome if is_whole else None
 
 
 @contextmanager
 def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
-    """The folder for this grid, made if it is missing, and held against other processes.
+    """The folder of this grid, made if it is missing, and locked for other processes.
 
-    Raises InputError for a folder that cannot be made, holds something else, or another sweep, or is being worked on.
+    Raises InputError for a folder that cannot be made, holds something else or another sweep, or is locked.
     """
     place = f"--out {str(folder)!r}"
     hashes = _hashes(grid)
-    asked = folder / ASKED
-    if os.path.lexists(folder) and not asked.exists() and not _is_free(folder):
+    description = folder / GRID
+    if os.path.lexists(folder) and not description.exists() and not _is_free(folder):
         raise InputError(f"{place} exists and holds no sweep: give a new name, or remove it first")
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -112,38 +116,39 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
         raise InputError(f"{place} cannot be made: {problem.strerror}; give a folder that you may write") from problem
     with lock:
         _hold(lock, place)
-        if asked.exists():
-            _require_same(_read_json(asked), hashes, place)
+        if description.exists():
+            _require_same(_read_json(description), hashes, place)
         else:
             text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
-            _write_whole(asked, lambda file: file.write_text(text, "utf-8"))
+            _write_whole(description, lambda file: file.write_text(text, "utf-8"))
         yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
 
 
 def _write_whole(path: Path, write: Callable[[Path], Any]) -> None:
-    """Let a file be written under another name, and give it its own when it is complete.
+    """Write a file under a temporary name and rename it when it is complete.
 
-    The other name is always the same, so that what a killed process leaves goes when the file is written again. Raises
-    InputError where it cannot be written.
+    The temporary name is always the same, so that a later write replaces what a killed process left. Raises InputError
+    where the file cannot be written.
     """
     apart = path.with_name(f".{path.name}")
     try:
         path.parent.mkdir(exist_ok=True)
         write(apart)
         apart.replace(path)
-    except (OSError, RuntimeError) as problem:  # RuntimeError: all that netCDF tells of a full disk
+    except (OSError, RuntimeError) as problem:  # RuntimeError: netCDF's error for a full disk
         reason = getattr(problem, "strerror", None) or problem
         raise InputError(
-            f"{str(path)!r} cannot be written: {reason}; make room: what is done is kept, and the same sweep goes on"
+            f"{str(path)!r} cannot be written: {reason}; free some space: what is done is kept, and the same sweep "
+            "continues"
         ) from problem
     finally:
         apart.unlink(missing_ok=True)
 
 
 def _hashes(grid: Grid) -> dict[str, str]:
-    """Of everything that the results follow from, by a name for people."""
+    """Hashes of everything that determines the results, by names for the user."""
     parts = {
-        "what is computed": [grid.what, grid.asked],
+        "what is computed": [grid.what, grid.fixed],
         "the scene": grid.document,
         "the axes": [[axis.key, axis.unit, axis.values] for axis in grid.axes],
     }
@@ -155,14 +160,14 @@ def _hashes(grid: Grid) -> dict[str, str]:
 
 
 def _height_maps(grid: Grid) -> Iterator[bytes]:
-    """The content of every file of heights that the scene or an axis names."""
+    """Content of every height map that the scene or an axis names."""
     node: Any = grid.document
     for key in HEIGHT_MAP.split("."):
         node = node.get(key) if isinstance(node, dict) else None
     named = [node, *(value for axis in grid.axes if axis.key == HEIGHT_MAP for value in axis.values)]
     for name in named:
         path = Path(grid.folder) / str(name)
-        if isinstance(name, str) and path.is_file():  # else the scene will say so
+        if isinstance(name, str) and path.is_file():  # else reading the scene raises the error
             yield path.read_bytes()
 
 
@@ -171,18 +176,18 @@ def _is_free(folder: Path) -> bool:
 
 
 def _read_json(path: Path) -> dict[str, Any] | None:
-    """None where there is none, or a damaged one."""
+    """The table in a JSON file; None where it is missing or damaged."""
     try:
-        found = json.loads(path.read_text("utf-8"))
+        content = json.loads(path.read_text("utf-8"))
     except (OSError, ValueError):
         return None
-    return found if isinstance(found, dict) else None
+    return content if isinstance(content, dict) else None
 
 
 def _require_same(known: dict[str, Any] | None, hashes: dict[str, str], place: str) -> None:
     before = (known or {}).get("made_from")
     if not isinstance(before, dict):
-        raise InputError(f"{place}: {ASKED} in it is damaged; give a new name, or remove the folder to start afresh")
+        raise InputError(f"{place}: {GRID} in it is damaged; give a new name, or remove the folder to start afresh")
     changed = [name for name, digest in hashes.items() if before.get(name) != digest]
     if changed:
         raise InputError(

@@ -1,4 +1,4 @@
-"""Tasks spread over processes of this machine or over a Dask cluster; one that dies takes no other task with it."""
+"""Tasks on processes of this machine or on a Dask cluster; when a process dies, no other task is lost."""
 
 import logging
 import multiprocessing
@@ -16,23 +16,24 @@ from typing import Any
 from analytic.errors import FembearingError, InputError
 
 THREADS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
-TRIES = 2  # of a task alone in its process, until it is blamed for that process's death
-PATIENCE = 10.0  # s, in which a cluster has to answer
+TRIES = 2  # times that the process of a task dies while the task runs alone, before the task is given up
+PATIENCE = 10.0  # s, within which a cluster has to answer
 Task = tuple[Any, ...]  # arguments
 
 
 class LostWorkerError(FembearingError):
-    """A process that ended in the middle of a task."""
+    """A process ended in the middle of a task."""
 
 
 def each_done(
     function: Callable[..., Any], tasks: Mapping[Any, Task], *, workers: int | None = None
 ) -> Generator[tuple[Any, Any]]:
-    """Key and result of every task as it gets done, by processes of this machine.
+    """Key and result of every task as it is finished, by processes of this machine.
 
-    workers : how many; None: one a core that this process may use. Each has its share of the cores for its threads.
-    When a process dies, those that stood in it are suspects, and after all others they run again one at a time: a task
-    whose process dies then too, twice, has a LostWorkerError as its result. What a task raises is raised here.
+    workers : number of processes; None: one for each core that this process may use. They share the cores equally for
+        their threads.
+    When a process dies, its unfinished tasks become suspects. They run again after all others, one at a time: a task
+    whose process then dies twice gets a LostWorkerError as its result. An exception of a task is raised here.
     """
     width = min(cores() if workers is None else workers, max(1, len(tasks)))
     waiting, suspects, deaths = deque(tasks), deque(), Counter()
@@ -44,7 +45,9 @@ def each_done(
             lost: list[Any] = []
             while (queue or flying) and not lost:
                 try:
-                    while queue and len(flying) < (1 if alone else width + 1):  # one more, so that none has to wait
+                    while queue and len(flying) < (
+                        1 if alone else width + 1
+                    ):  # one more than processes, so that none is idle
                         flying[pool.submit(function, *tasks[queue[0]])] = queue[0]
                         queue.popleft()
                 except BrokenProcessPool:
@@ -58,7 +61,7 @@ def each_done(
                     else:
                         yield key, result
             for future, key in flying.items():
-                if future.done() and future.exception() is None:  # while another died
+                if future.done() and future.exception() is None:  # finished while another process died
                     yield key, future.result()
                 else:
                     lost.append(key)
@@ -76,11 +79,11 @@ def each_done(
 def each_done_by_cluster(
     function: Callable[..., Any], tasks: Mapping[Any, Task], *, address: str
 ) -> Generator[tuple[Any, Any]]:
-    """The same by an existing Dask cluster, which runs a task again elsewhere when its worker dies.
+    """As `each_done`, by an existing Dask cluster, which runs a task again elsewhere when its worker dies.
 
-    Those that it gives up run again one at a time, as here.
-
-    Raises InputError where there is no Dask, no cluster at the address, no longer one, or one with another fembearing.
+    The tasks that the cluster gives up run again one at a time.
+    Raises InputError where Dask is not installed, no cluster answers at the address or it goes away, or a worker has
+    another version of fembearing.
     """
     try:
         from distributed import Client, as_completed
@@ -90,7 +93,7 @@ def each_done_by_cluster(
             "--scheduler needs Dask, which is not installed: pip install 'fembearing[cluster]'"
         ) from problem
     place, here = f"--scheduler {address!r}", version("fembearing")
-    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # what goes wrong is said here, in one line
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # errors are reported here, in one line
     try:
         client: Any = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as problem:
@@ -106,7 +109,7 @@ def each_done_by_cluster(
                 key = keys.pop(future)
                 try:
                     result = future.result()
-                except KilledWorker:  # another task of that worker may have been the one
+                except KilledWorker:  # perhaps by another task of that worker
                     suspects.append(key)
                 else:
                     yield key, result
@@ -121,20 +124,20 @@ def each_done_by_cluster(
             raise InputError(
                 f"{place}: the cluster went away; what is done is kept: the same command goes on"
             ) from problem
-        except (ImportError, RuntimeError) as problem:  # of the scheduler, which reads the tasks too
+        except (ImportError, RuntimeError) as problem:  # raised by the scheduler, which reads the tasks too
             raise InputError(
                 f"{place}: the cluster cannot read what it is sent; its scheduler needs fembearing {here} as here"
             ) from problem
 
 
 def cores() -> int:
-    """That this process may use."""
+    """Number of cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @contextmanager
 def _pool(width: int) -> Iterator[ProcessPoolExecutor]:
-    """Fresh processes, none of which outlives the block, however that is left."""
+    """New processes, which end with the block, however it is left."""
     before = set(multiprocessing.active_children())
     with _threads(max(1, cores() // width)):
         pool = ProcessPoolExecutor(width, mp_context=multiprocessing.get_context("spawn"), initializer=_begin)
@@ -154,7 +157,7 @@ def _pool(width: int) -> Iterator[ProcessPoolExecutor]:
 
 
 def _begin() -> None:
-    """A worker leaves it to its parent to be stopped, and ends with it, even where that was killed."""
+    """Let only the parent process stop a worker, and end the worker with its parent, even if that is killed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = multiprocessing.parent_process()
     assert parent is not None
@@ -168,11 +171,11 @@ def _begin() -> None:
 
 @contextmanager
 def _threads(count: int) -> Iterator[None]:
-    """What processes that start meanwhile are told about threads of their own, where a person has not told them."""
-    untold = [name for name in THREADS if name not in os.environ]
-    os.environ.update(dict.fromkeys(untold, str(count)))
+    """Set the number of threads of the processes that start in this block, unless the user has set it."""
+    unset = [name for name in THREADS if name not in os.environ]
+    os.environ.update(dict.fromkeys(unset, str(count)))
     try:
         yield
     finally:
-        for name in untold:
+        for name in unset:
             del os.environ[name]

@@ -1,4 +1,4 @@
-"""The command line as a user meets it: exit status, what stands on which stream, one line for each mistake."""
+"""The command line as a user sees it: exit status, the content of each stream, one line for each mistake."""
 
 import csv
 import io
@@ -33,7 +33,7 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def validated(report: Path) -> dict[str, Any]:
-    """The main job once, through the command line."""
+    """The result of `fembearing validate`, run once."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sys.argv", ["fembearing", "validate", "--json", "--out", str(report)])
         patch.setattr("sys.stdout", printed := io.StringIO())
@@ -43,7 +43,7 @@ def validated(report: Path) -> dict[str, Any]:
     return json.loads(printed.getvalue())
 
 
-def test_the_main_job_judges_every_quantity_of_all_three_pairs(validated: dict[str, Any]) -> None:
+def test_validate_judges_every_quantity_of_all_three_pairs(validated: dict[str, Any]) -> None:
     judged = [(row["pair"], row["quantity"]) for row in validated["verdicts"]]
     assert sorted(judged) == sorted((pair, name) for pair in ("inner", "outer", "pocket") for name in QUANTITIES)
     assert {row["verdict"] for row in validated["verdicts"]} == {"pass"}
@@ -54,8 +54,8 @@ def test_the_main_job_judges_every_quantity_of_all_three_pairs(validated: dict[s
     ]
 
 
-def test_the_sheet_of_the_pocket_is_shown_beside_its_thick_seat(validated: dict[str, Any]) -> None:
-    """A half space behind sheet metal flatters K_pb; the sheet's verdict does not count."""
+def test_the_sheet_of_the_pocket_is_shown_with_its_thick_seat(validated: dict[str, Any]) -> None:
+    """A half space under sheet metal makes K_pb too large; the sheet is not judged."""
     seat, sheet = validated["contacts"][2:]
     assert (seat["geometry"], sheet["geometry"]) == ("real", "wall")
     assert seat["load"] == sheet["load"] == 28.0
@@ -63,7 +63,7 @@ def test_the_sheet_of_the_pocket_is_shown_beside_its_thick_seat(validated: dict[
     assert sheet["fe"]["stiffness"] < 0.7 * seat["hertz"]["stiffness"] < seat["fe"]["stiffness"]
 
 
-def test_the_report_lies_where_it_was_asked_for(validated: dict[str, Any], report: Path) -> None:
+def test_the_report_is_in_its_folder(validated: dict[str, Any], report: Path) -> None:
     written = json.loads((report / "report.json").read_text("utf-8"))
     assert written["verdicts"] == validated["verdicts"]
     assert (report / "report.html").is_file()
@@ -80,7 +80,7 @@ def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict
         assert row["uncertainty"] > 0
 
 
-def test_the_true_groove_is_stiffer_than_hertz_says_and_the_inner_race_bears_more(validated: dict[str, Any]) -> None:
+def test_the_true_groove_is_stiffer_than_hertz_and_the_inner_race_has_more_pressure(validated: dict[str, Any]) -> None:
     inner, outer = validated["contacts"][:2]
     assert inner["fe"]["peak_pressure"] > outer["fe"]["peak_pressure"]
     for contact in (inner, outer):
@@ -89,7 +89,7 @@ def test_the_true_groove_is_stiffer_than_hertz_says_and_the_inner_race_bears_mor
 
 
 def test_uncertainty_covers_a_finer_solution(command, validated: dict[str, Any]) -> None:
-    """The finer one is another run, to a tolerance that asks for a finer mesh."""
+    """The finer one is another run, with a tolerance that needs a finer mesh."""
     result = command("contact", "--pair", "outer", "--tolerance", "0.05 %", "--json")
     finer = json.loads(result.out)
     coarse = validated["contacts"][1]
@@ -102,10 +102,10 @@ def test_uncertainty_covers_a_finer_solution(command, validated: dict[str, Any])
 
 
 @pytest.mark.parametrize(("scene_tolerance", "verdict"), [("4 %", "pass"), ("0.5 %", "fail")])
-def test_a_contact_solved_as_asked_is_a_success_whatever_hertz_is_worth(
+def test_a_contact_within_its_accuracy_is_a_success_whatever_the_error_of_hertz(
     command, tmp_path: Path, scene_tolerance: str, verdict: str
 ) -> None:
-    """Hertz is 1.4 % off in approach and 2.3 % in b at this load: a matter of the scene's tolerance alone."""
+    """At this load Hertz deviates by 1.4 % in approach and 2.3 % in b: only the scene's tolerance judges that."""
     scene = tmp_path / "scene.toml"
     scene.write_text(MINE.replace("4 %", scene_tolerance))
     result = command("contact", str(scene), "--load", "620 N", "--tolerance", "0.3 %", "--json")
@@ -116,8 +116,8 @@ def test_a_contact_solved_as_asked_is_a_success_whatever_hertz_is_worth(
 
 
 @pytest.mark.parametrize("loads", [("28 N",), ("28 N", "9 N")])
-def test_a_contact_not_solved_as_asked_ends_with_status_3_and_how_far_it_came(command, loads: tuple[str, ...]) -> None:
-    """A pocket's seat is a cavity: no mesh takes the far boundary's share out of its approach."""
+def test_a_contact_beyond_its_accuracy_ends_with_status_3_and_its_uncertainty(command, loads: tuple[str, ...]) -> None:
+    """The seat of a pocket is a cavity: no mesh removes the effect of the far boundary on its approach."""
     given = [part for load in loads for part in ("--load", load)]
     result = command("contact", "--pair", "pocket", *given, "--tolerance", "0.2 %", "--json")
     assert json.loads(result.out)["pair"] == "pocket"  # the answer is there, as uncertain as it is
@@ -134,7 +134,7 @@ def test_json_is_alone_on_standard_output(command) -> None:
         0.3 < found["subsurface"]["fe"]["max_shear"] / found["fe"]["peak_pressure"] < 0.33
     )  # 0.300 line, 0.310 circle
     assert result.status == 0
-    assert result.err == ""  # no progress where nobody watches
+    assert result.err == ""  # no progress where there is no terminal
 
 
 def test_half_a_contact_says_that_no_stress_below_it_is_computed(
@@ -156,8 +156,8 @@ def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> Non
         assert abs(found["discrepancy"][name]) <= found["uncertainty"][name]
 
 
-def test_the_far_boundary_is_judged_apart(validated: dict[str, Any]) -> None:
-    """Some effect, and less than the extent of six major semi-axes leaves room for; a sheet has no far boundary."""
+def test_the_far_boundary_has_an_uncertainty_of_its_own(validated: dict[str, Any]) -> None:
+    """It is not zero, and small at the extent of the block; a sheet has no far boundary."""
     for contact in validated["contacts"][:3]:
         for name, part in contact["convergence"].items():
             assert 0 < part["domain"] < 0.01
@@ -165,7 +165,7 @@ def test_the_far_boundary_is_judged_apart(validated: dict[str, Any]) -> None:
 
 
 def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
-    """And the pocket of the printed table cannot be made: the warning goes with the answer."""
+    """And the pocket of the printed table cannot be made: the result has a warning."""
     scene = tmp_path / "printed.toml"
     scene.write_text(MINE + '[cage]\nvariant = "as_printed"\n')
     result = command("contact", str(scene), "--pair", "pocket", "--geometry", "wall", "--tolerance", "90 %", "--json")
@@ -177,8 +177,8 @@ def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     assert "bends on its rim" in warnings
 
 
-def test_meshes_that_do_not_settle_are_undecided(command, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Peak pressure is made to swing by 3 % from mesh to mesh, as it does for solvers that read it off one node."""
+def test_meshes_that_do_not_converge_are_undecided(command, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Peak pressure is changed by 3 % up and down from mesh to mesh, as in solvers that take it from one node."""
     true = solution.peak_pressure
     signs: dict[int, int] = {}  # one for each level, which its number of nodes tells
 
@@ -200,7 +200,7 @@ def test_table_names_axes_and_units(command) -> None:
 
 
 def test_several_loads_make_a_series_with_its_law(command) -> None:
-    """No wider than a pipe, in the order given, and the same numbers as JSON."""
+    """Within 80 columns, in the order given, and with the numbers of the JSON."""
     arguments = [part for load in ("310 N", "1e-6 N", "120 N") for part in ("--load", load)]
     table = command("contact", "--geometry", "hertzian", *arguments)
     told = command("contact", "--geometry", "hertzian", *arguments, "--json")
@@ -214,7 +214,7 @@ def test_several_loads_make_a_series_with_its_law(command) -> None:
     assert "\N{HORIZONTAL ELLIPSIS}" not in table.out
 
 
-def test_a_series_of_two_loads_says_what_it_assumes(command) -> None:
+def test_a_series_of_two_loads_states_its_assumption(command) -> None:
     result = command("contact", "--geometry", "hertzian", "--load", "310 N", "--load", "120 N")
     assert result.status == 0
     words = " ".join(result.out.split())
@@ -223,7 +223,7 @@ def test_a_series_of_two_loads_says_what_it_assumes(command) -> None:
 
 
 def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -> None:
-    """A narrow groove, whose shoulder the ellipse of 700 N reaches over."""
+    """A narrow groove: the ellipse of 700 N reaches beyond its shoulder."""
     scene = tmp_path / "narrow.toml"
     scene.write_text(MINE.replace('catalog = "6205"', 'catalog = "6205"\ninner = { shoulder_half_width = "1.6 mm" }'))
     for_mesh = ("mesh", str(scene), "--level", "1", "--load", "700 N", "--json", "--out")
@@ -250,15 +250,15 @@ def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path
 
 
 def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
-    """The width of a pipe. The load and the shoulder make the longest verdict, the smallest numbers."""
+    """The width without a terminal; these loads give the longest verdict and the smallest numbers."""
     for arguments in (["--load", "1e-9 N"], ["--load", "1500 N", "--tolerance", "99 %"]):
         lines = command("contact", "--geometry", "hertzian", *arguments).out.splitlines()
         assert max(map(len, lines)) <= 80
         assert not any("\N{HORIZONTAL ELLIPSIS}" in line for line in lines)
 
 
-def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """One that goes wrong fails the whole, whatever the contacts say."""
+def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """A wrong case fails the whole run, whatever the verdicts of the contacts."""
     cases = (
         HardCase(name="two", asked="1 + 1", right="2", evaluate=lambda: 2.0, expected=2.0, tolerance=(0.0, "exact")),
         HardCase(name="three", asked="1 + 2", right="3", evaluate=lambda: 4.0, expected=3.0, tolerance=(0.0, "exact")),
@@ -275,7 +275,7 @@ def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPat
     assert "pocket" not in result.out  # no [cage], no pocket solve
 
 
-def test_cost_shows_what_each_rung_gives_for_its_time(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_cost_shows_error_and_time_of_each_method(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Printed, as JSON, and in a folder with its picture and its table."""
     monkeypatch.setattr(cost, "load_recipe", lambda _: replace(load_recipe("race"), levels=(1, 2)))
     monkeypatch.setattr(contact_ladder, "MESH_REPEATS", 1)

@@ -67,7 +67,7 @@ def test_a_mistyped_command_gets_one_line_too(command, arguments: list[str], wor
 
 
 @pytest.mark.parametrize(("target", "status"), [(">/dev/full", 2), ("| true", 141), (">&-", 2)])
-def test_a_result_that_cannot_be_written_is_no_success(tmp_path: Path, target: str, status: int) -> None:
+def test_a_result_that_cannot_be_written_is_a_failure(tmp_path: Path, target: str, status: int) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("this system has no /dev/full")
     line = f'"{sys.executable}" -m fembearing.cli mesh --level 1 --out "{tmp_path}/made" --json {target}'

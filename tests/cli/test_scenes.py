@@ -1,12 +1,10 @@
-"""Bearings that a person would try, through the command line: other materials, unknown dimensions, no cage."""
+"""Bearings that a user would try, on the command line: other materials, unknown dimensions, no cage."""
 
 import json
 from pathlib import Path
 from typing import Any
 
 import pytest
-
-from fembearing import cli
 
 STEEL, NITRIDE, PEEK = (206e9, 0.3), (310e9, 0.26), (3.6e9, 0.38)  # E, Pa, and nu
 HEAD = 'name = "tried"\ntolerance = "5 %"\n[bearing]\n'
@@ -35,17 +33,13 @@ SCENES = {
 
 
 @pytest.fixture
-def command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
+def run(command, tmp_path: Path):
     """Runs a command on one of `SCENES`: status, standard output and standard error."""
 
     def run(name: str, scene: str, *options: str) -> tuple[int, str, str]:
         path = tmp_path / "scene.toml"
         path.write_text(SCENES[scene], "utf-8")
-        monkeypatch.setattr("sys.argv", ["fembearing", name, str(path), *options])
-        with pytest.raises(SystemExit) as stop:
-            cli.main()
-        captured = capsys.readouterr()
-        return int(stop.value.code or 0), captured.out, captured.err
+        return command(name, str(path), *options)
 
     return run
 
@@ -54,9 +48,9 @@ def contact_modulus(first: tuple[float, float], second: tuple[float, float]) -> 
     return 1 / sum((1 - ratio**2) / modulus for modulus, ratio in (first, second))
 
 
-def solved(command: Any, scene: str, *options: str) -> dict[str, Any]:
+def solved(run: Any, scene: str, *options: str) -> dict[str, Any]:
     """What --json prints; nothing else may be on either stream."""
-    status, out, err = command("contact", scene, *options, "--json")
+    status, out, err = run("contact", scene, *options, "--json")
     assert (status, err) == (0, "")
     return json.loads(out)
 
@@ -66,10 +60,10 @@ def solved(command: Any, scene: str, *options: str) -> dict[str, Any]:
     [("hybrid", "inner", (NITRIDE, STEEL)), ("peek races", "outer", (STEEL, PEEK))],
 )
 def test_a_race_of_other_materials_is_as_stiff_as_its_modulus(
-    command, scene: str, pair: str, materials: tuple[tuple[float, float], tuple[float, float]]
+    run, scene: str, pair: str, materials: tuple[tuple[float, float], tuple[float, float]]
 ) -> None:
-    """At one angle, stiffness goes as E* and peak pressure as E*^(2/3): so with Hertz, and nearly so on the groove."""
-    steel, other = (solved(command, name, "--pair", pair, "--load", "12 N") for name in ("steel", scene))
+    """At one angle, stiffness scales as E* and peak pressure as E*^(2/3): exactly for Hertz, nearly for the groove."""
+    steel, other = (solved(run, name, "--pair", pair, "--load", "12 N") for name in ("steel", scene))
     softer = contact_modulus(*materials) / contact_modulus(STEEL, STEEL)
     assert other["hertz"]["stiffness"] / steel["hertz"]["stiffness"] == pytest.approx(softer, rel=1e-9)  # round-off
     # The groove's shape moves the stiffness by 2 % at most, and of one material as of the other but for a part of that.
@@ -78,17 +72,17 @@ def test_a_race_of_other_materials_is_as_stiff_as_its_modulus(
     assert other["verdict"] == "pass"
 
 
-def test_a_pocket_of_peek_is_solved(command) -> None:
-    found = solved(command, "peek cage", "--pair", "pocket", "--load", "3 N")
+def test_a_pocket_of_peek_is_solved(run) -> None:
+    found = solved(run, "peek cage", "--pair", "pocket", "--load", "3 N")
     assert found["warnings"] == []
     # 5 %: that a pocket is a cavity of a tenth wider than the ball, not a half space
     assert found["fe"]["stiffness"] == pytest.approx(found["hertz"]["stiffness"], rel=0.05)
     assert 0 < found["fe"]["peak_pressure"] < 30e6  # Pa: far below what PEEK bears
 
 
-def test_a_ring_without_its_bore_is_checked_but_for_the_ring(command) -> None:
+def test_without_its_bore_everything_but_the_ring_is_checked(run) -> None:
     """And without a [cage] there is no pocket; standard output holds JSON alone, the warning is in it."""
-    status, out, err = command("validate", "no bore", "--json")
+    status, out, err = run("validate", "no bore", "--json")
     found = json.loads(out)
     assert (status, err) == (0, "")
     assert [(contact["pair"], contact["ring"]) for contact in found["contacts"]] == [("inner", None), ("outer", None)]
@@ -101,7 +95,7 @@ def test_a_ring_without_its_bore_is_checked_but_for_the_ring(command) -> None:
     ("scene", "options", "word"),
     [("no bore", ("--geometry", "ring"), "bore_diameter"), ("steel", ("--pair", "pocket"), "[cage]")],
 )
-def test_what_the_scene_does_not_give_is_named(command, scene: str, options: tuple[str, ...], word: str) -> None:
-    status, out, err = command("contact", scene, *options, "--json")
+def test_a_quantity_missing_in_the_scene_is_named(run, scene: str, options: tuple[str, ...], word: str) -> None:
+    status, out, err = run("contact", scene, *options, "--json")
     assert (status, out, err.count("\n")) == (2, "", 1)
     assert word in err

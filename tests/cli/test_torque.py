@@ -1,4 +1,4 @@
-"""`fembearing torque` as a user meets it: tables of 80 characters, JSON, exit status, one line for each mistake."""
+"""`fembearing torque` as a user sees it: tables of 80 characters, JSON, exit status, one line for each mistake."""
 
 import json
 from io import StringIO
@@ -9,7 +9,7 @@ import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import parse_scene
-from fembearing import cli
+from fembearing.cli.console import NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.terminal.torque import print_torque
 
@@ -37,18 +37,6 @@ def printed(text: str) -> str:
     out = StringIO()
     print_torque(Console(file=out, width=80), torque_of_scene(parse_scene(text, origin="here")))
     return out.getvalue()
-
-
-@pytest.fixture
-def command(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch):
-    def run(*arguments: str) -> tuple[int, str, str]:
-        monkeypatch.setattr("sys.argv", ["fembearing", "torque", *arguments])
-        with pytest.raises(SystemExit) as stop:
-            cli.main()
-        captured = capsys.readouterr()
-        return int(stop.value.code or 0), captured.out, captured.err
-
-    return run
 
 
 def test_the_tables_hold_the_numbers_of_the_result() -> None:
@@ -80,15 +68,15 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
         assert word in words
 
 
-def test_without_oil_the_band_is_left_out_with_a_word() -> None:
+def test_without_oil_the_band_is_left_out_with_a_reason() -> None:
     said = printed(OILED.partition("[lubricant]")[0] + "[friction]\ncoefficient = 0.1\n")
     assert "No catalogue band: no lubricant is given: add a table [lubricant]." in " ".join(said.split())
     assert "add a table [lubricant]" in " ".join(said.rpartition("Effects")[2].split())  # brackets are no markup
     assert "catalogue" not in said.splitlines()[1]
 
 
-def test_an_effect_that_the_scene_says_off_is_told_as_deliberate() -> None:
-    """Centrifugal force of balls that thrust does not hold: more than the torque, on purpose, and in no uncertainty."""
+def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
+    """Centrifugal force of balls without thrust exceeds the torque; left out on purpose, it is in no uncertainty."""
     text = OILED.replace('["900 N", "400 N"]', '"0 N"\nradial_load = "100 N"').replace("2000 rpm", "30000 rpm")
     off = parse_scene(text + '[effects]\ncentrifugal = "off"\n', origin="here")
     said = " ".join(printed(text + '[effects]\ncentrifugal = "off"\n').split())
@@ -114,7 +102,7 @@ def test_a_long_series_is_shown_in_part() -> None:
 
 def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text(OILED, "utf-8")
-    status, out, err = command(str(tmp_path / "a.toml"), "--json")
+    status, out, err = command("torque", str(tmp_path / "a.toml"), "--json")
     found = json.loads(out)
     assert (status, err) == (0, "")
     assert [point["axial_load"] for point in found["points"]] == [900.0, 400.0]
@@ -124,28 +112,28 @@ def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Pa
     assert set(band) == {"low", "high", "values", "note"}
     assert len(band["low"]) == len(band["values"]["SKF"]) == 2
     assert np.all(np.array(band["low"]) < band["high"])
-    status, out, _ = command("--json")
+    status, out, _ = command("torque", "--json")
     assert json.loads(out)["catalogue_band"]["low"] is None
 
 
-def test_beyond_the_tolerance_the_status_says_so(command) -> None:
-    """The variant that is no model has no known uncertainty."""
-    status, out, err = command(str(SCENES / "6205_paper_as_printed.toml"))
-    assert status == cli.NOT_SOLVED
+def test_beyond_the_tolerance_the_status_is_3(command) -> None:
+    """The variant as printed is not a model and has no known uncertainty."""
+    status, out, err = command("torque", str(SCENES / "6205_paper_as_printed.toml"))
+    assert status == NOT_SOLVED
     assert "beyond the tolerance 0.05: numerical uncertainty unknown" in " ".join(out.split())
     assert "is no model" in err
 
 
-def test_a_tighter_tolerance_takes_dearer_rungs(command, tmp_path: Path) -> None:
+def test_a_tighter_tolerance_chooses_a_costlier_method(command, tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text(OILED, "utf-8")
-    rungs = []
+    methods = []
     for tolerance in ("20 %", "0.1 %"):
-        status, out, _ = command(str(tmp_path / "a.toml"), "--tolerance", tolerance, "--json")
+        status, out, _ = command("torque", str(tmp_path / "a.toml"), "--tolerance", tolerance, "--json")
         found = json.loads(out)
         assert status == 0
         assert max(point["uncertainty"]["numerical"] for point in found["points"]) <= found["tolerance"]
-        rungs.append(found["provenance"]["sliding"])
-    assert rungs[0] != rungs[1] == "over_ellipse"
+        methods.append(found["provenance"]["sliding"])
+    assert methods[0] != methods[1] == "over_ellipse"
 
 
 @pytest.mark.parametrize(
@@ -159,7 +147,7 @@ def test_a_tighter_tolerance_takes_dearer_rungs(command, tmp_path: Path) -> None
 )
 def test_a_mistake_is_one_line(command, tmp_path: Path, change: tuple[str, str], words: str) -> None:
     (tmp_path / "a.toml").write_text(OILED.replace(*change), "utf-8")
-    status, out, err = command(str(tmp_path / "a.toml"))
+    status, out, err = command("torque", str(tmp_path / "a.toml"))
     assert (status, out) == (2, "")
     assert err.count("\n") == 1
     assert words in err

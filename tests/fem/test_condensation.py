@@ -1,4 +1,4 @@
-"""A body reduced to its contact nodes against the whole body solved, and one solver against the other."""
+"""A body reduced to its contact nodes against the solution of the whole body, and one solver against the other."""
 
 from dataclasses import replace
 
@@ -66,7 +66,7 @@ def test_condensed_nodes_move_as_in_the_whole_body(
     solver: str,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Random forces and a far field at once; a lost node order, sign or scale of the far field shows here."""
+    """Random forces and a far field together; a wrong node order, sign or scale of the far field fails here."""
     if solver == "scipy":
         monkeypatch.setattr(condensation, "PyPardisoSolver", None)
     body, force = pushed(pairs[recipe], side)
@@ -83,7 +83,7 @@ def test_condensed_nodes_move_as_in_the_whole_body(
         moved = np.sum(displacement.reshape(3, -1)[:, body.touching] * force, axis=0)
         found = condensed.compliance @ pushes + condensed.drift * load
         np.testing.assert_allclose(found, moved, rtol=1e-9)  # as above
-        assert found.min() > 0  # pushed nodes give way
+        assert found.min() > 0  # pushed nodes move with the push
 
 
 @pytest.mark.parametrize(("recipe", "side"), CASES)
@@ -98,14 +98,14 @@ def test_compliance_is_symmetric_and_positive_definite(
     if recipe == "race" and side == "upper":
         np.testing.assert_array_equal(condensed.drift, 0.0)  # a ball has no far field
     else:
-        assert condensed.drift.min() > 0  # the far field goes the way of the load
+        assert condensed.drift.min() > 0  # the far field moves with the load
 
 
 @pytest.mark.parametrize("ratio", [0.0, 0.21, 0.45])
 def test_two_half_spaces_are_mirror_images(
     contacts: dict[str, Contact], pairs: dict[str, PairMesh], ratio: float
 ) -> None:
-    """The solver condenses one of them only: that the far field of the other is its mirror image is what allows it."""
+    """The solver condenses only one of them, which is right because the far field of the other is its mirror image."""
     steel = contacts["inner"].ball_material
     material = type(steel)(name="other", youngs_modulus=87e9, poisson_ratio=ratio, density=1.0, source="test")
     upper, lower = (
@@ -135,7 +135,7 @@ STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=
         ("Poisson ratio", "not finite and positive"),
     ],
 )
-def test_a_body_without_one_answer_is_named(
+def test_a_body_without_a_unique_solution_is_named(
     contacts: dict[str, Contact],
     pairs: dict[str, PairMesh],
     fault: str,
@@ -181,7 +181,7 @@ def springs(matrix: list[list[float]]) -> HeldBody:
         [[2.0, 0.5, 0.0], [0.5, np.inf, 0.0], [0.0, 0.0, 1.5]],
     ],
 )
-def test_loose_springs_are_refused_in_words(
+def test_loose_springs_are_refused_with_a_message(
     matrix: list[list[float]], solver: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if solver == "scipy":
@@ -191,7 +191,7 @@ def test_loose_springs_are_refused_in_words(
 
 
 @BOTH
-def test_a_body_beyond_the_memory_is_told_what_to_do(solver: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_body_too_large_for_the_memory_gets_a_remedy(solver: str, monkeypatch: pytest.MonkeyPatch) -> None:
     if solver == "scipy":
         monkeypatch.setattr(condensation, "PyPardisoSolver", None)
     short = MemoryError() if condensation.PyPardisoSolver is None else condensation.PyPardisoError(-2)

@@ -1,4 +1,4 @@
-"""The active set against the conditions that define unilateral contact, every subset tried in turn, and a minimiser."""
+"""The active set against the conditions of unilateral contact, against every subset of nodes, and a minimiser."""
 
 from itertools import product
 
@@ -50,7 +50,7 @@ def test_forces_push_gaps_are_open_and_the_load_is_carried(seed: int, load: floa
 
 
 @given(seed=st.integers(0, 999), bits=st.integers(0, 2**23 - 1))
-def test_any_start_ends_in_the_same_answer(seed: int, bits: int) -> None:
+def test_every_start_ends_in_the_same_answer(seed: int, bits: int) -> None:
     case, load = problem(seed), 1.7
     start = np.array([bool(bits >> node & 1) for node in range(23)])
     first = pressed(case, load, case["gap"] < 0.3)
@@ -78,8 +78,8 @@ def test_forces_are_those_of_least_energy() -> None:
         options={"ftol": 1e-14, "maxiter": 500},
     )
     assert found.success
-    np.testing.assert_allclose(force, found.x, atol=1e-5 * load)  # the minimiser's own accuracy
-    assert (force == 0).any()  # else the constraint was never met
+    np.testing.assert_allclose(force, found.x, atol=1e-5 * load)  # accuracy of the minimiser
+    assert (force == 0).any()  # else no constraint is active
     assert (force > 0).sum() > 1
 
 
@@ -91,7 +91,7 @@ def test_a_light_load_rests_on_one_node() -> None:
     assert approach > 0
 
 
-def test_a_contact_that_does_not_settle_says_how_far_it_came(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_contact_that_does_not_converge_reports_its_residual(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(contact, "ROUNDS", 1)  # every start but the answer itself takes two
     case = problem(3)
     with pytest.raises(
@@ -102,7 +102,7 @@ def test_a_contact_that_does_not_settle_says_how_far_it_came(monkeypatch: pytest
 
 
 def exhaustive(compliance: Array, opened: Array, lever: Array, load: float) -> tuple[Array, float]:
-    """The one set of touching nodes whose forces all push and whose other gaps are all open."""
+    """The only set of touching nodes with pushing forces and open gaps at all other nodes."""
     answers = []
     for chosen in product((False, True), repeat=opened.size):
         touching = np.flatnonzero(chosen)
@@ -121,8 +121,8 @@ def exhaustive(compliance: Array, opened: Array, lever: Array, load: float) -> t
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_the_answer_is_the_one_that_trying_every_subset_finds(seed: int) -> None:
-    """Positive definite compliances with entries of either sign: one node's push may open or shut another."""
+def test_the_answer_is_that_of_a_search_through_all_subsets(seed: int) -> None:
+    """Positive definite compliances with entries of either sign: the push on one node may open or close another."""
     random, nodes = np.random.default_rng(seed), 7
     root = random.normal(size=(nodes, nodes + 3)) * 3e-5
     case = {
@@ -135,13 +135,13 @@ def test_the_answer_is_the_one_that_trying_every_subset_finds(seed: int) -> None
     expected, depth = exhaustive(case["compliance"], case["gap"] + load * case["drift"], case["lever"], load)
     for start in (np.zeros(nodes, bool), np.ones(nodes, bool), random.random(nodes) < 0.5):
         force, approach, rounds = press(**case, load=load, start=start)
-        np.testing.assert_allclose(force, expected, atol=1e-9 * load)  # round-off of two ways to solve
+        np.testing.assert_allclose(force, expected, atol=1e-9 * load)  # round-off of two methods
         np.testing.assert_allclose(approach, depth, rtol=1e-9)
         assert rounds <= 2**nodes
 
 
 def test_loads_over_six_decades_and_other_units() -> None:
-    """The same contact in millimetres and kilonewtons: what is open and what is shut does not change."""
+    """The same contact in millimetres and kilonewtons: the open and the closed nodes stay the same."""
     random, nodes = np.random.default_rng(4), 19
     place = np.linspace(-1.0, 1.3, nodes)
     compliance = 4e-9 * np.exp(-2.0 * np.abs(place[:, None] - place))
@@ -159,8 +159,8 @@ def test_loads_over_six_decades_and_other_units() -> None:
     assert carrying[-1] > 9
 
 
-def test_an_indefinite_compliance_is_given_up_with_what_is_missing() -> None:
-    """An indefinite compliance has no answer to find; the message must not say that nothing is missing."""
+def test_an_indefinite_compliance_is_refused_with_its_residual() -> None:
+    """An indefinite compliance has no unique answer; the message must not report a residual of zero."""
     for seed in range(20):
         random = np.random.default_rng(seed)
         root = random.normal(size=(7, 7))
@@ -174,10 +174,8 @@ def test_an_indefinite_compliance_is_given_up_with_what_is_missing() -> None:
 
 
 @pytest.mark.parametrize(("nodes", "seed"), [(4, 2644), (5, 1992), (6, 587), (7, 3712), (8, 3369)])
-def test_sets_that_would_go_in_circles_end_in_the_answer(
-    nodes: int, seed: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Positive definite, but as long as all nodes in the wrong change sides at once, the same sets come back."""
+def test_sets_that_would_cycle_end_in_the_answer(nodes: int, seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Positive definite; but if all wrong nodes always change together, the same sets come back."""
     random = np.random.default_rng(seed)
     root = random.normal(size=(nodes, nodes))
     case = {"compliance": root @ root.T, "gap": random.uniform(0, 1, nodes), "lever": random.uniform(0.7, 1, nodes)}
@@ -239,17 +237,17 @@ def test_forces_are_those_of_non_negative_least_squares(seed: int) -> None:
     ("entry", "value"),
     [((2, 2), np.nan), ((0, 3), np.inf), ((slice(None), slice(None)), 0.0), ((4, 4), -0.3), ((1, 1), 0.0)],
 )
-def test_a_compliance_that_is_none_is_refused_in_words(entry: tuple, value: float) -> None:
+def test_an_invalid_compliance_is_refused_with_a_message(entry: tuple, value: float) -> None:
     case = problem(2, nodes=6)
     case["compliance"][entry] = value
     case["compliance"][entry[::-1]] = value
     for start in (np.ones(6, bool), np.arange(6) == 5):
         with pytest.raises(ConvergenceError, match=r"of 6 nodes touching .* iterations: residual 1.7e\+00 N") as stop:
             pressed(case, 1.7, start)
-        assert stop.value.residual == 1.7  # nothing of the load is carried yet
+        assert stop.value.residual == 1.7  # no part of the load is carried yet
 
 
-def test_two_nodes_that_move_as_one_are_refused_in_words() -> None:
+def test_two_nodes_that_move_as_one_are_refused_with_a_message() -> None:
     case = problem(2, nodes=6)
     order = [0, 1, 2, 3, 4, 4]
     case["compliance"] = case["compliance"][np.ix_(order, order)]
@@ -258,7 +256,7 @@ def test_two_nodes_that_move_as_one_are_refused_in_words() -> None:
 
 
 @pytest.mark.parametrize("name", ["gap", "drift", "lever"])
-def test_a_gap_that_is_no_number_is_refused_in_words(name: str) -> None:
+def test_a_gap_that_is_not_a_number_is_refused_with_a_message(name: str) -> None:
     case = problem(2, nodes=6)
     case[name][3] = np.nan
     with pytest.raises(ConvergenceError):
@@ -266,8 +264,8 @@ def test_a_gap_that_is_no_number_is_refused_in_words(name: str) -> None:
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_nodes_that_just_touch_do_not_change_sides_for_ever(seed: int) -> None:
-    """All gaps shut and half of the forces 0: which of those nodes touch is up to round-off, the answer is not."""
+def test_nodes_that_just_touch_do_not_change_for_ever(seed: int) -> None:
+    """All gaps closed and half of the forces 0: round-off decides which of those nodes touch, not the answer."""
     random, nodes = np.random.default_rng(seed), 14
     root = random.normal(size=(nodes, nodes + 3))
     compliance, lever = root @ root.T, random.uniform(0.7, 0.99, nodes)
@@ -281,8 +279,8 @@ def test_nodes_that_just_touch_do_not_change_sides_for_ever(seed: int) -> None:
         np.testing.assert_allclose(approach, 37.0, rtol=1e-9)
 
 
-def test_what_is_missing_is_the_force_that_would_part_what_overlaps(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One node carries 2.3 N and sinks in by 2 * 2.3; its neighbour, pushed down by 0.5 * 2.3, overlaps by the rest."""
+def test_the_residual_is_the_force_that_would_open_the_overlap(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One node carries 2.3 N and sinks in by 2 * 2.3; its neighbour is pushed down by 0.5 * 2.3 and overlaps."""
     monkeypatch.setattr(contact, "ROUNDS", 1)
     with pytest.raises(ConvergenceError) as stop:
         press(
@@ -298,6 +296,6 @@ def test_what_is_missing_is_the_force_that_would_part_what_overlaps(monkeypatch:
 
 @pytest.mark.parametrize(("share", "holds"), [(1e-9, True), (1e-14, False)])
 def test_two_nodes_may_move_almost_as_one(share: float, holds: bool) -> None:
-    """The second keeps 2 * share of its compliance to itself, the first all."""
+    """A share of 2 * share of the second node's compliance is independent of the first node."""
     alike = 1 - share
     assert is_positive_definite(np.array([[1.0, alike], [alike, 1.0]])) == holds

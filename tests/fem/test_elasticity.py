@@ -1,4 +1,4 @@
-"""The stiffness of a body against what elasticity says of it."""
+"""The stiffness of a body against the laws of elasticity."""
 
 import numpy as np
 import pytest
@@ -30,9 +30,9 @@ def on_boundary(mesh: MeshHex2) -> NDArray[np.bool_]:
 
 @pytest.fixture(scope="module")
 def distorted() -> MeshHex2:
-    """Cells with straight edges, every inner corner moved: what linear fields must survive.
+    """Cells with straight edges and every inner corner moved, which must reproduce linear fields.
 
-    With curved edges too, three points each way no longer integrate the products exactly.
+    With curved edges, three points in each direction would not integrate the products exactly.
     """
     straight = box((3, 2, 2))
     inner = ((straight.p > 1e-9) & (straight.p < SIDES[:, None] - 1e-9)).all(axis=0)
@@ -51,8 +51,8 @@ def solved(mesh: MeshHex2, fixed: NDArray[np.bool_], value: Array, body_force: A
     return displacement.reshape(3, -1)
 
 
-def test_a_linear_displacement_survives_distorted_cells(distorted: MeshHex2) -> None:
-    """The patch test: held at its surface as a linear field says, a body follows it inside."""
+def test_distorted_cells_reproduce_a_linear_displacement(distorted: MeshHex2) -> None:
+    """The patch test: a body with a linear displacement of its surface has the same field inside."""
     gradient = np.array([[0.31, -0.12, 0.07], [0.22, -0.43, 0.15], [-0.06, 0.09, 0.53]])
     linear = gradient @ distorted.doflocs
     found = solved(distorted, on_boundary(distorted), linear, np.zeros(linear.size))
@@ -60,8 +60,8 @@ def test_a_linear_displacement_survives_distorted_cells(distorted: MeshHex2) -> 
     np.testing.assert_allclose(found, linear, atol=1e-12)  # round-off of a solution of condition 1e3
 
 
-def test_pulling_a_bar_takes_youngs_modulus_times_strain(distorted: MeshHex2) -> None:
-    """Forces on the faces of a constant stress: E and nu enter as they are defined, not through lambda and mu."""
+def test_pulling_a_bar_needs_youngs_modulus_times_strain(distorted: MeshHex2) -> None:
+    """Forces on the faces of a constant stress: E and nu enter by their definitions, not through lambda and mu."""
     modulus, ratio, strain = RUBBERY.youngs_modulus, RUBBERY.poisson_ratio, 0.021
     for axis in range(3):
         others = np.delete(np.arange(3), axis)
@@ -71,10 +71,10 @@ def test_pulling_a_bar_takes_youngs_modulus_times_strain(distorted: MeshHex2) ->
         pulled = distorted.doflocs[axis] > SIDES[axis] - 1e-12
         pull = force[axis, pulled].sum()
         np.testing.assert_allclose(pull, modulus * strain * np.prod(SIDES[others]), rtol=1e-12)  # round-off
-        assert np.abs(force[others]).max() < 1e-13 * modulus  # the sides are free: no force on any node of theirs
+        assert np.abs(force[others]).max() < 1e-13 * modulus  # the sides are free: no force on any of their nodes
 
 
-def test_shearing_a_block_takes_the_shear_modulus(distorted: MeshHex2) -> None:
+def test_shearing_a_block_needs_the_shear_modulus(distorted: MeshHex2) -> None:
     modulus = RUBBERY.youngs_modulus / (2 * (1 + RUBBERY.poisson_ratio))
     displacement = np.zeros_like(distorted.doflocs)
     displacement[0] = 0.013 * distorted.doflocs[2]
@@ -83,7 +83,7 @@ def test_shearing_a_block_takes_the_shear_modulus(distorted: MeshHex2) -> None:
     np.testing.assert_allclose(force[0, top].sum(), modulus * 0.013 * SIDES[0] * SIDES[1], rtol=1e-12)  # round-off
 
 
-def test_moving_a_body_as_a_whole_takes_no_force(distorted: MeshHex2) -> None:
+def test_a_rigid_motion_needs_no_force(distorted: MeshHex2) -> None:
     matrix = stiffness(distorted, RUBBERY)
     x, y, z = distorted.doflocs
     none, one = np.zeros_like(x), np.ones_like(x)
@@ -98,7 +98,7 @@ def test_moving_a_body_as_a_whole_takes_no_force(distorted: MeshHex2) -> None:
 
 @pytest.mark.parametrize("recipe", ["race", "hertzian"])
 def test_held_bodies_are_symmetric_and_positive_definite(contacts: dict[str, Contact], recipe: str) -> None:
-    """PARDISO is told so, and looks at one triangle only."""
+    """The call of PARDISO states it, and passes one triangle only."""
     pair = pair_mesh(contacts["inner"], recipe=load_recipe(recipe), level=1, semi_axes=(0.10e-3, 0.94e-3))
     for body in (pair.upper, pair.lower):
         held = held_stiffness(body, material=contacts["inner"].ball_material, semi_axes=pair.semi_axes)
@@ -157,7 +157,7 @@ def test_displacement_error_falls_with_order_three() -> None:
     assert errors[-1] < 2e-3
 
 
-def test_surface_mass_knows_the_area(contacts: dict[str, Contact]) -> None:
+def test_surface_mass_sums_to_the_area(contacts: dict[str, Contact]) -> None:
     """Over the face that bears the contact: a third of an octant's sphere; over the touching nodes: less."""
     pair = pair_mesh(contacts["outer"], recipe=load_recipe("race"), level=2, semi_axes=(0.13e-3, 0.77e-3))
     mass = surface_mass(pair.upper.mesh, pair.upper.surface)

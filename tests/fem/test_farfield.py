@@ -1,4 +1,4 @@
-"""The displacement of a half space against the equations it solves and against brute force."""
+"""The displacement of a half space against the equations of elasticity and against a fine sum."""
 
 from collections.abc import Callable
 
@@ -47,12 +47,12 @@ def inside() -> Array:
 
 
 def test_a_point_load_satisfies_naviers_equations(inside: Array) -> None:
-    """(lambda + mu) grad div u + mu laplace u = 0 inside; a wrong term or a wrong nu leaves a rest of its own size."""
+    """(lambda + mu) grad div u + mu laplace u = 0 inside; a wrong term or nu leaves a residual of its own size."""
     second = np.array([[derivative(derivative(displacement, i), j)(inside) for j in range(3)] for i in range(3)])
     grad_div = (LAM + MU) * np.einsum("ijj...->i...", second)
     laplace = MU * np.einsum("jji...->i...", second)
     size = np.abs(laplace).max()
-    assert np.abs(grad_div).max() > 0.5 * size  # the terms cancel, they are not small
+    assert np.abs(grad_div).max() > 0.5 * size  # the terms cancel; they are not small
     assert np.abs(grad_div + laplace).max() < 1e-7 * size  # round-off of two differences at the nearest points
 
 
@@ -60,7 +60,7 @@ def test_a_point_load_leaves_the_surface_free() -> None:
     place = np.random.default_rng(12).uniform(0.5, 1.5, (3, 25))
     place[2] = 0.0
     traction = stress(place)[2]
-    assert np.abs(stress(place)[:2, :2]).max() > 1e-2  # the surface is stressed, only not loaded
+    assert np.abs(stress(place)[:2, :2]).max() > 1e-2  # the surface is stressed, but not loaded
     assert np.abs(traction).max() < 1e-10  # round-off of one difference
 
 
@@ -78,7 +78,7 @@ def test_a_point_load_carries_one_newton() -> None:
 
 
 def test_the_surface_sinks_as_boussinesq_says() -> None:
-    """(1 - nu^2)/(pi E r): the one number of the solution that every contact formula rests on."""
+    """(1 - nu^2)/(pi E r): the number of the solution on which every contact formula rests."""
     sunk = point_load(np.array([0.3]), np.array([-0.7]), np.array([0.0]), material=ALLOY)[2]
     expected = (1 - ALLOY.poisson_ratio**2) / (np.pi * ALLOY.youngs_modulus * np.hypot(0.3, 0.7))
     np.testing.assert_allclose(sunk, expected, rtol=1e-14)  # round-off
@@ -102,9 +102,9 @@ def by_brute_force(place: Array) -> Array:
 
 @pytest.mark.parametrize(("extent", "tolerance"), [(2.5, 2e-6), (6.0, 2e-9)])
 def test_a_pressed_ellipse_is_right_on_the_far_boundary(extent: float, tolerance: float) -> None:
-    """Blocks end 2.5 or 6 major semi-axes off; 32 points carry the moments of the pressure up to the sixth.
+    """Blocks end 2.5 or 6 major semi-axes away; 32 points carry the moments of the pressure up to the sixth.
 
-    What is left falls as extent^-8: 8e-7 of the largest displacement at 2.5, a thousandth of that at 6.
+    The error falls as extent^-8: 8e-7 of the largest displacement at 2.5, a thousandth of that at 6.
     """
     place = np.random.default_rng(13).uniform(0.0, 1.0, (3, 60))
     place[np.arange(60) % 3, np.arange(60)] = 1.0  # on the three far faces of a box
@@ -113,7 +113,7 @@ def test_a_pressed_ellipse_is_right_on_the_far_boundary(extent: float, tolerance
     expected = by_brute_force(place)
     np.testing.assert_allclose(found, expected, atol=tolerance * np.abs(expected).max())
     point = point_load(*place, material=ALLOY)
-    assert np.abs(point - expected).max() > 1e4 * np.abs(found - expected).max()  # the spread is worth having
+    assert np.abs(point - expected).max() > 1e4 * np.abs(found - expected).max()  # the spread matters
     swapped = pressed_ellipse(*place, semi_axes=(SEMI_AXES[1], SEMI_AXES[0]), material=ALLOY)
     assert np.abs(swapped - expected).max() > 1e4 * np.abs(found - expected).max()
 

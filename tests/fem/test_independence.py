@@ -1,4 +1,4 @@
-"""The check borrows nothing from what it checks: neither by import nor by call."""
+"""The finite elements use no formula of the production model, neither by import nor by call."""
 
 import os
 import subprocess
@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def run(script: str) -> list[str]:
-    """Lines that a script prints in an interpreter of its own; one thread, so that sums keep their order."""
+    """Lines that a script prints in a new interpreter; one thread, so that the order of sums stays the same."""
     environment = os.environ | {"MKL_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_CBWR": "COMPATIBLE"}
     done = subprocess.run(
         [sys.executable, "-c", script], env=environment, cwd=ROOT, capture_output=True, text=True, check=False
@@ -21,7 +21,7 @@ def run(script: str) -> list[str]:
 IMPORTS = """
 import importlib, pkgutil, sys, types
 
-for package in ("analytic", "fembearing"):  # without running their `__init__`, which import all of the project
+for package in ("analytic", "fembearing"):  # without running their `__init__`
     bare = types.ModuleType(package)
     bare.__path__ = [package]
     sys.modules[package] = bare
@@ -80,8 +80,8 @@ except RuntimeError:
 """
 
 
-def test_the_solver_is_unchanged_when_every_formula_raises() -> None:
-    """Bit for bit, the first guess of the mesh included; and the formulas do raise."""
+def test_the_solver_gives_the_same_when_every_formula_raises() -> None:
+    """Bit for bit, including the first guess of the mesh; and the formulas do raise."""
     free, blocked = (run(SOLVE.replace("BLOCK", str(block))) for block in (False, True))
     assert free[-1] == "formulas work False"
     assert blocked[-1] == "formulas raise True"

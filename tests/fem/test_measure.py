@@ -1,4 +1,4 @@
-"""What is read off a contact, on pressures whose semi-axes and peak are known; and the first guess."""
+"""The measured quantities on pressures with known semi-axes and peak; and the first guess."""
 
 from dataclasses import replace
 
@@ -28,7 +28,7 @@ def semi_ellipsoid(x: Array, y: Array) -> Array:
 
 
 def test_semi_axes_of_a_semi_ellipsoidal_pressure() -> None:
-    """Forces of the pressure on a fine even grid, x and y told apart."""
+    """Forces of the pressure on a fine even grid, with different semi-axes in x and y."""
     step = (np.arange(400) + 0.5) / 400
     x, y = (axis.ravel() for axis in np.meshgrid(A * step, B * step))
     force = semi_ellipsoid(x, y)
@@ -37,7 +37,7 @@ def test_semi_axes_of_a_semi_ellipsoidal_pressure() -> None:
 
 
 def test_peak_pressure_is_fitted_through_scatter() -> None:
-    """Exact on the pressure itself; one wild node at the centre, where raw values are worst, hardly counts."""
+    """Exact on the pressure itself; one wrong node at the centre, where raw values are worst, has little weight."""
     random = np.random.default_rng(9)
     x, y = random.uniform(0, A, 300), random.uniform(0, B, 300)
     x[0] = y[0] = 0.0
@@ -54,7 +54,7 @@ def test_peak_pressure_is_fitted_through_scatter() -> None:
 
 
 def test_nodal_pressure_gives_back_the_pressure_behind_the_forces(pair: PairMesh) -> None:
-    """Any pressure that the shape functions can hold, here one that falls along both axes, comes back exactly."""
+    """Any pressure that the shape functions can represent comes back exactly; this one falls along both axes."""
     x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
     mass = surface_mass(pair.upper.mesh, pair.upper.touching)
     carrying = mass.diagonal() > 0
@@ -70,7 +70,7 @@ def test_nodal_pressure_gives_back_the_pressure_behind_the_forces(pair: PairMesh
 
 @pytest.mark.parametrize("name", ["inner", "outer"])
 def test_the_first_guess_is_near_enough_for_one_correction(contacts: dict[str, Contact], name: str) -> None:
-    """Within 5 % of Hertz from nearly round to nearly a line; along and across rolling are not mixed up."""
+    """Within 5 % of Hertz from nearly round to nearly a line; the two directions are not exchanged."""
     for conformity in (0.505, 0.53, 0.7, 3.1):
         for load in (2e-3, 372.0):
             contact = replace(contacts[name], groove_radius=conformity * 7.94e-3, load=load)
@@ -81,8 +81,8 @@ def test_the_first_guess_is_near_enough_for_one_correction(contacts: dict[str, C
             np.testing.assert_allclose(expected_semi_axes(contact), expected, rtol=0.05)
 
 
-def test_over_both_sides_the_peak_is_told_from_a_slope() -> None:
-    """A cut contact leans: p^2 has a slope across, and its value at the centre is asked, not its largest."""
+def test_over_both_sides_a_slope_does_not_change_the_peak() -> None:
+    """In a cut contact p^2 has a transverse slope; the peak is its value at the centre, not its largest."""
     random = np.random.default_rng(4)
     x, y = random.uniform(0, A, 300), random.uniform(-B, 0.6 * B, 300)
     pressure = PEAK * np.sqrt(np.maximum(1 - (x / A) ** 2 - (y / B) ** 2 + 0.21 * y / B, 0.0))
@@ -91,8 +91,8 @@ def test_over_both_sides_the_peak_is_told_from_a_slope() -> None:
     np.testing.assert_allclose(found, PEAK, rtol=1e-12)  # round-off
 
 
-def test_a_strip_is_as_large_as_its_part_of_the_ellipse(pair: PairMesh) -> None:
-    """Shape functions sum to one, so that their integrals over a strip sum to its area; x and y told apart."""
+def test_a_strip_has_the_area_of_its_part_of_the_ellipse(pair: PairMesh) -> None:
+    """Shape functions sum to one, so that their integrals over a strip sum to its area; x and y differ."""
     x, y, _ = pair.upper.mesh.doflocs[:, pair.upper.touching]
     inside = np.hypot(x / A, y / B) < 1 + 1e-9
     low, high = 0.31 * B, 0.43 * B

@@ -71,7 +71,7 @@ def test_the_sheet_lies_between_two_spheres_and_is_held_at_its_rim(level: int) -
     assert body.far.size == 0
 
 
-def test_the_rim_cannot_move_at_all() -> None:
+def test_no_node_of_the_rim_can_move() -> None:
     body = pair_mesh(pocket(), recipe=load_recipe("wall"), level=1, semi_axes=(0.31e-3, 0.31e-3)).lower
     held = held_stiffness(body, material=STEEL, semi_axes=(0.31e-3, 0.31e-3))
     components = np.concatenate([body.clamped + axis * held.nodes for axis in range(3)])
@@ -92,7 +92,7 @@ def test_volume_of_the_sheet_converges_to_that_between_the_spheres() -> None:
     assert errors[2] < 1e-4
 
 
-def test_a_thick_seat_departs_from_hertz_in_proportion_to_the_contact() -> None:
+def test_a_thick_seat_deviates_from_hertz_in_proportion_to_the_contact() -> None:
     """The first correction to a half space is of the order of contact over ball, so it goes as the load's cube root."""
     departures = []
     for load in (28.0, 2.0):
@@ -104,7 +104,7 @@ def test_a_thick_seat_departs_from_hertz_in_proportion_to_the_contact() -> None:
     )  # 1e-3 of mesh error in 7e-3
 
 
-def test_a_sheet_gives_as_shells_do() -> None:
+def test_a_sheet_deflects_as_a_shell() -> None:
     """Beyond the local contact: Reissner's deflection of a shallow spherical cap under a point load,
     w = sqrt(3 (1 - nu^2)) P R/(4 E t^2) ([Timoshenko1959]).
     """
@@ -116,7 +116,7 @@ def test_a_sheet_gives_as_shells_do() -> None:
     np.testing.assert_allclose(bending, expected, rtol=0.1)  # the shell is a tenth of its radius thick, not thin
 
 
-def test_sheet_metal_is_softer_than_its_half_space_says_and_plastic_more_so() -> None:
+def test_sheet_metal_is_softer_than_a_half_space_and_plastic_more_so() -> None:
     steel, plastic = (solve(pocket(material=material), "wall", level=1) for material in (STEEL, PEEK))
     ratios = [found.quantities.stiffness / hertz_quantities(found.contact).stiffness for found in (steel, plastic)]
     assert 0.3 < ratios[0] < 0.9

@@ -1,4 +1,4 @@
-"""The ring's structure against an elastic layer on a rigid base, and against what energy says of seat and sides."""
+"""The ring's structure against an elastic layer on a rigid base, and against energy bounds for seat and sides."""
 
 from dataclasses import replace
 from functools import cache
@@ -41,7 +41,7 @@ FLAT = 10.0  # m, of all radii: nothing of what is measured here bends by more t
 
 
 def solved(contact: Contact, level: int = 2) -> MeshSolution:
-    """On the contact's own ring; what the ring is does not change the contact."""
+    """The contact on its own ring; the ring does not change the contact."""
     return replace(pressed(replace(contact, ring=None), level), contact=contact)
 
 
@@ -121,7 +121,7 @@ def layer_structure(load: float, radius: float, thickness: float, material: Mate
 
 @pytest.mark.parametrize("poisson_ratio", [0.3, 0.1])
 def test_the_layer_has_its_known_limits(poisson_ratio: float) -> None:
-    """Thick: a half space; thin: compressed without going sideways, by p t (1 + nu)(1 - 2 nu) / (E (1 - nu))."""
+    """Thick: a half space; thin: compressed without transverse strain, by p t (1 + nu)(1 - 2 nu) / (E (1 - nu))."""
     assert layer_share(30.0, poisson_ratio) == pytest.approx(1, abs=1e-12)  # exp(-60) and round-off
     thin = 1e-3
     squeezed = (1 - 2 * poisson_ratio) / (2 * (1 - poisson_ratio) ** 2) * thin
@@ -155,13 +155,13 @@ def test_a_flat_ring_is_a_layer_on_a_rigid_base(thickness: float, tolerance: flo
 
 
 def test_the_structure_of_a_thick_layer_falls_as_one_over_its_thickness() -> None:
-    """What the layer's integral says for a point load; 24 mm are 100 contact radii."""
+    """By the integral of the layer for a point load; 24 mm are 100 contact radii."""
     thick, thicker = (layer_structure(372.0, 0.23e-3, t, STEEL) for t in (24e-3, 48e-3))
     assert thick / thicker == pytest.approx(2, rel=1e-4)  # (a/t)^2
 
 
 @pytest.mark.parametrize("contact", [INNER, OUTER], ids=["inner", "outer"])
-def test_a_rigid_seat_only_stiffens_and_the_nearer_the_more(contact: Contact) -> None:
+def test_a_rigid_seat_stiffens_more_the_nearer_it_is(contact: Contact) -> None:
     assert contact.ring is not None
     found, side = solved(contact), np.sign(contact.rolling_radius)
     near, far = (on_ring(contact, seat_radius=contact.ring.bottom_radius - side * depth) for depth in (1.7e-3, 7e-3))

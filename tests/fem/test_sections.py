@@ -1,4 +1,4 @@
-"""Equilibrium of solved bodies: what their stresses, reactions and displacements say of the load."""
+"""Equilibrium of solved bodies: stresses, reactions and displacements against the load."""
 
 from dataclasses import dataclass, replace
 
@@ -26,7 +26,7 @@ LEVEL = 2
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Loaded:
-    """One body under the forces that the contact solution found, solved as a whole."""
+    """One whole body, solved under the forces of the contact solution."""
 
     solution: MeshSolution
     body: BodyMesh
@@ -73,7 +73,7 @@ def loaded(request: pytest.FixtureRequest, contacts: dict[str, Contact]) -> list
 
 
 def layers(body: BodyMesh) -> NDArray[np.intp]:
-    """How many cells lie between a cell and the loaded surface, (cells,)."""
+    """Number of cells between each cell and the loaded surface, (cells,)."""
     mesh = body.mesh
     layer = np.full(mesh.t.shape[1], -1)
     layer[mesh.f2t[0, np.isin(mesh.facets, body.surface).all(axis=0)]] = 0
@@ -85,7 +85,7 @@ def layers(body: BodyMesh) -> NDArray[np.intp]:
 
 @pytest.mark.parametrize("depth", [0, 1])
 def test_traction_over_an_inner_section_equals_the_load(loaded: list[Loaded], depth: int) -> None:
-    """The faces under a layer of cells, and those where that layer ends at the far boundary, cut the contact off."""
+    """The faces under a layer of cells, and those where it ends at the far boundary, enclose the contact."""
     for part in loaded:
         mesh, contact = part.body.mesh, part.solution.contact
         layer = layers(part.body)
@@ -100,8 +100,8 @@ def test_traction_over_an_inner_section_equals_the_load(loaded: list[Loaded], de
         np.testing.assert_allclose(4 * part.traction(cut), pushed_back, rtol=5e-3)
 
 
-def test_reactions_hold_against_the_load(loaded: list[Loaded]) -> None:
-    """Nodal forces sum to the load exactly, and so do those of whatever holds a body: nothing else pushes on it."""
+def test_reactions_balance_the_load(loaded: list[Loaded]) -> None:
+    """Nodal forces sum to the load exactly, and so do the reactions: no other force acts on a body."""
     for part in loaded:
         contact, found = part.solution.contact, part.solution
         force = (stiffness(part.body.mesh, part.material) @ part.displacement.ravel()).reshape(3, -1)
@@ -113,7 +113,7 @@ def test_reactions_hold_against_the_load(loaded: list[Loaded]) -> None:
 
 
 def test_touching_nodes_meet_and_no_others_overlap(loaded: list[Loaded]) -> None:
-    """The gap left by the two whole bodies' own displacements, with the approach that the solution reports."""
+    """The gap after the displacements of the two whole bodies and the approach of the solution."""
     found = loaded[0].solution
     normal = found.pair.normal
     moved = [part.displacement[:, part.body.touching] for part in loaded]
@@ -127,8 +127,8 @@ def test_touching_nodes_meet_and_no_others_overlap(loaded: list[Loaded]) -> None
     assert found.quantities.approach > 1e-6
 
 
-def test_the_stiffer_body_gives_way_less(loaded: list[Loaded]) -> None:
-    """Ceramic above, steel below: materials that change places would pass every test of the sum."""
+def test_the_stiffer_body_deforms_less(loaded: list[Loaded]) -> None:
+    """Ceramic above, steel below: exchanged materials would pass every test of the sum."""
     depth = [float(np.abs(part.displacement[2, part.body.touching]).max()) for part in loaded]
     ceramic, steel = (part.material.youngs_modulus / (1 - part.material.poisson_ratio**2) for part in loaded)
     assert depth[0] < depth[1]

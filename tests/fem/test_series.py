@@ -1,4 +1,4 @@
-"""Loads that share a mesh against single solves, and how few meshes they take."""
+"""Loads that share a mesh against single solutions, and the number of meshes."""
 
 from dataclasses import replace
 
@@ -43,7 +43,7 @@ def condensed(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 @pytest.mark.parametrize("level", [1, 2])
 def test_a_load_of_a_series_is_that_load_on_the_same_mesh(contacts: dict[str, Contact], level: int) -> None:
-    """To the last bit: the same nodes touch, and the same equations are solved for them."""
+    """Bit for bit: the same nodes touch, and the same equations are solved."""
     loads = (611.0, 130.0, 254.0)
     for part, load in zip(solve_series(contacts["outer"], recipe=REAL, level=level, loads=loads), loads, strict=True):
         alone = solve_on_mesh(
@@ -103,7 +103,7 @@ def test_one_load_is_a_single_solution(contacts: dict[str, Contact]) -> None:
 
 
 def test_meshes_scale_from_a_millionth_of_a_newton_to_beyond_a_single_mesh(contacts: dict[str, Contact]) -> None:
-    """The true groove, up to 5000 N, an ellipse too wide for a mesh of its own."""
+    """The real groove, up to 5000 N, whose ellipse is too wide for a mesh of its own."""
     loads = [1e-6, 4.3e-4, 0.27, 61.0, 2900.0, 5000.0]
     series = solve_series(contacts["inner"], recipe=REAL, level=2, loads=loads)
     assert meshes_of(series) == 5
@@ -117,7 +117,7 @@ def test_meshes_scale_from_a_millionth_of_a_newton_to_beyond_a_single_mesh(conta
 def test_the_idealisation_has_one_error_at_any_load_of_its_own_mesh(
     contacts: dict[str, Contact], condensed: list[str]
 ) -> None:
-    """Loads too far apart to share a mesh: each gets its own, sized from the one before at the first try."""
+    """Loads too far apart to share a mesh: each gets its own, sized at once from the ellipse before."""
     loads = [1e-6, 2.3e-3, 19.0, 4700.0]
     solve_series(contacts["outer"], recipe=IDEAL, level=2, loads=loads[0])
     first = len(condensed)
@@ -130,7 +130,7 @@ def test_the_idealisation_has_one_error_at_any_load_of_its_own_mesh(
 
 
 @pytest.mark.parametrize("loads", [[], [3.0, -2.0], [0.0], [float("nan")], [[3.0, 4.0]], "x"])
-def test_what_is_no_series_of_loads_is_refused(contacts: dict[str, Contact], loads: object) -> None:
+def test_an_invalid_series_of_loads_is_refused(contacts: dict[str, Contact], loads: object) -> None:
     with pytest.raises(InputError, match="loads must be"):
         solve_series(contacts["inner"], recipe=IDEAL, level=1, loads=loads)  # pyright: ignore[reportArgumentType]
 
@@ -150,7 +150,7 @@ def test_a_load_that_reaches_over_the_shoulder_needs_a_mesh_that_ends_there(cont
 def test_each_load_is_cut_off_where_its_own_ellipse_reaches_the_shoulder(
     contacts: dict[str, Contact], recipe: Recipe
 ) -> None:
-    """Loads that would share one mesh, were there no shoulder; both sides beside the loads on meshes of their own."""
+    """Loads that would share one mesh without the shoulder, compared with single solutions on both sides of it."""
     contact = replace(contacts["inner"], shoulder=0.8e-3)  # an ellipse of 235 N
     loads = [372.0, 180.0, 260.0, 200.0, 300.0]
     series = solve_series(contact, recipe=recipe, level=2, loads=loads)
@@ -164,16 +164,18 @@ def test_each_load_is_cut_off_where_its_own_ellipse_reaches_the_shoulder(
         np.testing.assert_allclose(part.quantities.approach, own.quantities.approach, rtol=5e-3)
 
 
-def test_loads_on_both_sides_of_the_farther_shoulder_part_too(contacts: dict[str, Contact]) -> None:
-    """Almost without a contact angle both shoulders are near: 0.70 mm and 0.78 mm away."""
+def test_the_farther_shoulder_splits_a_band_too(contacts: dict[str, Contact]) -> None:
+    """At almost zero contact angle both shoulders are near: 0.70 mm and 0.78 mm away."""
     contact = replace(contacts["inner"], shoulder=0.7e-3, contact_angle=0.01)
     loads = [120.0, 180.0, 420.0]  # ellipses of 0.64, 0.73 and 0.97 mm
     series = solve_series(contact, recipe=REAL, level=2, loads=loads)
-    ends = [tuple(np.isfinite(part.pair.footprint.room)) for part in series]
+    ends = [tuple(np.isfinite(part.pair.footprint.shoulders)) for part in series]
     assert ends == [(False, False), (False, True), (True, True)]
 
 
-def test_a_series_far_from_its_shoulder_takes_no_mesh_more(contacts: dict[str, Contact], condensed: list[str]) -> None:
+def test_a_series_far_from_its_shoulder_needs_no_further_mesh(
+    contacts: dict[str, Contact], condensed: list[str]
+) -> None:
     counts = []
     for shoulder in (2.14e-3, np.inf):
         condensed.clear()

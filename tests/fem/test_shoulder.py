@@ -1,4 +1,4 @@
-"""A contact cut off at one shoulder: against the quarter where nothing is cut, boundary elements, and equilibrium."""
+"""A contact cut off at one shoulder, against an uncut quarter, boundary elements, and equilibrium."""
 
 import importlib
 from dataclasses import replace
@@ -63,7 +63,7 @@ def calibrations(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
 def test_boundary_elements_agree_on_a_paraboloid_that_ends_at_the_shoulder(
     contacts: dict[str, Contact], calibrations: ModuleType
 ) -> None:
-    """Two methods without a line in common, where Hertz's ellipse is 1.7 times as long as the room."""
+    """Two methods that share no code, where Hertz's ellipse is 1.7 times the distance of the shoulder."""
     contact = replace(contacts["inner"], shoulder=0.55e-3)
     semi_axes = fitted_solution(contact, recipe=load_recipe("hertzian")).pair.semi_axes
     ours = solve_on_mesh(contact, recipe=load_recipe("hertzian"), level=2, semi_axes=semi_axes)
@@ -79,14 +79,14 @@ def test_boundary_elements_agree_on_a_paraboloid_that_ends_at_the_shoulder(
     assert abs(other["strip_share"] / hertz_share - 1) > 0.2  # what neglecting the edge's own load would say
 
 
-def strip_share_of_an_ellipse(across: float, room: float) -> float:
-    """Of the load 3/4 (1 - t^2) of an ellipse, what lies between t = 0.9 s/b and s/b."""
-    far, near = room / across, (1 - STRIP) * room / across
+def strip_share_of_an_ellipse(semi_axis: float, shoulder: float) -> float:
+    """Share of the line load 3/4 (1 - t^2) of an ellipse between t = 0.9 s/b and s/b."""
+    far, near = shoulder / semi_axis, (1 - STRIP) * shoulder / semi_axis
     return 0.75 * (far - near - (far**3 - near**3) / 3)
 
 
-def test_the_meshes_close_in_on_an_answer(cut_contact: ContactSolution) -> None:
-    """Last changes are well below those before: 2.3 at order 1, the slowest that three meshes can tell."""
+def test_the_meshes_converge(cut_contact: ContactSolution) -> None:
+    """The last changes are well below the ones before: by 2.3 at order 1, the lowest order that three meshes show."""
     assert [mesh.level for mesh in cut_contact.meshes] == [1, 2, 3]
     for read in (
         lambda part: part.quantities.approach,
@@ -100,12 +100,12 @@ def test_the_meshes_close_in_on_an_answer(cut_contact: ContactSolution) -> None:
 
 
 def test_forces_and_moments_balance(cut: MeshSolution) -> None:
-    """Of each body: the contact's forces, what holds it, and the moments of both about the ball's centre."""
+    """For each body: contact forces, reactions, and the moments of both about the centre of the ball."""
     contact, pair = cut.contact, cut.pair
     centre = np.array([[0.0], [0.0], [contact.ball_radius]])
     sides = ((pair.upper, contact.ball_material, -pair.normal), (pair.lower, contact.race_material, pair.normal))
     for body, material, towards in sides:
-        system = held_stiffness(body, material=material, semi_axes=pair.semi_axes, room=pair.footprint.room)
+        system = held_stiffness(body, material=material, semi_axes=pair.semi_axes, shoulders=pair.footprint.shoulders)
         push = system.forces(body.touching, towards) @ cut.force
         across = float(towards[1] @ cut.force)
         if body.pinned:
@@ -129,8 +129,8 @@ def test_forces_and_moments_balance(cut: MeshSolution) -> None:
             assert abs(force[1, pin].sum()) < 0.05 * abs(across)  # its share of the plane, no more
 
 
-def test_half_a_ball_moves_as_seen_from_its_middle_plane(cut: MeshSolution) -> None:
-    """Against the whole solution under the forces found, pushed back on the middle plane alone."""
+def test_half_a_ball_moves_relative_to_its_middle_plane(cut: MeshSolution) -> None:
+    """Against the solution of the whole body under the contact forces, balanced on the middle plane alone."""
     body, towards = cut.pair.upper, -cut.pair.normal
     system = held_stiffness(body, material=cut.contact.ball_material, semi_axes=cut.pair.semi_axes)
     plane = middle_plane(system, body)
@@ -143,18 +143,18 @@ def test_half_a_ball_moves_as_seen_from_its_middle_plane(cut: MeshSolution) -> N
 
 
 def mirrored(body: BodyMesh) -> BodyMesh:
-    """y to -y: cells turn left-handed, which the stiffness does not mind."""
+    """y to -y: cells become left-handed, which does not change the stiffness."""
     return replace(body, mesh=MeshHex2(body.mesh.doflocs * np.array([[1.0], [-1.0], [1.0]]), body.mesh.t))
 
 
 def test_the_mirrored_shoulder_gives_the_mirrored_answer(cut: MeshSolution) -> None:
     pair, contact = cut.pair, cut.contact
     normal = pair.normal * np.array([[1.0], [-1.0], [1.0]])
-    footprint = replace(pair.footprint, room=pair.footprint.room[::-1])
+    footprint = replace(pair.footprint, shoulders=pair.footprint.shoulders[::-1])
     other: PairMesh = replace(
         pair, upper=mirrored(pair.upper), lower=mirrored(pair.lower), normal=normal, footprint=footprint
     )
-    held = {"semi_axes": pair.semi_axes, "room": footprint.room}
+    held = {"semi_axes": pair.semi_axes, "shoulders": footprint.shoulders}
     bodies = CondensedPair(
         contact=contact,
         level=cut.level,
@@ -170,24 +170,24 @@ def test_the_mirrored_shoulder_gives_the_mirrored_answer(cut: MeshSolution) -> N
         assert getattr(found.quantities, name) == pytest.approx(getattr(cut.quantities, name), rel=1e-9), name
 
 
-@pytest.mark.parametrize("room", [(np.inf, 0.41e-3), (0.33e-3, np.inf), (0.52e-3, 0.17e-3)])
+@pytest.mark.parametrize("shoulders", [(np.inf, 0.41e-3), (0.33e-3, np.inf), (0.52e-3, 0.17e-3)])
 def test_the_far_field_of_a_cut_ellipse_is_that_of_its_points(
-    contacts: dict[str, Contact], room: tuple[float, float]
+    contacts: dict[str, Contact], shoulders: tuple[float, float]
 ) -> None:
-    """Against a fine sum of point loads over what is left of the ellipse."""
+    """Against a fine sum of point loads over the rest of the ellipse."""
     material, (a, b) = contacts["inner"].race_material, (0.31e-3, 0.63e-3)
     ticks = (np.arange(400) + 0.5) / 400 * 2 - 1
     x, y = (part.ravel() for part in np.meshgrid(a * ticks, b * ticks))
-    weight = np.sqrt(np.maximum(0.0, 1 - (x / a) ** 2 - (y / b) ** 2)) * ((-room[0] < y) & (y < room[1]))
+    weight = np.sqrt(np.maximum(0.0, 1 - (x / a) ** 2 - (y / b) ** 2)) * ((-shoulders[0] < y) & (y < shoulders[1]))
     for place in ((0.7e-3, 1.3e-3, 0.9e-3), (0.3e-3, -1.9e-3, 0.2e-3)):
         shifted = place[0] - x, place[1] - y, np.full_like(x, place[2])
         expected = point_load(*shifted, material=material) @ weight / weight.sum()
         at = [np.array([part]) for part in place]
-        found = pressed_ellipse(*at, semi_axes=(a, b), room=room, material=material)
+        found = pressed_ellipse(*at, semi_axes=(a, b), shoulders=shoulders, material=material)
         np.testing.assert_allclose(found[:, 0], expected, rtol=2e-3)  # the sum's own: its strips end between points
 
 
-def test_what_takes_a_symmetric_contact_refuses_half_of_one(cut: MeshSolution) -> None:
+def test_functions_for_a_symmetric_contact_refuse_half_of_one(cut: MeshSolution) -> None:
     with pytest.raises(InputError, match="no axis of symmetry"):
         subsurface_stress(cut)
     with pytest.raises(InputError, match="reaches over"):

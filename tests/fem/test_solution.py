@@ -59,8 +59,8 @@ def real() -> MeshSolution:
 
 
 @pytest.mark.parametrize("contact", [INNER, OUTER], ids=lambda contact: contact.pair)
-def test_the_idealisation_is_hertz_within_a_tenth_of_a_per_cent(contact: Contact) -> None:
-    """On the finest level, and the way there has an order."""
+def test_the_idealisation_agrees_with_hertz_within_a_tenth_of_a_per_cent(contact: Contact) -> None:
+    """On the finest level; and the errors fall with an order."""
     exact = hertz(contact)
     semi_axes = (float(exact.semi_axis_x), float(exact.semi_axis_y))
     coarse, fine = (np.abs(errors(solve(contact, level=level, semi_axes=semi_axes), exact)) for level in (2, 4))
@@ -70,7 +70,7 @@ def test_the_idealisation_is_hertz_within_a_tenth_of_a_per_cent(contact: Contact
 
 
 @pytest.mark.parametrize("load", [2.1e-3, 50.0, 2000.0])
-def test_the_idealisation_is_as_good_under_any_load(load: float) -> None:
+def test_the_idealisation_is_as_accurate_under_any_load(load: float) -> None:
     """Its mesh grows with the ellipse, so the relative errors are those of 620 N, which the test above bounds."""
     light = replace(INNER, load=load)
     exact, other = hertz(INNER), hertz(light)
@@ -94,8 +94,8 @@ def test_other_ellipses_and_materials_meet_hertz_too(contact: Contact, recipe: s
     assert np.abs(errors(solve(contact, recipe, level=3), hertz(contact))).max() < 3e-3  # of the third level
 
 
-def test_wrong_physics_is_seen() -> None:
-    """Negative controls: each mistake a text book warns of is far outside what the idealisation allows."""
+def test_wrong_physics_fails() -> None:
+    """Negative controls: every mistake that a textbook warns of exceeds the tolerance of the idealisation by far."""
     found, exact = solve(INNER, level=2), hertz(INNER)
     allowed = np.abs(errors(found, exact)).max()
     reduced = contact_modulus(STEEL, STEEL)
@@ -141,7 +141,7 @@ def test_nodal_forces_carry_the_load(ideal: MeshSolution, real: MeshSolution) ->
 
 
 def test_pressure_falls_steadily_from_the_centre(real: MeshSolution) -> None:
-    """Along the major axis: oscillation is what users complain of."""
+    """Along the major axis: users complain of oscillations."""
     axis = np.flatnonzero(np.abs(real.x) < 1e-12)
     order = axis[np.argsort(real.y[axis])]
     inside = real.y[order] < 0.9 * real.quantities.semi_axis_transverse
@@ -153,7 +153,7 @@ def test_true_shapes_differ_from_the_idealisation_and_less_so_under_less_load() 
     """In the longer semi-axis, which the curved groove shortens by about (b/r)^2: 9.5^(2/3) = 4.5 between the loads."""
 
     def transverse(contact: Contact, recipe: str) -> tuple[float, float]:
-        """In units of Hertz's, so that it may be compared across loads; and how far off it may be."""
+        """Over Hertz's value, so that loads can be compared; and its tolerance."""
         unit = float(hertz(contact).semi_axis_y)
         semi_axes = fitted_solution(contact, recipe=load_recipe(recipe)).pair.semi_axes
         meshes = [solve(contact, recipe, level=level, semi_axes=semi_axes) for level in (2, 3)]
@@ -169,13 +169,13 @@ def test_true_shapes_differ_from_the_idealisation_and_less_so_under_less_load() 
     assert departures[0] > 3 * departures[1]
 
 
-def test_the_inner_race_bears_the_higher_pressure() -> None:
+def test_the_inner_race_has_the_higher_pressure() -> None:
     inner, outer = (solve(contact, "race").quantities for contact in (INNER, OUTER))
     assert inner.peak_pressure > outer.peak_pressure
 
 
 @pytest.mark.parametrize("scale", [0.6, 1.6, 10.0])
-def test_a_poor_first_guess_is_mended(scale: float, ideal: MeshSolution) -> None:
+def test_a_poor_first_guess_is_corrected(scale: float, ideal: MeshSolution) -> None:
     made = load_recipe("hertzian")
     a, b = expected_semi_axes(INNER)
     mended = fitted_solution(INNER, recipe=made, guess=(scale * a, b / scale)).pair.semi_axes
@@ -212,7 +212,7 @@ def test_physics_does_not_depend_on_the_units() -> None:
         ({"youngs_modulus": float("inf")}, "youngs_modulus must be positive and finite, got inf"),
     ],
 )
-def test_a_material_that_is_none_is_refused(side: str, changed: dict[str, float], words: str) -> None:
+def test_an_impossible_material_is_refused(side: str, changed: dict[str, float], words: str) -> None:
     bad = replace(INNER, **{side: replace(STEEL, **changed)})
     with pytest.raises(InputError, match=words):
         fitted_solution(bad, recipe=load_recipe("hertzian"))
@@ -221,6 +221,6 @@ def test_a_material_that_is_none_is_refused(side: str, changed: dict[str, float]
 
 
 @pytest.mark.parametrize(("name", "value"), [("load", 0.0), ("ball_radius", -3e-3), ("groove_radius", float("nan"))])
-def test_a_contact_that_is_none_is_refused(name: str, value: float) -> None:
+def test_an_impossible_contact_is_refused(name: str, value: float) -> None:
     with pytest.raises(InputError, match=f"{name} must be positive"):
         fitted_solution(replace(INNER, **{name: value}), recipe=load_recipe("hertzian"))

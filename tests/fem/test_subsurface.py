@@ -1,4 +1,4 @@
-"""Stresses under a computed contact against the closed form on the idealisation, and against laws of any body."""
+"""Stresses under a computed contact against the closed form on the idealisation, and against general laws."""
 
 from dataclasses import replace
 from functools import cache
@@ -36,7 +36,7 @@ SIDES = pytest.mark.parametrize("side", ["upper", "lower"])
 
 
 def hertz(contact: Contact) -> dict[str, float]:
-    """Peak pressure, Pa, and semi-axes, m, by the names that the closed form takes them by."""
+    """Peak pressure, Pa, and semi-axes, m, by the argument names of the closed form."""
     curvature_x, curvature_y = relative_curvatures(contact)
     modulus = contact_modulus(contact.ball_material, contact.race_material)
     found = hertz_contact(curvature_x=curvature_x, curvature_y=curvature_y, load=contact.load, modulus=modulus)
@@ -62,7 +62,7 @@ def curve_error(found: SubsurfaceStress, contact: Contact, side: Side = "lower")
 
 
 def errors(found: SubsurfaceStress, contact: Contact, side: Side = "lower") -> np.ndarray:
-    """Relative, of both maxima and then of their depths."""
+    """Relative errors of both maxima and of their depths."""
     right = subsurface_maximum(poisson_ratio=material_of(contact, side).poisson_ratio, **hertz(contact))
     return np.array(
         [
@@ -96,7 +96,7 @@ def real() -> MeshSolution:
     ],
     ids=["inner", "sphere", "across", "rubber", "ceramic"],
 )
-def test_the_third_level_meets_the_closed_form(contact: Contact, side: Side) -> None:
+def test_the_third_level_agrees_with_the_closed_form(contact: Contact, side: Side) -> None:
     found = subsurface_stress(solve(contact), side=side)
     stress, depth = np.split(np.abs(errors(found, contact, side)), 2)
     assert stress.max() < 1e-3  # 5e-4 measured; the aim is 5e-3
@@ -132,13 +132,13 @@ CUT = replace(CERAMIC, shoulder=0.7e-3)  # of an ellipse 1.12 mm across
 def test_touching_nodes_move_as_in_the_contact(
     contact: Contact, recipe: str, side: Side, solver: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Against the condensed body, whose far field is that of the ellipse as far as the shoulders leave it."""
+    """Against the condensed body, with the far field of the ellipse cut off at the shoulders."""
     found = solve(contact, recipe, level=1)
     body = getattr(found.pair, side)
     towards = -found.pair.normal if side == "upper" else found.pair.normal
     material = material_of(found.contact, side)
-    room = found.pair.footprint.room
-    condensed = condense(body, material=material, force=towards, semi_axes=found.pair.semi_axes, room=room)
+    shoulders = found.pair.footprint.shoulders
+    condensed = condense(body, material=material, force=towards, semi_axes=found.pair.semi_axes, shoulders=shoulders)
     if solver == "scipy":
         monkeypatch.setattr(condensation, "PyPardisoSolver", None)
     moved = body_displacement(found, side=side)
@@ -146,9 +146,9 @@ def test_touching_nodes_move_as_in_the_contact(
     along = np.sum(moved[:, body.touching] * towards, axis=0)
     np.testing.assert_allclose(along, expected, rtol=1e-9)  # round-off times the condition, about 1e6
     for axis, plane in enumerate(body.planes):
-        if not (body.pinned and axis == 1):  # the node that pins half a ball is free to lag behind its middle plane
+        if not (body.pinned and axis == 1):  # the node that pins half a ball may move relative to its middle plane
             np.testing.assert_allclose(moved[axis, plane], 0.0, atol=1e-20)  # m; the far field's own round-off
-    if body.far.size:  # held where the far field puts it: below the load, away from it
+    if body.far.size:  # held in the far field, which moves away from the load
         assert (moved[2, body.far] * towards[2, 0] > 0).all()
 
 
@@ -198,8 +198,8 @@ def test_true_shapes_differ_by_their_curvature() -> None:
         np.testing.assert_allclose(heavy / light, 2, rtol=0.1)  # the next order in b/r, 0.27 at the heavier load
 
 
-def test_the_back_of_a_sheet_is_free() -> None:
-    """A pocket's wall is thinner than the curve would reach; the bending leaves tension there, and no pressure."""
+def test_the_back_of_a_sheet_is_free_of_load() -> None:
+    """The wall of a pocket ends before the curve would; bending causes tension there, and no pressure."""
     wall = Wall(thickness=0.8e-3, depth=2.5e-3)
     pocket = replace(INNER, pair="pocket", groove_radius=4.07e-3, rolling_radius=-4.07e-3, load=28.0, wall=wall)
     semi_axes = 0.315e-3, 0.315e-3
@@ -216,8 +216,8 @@ def plane_stress(material: Material) -> tuple[float, float]:
     return modulus * ratio / (1 - ratio**2), modulus / (2 * (1 + ratio))
 
 
-def test_wrong_physics_is_seen(ideal: MeshSolution, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Negative controls: each slip is far outside what the tests above allow, in the curve or in the maxima."""
+def test_wrong_physics_fails(ideal: MeshSolution, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Negative controls: each mistake exceeds the tolerances above by far, in the curve or in the maxima."""
     sphere = solve(SPHERE)
 
     def off(found: MeshSolution, **changed: Any) -> float:

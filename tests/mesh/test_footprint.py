@@ -1,4 +1,4 @@
-"""Meshes of a contact cut off at a shoulder: half of it, a line of the mesh on the shoulder."""
+"""Meshes of a contact cut off at a shoulder: half of it is meshed, with a line of the mesh on the shoulder."""
 
 import math
 from dataclasses import replace
@@ -17,7 +17,7 @@ SEMI_AXES = {"inner": (0.100e-3, 0.936e-3), "outer": (0.135e-3, 0.771e-3)}  # m,
 
 
 @pytest.mark.parametrize("level", [1, 2])
-@pytest.mark.parametrize("overrun", [1.0001, 1.004, 1.02, 1.1, 1.41, 2.0, 2.9])  # semi-axis over room
+@pytest.mark.parametrize("overrun", [1.0001, 1.004, 1.02, 1.1, 1.41, 2.0, 2.9])  # semi-axis over shoulder distance
 @pytest.mark.parametrize("recipe", ["race", "hertzian"])
 @pytest.mark.parametrize("pair", ["inner", "outer"])
 def test_no_cell_is_inside_out(
@@ -36,20 +36,20 @@ def test_no_cell_is_inside_out(
 def test_a_line_of_the_mesh_is_the_shoulder(
     contacts: dict[str, Contact], recipe: str, angle: float, overrun: float
 ) -> None:
-    room = SEMI_AXES["inner"][1] / overrun
-    contact = replace(contacts["inner"], shoulder=room, contact_angle=angle)
+    shoulder = SEMI_AXES["inner"][1] / overrun
+    contact = replace(contacts["inner"], shoulder=shoulder, contact_angle=angle)
     bodies = pair_mesh(contact, recipe=load_recipe(recipe), level=2, semi_axes=SEMI_AXES["inner"])
     assert bodies.footprint.half == (angle > 0)
     race = bodies.lower.mesh
     x, y, _ = race.doflocs
-    on_line = np.intersect1d(np.flatnonzero(np.abs(y - room) < 1e-12 * room), bodies.lower.surface)
+    on_line = np.intersect1d(np.flatnonzero(np.abs(y - shoulder) < 1e-12 * shoulder), bodies.lower.surface)
     assert on_line.size == 2 * 2 + 1  # corners and middle nodes of two cells
-    # from the middle out to where the ellipse goes over, or for one that only just does, that of 0.995
+    # from the middle to where the ellipse crosses the shoulder, or to 0.995 where it only just reaches it
     reach = SEMI_AXES["inner"][0] * math.sqrt(1 - min(1 / overrun, 0.995) ** 2)
     assert x[on_line].max() == pytest.approx(reach, rel=1e-9)
     facets = race.facets[:, np.isin(race.facets, bodies.lower.surface).all(axis=0)]
     near = (x[facets] < 0.999 * reach).all(axis=0)
-    across = (y[facets] < (1 - 1e-9) * room).any(axis=0) & (y[facets] > (1 + 1e-9) * room).any(axis=0)
+    across = (y[facets] < (1 - 1e-9) * shoulder).any(axis=0) & (y[facets] > (1 + 1e-9) * shoulder).any(axis=0)
     assert not (near & across).any()
 
 
@@ -62,16 +62,16 @@ def test_touching_nodes_face_each_other_along_the_balls_normal(contacts: dict[st
     assert bodies.gap.max() > 5e-6
 
 
-def test_a_shoulder_cuts_off_what_reaches_it(contacts: dict[str, Contact]) -> None:
+def test_a_shoulder_cuts_off_an_ellipse_that_reaches_it(contacts: dict[str, Contact]) -> None:
     contact = replace(contacts["inner"], shoulder=0.8e-3)
     assert footprint_of(contact, (0.1e-3, 0.8e-3)) == Footprint(semi_axes=(0.1e-3, 0.8e-3))
     over = footprint_of(contact, (0.1e-3, 0.81e-3))
-    assert (over.half, over.parts, over.room) == (True, 2, (math.inf, 0.8e-3))
+    assert (over.half, over.parts, over.shoulders) == (True, 2, (math.inf, 0.8e-3))
     slight = replace(contact, contact_angle=0.01)  # both shoulders reached, at unequal distances
     further = farther_shoulder(slight)
-    assert footprint_of(slight, (0.1e-3, 0.9e-3)).room == (further, 0.8e-3)
+    assert footprint_of(slight, (0.1e-3, 0.9e-3)).shoulders == (further, 0.8e-3)
     both = footprint_of(replace(contact, contact_angle=0.0), (0.1e-3, 0.81e-3))
-    assert (both.half, both.parts, both.room) == (False, 4, (0.8e-3, 0.8e-3))
+    assert (both.half, both.parts, both.shoulders) == (False, 4, (0.8e-3, 0.8e-3))
 
 
 def test_the_farther_shoulder_is_the_groove_mirrored_about_its_bottom(contacts: dict[str, Contact]) -> None:
@@ -82,7 +82,7 @@ def test_the_farther_shoulder_is_the_groove_mirrored_about_its_bottom(contacts: 
     assert farther_shoulder(contact) == pytest.approx(far, rel=1e-12)  # round-off
 
 
-def test_too_much_beyond_the_shoulder_is_refused(contacts: dict[str, Contact]) -> None:
+def test_an_ellipse_too_far_beyond_the_shoulder_is_refused(contacts: dict[str, Contact]) -> None:
     narrow = replace(contacts["inner"], shoulder=0.3e-3)
     with pytest.raises(InputError, match=r"shoulder stands at 0\.0003 m: the mesh holds up to 3 times") as caught:
         pair_mesh(narrow, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES["inner"])

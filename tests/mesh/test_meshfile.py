@@ -1,4 +1,4 @@
-"""Meshes as files: nothing lost through meshio, nothing wrong let in, and VTK sees cells the right way out."""
+"""Mesh files: meshio loses nothing, damaged files are refused, and VTK reads the cells with positive volume."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -26,7 +26,7 @@ def bodies(contacts: dict[str, Contact], recipe: str, level: int = 2) -> tuple[B
 
 @pytest.mark.parametrize("recipe", ["race", "hertzian"])
 def test_a_body_comes_back_as_it_was(contacts: dict[str, Contact], recipe: str, tmp_path: Path) -> None:
-    """Bit for bit, order of the touching nodes included: the two bodies' contact nodes are paired by it."""
+    """Bit for bit, including the order of the touching nodes, which pairs the contact nodes of the two bodies."""
     for body in bodies(contacts, recipe):
         write_body(tmp_path / "body.vtu", body)
         again = read_body(tmp_path / "body.vtu", name=body.name)
@@ -42,7 +42,7 @@ def test_a_body_comes_back_as_it_was(contacts: dict[str, Contact], recipe: str, 
 
 
 @pytest.mark.parametrize("recipe", ["race", "hertzian"])
-def test_vtk_sees_every_cell_the_right_way_out(contacts: dict[str, Contact], recipe: str, tmp_path: Path) -> None:
+def test_vtk_reads_every_cell_with_its_volume(contacts: dict[str, Contact], recipe: str, tmp_path: Path) -> None:
     """A node order that VTK reads differently gives negative or wrong volumes."""
     for body in bodies(contacts, recipe, level=3):
         write_body(tmp_path / "body.vtu", body)
@@ -56,7 +56,7 @@ def test_vtk_sees_every_cell_the_right_way_out(contacts: dict[str, Contact], rec
         np.testing.assert_allclose(volume.sum(), mesh_quality(body.mesh).volume, rtol=tolerance)
 
 
-def test_fields_are_written_beside_the_mesh(contacts: dict[str, Contact], tmp_path: Path) -> None:
+def test_fields_are_written_with_the_mesh(contacts: dict[str, Contact], tmp_path: Path) -> None:
     body = bodies(contacts, "race", level=1)[0]
     displacement = np.random.default_rng(5).normal(size=(body.mesh.doflocs.shape[1], 3))
     write_body(tmp_path / "body.vtu", body, displacement=displacement)
@@ -81,7 +81,7 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(
     assert [path.name for path in tmp_path.iterdir()] == ["body.vtu"]
 
 
-def test_others_may_read_the_file_as_any_other(contacts: dict[str, Contact], tmp_path: Path) -> None:
+def test_other_users_may_read_the_file(contacts: dict[str, Contact], tmp_path: Path) -> None:
     (tmp_path / "plain.txt").write_text("as the umask has it")
     write_body(tmp_path / "body.vtu", bodies(contacts, "hertzian", level=1)[1])
     assert (tmp_path / "body.vtu").stat().st_mode == (tmp_path / "plain.txt").stat().st_mode

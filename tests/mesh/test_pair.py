@@ -1,4 +1,4 @@
-"""The meshed bodies against the shapes they stand for, and the levels of a recipe against each other."""
+"""The meshed bodies against their exact shapes, and the levels of a recipe against each other."""
 
 from dataclasses import replace
 
@@ -33,7 +33,7 @@ def surface(body: BodyMesh) -> Array:
 @pytest.mark.parametrize("recipe", RECIPES)
 @pytest.mark.parametrize("pair", PAIRS)
 def test_no_cell_is_inside_out(contacts: dict[str, Contact], pair: str, recipe: str, level: int) -> None:
-    """Over loads of seven decades and grooves from tight to open; coarse cells are the ones that fold."""
+    """Over seven decades of load and grooves from tight to open; coarse cells fold most easily."""
     sizes = (
         (1e-3, 0.21, 37.0, 620.0, 5000.0) if level < 4 else (1e-3, 620.0)
     )  # N; level 4 costs the most, folds the least
@@ -58,7 +58,7 @@ def test_a_contact_too_wide_for_its_ball_is_refused(contacts: dict[str, Contact]
     assert "\n" not in str(caught.value)
 
 
-def test_a_folded_cell_is_found_and_placed(contacts: dict[str, Contact]) -> None:
+def test_a_folded_cell_is_detected_and_located(contacts: dict[str, Contact]) -> None:
     """mesh_quality itself: if it looked at |det J|, every mesh above would pass."""
     mesh = made(contacts, "inner", "hertzian", 2).upper.mesh
     corner, centre = mesh.t[0, 17], mesh.p[:, mesh.t[:, 17]].mean(axis=1)
@@ -72,7 +72,7 @@ def test_a_folded_cell_is_found_and_placed(contacts: dict[str, Contact]) -> None
     assert np.abs(np.array(after.worst_place) - centre).max() < 3 * np.abs(mesh.p[:, corner] - centre).max()
 
 
-def test_quality_knows_the_volume(contacts: dict[str, Contact]) -> None:
+def test_quality_measures_the_volume(contacts: dict[str, Contact]) -> None:
     """Half spaces are boxes: volume by length times width times depth, and a positive one."""
     for body in (made(contacts, "outer", "hertzian", 1).upper, made(contacts, "outer", "hertzian", 1).lower):
         reach = load_recipe("hertzian").domain.extent * SEMI_AXES["outer"][1]
@@ -139,7 +139,7 @@ def test_touching_nodes_face_each_other_along_the_balls_normal(contacts: dict[st
 
 @pytest.mark.parametrize("pair", PAIRS)
 def test_the_idealised_gap_is_that_of_the_true_bodies_near_the_centre(contacts: dict[str, Contact], pair: str) -> None:
-    """On a mesh so small that the quartic terms are gone; catches a wrong sign of either radius of the race."""
+    """On a mesh so small that quartic terms vanish; a wrong sign of either radius of the race fails here."""
     small = 2.1e-6, 13e-6  # m; (y/r)^2 is 1e-5
     real, ideal = (pair_mesh(contacts[pair], recipe=load_recipe(r), level=1, semi_axes=small) for r in RECIPES)
     spread = ideal.gap.max()
@@ -186,8 +186,8 @@ def lines(body: BodyMesh) -> list[Array]:
 
 
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_levels_divide_every_cell_alike(contacts: dict[str, Contact], recipe: str) -> None:
-    """Level n cuts each cell of level 1 into n, n, n, the outermost too: an observed order means nothing otherwise."""
+def test_levels_divide_every_cell_in_the_same_number(contacts: dict[str, Contact], recipe: str) -> None:
+    """Level n cuts each cell of level 1 into n, n, n, the outermost too: else an observed order means nothing."""
     shape = load_recipe(recipe).cells
     coarse = made(contacts, "inner", recipe, 1)
     for level in (2, 3):
@@ -205,7 +205,7 @@ def test_levels_divide_every_cell_alike(contacts: dict[str, Contact], recipe: st
 
 @pytest.mark.parametrize("recipe", RECIPES)
 def test_the_corners_of_a_coarse_mesh_are_corners_of_the_finer(contacts: dict[str, Contact], recipe: str) -> None:
-    """Refinement in one ratio means the same cells, divided: observed orders rest on it."""
+    """Refinement by one ratio divides the same cells, which observed orders require."""
     coarse, fine = made(contacts, "outer", recipe, 1), made(contacts, "outer", recipe, 3)
     for side in ("upper", "lower"):
         few, many = (getattr(m, side).mesh for m in (coarse, fine))
@@ -241,8 +241,8 @@ def test_a_ring_of_cell_faces_lies_on_the_expected_ellipse(
 
 
 @pytest.mark.parametrize("recipe", RECIPES)
-def test_extending_adds_cells_all_round_and_moves_none(contacts: dict[str, Contact], recipe: str) -> None:
-    """What the far boundary does is read off the difference, so nothing else may differ."""
+def test_extending_adds_cells_around_a_block_and_moves_none(contacts: dict[str, Contact], recipe: str) -> None:
+    """The difference measures the effect of the far boundary, so that nothing else may differ."""
     shape = load_recipe(recipe)
     less, whole = (
         pair_mesh(contacts["inner"], recipe=shape, level=2, semi_axes=SEMI_AXES["inner"], extended=extended)
@@ -264,7 +264,7 @@ def test_extending_adds_cells_all_round_and_moves_none(contacts: dict[str, Conta
 
 
 def test_a_mesh_with_a_folded_cell_is_refused(contacts: dict[str, Contact]) -> None:
-    """In one line, with the cell and a remedy; whatever the solver made of such a mesh would look like a number."""
+    """In one line, with the cell and a remedy; the solver would return a number for such a mesh."""
     recipe = load_recipe("race")
     wide = replace(recipe, patch=replace(recipe.patch, core_size=1.7))  # a core beyond its own contact's edge
     with pytest.raises(InputError, match=r"cell \d+ of the ball.* inside out at .* recipe race") as caught:

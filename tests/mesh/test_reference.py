@@ -1,4 +1,4 @@
-"""The committed reference meshes: untouched, and what the recipes still make."""
+"""The committed reference meshes: unchanged, and the recipes still make them."""
 
 import hashlib
 from pathlib import Path
@@ -38,7 +38,7 @@ def sets(body: BodyMesh) -> list[np.ndarray]:
 
 
 @pytest.mark.parametrize(("pair", "geometry"), CONTACTS)
-def test_the_recipe_still_makes_them(pair: str, geometry: str, tmp_path: Path) -> None:
+def test_the_recipes_still_make_them(pair: str, geometry: str, tmp_path: Path) -> None:
     """By the command that made them: a changed recipe, mesh or built-in scene must come with new files."""
     wanted = ["mesh", "--pair", pair, "--geometry", geometry, "--level", "1", "--out", str(tmp_path)]
     result = CliRunner().invoke(app, wanted)
@@ -49,6 +49,6 @@ def test_the_recipe_still_makes_them(pair: str, geometry: str, tmp_path: Path) -
         np.testing.assert_array_equal(new.mesh.t, old.mesh.t)
         for expected, found in zip(sets(old), sets(new), strict=True):
             np.testing.assert_array_equal(found, expected)
-        # Round-off of the contact angle's root finder (4 eps) and of another machine's sine, with room to grow.
+        # Round-off of the contact angle's root finder (4 eps) and of the sine on another machine, with a margin.
         size = np.abs(old.mesh.doflocs).max()
         np.testing.assert_allclose(new.mesh.doflocs, old.mesh.doflocs, rtol=0, atol=1e-9 * size)

@@ -1,4 +1,4 @@
-"""The ring's mesh: on the seat, the groove, the sides; its contact nodes where the race has them."""
+"""The mesh of a ring: its nodes on seat, groove and sides, and its contact nodes at those of the race."""
 
 from dataclasses import replace
 
@@ -67,7 +67,7 @@ def test_nodes_lie_on_seat_groove_and_lands(contact: Contact) -> None:
 
 
 @BOTH
-def test_its_volume_is_that_of_the_turned_section(contact: Contact) -> None:
+def test_its_volume_is_that_of_the_revolved_section(contact: Contact) -> None:
     ring, piece = ring_of(contact), ring_piece(contact, RACE, 3, AXES)
     basis = Basis(piece.body.mesh, ElementHex2(), intorder=5)
     end = piece.body.mesh.doflocs[:, piece.end]
@@ -112,7 +112,7 @@ def test_the_frames_differ_by_a_rotation() -> None:
         (replace(INNER, pair="pocket"), ("pocket", "'wall'")),
     ],
 )
-def test_what_cannot_be_meshed_is_refused(contact: Contact, words: tuple[str, ...]) -> None:
+def test_a_ring_that_cannot_be_meshed_is_refused(contact: Contact, words: tuple[str, ...]) -> None:
     with pytest.raises(InputError) as problem:
         ring_piece(contact, RACE, 1, AXES)
     assert all(word in str(problem.value) for word in words), problem.value

@@ -23,13 +23,13 @@ def grid_file(tmp_path: Path) -> Callable[..., Path]:
 
 @pytest.fixture
 def short_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One scene a piece, so that a small sweep has several."""
+    """One scene in each piece, so that a small sweep has several pieces."""
     monkeypatch.setattr("fembearing.sweep.parts.MOST_SCENES", 1)
 
 
 @pytest.fixture
 def in_process(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """Every piece is computed in this process, one after the other; the pieces that were, in order."""
+    """Every piece is computed in this process; the list of computed pieces, in order."""
     computed: list[Any] = []
 
     def one_by_one(function: Any, tasks: dict[Any, Any], workers: int | None = None) -> Iterator[tuple[Any, Any]]:

@@ -1,4 +1,4 @@
-"""A scene that is swept: every effect on or off by its own word, so that no series decides otherwise than a point."""
+"""The scene of the sweeps. It turns every effect on or off, so that a series decides as a single point does."""
 
 SCENE = """
 [scene]

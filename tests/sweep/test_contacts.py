@@ -1,4 +1,4 @@
-"""Contacts in a sweep, and results that show themselves as datasets and tables."""
+"""Contacts in a sweep, and results as datasets and as tables of a notebook."""
 
 import re
 from collections.abc import Callable
@@ -17,10 +17,10 @@ QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "app
 
 
 @pytest.mark.usefixtures("in_process")
-def test_contacts_of_half_spaces_come_out_as_hertz_says(
+def test_contacts_of_half_spaces_agree_with_hertz(
     grid_file: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Finite elements hold Hertz's exact answer within their own intervals, at every point of the sweep."""
+    """At every point of the sweep, Hertz's exact answer lies within the intervals of the finite elements."""
     solved: list[ContactSolution] = []
     solve = discrepancy.solve_contact
     monkeypatch.setattr(discrepancy, "solve_contact", lambda *a, **k: solved.append(solve(*a, **k)) or solved[-1])
@@ -50,7 +50,7 @@ def test_contacts_of_half_spaces_come_out_as_hertz_says(
     assert table.count("<tr>") == 6
 
 
-def test_a_torque_shows_itself_as_a_dataset_and_a_table() -> None:
+def test_a_torque_becomes_a_dataset_and_a_table() -> None:
     result = friction_torque(load_scene(builtin_scene("6205")))
     found = result.to_xarray()
     np.testing.assert_array_equal(found["torque_total"], result.torque.total)

@@ -1,4 +1,4 @@
-"""Grid files: what they make of a scene, and what they refuse."""
+"""Grid files: the scenes that they give, and the mistakes that they refuse."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -38,8 +38,8 @@ def test_values_come_out_in_si_and_in_order(grid_file: Callable[..., Path]) -> N
     assert (grid.size, grid.length) == (30, 6)
 
 
-def test_a_point_is_the_scene_that_a_person_would_write(grid_file: Callable[..., Path], tmp_path: Path) -> None:
-    """All keys of the scene but the conformity, which no scene file has."""
+def test_a_point_is_the_scene_that_a_user_would_write(grid_file: Callable[..., Path], tmp_path: Path) -> None:
+    """All keys of a scene file, thus without the conformity."""
     axes = 'friction.coefficient = [0.06, 0.08]\nbearing.inner.groove_radius = ["4.14 mm", "4.17 mm"]\n'
     grid = load_grid(grid_file(axes + 'operation.axial_load = ["120 N", "340 N"]'))
     text = grid.text.partition("[axes]")[0].replace("[scene]\n", "").replace("[scene.", "[")

@@ -1,4 +1,4 @@
-"""Sweeps from beginning to end: numbers, units, failures, and going on after a stop."""
+"""Sweeps from beginning to end: numbers, units, failures, and continuing after a stop."""
 
 import re
 import shutil
@@ -25,7 +25,7 @@ friction.coefficient = [0.05, 0.11]
 "operation.inner_speed" = ["100 rpm", "450 rpm"]
 conformity = [0.515, 0.52, 0.53]
 "operation.axial_load" = { from = "100 N", to = "900 N", count = 4, spacing = "log" }
-"""  # a series before an axis outside it: the order of the file is not the one in which it is computed
+"""  # an axis of the series comes before one outside it: the order in the file is not that of the computation
 Write = Callable[..., Path]
 
 
@@ -81,7 +81,7 @@ autocorrelation = { kind = "gaussian", length = "60 um", spacing = "2 um" }
 
 
 @pytest.mark.usefixtures("in_process")
-def test_bearings_oils_and_surfaces_are_those_that_a_person_would_write(
+def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     other = catalog.path("bearings", "6205").read_text("utf-8").replace("ball_count = 9", "ball_count = 8")
@@ -113,7 +113,7 @@ def test_bearings_oils_and_surfaces_are_those_that_a_person_would_write(
 
 
 @pytest.mark.usefixtures("in_process")
-def test_the_dataset_tells_units_and_where_it_comes_from(grid_file: Write, tmp_path: Path) -> None:
+def test_the_dataset_has_units_and_its_origin(grid_file: Write, tmp_path: Path) -> None:
     path = grid_file(AXES)
     found = run_sweep(path, out=tmp_path / "out").dataset()
     assert found["torque_total"].attrs["units"] == "N m"
@@ -132,7 +132,7 @@ def test_the_dataset_tells_units_and_where_it_comes_from(grid_file: Write, tmp_p
 
 
 @pytest.mark.usefixtures("short_pieces")
-def test_an_interrupted_sweep_goes_on_where_it_was(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
+def test_an_interrupted_sweep_continues(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
     path, out = grid_file(AXES), tmp_path / "out"
     whole = run_sweep(path, out=tmp_path / "whole").dataset()
     in_process.clear()
@@ -160,7 +160,7 @@ def test_an_interrupted_sweep_goes_on_where_it_was(grid_file: Write, tmp_path: P
 
 
 @pytest.mark.usefixtures("short_pieces")
-def test_what_is_lost_of_a_folder_is_computed_again(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
+def test_missing_files_of_a_folder_are_computed_again(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
     path, out = grid_file(AXES), tmp_path / "out"
     whole = run_sweep(path, out=out).dataset()
     first, second, *_ = sorted((out / "parts").iterdir())
@@ -169,7 +169,7 @@ def test_what_is_lost_of_a_folder_is_computed_again(grid_file: Write, tmp_path: 
     for half_written in (
         out / "parts" / f".{second.name}",
         out / ".sweep.nc",
-    ):  # as a process leaves it that was killed
+    ):  # as a killed process leaves them
         half_written.write_text("half")
     (out / "done.json").unlink()
     found = run_sweep(path, out=out)
@@ -186,15 +186,15 @@ def test_what_is_lost_of_a_folder_is_computed_again(grid_file: Write, tmp_path: 
 
 
 @pytest.mark.usefixtures("in_process")
-@pytest.mark.parametrize(("room", "kept"), [(200, 0), (9_000, 0), (40_000, 48)])
-def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path: Path, room: int, kept: int) -> None:
-    """It ends while the grid, a piece, or the dataset is written."""
+@pytest.mark.parametrize(("space", "kept"), [(200, 0), (9_000, 0), (40_000, 48)])
+def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path: Path, space: int, kept: int) -> None:
+    """The disk is full when the grid, a piece, or the dataset is written."""
     resource = pytest.importorskip("resource")
     path, out = grid_file(AXES), tmp_path / "out"
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (room, limits[1]))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (space, limits[1]))
     try:
-        with pytest.raises(InputError, match=r"cannot be written: .*; make room: what is done is kept") as found:
+        with pytest.raises(InputError, match=r"cannot be written: .*; free some space: what is done is kept") as found:
             run_sweep(path, out=out)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
@@ -214,7 +214,7 @@ def test_few_columns_in_memory_make_the_same_dataset(
 
 
 @pytest.mark.usefixtures("short_pieces")
-def test_the_order_in_which_pieces_get_done_does_not_matter(
+def test_the_order_in_which_pieces_finish_does_not_matter(
     grid_file: Write, tmp_path: Path, in_process: list[Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = grid_file(AXES)
@@ -297,7 +297,7 @@ def test_two_at_once_in_one_folder_are_refused(grid_file: Write, tmp_path: Path)
 
 
 @pytest.mark.usefixtures("in_process")
-def test_points_that_fail_tell_why_and_leave_the_others_alone(grid_file: Write, tmp_path: Path) -> None:
+def test_points_that_fail_give_a_reason_and_leave_the_others_alone(grid_file: Write, tmp_path: Path) -> None:
     """A load that drives balls over the shoulder, within a series; a groove as narrow as the ball, in its own scene."""
     rest = 'conformity = {}\noperation.axial_load = {}\noperation.inner_speed = ["90 rpm"]'
     good = rest.format([0.52], ["200 N", "500 N"])
@@ -335,7 +335,7 @@ def test_good_points_are_computed_however_many_fail(grid_file: Write, tmp_path: 
 
 
 @pytest.mark.usefixtures("in_process")
-def test_a_bug_in_a_scene_is_told_at_its_points(
+def test_a_bug_in_a_scene_is_reported_at_its_points(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole = Grid.scene
@@ -351,7 +351,7 @@ def test_a_bug_in_a_scene_is_told_at_its_points(
 
 
 @pytest.mark.usefixtures("in_process")
-def test_a_bug_at_one_point_is_told_there_with_its_class(
+def test_a_bug_at_one_point_is_reported_there_with_its_class(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def broken(scene: Any) -> Any:

@@ -109,7 +109,7 @@ class ContactSolution:
         """y of the shoulders that cut the contact off, m: the nearer one's is above 0, the farther one's below."""
         if not self.shoulder:
             return ()
-        below, above = self.meshes[-1].pair.footprint.room
+        below, above = self.meshes[-1].pair.footprint.shoulders
         return tuple(y for y in (-below, above) if math.isfinite(y))
 
     @property

@@ -43,7 +43,7 @@ def shoulder_warning(contact: Contact, reference: Reference) -> str:
     if finest.shoulder is None:
         across = f"the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across"
         return f"{contact.pair}: {across}, the shoulder stands at {near}: outside Hertz; {remedy}"
-    far = finest.pair.footprint.room[0]
+    far = finest.pair.footprint.shoulders[0]
     if math.isinf(far):
         cut = f"an ellipse of {finest.semi_axes[1] * 1e3:.3f} mm across is cut off, its shoulder stands at {near}"
     else:

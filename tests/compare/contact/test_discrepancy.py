@@ -48,7 +48,7 @@ def test_the_far_boundary_fades_as_it_is_said_to(
 def cut_at(found: ContactSolution, *, below: float, half: bool) -> ContactSolution:
     """The same with a farther shoulder that is reached too."""
     mesh = found.meshes[-1]
-    footprint = replace(mesh.pair.footprint, room=(below, 0.8e-3), half=half)
+    footprint = replace(mesh.pair.footprint, shoulders=(below, 0.8e-3), half=half)
     return replace(found, meshes=(*found.meshes[:-1], replace(mesh, pair=replace(mesh.pair, footprint=footprint))))
 
 

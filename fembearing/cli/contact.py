@@ -1,0 +1,103 @@
+"""`fembearing contact`."""
+
+from dataclasses import replace
+from typing import Annotated
+
+import typer
+
+from analytic.errors import InputError
+from analytic.scene import Pair, Scene
+from fembearing.cli.console import DONE, NOT_SOLVED, complain, out, print_json, print_warnings, shown_progress
+from fembearing.cli.options import (
+    LOAD,
+    Accuracy,
+    AsJson,
+    Geometry,
+    GeometryName,
+    Loads,
+    ScenePath,
+    read_option,
+    read_scene,
+    read_tolerance,
+)
+
+
+def contact(
+    scene: ScenePath = None,
+    pair: Annotated[Pair, typer.Option(help="Which contact.")] = "inner",
+    load: Loads = None,
+    geometry: Geometry = "real",
+    accuracy: Accuracy = None,
+    as_json: AsJson = False,
+) -> None:
+    """Solve one contact and compare Hertz with it; repeat --load for a series of loads with its stiffness law.
+
+    Exit status 0: solved to the required accuracy, whatever Hertz's verdict; 3: not; 2: the input is at fault.
+    """
+    given = read_scene(scene)
+    limit = read_tolerance(accuracy, given)
+    loads = [read_option("--load", LOAD, text) for text in load or ()]
+    if len(loads) > 1:
+        _load_series(given, loads, pair=pair, geometry=geometry, accuracy=limit, as_json=as_json)
+    else:
+        _one_contact(given, loads[0] if loads else None, pair=pair, geometry=geometry, accuracy=limit, as_json=as_json)
+
+
+def _one_contact(
+    given: Scene, load: float | None, *, pair: Pair, geometry: GeometryName, accuracy: float, as_json: bool
+) -> None:
+    from fembearing.compare.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
+    from fembearing.compare.contact.reference import COMPARED
+    from fembearing.compare.contact.subsurface import compare_subsurface
+    from fembearing.report.terminal.contacts import print_contact, print_subsurface
+
+    with shown_progress() as progress:
+        result = solve_contact(given, pair=pair, load=load, accuracy=accuracy, geometry=geometry, progress=progress)
+        progress(0.8, f"{result.contact.pair}: stress under the contact")
+        below = None
+        try:
+            below = compare_subsurface(result)
+        except InputError as problem:  # a contact cut off at a shoulder: everything else is known
+            result = replace(result, warnings=(*result.warnings, str(problem)))
+    if as_json:
+        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
+        print_json(result.to_json() | added)
+    else:
+        print_contact(out, result)
+        if below is not None:
+            print_subsurface(out, below)
+        if result.judged:
+            out.print(f"Hertz by the scene's tolerance of {result.tolerance:.3g}: {result.verdict}", highlight=False)
+        print_warnings(result.warnings)
+    names = COMPARED if result.judged else SHOWN_OF_A_SHEET
+    raise typer.Exit(_status({name: result.estimates[name].total for name in names}, accuracy))
+
+
+def _load_series(
+    given: Scene, loads: list[float], *, pair: Pair, geometry: GeometryName, accuracy: float, as_json: bool
+) -> None:
+    from fembearing.compare.contact.stiffness_law import solve_load_series
+    from fembearing.report.terminal.contacts import print_series
+
+    with shown_progress() as progress:
+        result = solve_load_series(
+            given, pair=pair, loads=loads, accuracy=accuracy, geometry=geometry, progress=progress
+        )
+    if as_json:
+        print_json(result.to_json())
+    else:
+        print_series(out, result)
+        print_warnings(result.warnings)
+    raise typer.Exit(_status({f"approach at {part.load:g} N": part.approach.total for part in result.points}, accuracy))
+
+
+def _status(uncertainties: dict[str, float], accuracy: float) -> int:
+    """Whether the largest relative uncertainty is within the accuracy; a line on standard error says if it is not."""
+    name = max(uncertainties, key=lambda name: uncertainties[name])
+    if uncertainties[name] <= accuracy:
+        return DONE
+    return complain(
+        f"not solved to {accuracy:.2g}: {name.replace('_', ' ')} is left uncertain by {uncertainties[name]:.2g}; "
+        "ask for a larger --tolerance",
+        NOT_SOLVED,
+    )

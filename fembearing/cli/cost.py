@@ -1,0 +1,31 @@
+"""`fembearing cost`."""
+
+from contextlib import nullcontext
+
+from fembearing.cli.console import out, print_json, print_warnings, shown_progress
+from fembearing.cli.options import AsJson, Folder, ScenePath, Tolerance, read_scene, read_tolerance
+
+
+def cost(
+    scene: ScenePath = None,
+    tolerance: Tolerance = None,
+    folder: Folder = None,
+    as_json: AsJson = False,
+) -> None:
+    """Measure error and time of every method to compute the same quantity, cheap to exact, on this machine."""
+    given = read_scene(scene)
+    limit = read_tolerance(tolerance, given)
+    from fembearing.compare.cost.scene_cost import measure_cost
+    from fembearing.report.folder import write_cost
+    from fembearing.report.new_folder import whole_folder
+    from fembearing.report.terminal.contacts import print_cost
+
+    with shown_progress() as progress, nullcontext() if folder is None else whole_folder(folder) as place:
+        result = measure_cost(given, tolerance=limit, progress=progress)
+        if place is not None:
+            write_cost(result, place)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        print_cost(out, result)
+        print_warnings(given.warnings)

@@ -1,0 +1,83 @@
+"""`fembearing mesh`."""
+
+from dataclasses import asdict
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from analytic.errors import InputError
+from analytic.scene import Pair
+from fembearing.cli.console import out, print_json, print_warnings
+from fembearing.cli.options import LOAD, AsJson, Geometry, Load, ScenePath, read_option, read_scene
+
+if TYPE_CHECKING:
+    from fembearing.mesh.bodies import BodyMesh
+
+
+def mesh(
+    folder: Annotated[Path, typer.Option("--out", help="Folder for the .vtu files; made if it is missing.")],
+    scene: ScenePath = None,
+    pair: Annotated[Pair, typer.Option(help="Which contact.")] = "inner",
+    geometry: Geometry = "real",
+    level: Annotated[int | None, typer.Option(help="Level of the recipe; its finest without it.")] = None,
+    load: Load = None,
+    as_json: AsJson = False,
+) -> None:
+    """Write the two meshes of a contact and report their worst cells."""
+    given = read_scene(scene)
+    force = None if load is None else read_option("--load", LOAD, load)
+    if str(folder) in ("", ".") or (folder.exists() and not folder.is_dir()):
+        raise InputError(f"--out {str(folder)!r}: give a folder for the meshes; it is made if it is missing")
+    from fembearing.compare.contact.discrepancy import as_meshed, contact_of, recipe_of, traced_to_load
+    from fembearing.fem.guess import expected_semi_axes
+    from fembearing.mesh.pair import pair_mesh
+    from fembearing.mesh.ring import ring_piece
+
+    recipe = recipe_of(geometry, pair=pair)
+    chosen = recipe.levels[-1] if level is None else level
+    if chosen not in recipe.levels:
+        raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
+    meshed = as_meshed(contact_of(given, pair=pair, load=force), recipe=recipe)
+    with traced_to_load(given, pair=pair, load=force):
+        expected = expected_semi_axes(meshed)
+        bodies = pair_mesh(meshed, recipe=recipe, level=chosen, semi_axes=expected)
+        lower = ring_piece(meshed, recipe, chosen, expected).body if geometry == "ring" else bodies.lower
+    files = {f"{pair}-{geometry}-upper.vtu": bodies.upper, f"{pair}-{geometry}-lower.vtu": lower}
+    meshes = {str(folder / name): quality for name, quality in _write(files, folder).items()}
+    if as_json:
+        result = {"pair": pair, "geometry": geometry, "level": chosen, "meshes": meshes, "warnings": given.warnings}
+        print_json(result)
+    else:
+        print_warnings(given.warnings)
+        _print_table(meshes)
+
+
+def _write(files: dict[str, "BodyMesh"], folder: Path) -> dict[str, dict[str, Any]]:
+    """Write both files or neither; the quality of each."""
+    from fembearing.mesh.meshfile import write_body
+    from fembearing.mesh.quality import mesh_quality
+
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with TemporaryDirectory(dir=folder, prefix=".") as apart:
+            for name, body in files.items():
+                write_body(Path(apart) / name, body)
+            for name in files:
+                (Path(apart) / name).replace(folder / name)
+    except OSError as problem:
+        raise InputError(f"--out {str(folder)!r}: {problem.strerror}") from problem
+    return {name: asdict(mesh_quality(body.mesh)) | {"body": body.name} for name, body in files.items()}
+
+
+def _print_table(meshes: dict[str, dict[str, Any]]) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    table = Table("file", "body", "cells", "nodes", "least det J/mean", "there x, y, z, mm", box=SIMPLE_HEAD)
+    for path, quality in meshes.items():
+        place = ", ".join(f"{1e3 * part:.3g}" for part in quality["worst_place"])
+        share = f"{quality['least_determinant']:.3f}"
+        table.add_row(path, quality["body"], str(quality["cells"]), str(quality["nodes"]), share, place)
+    out.print(table)

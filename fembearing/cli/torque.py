@@ -1,0 +1,34 @@
+"""`fembearing torque`."""
+
+from dataclasses import replace
+
+import typer
+
+from fembearing.cli.console import DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
+from fembearing.cli.options import AsJson, Folder, ScenePath, Tolerance, read_scene, read_tolerance
+
+
+def torque(
+    scene: ScenePath = None,
+    tolerance: Tolerance = None,
+    folder: Folder = None,
+    as_json: AsJson = False,
+) -> None:
+    """Friction torque of a scene by effect, and which effects were computed or left out."""
+    given = read_scene(scene)
+    given = replace(given, tolerance=read_tolerance(tolerance, given))
+    from fembearing.report.terminal.torque import print_torque
+    from fembearing.report.torque_folder import torque_with_folder
+
+    with shown_progress() as progress:
+        result, lacking = torque_with_folder(given, out=folder, progress=progress)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        print_torque(out, result)
+        print_warnings(result.found.warnings)
+        if folder is not None:
+            out.print(f"folder: {folder}", highlight=False, soft_wrap=True, markup=False)
+    if lacking is not None:
+        typer.echo(f"fembearing: {lacking}", err=True)
+    raise typer.Exit(DONE if result.within_tolerance else NOT_SOLVED)

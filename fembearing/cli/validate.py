@@ -1,0 +1,38 @@
+"""`fembearing validate`."""
+
+from typing import Annotated
+
+import typer
+
+from fembearing.cli.console import CHECK_FAILED, DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
+from fembearing.cli.options import AsJson, Folder, ScenePath, Tolerance, read_scene, read_tolerance
+
+STATUS = {"pass": DONE, "fail": CHECK_FAILED, "outside validity": CHECK_FAILED, "undecided": NOT_SOLVED}
+
+
+def validate(
+    scene: ScenePath = None,
+    tolerance: Tolerance = None,
+    folder: Folder = None,
+    hard: Annotated[bool, typer.Option("--hard", help="Run the table of hard cases too.")] = False,
+    with_cost: Annotated[
+        bool, typer.Option("--cost", help="Measure every method to compute each quantity too.")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
+    given = read_scene(scene)
+    limit = read_tolerance(tolerance, given)
+    from fembearing.report.folder import validate as run
+    from fembearing.report.terminal.contacts import print_validation
+
+    with shown_progress() as progress:
+        result = run(given, out=folder, tolerance=limit, hard=hard, cost=with_cost, progress=progress)
+    if as_json:
+        print_json(result.to_json())
+    else:
+        print_validation(out, result)
+        print_warnings(result.warnings)
+        if folder is not None:
+            out.print(f"report: {folder / 'report.html'}", highlight=False, soft_wrap=True, markup=False)
+    raise typer.Exit(STATUS[result.verdict])

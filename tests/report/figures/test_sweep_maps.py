@@ -1,0 +1,50 @@
+"""Maps of a sweep's dataset: lines for one axis, colours for two, panels for more."""
+
+from typing import Any
+
+import numpy as np
+import xarray
+
+from fembearing.report.figures.sweep_maps import map_figure
+
+
+def made(**axes: Any) -> xarray.Dataset:
+    """Torques that grow along each axis by a step of its own."""
+    shape = tuple(len(values) for values in axes.values())
+    values = 0.01 + sum(10.0**-place * np.indices(shape)[place - 3] for place in range(3, 3 + len(shape)))
+    notes = {"units": "N m", "long_name": "friction torque"}
+    return xarray.Dataset({"torque_total": (tuple(axes), values, notes)}, coords=axes)
+
+
+def test_one_axis_gives_lines_and_words_their_names() -> None:
+    dataset = made(bearing=["6205", "6206"], load=[1.0, 2.0, 3.0])
+    (panel,) = map_figure(dataset, "torque_total").axes
+    assert [line.get_label() for line in panel.lines] == ["bearing 6205", "bearing 6206"]
+    for line, row in zip(panel.lines, dataset["torque_total"].values, strict=True):
+        np.testing.assert_allclose(np.asarray(line.get_ydata()), 1e3 * row)
+    (panel,) = map_figure(made(pair=["inner", "outer"]), "torque_total").axes
+    assert [text.get_text() for text in panel.get_xticklabels()] == ["inner", "outer"]
+
+
+def test_values_out_of_order_make_the_same_map() -> None:
+    mixed = made(load=[300.0, 100.0, 900.0, 500.0], speed=[90.0, 50.0, 500.0])
+    for dataset in (mixed, mixed.sortby(["load", "speed"])):
+        panel = map_figure(dataset, "torque_total").axes[0]
+        (mesh,) = (part for part in panel.collections if type(part).__name__ == "QuadMesh")
+        shown = np.asarray(mesh.get_array()).reshape(4, 3)
+        np.testing.assert_array_equal(shown, 1e3 * mixed["torque_total"].sortby(["load", "speed"]))
+        assert panel.get_ylim() == (0.0, 1100.0)  # half a step beyond 100 and 900
+
+
+def test_two_values_of_an_axis_are_two_lines() -> None:
+    (panel,) = map_figure(made(roughness=[0.1, 0.3], load=[1.0, 2.0, 3.0]), "torque_total").axes
+    assert [line.get_label() for line in panel.lines] == ["roughness 0.1", "roughness 0.3"]
+
+
+def test_further_axes_stand_side_by_side_and_failures_are_named() -> None:
+    dataset = made(load=np.arange(1.0, 6.0), speed=np.arange(2.0, 6.0), viscosity=[0.1, 0.2, 0.3])
+    dataset["torque_total"][0, 0, 0] = np.nan
+    figure = map_figure(dataset, "torque_total")
+    assert [panel.get_title() for panel in figure.axes[:3]] == ["viscosity 0.1", "viscosity 0.2", "viscosity 0.3"]
+    assert figure.get_suptitle() == "friction torque (grey: failed)"
+    assert len(map_figure(made(a=np.arange(9.0), b=np.arange(8.0), c=np.arange(7.0)), "torque_total").axes) == 7
