@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact
-    from fembearing.compare.contact.stiffness_law import LoadSeries, solve_load_series
+    from fembearing.compare.contact.load_series import LoadSeries, solve_load_series
     from fembearing.compare.validation import Validation
     from fembearing.report.folder import validate
     from fembearing.sweep.run import Sweep, run_sweep
@@ -37,12 +37,12 @@ __all__ = [
 
 _HOME = {
     "ContactSolution": "fembearing.compare.contact.discrepancy",
-    "LoadSeries": "fembearing.compare.contact.stiffness_law",
+    "LoadSeries": "fembearing.compare.contact.load_series",
     "Sweep": "fembearing.sweep.run",
     "Validation": "fembearing.compare.validation",
     "run_sweep": "fembearing.sweep.run",
     "solve_contact": "fembearing.compare.contact.discrepancy",
-    "solve_load_series": "fembearing.compare.contact.stiffness_law",
+    "solve_load_series": "fembearing.compare.contact.load_series",
     "validate": "fembearing.report.folder",
 }
 

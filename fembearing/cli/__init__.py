@@ -177,7 +177,7 @@ def contact(
 
 def _one_contact(given: Scene, load: float | None, *, accuracy: float, as_json: bool, **which: Any) -> None:
     from fembearing.compare.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
-    from fembearing.compare.contact.reference import COMPARED
+    from fembearing.compare.contact.mesh_refinement import COMPARED
     from fembearing.compare.contact.subsurface import compare_subsurface
     from fembearing.report.terminal.contacts import print_contact, print_subsurface
 
@@ -204,7 +204,7 @@ def _one_contact(given: Scene, load: float | None, *, accuracy: float, as_json: 
 
 
 def _load_series(given: Scene, loads: list[float], *, accuracy: float, as_json: bool, **which: Any) -> None:
-    from fembearing.compare.contact.stiffness_law import solve_load_series
+    from fembearing.compare.contact.load_series import solve_load_series
     from fembearing.report.terminal.contacts import print_series
 
     with shown_progress() as report:
@@ -264,7 +264,7 @@ def mesh(
         raise InputError(f"--out {str(folder)!r}: give a folder for the meshes; it is made if it is missing")
     from dataclasses import asdict
 
-    from fembearing.compare.contact.discrepancy import as_meshed, contact_of, recipe_of, traced_to_load
+    from fembearing.compare.contact.scene_contact import as_meshed, contact_of, recipe_of, traced_to_load
     from fembearing.fem.guess import expected_semi_axes
     from fembearing.mesh.meshfile import write_body
     from fembearing.mesh.pair import pair_mesh

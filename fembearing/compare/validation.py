@@ -13,8 +13,9 @@ from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
-from fembearing.compare.contact.comparison import WHY, comparison_of
-from fembearing.compare.contact.discrepancy import ContactSolution, contact_of, solve_contact, with_ring
+from fembearing.compare.contact.comparison_error import WHY, comparison_of
+from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact, with_ring
+from fembearing.compare.contact.scene_contact import contact_of
 from fembearing.compare.contact.verdict import Verdict, worst
 from fembearing.compare.cost.contact_ladder import contact_ladder_of
 from fembearing.compare.cost.formula_ladders import SEED

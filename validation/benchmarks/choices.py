@@ -27,7 +27,7 @@ from rich.table import Table
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
-from fembearing.compare.contact.discrepancy import RECIPES, contact_of
+from fembearing.compare.contact.scene_contact import RECIPES, contact_of
 from fembearing.compare.cost import contact_ladder, formula_ladders, ladder
 from fembearing.compare.cost.ladder import Ladder
 from fembearing.compare.cost.scene_cost import QUESTIONS

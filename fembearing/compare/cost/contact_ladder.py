@@ -6,10 +6,10 @@ import numpy as np
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Array, Contact
-from fembearing.compare.contact.corrected import CorrectedHertz, corrected_hertz
-from fembearing.compare.contact.discrepancy import ContactSolution, hertz_quantities
+from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
+from fembearing.compare.contact.mesh_refinement import COMPARED, Estimates, estimates_of
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
-from fembearing.compare.contact.reference import COMPARED, Estimates, estimates_of
 from fembearing.compare.cost.ladder import Ladder, Trial, Way, ladder_of, timed
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh

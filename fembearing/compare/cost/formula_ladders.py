@@ -21,7 +21,7 @@ from analytic.surface.heightmap import FEWEST_POINTS, WIDEST, measure
 from analytic.surface.moments import SpectralMoments
 from analytic.surface.roughness import generated_surface, spectral_moments
 from analytic.torque import friction_torque
-from fembearing.compare.contact.discrepancy import contact_of
+from fembearing.compare.contact.scene_contact import contact_of
 from fembearing.compare.cost.ladder import ROUND_OFF, Question, Way
 
 HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")

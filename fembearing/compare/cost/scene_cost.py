@@ -7,7 +7,7 @@ from typing import Any
 
 from analytic.errors import InputError, require_positive
 from analytic.scene import Scene
-from fembearing.compare.contact.discrepancy import RECIPES, contact_of
+from fembearing.compare.contact.scene_contact import RECIPES, contact_of
 from fembearing.compare.cost.cage_ladder import cage_question
 from fembearing.compare.cost.contact_ladder import measured_contact
 from fembearing.compare.cost.formula_ladders import (

@@ -17,8 +17,8 @@ from analytic.contact.subsurface import SubsurfaceMaximum, subsurface_maximum
 from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.scene import Bearing, Contact, ContactAngle, Material
 from analytic.scenefile.read import builtin_scene, load_scene
-from fembearing.compare.contact.discrepancy import hertz_quantities
-from fembearing.compare.contact.reference import solve_reference
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.mesh_refinement import solve_reference
 from fembearing.compare.hard.case import HardCase
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities

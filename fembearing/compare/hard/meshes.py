@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.scene import Contact, Material
-from fembearing.compare.contact.discrepancy import hertz_quantities
+from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.hard.case import HardCase, passing_file
 from fembearing.compare.hard.contacts import (
     AS_ASKED,

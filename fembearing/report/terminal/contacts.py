@@ -9,7 +9,7 @@ from rich.table import Table
 
 from analytic.scene import Scene
 from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.contact.stiffness_law import LoadSeries
+from fembearing.compare.contact.load_series import LoadSeries
 from fembearing.compare.contact.subsurface import SubsurfaceComparison
 from fembearing.compare.cost.scene_cost import Cost
 from fembearing.compare.hard.case import HardOutcome
@@ -74,7 +74,7 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
         "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
-        f"{contact.rung}, {contact.seconds:.1f} s\n",
+        f"{contact.method}, {contact.seconds:.1f} s\n",
         style="dim",
         highlight=False,
     )

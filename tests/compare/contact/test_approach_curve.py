@@ -6,8 +6,7 @@ import numpy as np
 
 from analytic.scene import Contact
 from fembearing.compare.contact.approach_curve import approach_over_load
-from fembearing.compare.contact.corrected import corrected_hertz
-from fembearing.compare.contact.discrepancy import hertz_quantities
+from fembearing.compare.contact.hertz import corrected_hertz, hertz_quantities
 
 
 def test_hertz_is_solved_at_every_load(contacts: dict[str, Contact]) -> None:

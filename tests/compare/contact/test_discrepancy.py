@@ -9,9 +9,10 @@ from rich.console import Console
 
 from analytic.scene import Contact, Material
 from fembearing.compare.contact import discrepancy as module
-from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact, hertz_quantities
-from fembearing.compare.contact.reference import Reference, estimates_of, solve_reference
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.mesh_refinement import Reference, estimates_of, solve_reference
 from fembearing.compare.contact.warnings import shoulder_warning
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh import race
@@ -83,7 +84,7 @@ def test_an_ellipse_over_the_shoulder_is_not_judged(cut_contact: ContactSolution
     found, narrow = cut_contact, cut_contact.contact
     assert found.verdict == "outside validity"
     assert "shoulder stands at 0.800 mm" in " ".join(found.warnings)
-    assert "half of the contact" in found.rung
+    assert "half of the contact" in found.method
     said = found.to_json()["shoulder"]
     assert found.shoulders == (0.8e-3,)
     assert said["centroid"]["fe"] < 0 < said["centroid"]["uncertainty"]

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
-from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact, hertz_quantities
+from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.contact.pressure_profile import AXES, MOST, Axis, hertz_profile, nodal_profile
 from fembearing.mesh.recipe import load_recipe
 

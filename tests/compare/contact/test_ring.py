@@ -9,8 +9,8 @@ from analytic.errors import InputError
 from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
 from fembearing.compare.contact import ring as module
 from fembearing.compare.contact.discrepancy import solve_contact
+from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.ring import structure_of_ring
-from fembearing.compare.contact.uncertainty import Estimate
 from fembearing.mesh.recipe import load_recipe
 
 UNSEATED = """

@@ -9,11 +9,12 @@ import pytest
 from analytic.errors import InputError
 from analytic.scene import Contact
 from analytic.scenefile.read import builtin_scene, load_scene
-from fembearing.compare.contact.discrepancy import ContactSolution, hertz_quantities, solve_contact
-from fembearing.compare.contact.law_fit import StiffnessLaw
-from fembearing.compare.contact.reference import solve_reference
-from fembearing.compare.contact.stiffness_law import LoadSeries, compare_series, solve_load_series
-from fembearing.compare.contact.uncertainty import CAUTIOUS, LEAST
+from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact
+from fembearing.compare.contact.grid_convergence import CAUTIOUS, LEAST
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.load_series import LoadSeries, compare_series, solve_load_series
+from fembearing.compare.contact.mesh_refinement import solve_reference
+from fembearing.compare.contact.power_law import StiffnessLaw
 from fembearing.mesh.recipe import Geometry, load_recipe
 from fembearing.progress import silent
 

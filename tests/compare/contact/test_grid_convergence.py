@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.compare.contact.uncertainty import estimate, grid_convergence_index, observed_order
+from fembearing.compare.contact.grid_convergence import estimate, grid_convergence_index, observed_order
 
 LEVELS = (2, 3, 5)  # unequal ratios, 3/2 and 5/3
 SIZES = tuple(1 / level for level in LEVELS)

@@ -12,7 +12,7 @@ from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import ContactAngle, Operation, Scene
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
-from fembearing.compare.contact.discrepancy import contact_of
+from fembearing.compare.contact.scene_contact import contact_of
 
 
 @pytest.fixture(scope="module")

@@ -2,8 +2,8 @@
 
 import pytest
 
-from fembearing.compare.contact.comparison import Comparison, comparison_of
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.comparison_error import Comparison, comparison_of
+from fembearing.compare.contact.grid_convergence import Estimate
 
 
 @pytest.mark.parametrize(("error", "resolved"), [(-6.9, False), (7.0, False), (-7.1, True), (12.5, True)])

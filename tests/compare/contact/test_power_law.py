@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.compare.contact.law_fit import LawData, fit_law, fit_tangents
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.power_law import LawData, fit_law, fit_tangents
 
 
 def data(load: np.ndarray, approach: np.ndarray, *, common: float = 0.0, crossing: float = 0.0) -> LawData:

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from fembearing.compare.contact.reference import _predicted_level
+from fembearing.compare.contact.mesh_refinement import _predicted_level
 from fembearing.mesh.recipe import load_recipe
 
 ORDER = 3.0  # of a semi-axis
