@@ -225,7 +225,7 @@ def print_cost(out: Console, cost: Cost) -> None:
         table = Table(title=title, **PLAIN)
         for head in ("", "rung", "error", "bound", "seconds", "spread", "first", "GiB"):
             table.add_column(head, justify="left" if head in ("", "rung") else "right", no_wrap=True)
-        for rung in ladder.rungs:
+        for rung in ladder.methods:
             table.add_row(
                 ">" if rung.chosen else "",
                 short_name(rung.name),
@@ -237,7 +237,7 @@ def print_cost(out: Console, cost: Cost) -> None:
                 "" if rung.memory is None else f"{rung.memory / 2**30:.2f}",
             )
         out.print(table)
-        for rung in ladder.rungs:
+        for rung in ladder.methods:
             if rung.failed:
                 out.print(f"{rung.name} failed: {rung.failed}", highlight=False, markup=False)
         out.print(f"Price of the next digit: {choices_line(ladder)}.", highlight=False)
