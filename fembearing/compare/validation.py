@@ -120,7 +120,7 @@ class Validation:
             "tolerance": self.tolerance,
             "contacts": [contact.to_json() for contact in self.contacts],
             "cost": {
-                "measured": self.cost is not None,  # every ladder, with repeats; otherwise the methods that the check ran
+                "measured": self.cost is not None,  # every ladder, with repeats; else the methods that the check ran
                 "seconds": self.seconds,
                 "peak_memory": peak_memory(),
                 "ladders": [ladder.to_json() for ladder in self.ladders],

@@ -63,7 +63,7 @@ class ContactSolution:
 
     @property
     def interpolation_error(self) -> dict[str, float]:
-        """Corrected Hertz over the reference, less one; the fit does not contain this contact. Empty outside its range."""
+        """Corrected Hertz over the reference, less one; not a contact of the fit's data. Empty outside its range."""
         if self.corrected is None:
             return {}
         values = vars(self.corrected.quantities)
