@@ -1,5 +1,5 @@
-from .loads.finite_geometry import thrust_correction as thrust_correction
 from .contact.hertz import hertz_contact as hertz_contact
+from .loads.finite_geometry import thrust_correction as thrust_correction
 from .loads.ring import ring_equilibrium as ring_equilibrium
 from .loads.thrust import thrust_equilibrium as thrust_equilibrium
 from .scenefile.read import load_scene as load_scene

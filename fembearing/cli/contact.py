@@ -47,7 +47,7 @@ def _one_contact(
     given: Scene, load: float | None, *, pair: Pair, geometry: GeometryName, accuracy: float, as_json: bool
 ) -> None:
     from fembearing.compare.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
-    from fembearing.compare.contact.reference import COMPARED
+    from fembearing.compare.contact.mesh_refinement import COMPARED
     from fembearing.compare.contact.subsurface import compare_subsurface
     from fembearing.report.terminal.contacts import print_contact, print_subsurface
 
@@ -76,7 +76,7 @@ def _one_contact(
 def _load_series(
     given: Scene, loads: list[float], *, pair: Pair, geometry: GeometryName, accuracy: float, as_json: bool
 ) -> None:
-    from fembearing.compare.contact.stiffness_law import solve_load_series
+    from fembearing.compare.contact.load_series import solve_load_series
     from fembearing.report.terminal.contacts import print_series
 
     with shown_progress() as progress:

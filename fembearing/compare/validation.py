@@ -13,8 +13,9 @@ from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Pair, Scene
 from analytic.torque import friction_torque
-from fembearing.compare.contact.comparison import WHY, comparison_of
-from fembearing.compare.contact.discrepancy import ContactSolution, contact_of, solve_contact, with_ring
+from fembearing.compare.contact.comparison_error import WHY, comparison_of
+from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact, with_ring
+from fembearing.compare.contact.scene_contact import contact_of
 from fembearing.compare.contact.verdict import Verdict, worst
 from fembearing.compare.cost.contact_ladder import contact_ladder_of
 from fembearing.compare.cost.formula_ladders import SEED
@@ -58,7 +59,7 @@ class Validation:
 
     @property
     def ladders(self) -> tuple[Ladder, ...]:
-        """All of the scene's where they were asked for, else the rungs that the check itself ran."""
+        """All of the scene's where they were asked for, otherwise the methods that the check itself ran."""
         if self.cost is not None:
             return self.cost.ladders
         return tuple(contact_ladder_of(contact) for contact in self.contacts if contact.judged)
@@ -119,7 +120,7 @@ class Validation:
             "tolerance": self.tolerance,
             "contacts": [contact.to_json() for contact in self.contacts],
             "cost": {
-                "measured": self.cost is not None,  # every ladder, with repeats; else the rungs that the check ran
+                "measured": self.cost is not None,  # every ladder, with repeats; else the methods that the check ran
                 "seconds": self.seconds,
                 "peak_memory": peak_memory(),
                 "ladders": [ladder.to_json() for ladder in self.ladders],
@@ -166,7 +167,7 @@ def check_scene(
 
     tolerance : relative; the scene's unless given
     hard : run the table of hard cases too
-    cost : measure every rung of every ladder too
+    cost : measure every method of every ladder too
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """

@@ -28,7 +28,7 @@ def validate(
     out : folder for report.html, report.json, pictures and meshes (.vtu); it must not exist yet. None writes nothing
     tolerance : relative; the scene's unless given
     hard : run the table of hard cases too
-    cost : measure every rung of every ladder too
+    cost : measure every method of every ladder too
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved or a folder that cannot be made, ConvergenceError for a contact
     that does not settle.

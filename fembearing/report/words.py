@@ -131,7 +131,7 @@ def short_name(rung: str) -> str:
 def choices_line(ladder: Ladder) -> str:
     """Which rung each of some tolerances takes, and by how much the next digit is dearer."""
     parts = []
-    for rung, run in groupby(ladder.choices, key=attrgetter("rung")):
+    for rung, run in groupby(ladder.choices, key=attrgetter("method")):
         choices = list(run)
         digits = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
         taken = "none" if rung is None else f"{short_name(rung.name)}, {rung.seconds:.2g} s"

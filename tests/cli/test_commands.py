@@ -260,8 +260,8 @@ def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
 def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A wrong case fails the whole run, whatever the verdicts of the contacts."""
     cases = (
-        HardCase(name="two", asked="1 + 1", right="2", evaluate=lambda: 2.0, expected=2.0, tolerance=(0.0, "exact")),
-        HardCase(name="three", asked="1 + 2", right="3", evaluate=lambda: 4.0, expected=3.0, tolerance=(0.0, "exact")),
+        HardCase(name="two", problem="1 + 1", answer="2", evaluate=lambda: 2.0, expected=2.0),
+        HardCase(name="three", problem="1 + 2", answer="3", evaluate=lambda: 4.0, expected=3.0),
     )
     monkeypatch.setattr(hard_cases, "HARD_CASES", cases)
     measured = cost.Cost(scene=load_scene(builtin_scene("6205")), tolerance=0.9, ladders=(), seconds=0.5)

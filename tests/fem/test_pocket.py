@@ -9,7 +9,7 @@ from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError
 from analytic.scene import Bearing, Cage, Contact, Groove, Material
-from fembearing.compare.contact.discrepancy import hertz_quantities
+from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.pair import pair_mesh

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from scipy.integrate import quad
 
 from analytic.scene import Contact, Material, Ring
-from fembearing.compare.contact.reference import boundary_effect
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.mesh_refinement import boundary_effect
 from fembearing.compare.contact.ring import structure_of_ring
-from fembearing.compare.contact.uncertainty import Estimate
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe

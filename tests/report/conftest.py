@@ -12,9 +12,9 @@ import pytest
 from analytic.scene import Operation
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import Effect, FrictionTorque, TorqueParts
-from fembearing.compare.contact.corrected import CorrectedHertz
 from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.hertz import CorrectedHertz
 from fembearing.compare.torque.change import FittedChange, TorqueChange
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.fem.measure import Quantities

@@ -17,10 +17,10 @@ from analytic.contact.geometry import race_contact
 from analytic.contact.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from analytic.scenefile.read import builtin_scene, load_scene
-from fembearing.compare.contact.discrepancy import hertz_quantities
-from fembearing.compare.contact.reference import COMPARED, FORMAL_ORDERS, STRIP_LEAST
-from fembearing.compare.contact.stiffness_law import OFF_MESH
-from fembearing.compare.contact.uncertainty import FINEST, HALF
+from fembearing.compare.contact.grid_convergence import FINEST, HALF
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.load_series import OFF_MESH
+from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
 from fembearing.fem.measure import STRIP
 from fembearing.fem.series import NARROWEST, WIDEST
 from fembearing.fem.solution import GOOD_GUESSES, condensed_pair, fitted_solution, pressed, solve_on_mesh

@@ -1,9 +1,9 @@
-"""Do the bounds hold by which a rung is chosen? python validation/benchmarks/choices.py [--scenes 100] [--meshes 20]
+"""Do the bounds hold by which a method is chosen? python validation/benchmarks/choices.py [--scenes 100] [--meshes 20]
 
-Random scenes (validation/benchmarks/random_scenes.py), one seed each: every rung of every ladder is run once, and its
-bound, known before the reference is, is set beside its error against the reference. Prints for each rung in how many
+Random scenes (validation/benchmarks/random_scenes.py), one seed each: every method of every ladder is run once, and its
+bound, known before the reference is, is set beside its error against the reference. Prints for each method in how many
 scenes the bound covers the error, the median of bound over error, and the worst scene; then for each ladder how often
-the cheapest rung within 10, 1 and 0.1 % by its bound is within it by its error. With --meshes, contacts of that many
+the cheapest method within 10, 1 and 0.1 % by its bound is within it by its error. With --meshes, contacts of that many
 scenes are solved on every level of the recipe, and the seconds predicted for each level set beside those that it took.
 With --cages, so many scenes get a cage, whose motion is run in steps of four lengths.
 Seeds 61000 to 61029 and 62000 to 62099 served to choose the constants; any others are a test of them.
@@ -27,10 +27,10 @@ from rich.table import Table
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
-from fembearing.compare.contact.discrepancy import RECIPES, contact_of
+from fembearing.compare.contact.scene_contact import RECIPES, contact_of
 from fembearing.compare.cost import contact_ladder, formula_ladders, ladder
 from fembearing.compare.cost.ladder import Ladder
-from fembearing.compare.cost.scene_cost import QUESTIONS
+from fembearing.compare.cost.scene_cost import FORMULA_LADDERS
 from fembearing.mesh.recipe import load_recipe
 from machine import machine, versions
 from random_scenes import random_scene, with_cage
@@ -42,7 +42,7 @@ WITHIN = 2.0  # factor that a predicted time may be off
 
 @dataclass(frozen=True)
 class Checked:
-    """One rung in one scene."""
+    """One method in one scene."""
 
     seed: int
     error: float
@@ -77,13 +77,13 @@ def main(
         if number - seed < cages:
             scene = with_cage(rng, scene)
         for one in ladders_of(scene, absent, with_meshes=number - seed < meshes, race=number % 2):
-            for rung in one.rungs:
-                if rung.error is not None and rung.bound is not None:
-                    found[one.quantity, rung.name].append(Checked(number, rung.error, rung.bound))
-                if rung.predicted and rung.seconds:
-                    seconds[rung.name].append(rung.predicted / rung.seconds)
+            for method in one.methods:
+                if method.error is not None and method.bound is not None:
+                    found[one.quantity, method.name].append(Checked(number, method.error, method.bound))
+                if method.predicted and method.seconds:
+                    seconds[method.name].append(method.predicted / method.seconds)
             for tolerance in TOLERANCES:
-                chosen = next((rung for rung in one.rungs if rung is one.choose(tolerance)), None)
+                chosen = next((method for method in one.methods if method is one.choose(tolerance)), None)
                 if chosen is not None:
                     choices[one.quantity, tolerance].append((chosen.error or 0.0) <= tolerance)
     out.print(f"{machine()}; {versions('fembearing', 'numpy', 'scipy')}; seeds {seed} to {seed + scenes - 1}")
@@ -100,9 +100,9 @@ def main(
 
 def ladders_of(scene: Scene, absent: dict[str, int], *, with_meshes: bool, race: int) -> list[Ladder]:
     found = []
-    for quantity, question in QUESTIONS:
+    for quantity, methods in FORMULA_LADDERS:
         try:
-            found.append(ladder.measured(question(scene), tolerance=scene.tolerance))
+            found.append(ladder.measured(methods(scene), tolerance=scene.tolerance))
         except InputError:
             absent[quantity] += 1
     if with_meshes:
@@ -116,7 +116,9 @@ def ladders_of(scene: Scene, absent: dict[str, int], *, with_meshes: bool, race:
 
 
 def show(found: dict[tuple[str, str], list[Checked]], out: Console) -> None:
-    table = Table("quantity", "rung", "covers", "bound/error, median", "error, median", "error/bound, worst", "at seed")
+    table = Table(
+        "quantity", "method", "covers", "bound/error, median", "error, median", "error/bound, worst", "at seed"
+    )
     for (quantity, name), checked in found.items():
         errors, ratios = np.transpose([(each.error, 1 / each.used) for each in checked])
         worst = max(checked, key=lambda each: each.used)

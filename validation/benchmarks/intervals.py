@@ -4,7 +4,7 @@ Solves random contacts to each of two asked accuracies and compares the four qua
 Hertzian idealisation Hertz's, exactly; on true shapes those of `converged`, another mesh of other proportions. Prints
 how often the 95 % interval holds the true value, the median of half-width over true error, and how far `converged` is
 itself off where Hertz is exact. Seeds 0 to 59, 1000 to 1099, 5000 to 5019 and 7000 to 7099 were used to choose the
-factors of `fembearing.compare.contact.uncertainty`; any others are a test of them.
+factors of `fembearing.compare.contact.grid_convergence`; any others are a test of them.
 """
 
 import time
@@ -21,8 +21,8 @@ from rich.table import Table
 
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
-from fembearing.compare.contact.discrepancy import hertz_quantities
-from fembearing.compare.contact.reference import COMPARED, solve_reference
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.mesh_refinement import COMPARED, solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
 from fembearing.progress import silent

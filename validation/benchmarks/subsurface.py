@@ -16,7 +16,8 @@ from rich.table import Table
 
 from analytic.scene import Contact
 from analytic.scenefile.read import builtin_scene, load_scene
-from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact, contact_of
+from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.compare.contact.scene_contact import contact_of
 from fembearing.compare.contact.subsurface import NAMES, compare_subsurface
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe

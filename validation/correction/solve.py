@@ -32,8 +32,8 @@ from analytic.contact.finite_geometry import OFF_SHOULDER
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
-from fembearing.compare.contact.discrepancy import hertz_quantities
-from fembearing.compare.contact.reference import solve_reference
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.mesh_refinement import solve_reference
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
 
@@ -58,7 +58,8 @@ COLUMNS = [
     *("level", "solver", "date", "trouble"),
 ]
 PRESSURES = (0.007, 0.028)  # p0/E* on the bearings: 0.8 to 3.2 GPa on steel
-SOLVER = ("fem", "mesh", "compare/reference.py", "compare/uncertainty.py")  # what a solve depends on
+# What a solve depends on
+SOLVER = ("fem", "mesh", "compare/contact/mesh_refinement.py", "compare/contact/grid_convergence.py")
 MATERIALS = {  # E, nu; typical values
     "steel": (206e9, 0.3),
     "silicon nitride": (310e9, 0.26),

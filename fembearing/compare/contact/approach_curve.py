@@ -1,4 +1,4 @@
-"""How far ball and race approach as the load grows: by Hertz, and by Hertz corrected for finite geometry."""
+"""Approach of ball and race over the load: by Hertz, and by Hertz corrected for finite geometry."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -6,24 +6,24 @@ from typing import Any
 import numpy as np
 
 from analytic.scene import Array, Contact
-from fembearing.compare.contact.corrected import corrected_hertz
+from fembearing.compare.contact.hertz import corrected_hertz
 from fembearing.fem.measure import Quantities
 
 POINTS = 25
-LEAST, MOST = 0.05, 1.5  # of the load that was solved
+LEAST, MOST = 0.05, 1.5  # shares of the load that was solved
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ApproachCurve:
-    """Approach over load; NaN where the correction's fit does not reach."""
+    """Approach over load; NaN outside the range of the correction's fit."""
 
-    load: Array  # (n,) of the ball, N, rising
+    load: Array  # (n,) of the ball, N, ascending
     hertz: Array  # (n,) m
     corrected: Array  # (n,) m
-    uncertainty: Array  # (n,) of the corrected, relative half-width, 95 %
+    uncertainty: Array  # (n,) of the corrected approach, relative half-width, 95 %
 
     def to_json(self) -> dict[str, Any]:
-        """Lists; None where the fit does not reach."""
+        """As lists, with None in place of NaN."""
         known = {"corrected": self.corrected, "uncertainty": self.uncertainty}
         return {
             "load": self.load.tolist(),
@@ -33,10 +33,10 @@ class ApproachCurve:
 
 
 def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
-    """From a twentieth of the contact's load to half more.
+    """The curve from 0.05 to 1.5 times the contact's load.
 
-    hertz : of the contact under its own load: semi-axes, peak pressure and approach are powers of the load
-    correctable : whether the correction is of such a contact, ball and race in their true shapes
+    hertz : the contact under its own load; semi-axes, peak pressure and approach are powers of the load
+    correctable : whether the correction for finite geometry applies to this contact
     """
     factor = np.linspace(LEAST, MOST, POINTS)
     corrected, uncertainty = np.full(POINTS, np.nan), np.full(POINTS, np.nan)
@@ -48,9 +48,9 @@ def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool
             approach=hertz.approach * times ** (2 / 3),
             stiffness=hertz.stiffness,
         )
-        found, _ = corrected_hertz(replace(contact, load=contact.load * float(times)), hertz=scaled)
-        if found is not None:
-            corrected[point], uncertainty[point] = found.quantities.approach, found.uncertainty["approach"]
+        fitted, _ = corrected_hertz(replace(contact, load=contact.load * float(times)), hertz=scaled)
+        if fitted is not None:
+            corrected[point], uncertainty[point] = fitted.quantities.approach, fitted.uncertainty["approach"]
     return ApproachCurve(
         load=contact.load * factor,
         hertz=hertz.approach * factor ** (2 / 3),

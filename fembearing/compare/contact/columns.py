@@ -61,7 +61,7 @@ def contact_dataset(found: "ContactSolution") -> Any:
         attrs={
             "pair": found.contact.pair,
             "geometry": found.geometry,
-            "rung": found.rung,
+            "rung": found.method,
             "tolerance": found.tolerance,
             VERDICT: shown_verdict(found),
             "warnings": "\n".join(found.warnings),

@@ -1,49 +1,41 @@
-"""One contact both ways: Hertz's closed forms and finite elements on the meshed bodies."""
+"""One contact by Hertz's closed forms and by finite elements on the meshed bodies, and how far Hertz is off."""
 
 import math
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
-from analytic.contact.geometry import pocket_contact
-from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
-from analytic.errors import InputError, require_non_negative
 from analytic.scene import Contact, Pair, Scene
 from fembearing.compare.contact.approach_curve import approach_over_load
 from fembearing.compare.contact.columns import contact_dataset, contact_html
-from fembearing.compare.contact.corrected import CorrectedHertz, corrected_hertz
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
+from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, solve_reference
 from fembearing.compare.contact.pressure_profile import profiles_json
-from fembearing.compare.contact.reference import COMPARED, FORMAL_ORDERS, Estimates, solve_reference
 from fembearing.compare.contact.ring import RingStructure, structure_of_ring
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.compare.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.compare.contact.warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
-from fembearing.compare.torque.heaviest_ball import heaviest_contact
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.solution import MeshSolution
 from fembearing.memory import peak_memory
 from fembearing.mesh.meshfile import write_body
-from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
+from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
 from fembearing.progress import Progress, silent
 
-Shape = Geometry | Literal["ring"]  # "ring": the contact as it is really, and apart from it what the ring adds
-RECIPES: dict[Shape, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall", "ring": "race"}
-POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
-SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes, and stiffness follows from it
+SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes; the stiffness follows from it
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ContactSolution:
-    """A contact by production formula and by finite elements.
+    """A contact by the production formula and by finite elements.
 
-    Quantities are those of `Quantities`; estimates, discrepancies and verdicts are keyed by their names. Verdicts are
-    on Hertz as it is: the torque stands on it, and the correction comes from these same finite elements.
+    Estimates, discrepancies and verdicts are keyed by the field names of `Quantities`. The verdicts are on uncorrected
+    Hertz: the torque is built on it, and the correction was fitted to these same finite elements.
     """
 
     contact: Contact
@@ -56,22 +48,22 @@ class ContactSolution:
     seconds: float
     warnings: tuple[str, ...]
     valid: bool
-    ring: RingStructure | None = None  # apart from the contact: in no quantity, not judged; None where not computed
-    corrected: CorrectedHertz | None = None  # None where the correction's fit does not reach
+    ring: RingStructure | None = None  # part of no quantity and not judged; None where not computed
+    corrected: CorrectedHertz | None = None  # None outside the range of the correction's fit
 
     @property
     def reference(self) -> Quantities:
-        """What all meshes say together."""
+        """The finite-element values, extrapolated from all meshes."""
         return Quantities(**{name: part.value for name, part in self.estimates.items()})
 
     @property
     def discrepancy(self) -> dict[str, float]:
-        """Production over reference minus one."""
+        """The production value over the reference, less one."""
         return {name: getattr(self.hertz, name) / part.value - 1 for name, part in self.estimates.items()}
 
     @property
     def interpolation_error(self) -> dict[str, float]:
-        """Corrected Hertz over reference minus one, on a contact that the fit has not seen; empty where it ends."""
+        """Corrected Hertz over the reference, less one; not a contact of the fit's data. Empty outside its range."""
         if self.corrected is None:
             return {}
         values = vars(self.corrected.quantities)
@@ -86,27 +78,28 @@ class ContactSolution:
 
     @property
     def verdict(self) -> Verdict:
-        """The worst of all quantities."""
+        """The worst verdict of all quantities."""
         return worst(self.verdicts.values())
 
     @property
     def judged(self) -> bool:
-        """A sheet is shown beside the thick seat, not judged: Hertz's half space is not made for it."""
+        """False for a sheet, which Hertz's half space does not describe: it is shown with the thick seat only."""
         return self.geometry != "wall"
 
     @property
-    def rung(self) -> str:
+    def method(self) -> str:
+        """How the reference was computed, in words."""
         part = "half of the contact, " if self.meshes[-1].pair.footprint.half else ""
         return f"finite elements, {self.geometry}, {part}{self.meshes[-1].unknowns} unknowns"
 
     @property
     def centroid(self) -> float:
-        """y of the load's centroid, m: off the contact's centre where one shoulder cuts it off."""
+        """y of the load's centroid, m: not 0 where one shoulder cuts the contact off."""
         return self.shoulder["centroid"].value if self.shoulder else 0.0
 
     @property
     def shoulders(self) -> tuple[float, ...]:
-        """y of the shoulders that cut the contact off, m: the nearer one's is above 0, the farther one's below."""
+        """y of the shoulders that cut the contact off, m: above 0 for the nearer one, below 0 for the farther one."""
         if not self.shoulder:
             return ()
         below, above = self.meshes[-1].pair.footprint.shoulders
@@ -114,7 +107,7 @@ class ContactSolution:
 
     @property
     def strip_width(self) -> float:
-        """Of the strip beside the nearer shoulder whose load is shown, m."""
+        """Width of the strip next to the nearer shoulder whose load is shown, m."""
         return STRIP * self.contact.shoulder
 
     @property
@@ -123,11 +116,11 @@ class ContactSolution:
         return 3 * self.contact.load / (4 * self.hertz.semi_axis_transverse)
 
     def write_meshes(self, folder: Path) -> dict[str, Path]:
-        """Write both bodies of the finest mesh with the pressure, Pa, as .vtu; "upper" and "lower" to their paths."""
+        """Write both bodies of the finest mesh with the pressure, Pa, as .vtu; returns "upper" and "lower" paths."""
         finest, written = self.meshes[-1], {}
         for side, body in (("upper", finest.pair.upper), ("lower", finest.pair.lower)):
             pressure = np.zeros(body.mesh.doflocs.shape[1])
-            # A node without force is open: what the fit of nodal values leaves there is noise.
+            # A node without force does not touch: the fitted nodal pressure there is noise.
             pressure[body.touching] = np.where(finest.force > 0, finest.pressure, 0.0)
             written[side] = folder / f"{self.contact.pair}-{self.geometry}-{side}.vtu"
             write_body(written[side], body, pressure=pressure)
@@ -148,7 +141,7 @@ class ContactSolution:
             and {**self.corrected.to_json(), "interpolation_error": self.interpolation_error},
             "verdict": self.verdict if self.judged else "shown",
             "judged": self.judged,
-            "rung": self.rung,
+            "rung": self.method,
             "meshes": [
                 {"level": mesh.level, "unknowns": mesh.unknowns, "seconds": mesh.seconds} for mesh in self.meshes
             ],
@@ -184,7 +177,7 @@ class ContactSolution:
         return contact_html(self)
 
     def _shoulder_to_json(self) -> dict[str, Any] | None:
-        """What the contact does at the nearer shoulder that cuts it off, above y = 0; uncertainties relative."""
+        """The contact at the nearer shoulder that cuts it off, above y = 0; uncertainties relative."""
         if not self.shoulder:
             return None
         return {
@@ -210,79 +203,35 @@ def solve_contact(
     geometry: Shape = "real",
     progress: Progress = silent,
 ) -> ContactSolution:
-    """Solve one contact of a scene by finite elements and set Hertz beside it.
+    """Solve one contact of a scene by finite elements and compare Hertz with it.
 
-    load : of the ball, N; unless given the scene's largest, in the pocket 28 N
+    load : of the ball, N; by default the scene's largest, and 28 N in the pocket
     tolerance : relative, for the verdict; the scene's unless given
-    accuracy : asked of the finite elements, relative half-width of their 95 % intervals of semi-axes, peak pressure and
-        approach; the tolerance unless given
-    geometry : "real"; "hertzian" for the idealisation whose exact answer is Hertz; "wall", of a pocket alone, for
-        the cage's sheet on its own support where "real" has a thick seat; "ring", of a race alone, for "real" and
-        apart from it what the ring on a rigid seat adds to the approach
-    progress : called with the share done, 0 to 1, and a word on the step at hand
-    Raises InputError for a contact that cannot be meshed, ConvergenceError for one that does not settle.
+    accuracy : required of the finite elements: relative half-width of the 95 % intervals of semi-axes, peak pressure
+        and approach; the tolerance unless given
+    geometry : "real"; "hertzian" for the idealisation whose exact answer is Hertz; "wall", for a pocket only: the
+        cage's sheet on its own support, where "real" has a thick seat; "ring", for a race only: "real", and separately
+        what the ring on a rigid seat adds to the approach
+    progress : called with the share done, 0 to 1, and the name of the current step
+    Raises InputError for a contact that cannot be meshed, ConvergenceError for one that does not converge.
     """
     contact = contact_of(scene, pair=pair, load=load)
     recipe = recipe_of(geometry, pair=pair)
     if geometry == "ring":
         known_ring(contact)
-    asked = scene.tolerance if tolerance is None else tolerance
+    tolerance = scene.tolerance if tolerance is None else tolerance
     with traced_to_load(scene, pair=pair, load=load):
-        found = compare_contact(contact, recipe=recipe, tolerance=asked, accuracy=accuracy, progress=progress)
+        solution = compare_contact(contact, recipe=recipe, tolerance=tolerance, accuracy=accuracy, progress=progress)
         if geometry == "ring":
             progress(1.0, f"{pair}: ring")
-            found = replace(with_ring(found), geometry=geometry)
-    return replace(found, warnings=(*scene.warnings, *found.warnings))
+            solution = replace(with_ring(solution), geometry=geometry)
+    return replace(solution, warnings=(*scene.warnings, *solution.warnings))
 
 
-def with_ring(found: ContactSolution) -> ContactSolution:
+def with_ring(solution: ContactSolution) -> ContactSolution:
     """A solved race contact with what its ring adds. Raises InputError if the ring is not known or cannot be meshed."""
-    recipe = recipe_of("ring", pair=found.contact.pair)
-    return replace(found, ring=structure_of_ring(found.meshes, found.estimates["approach"], recipe=recipe))
-
-
-def recipe_of(geometry: Shape, *, pair: Pair) -> Recipe:
-    """How a geometry is meshed. Raises InputError for a sheet that would stand for a race."""
-    if geometry == "wall" and pair != "pocket":
-        raise InputError(f"geometry 'wall' is that of a pocket; the {pair} race has 'real' and 'hertzian'")
-    return load_recipe(RECIPES[geometry])
-
-
-def as_meshed(contact: Contact, *, recipe: Recipe) -> Contact:
-    """The contact that a recipe meshes: the half spaces of Hertz have no shoulder."""
-    return replace(contact, shoulder=math.inf) if recipe.geometry == "hertzian" else contact
-
-
-def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contact:
-    """The contact of a scene that carries most: of its heaviest ball at any operating point, or at `load`, N.
-
-    Raises InputError for the pocket of a scene without a cage.
-    """
-    if pair == "pocket":
-        if scene.cage is None:
-            raise InputError("the scene has no [cage], so there is no pocket: add an empty [cage] for the catalog's")
-        return pocket_contact(scene.bearing, scene.cage, load=POCKET_LOAD if load is None else load)
-    if load is not None:
-        require_non_negative(ball_load=load)
-    with traced_to_load(scene, pair=pair, load=load):
-        contact = heaviest_contact(scene, pair)
-    return contact if load is None else replace(contact, load=load)
-
-
-@contextmanager
-def traced_to_load(scene: Scene, *, pair: Pair, load: float | None) -> Iterator[None]:
-    """Name the load that a person gave in front of what it leads to."""
-    try:
-        yield
-    except InputError as problem:
-        if load is None and pair != "pocket":
-            cause = f"operation.axial_load = {scene.operation.axial_load.max():g} N"
-            for name, unit in (("radial_load", "N"), ("moment", "N m")):
-                largest = np.max(np.abs(getattr(scene.operation, name)))
-                cause += f", operation.{name} = {largest:g} {unit}" if largest else ""
-        else:
-            cause = f"load = {POCKET_LOAD if load is None else load:g} N"
-        raise InputError(f"{cause}: {problem}") from problem
+    recipe = recipe_of("ring", pair=solution.contact.pair)
+    return replace(solution, ring=structure_of_ring(solution.meshes, solution.estimates["approach"], recipe=recipe))
 
 
 def compare_contact(
@@ -290,36 +239,37 @@ def compare_contact(
 ) -> ContactSolution:
     """Solve `contact` on three levels of `recipe` or more, until the accuracy is reached.
 
-    accuracy : asked of the finite elements, relative; the tolerance unless given
-    The first two levels predict which third one holds it; where that one does not, or leaves a verdict open that a
-    finer mesh could decide, finer ones follow. A sheet has no verdict; its approach and stiffness settle it.
+    accuracy : required of the finite elements, relative; the tolerance unless given
+    The first two levels predict the third one needed. Finer levels follow where that one misses the accuracy, or
+    leaves a verdict undecided that a finer mesh could decide. A sheet has no verdict; only its approach and stiffness
+    must reach the accuracy.
     """
     start = time.perf_counter()
     contact = as_meshed(contact, recipe=recipe)
-    asked = tolerance if accuracy is None else accuracy
+    accuracy = tolerance if accuracy is None else accuracy
     hertz = hertz_quantities(contact)
     thin = recipe.geometry == "wall"
-    watched = SHOWN_OF_A_SHEET if thin else COMPARED
+    quantities = SHOWN_OF_A_SHEET if thin else COMPARED
 
-    def is_open(estimates: Estimates) -> bool:
+    def undecided(estimates: Estimates) -> bool:
         return not thin and any(
             could_be_decided(getattr(hertz, name), part, tolerance=tolerance) for name, part in estimates.items()
         )
 
-    found = solve_reference(
+    reference = solve_reference(
         contact,
         recipe=recipe,
-        accuracy=asked,
-        watched=watched,
-        is_open=is_open,
+        accuracy=accuracy,
+        quantities=quantities,
+        undecided=undecided,
         progress=progress,
     )
-    meshes, estimates = found.meshes, found.estimates
+    meshes, estimates = reference.meshes, reference.estimates
     overrun = near_shoulder(meshes[-1], contact)
     warnings = (
         *((sheet_warning(contact),) if thin else ()),
-        *((shoulder_warning(contact, found),) if overrun else ()),
-        *solve_warnings([(meshes[-1], estimates)], accuracy=asked, watched=watched, thin=thin),
+        *((shoulder_warning(contact, reference),) if overrun else ()),
+        *solve_warnings([(meshes[-1], estimates)], accuracy=accuracy, quantities=quantities, thin=thin),
     )
     corrected, beyond = None, ()
     if is_correctable(contact, recipe.geometry):
@@ -330,7 +280,7 @@ def compare_contact(
         tolerance=tolerance,
         hertz=hertz,
         estimates=estimates,
-        shoulder=found.shoulder,
+        shoulder=reference.shoulder,
         meshes=meshes,
         seconds=time.perf_counter() - start,
         warnings=(*warnings, *beyond),
@@ -340,23 +290,5 @@ def compare_contact(
 
 
 def is_correctable(contact: Contact, geometry: Shape) -> bool:
-    """Whether the correction for finite geometry is of such a contact: ball and race, as they really are."""
+    """Whether the correction for finite geometry applies: to ball and race in their true shapes."""
     return geometry in ("real", "ring") and contact.pair != "pocket"
-
-
-def hertz_quantities(contact: Contact) -> Quantities:
-    """What the production model says of a contact."""
-    curvature_x, curvature_y = relative_curvatures(contact)
-    found = hertz_contact(
-        curvature_x=curvature_x,
-        curvature_y=curvature_y,
-        load=contact.load,
-        modulus=contact_modulus(contact.ball_material, contact.race_material),
-    )
-    return Quantities(
-        semi_axis_rolling=float(found.semi_axis_x),
-        semi_axis_transverse=float(found.semi_axis_y),
-        peak_pressure=float(found.peak_pressure),
-        approach=float(found.approach),
-        stiffness=float(found.stiffness),
-    )

@@ -1,7 +1,7 @@
 """Contact pressure along both axes through a contact's centre, at the nodes of a mesh and by Hertz.
 
-A quarter of a contact is meshed where it is symmetric: positions then run from the centre outwards. Half is meshed
-where one shoulder cuts it off: those across rolling then run from one side to the other.
+Where the contact is symmetric a quarter of it is meshed, and positions run from the centre outwards. Where one
+shoulder cuts it off a half is meshed, and transverse positions run from one side to the other.
 """
 
 from dataclasses import dataclass
@@ -15,16 +15,16 @@ from fembearing.fem.solution import MeshSolution
 
 Axis = Literal["rolling", "transverse"]
 AXES: tuple[Axis, ...] = ("rolling", "transverse")
-MOST = 60  # positions on an axis
-BEYOND = 1.2  # semi-axes: further out there is no contact
-ON_AXIS = 1e-9  # of a mesh's extent: round-off
+MOST = 60  # largest number of positions on an axis
+BEYOND = 1.2  # semi-axes: farther out there is no contact
+ON_AXIS = 1e-9  # share of the mesh's extent: round-off
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PressureProfile:
-    """Along one axis."""
+    """Pressure along one axis."""
 
-    position: Array  # (n,) m from the contact's centre, rising
+    position: Array  # (n,) m from the contact's centre, ascending
     pressure: Array  # (n,) Pa
 
     def to_json(self) -> dict[str, list[float]]:
@@ -32,9 +32,9 @@ class PressureProfile:
 
 
 def nodal_profile(mesh: MeshSolution, axis: Axis) -> PressureProfile:
-    """Nodal values on an axis as they are solved, some tenths of a per cent off: the peak pressure is a fit to many.
+    """Nodal values on an axis as solved. They scatter by some tenths of a per cent; peak pressure is a fit to many.
 
-    Of more than `MOST` nodes an even choice, both ends and the centre among them. A node without force is open: 0.
+    More than `MOST` nodes are thinned evenly, keeping both ends and the centre. A node without force has pressure 0.
     """
     along, across = (mesh.x, mesh.y) if axis == "rolling" else (mesh.y, mesh.x)
     semi_axis = mesh.semi_axes[AXES.index(axis)]
@@ -42,23 +42,23 @@ def nodal_profile(mesh: MeshSolution, axis: Axis) -> PressureProfile:
     nodes = np.flatnonzero(on_axis & (np.abs(along) <= BEYOND * semi_axis))
     nodes = nodes[np.argsort(along[nodes])]
     centre = int(np.argmin(np.abs(along[nodes])))
-    step = -(-nodes.size // (MOST - 2))  # the ends come on top
+    step = -(-nodes.size // (MOST - 2))  # both ends are added
     chosen = np.unique([0, *range(centre % step, nodes.size, step), nodes.size - 1])
     nodes = nodes[chosen]
     return PressureProfile(position=along[nodes], pressure=np.where(mesh.force[nodes] > 0, mesh.pressure[nodes], 0.0))
 
 
 def hertz_profile(hertz: Quantities, axis: Axis) -> PressureProfile:
-    """p0 sqrt(1 - (s/a)^2) from the centre to the edge, where the positions crowd."""
+    """p0 sqrt(1 - (s/a)^2) from the centre to the edge, with denser positions near the edge."""
     angle = np.linspace(0, np.pi / 2, MOST)
     semi_axis = hertz.semi_axis_rolling if axis == "rolling" else hertz.semi_axis_transverse
     pressure = hertz.peak_pressure * np.cos(angle)
-    pressure[-1] = 0.0  # and no round-off of it
+    pressure[-1] = 0.0  # without round-off
     return PressureProfile(position=semi_axis * np.sin(angle), pressure=pressure)
 
 
 def profiles_json(mesh: MeshSolution, hertz: Quantities) -> dict[str, Any]:
-    """Both axes of both sides, SI."""
+    """Both axes by finite elements and by Hertz, SI."""
     return {
         axis: {"fe": nodal_profile(mesh, axis).to_json(), "hertz": hertz_profile(hertz, axis).to_json()}
         for axis in AXES

@@ -1,35 +1,35 @@
-"""The ring's structure apart from the contact: a ring is thin, and Hertz's half space is not.
+"""What a thin ring adds to the approach of the contact, which Hertz takes as that of ball and half space.
 
-A contact's approach is that of ball and half space. The ring on its seat gives way less than a half space would: the
-seat is taken as rigid and the ring as bonded to it, an interference fit on a stiff shaft or in a stiff housing.
+The ring on its seat is stiffer than a half space: the seat is taken as rigid and the ring as bonded to it, as by an
+interference fit on a stiff shaft or in a stiff housing.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.recipe import Recipe
 
-# The difference of ring and block settles from the first level to the second, with cells half as large, as their third
-# or fourth power; 1/(2^2 - 1) of that change is left as uncertainty, as if it were the second.
+# From the first level to the second, with cells half as large, the difference of ring and block converges with order 3
+# or 4. The uncertainty is 1/(2^2 - 1) of its change, as for order 2.
 LEFT = 1 / 3
 
 
 @dataclass(frozen=True, kw_only=True)
 class RingStructure:
-    """What the ring on its rigid seat adds to the approach of the contact alone; negative is stiffer."""
+    """What the ring on its rigid seat adds to the approach of the contact alone; negative: stiffer."""
 
     approach: float  # m
     share: float  # of the contact's approach
-    mesh: float  # m, half-width that the meshes leave
-    domain: float  # m, from the block that stands for the half space
-    reach: float  # m, from how far round the ring the piece goes
+    mesh: float  # m, half-width from the meshes
+    domain: float  # m, half-width from the block that stands for the half space
+    reach: float  # m, half-width from the length of the meshed piece of the ring
 
     @property
     def uncertainty(self) -> float:
-        """All three added, m: nothing says that they are independent."""
+        """The sum of all three, m, as they may depend on each other."""
         return self.mesh + self.domain + self.reach
 
     def to_json(self) -> dict[str, float]:
@@ -38,19 +38,19 @@ class RingStructure:
 
 
 def structure_of_ring(meshes: Sequence[MeshSolution], approach: Estimate, *, recipe: Recipe) -> RingStructure:
-    """The structural part of a contact that was solved on `meshes`, of which the first two are used.
+    """The ring's part of the approach, from the first two of the `meshes` on which the contact was solved.
 
-    approach : what the meshes say of the contact's
-    recipe : that they were made with
+    approach : estimate of the contact's
+    recipe : by which the meshes were made
     Raises InputError if the ring is not known or cannot be meshed.
     """
     coarse, fine = meshes[:2]
     rough, soft = (ring_compression(mesh, recipe=recipe) - block_compression(mesh) for mesh in (coarse, fine))
     stiff = ring_compression(coarse, recipe=recipe, end="held") - block_compression(coarse)
-    found = soft - approach.beyond * approach.limit  # the endless half space in place of the block
+    added = soft - approach.beyond * approach.limit  # the infinite half space in place of the block
     return RingStructure(
-        approach=found,
-        share=found / approach.value,
+        approach=added,
+        share=added / approach.value,
         mesh=LEFT * abs(soft - rough),
         domain=approach.domain * approach.value,
         reach=abs(rough - stiff),

@@ -1,13 +1,13 @@
-"""The verdict on one quantity: does the production value stay within the tolerance of the reference?"""
+"""The verdict on one quantity: is the production value within the tolerance of the reference?"""
 
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Literal
 
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.grid_convergence import Estimate
 
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
-AGREE = 0.1  # meshes that do not settle still agree when they differ by less than this share of the tolerance
+AGREE = 0.1  # meshes that do not converge still agree if they differ by less than this share of the tolerance
 
 
 def judge(
@@ -15,9 +15,9 @@ def judge(
 ) -> Verdict:
     """All arguments relative.
 
-    settled : the meshes close in on a value
+    settled : the meshes converge
     spread : largest difference between the meshes
-    valid : the contact is one that the production formula is made for
+    valid : the contact is within the validity of the production formula
     """
     if not valid:
         return "outside validity"
@@ -31,10 +31,10 @@ def judge(
 
 
 def verdict_on(formula: float, part: Estimate, *, tolerance: float, valid: bool) -> Verdict:
-    """Of a production value beside what the meshes say.
+    """The verdict on a production value, against the estimate from the meshes.
 
-    formula : in the unit of `part`
-    tolerance, valid : as of `judge`
+    formula : production value, in the unit of `part`
+    tolerance, valid : as in `judge`
     """
     return judge(
         discrepancy=formula / part.value - 1,
@@ -47,13 +47,13 @@ def verdict_on(formula: float, part: Estimate, *, tolerance: float, valid: bool)
 
 
 def could_be_decided(formula: float, part: Estimate, *, tolerance: float) -> bool:
-    """Whether a quantity is undecided and a finer mesh could decide it: the far boundary's share it would not lower."""
+    """Whether a quantity is undecided and a finer mesh could decide it. The far boundary's part would stay."""
     perfect = replace(part, mesh=0.0, settled=True)
     now, then = (verdict_on(formula, each, tolerance=tolerance, valid=True) for each in (part, perfect))
     return now == "undecided" != then
 
 
 def worst(verdicts: Iterable[Verdict]) -> Verdict:
-    """The one that a person must act on first."""
+    """The most serious verdict."""
     order: tuple[Verdict, ...] = ("fail", "outside validity", "undecided", "pass")
     return min(verdicts, key=order.index)

@@ -1,35 +1,38 @@
-"""What must be said of a solved contact beside its numbers, a line each: the same under one load and in a series."""
+"""Warnings about a solved contact, one line each, the same under one load and in a series."""
 
 import math
 from collections.abc import Sequence
 
 from analytic.effects.limits import STATIC_LIMIT
 from analytic.scene import Contact
-from fembearing.compare.contact.reference import Estimates, Reference
+from fembearing.compare.contact.mesh_refinement import Estimates, Reference
 from fembearing.fem.solution import MeshSolution
 
-EDGE_OF_GROOVE = 1.05  # an ellipse this near its shoulder, in semi-axes, is no longer Hertz's
-Solved = tuple[MeshSolution, Estimates]  # a load on its finest mesh, and what all its meshes say
+EDGE_OF_GROOVE = 1.05  # distance to the shoulder, in semi-axes, below which Hertz no longer applies
+Solved = tuple[MeshSolution, Estimates]  # a load on its finest mesh, and the estimates from all its meshes
 
 
 def near_shoulder(mesh: MeshSolution, contact: Contact) -> bool:
-    """Whether a solved contact reaches its shoulder, or nearly: what Hertz is not made for."""
+    """Whether a solved contact reaches its shoulder, or nearly, where Hertz does not apply."""
     return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.shoulder
 
 
-def solve_warnings(solved: Sequence[Solved], *, accuracy: float, watched: Sequence[str], thin: bool) -> tuple[str, ...]:
-    """Of one contact under one load or several: what it was solved for and did not reach, and where it is not elastic.
+def solve_warnings(
+    solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[str], thin: bool
+) -> tuple[str, ...]:
+    """Missed accuracy, meshes that do not converge, and yielding, of one contact under one load or several.
 
-    accuracy : asked of the quantities named in `watched`, relative half-width
-    thin : a sheet stands for the race
+    accuracy : required of the `quantities`, which are names, relative half-width
+    thin : a sheet takes the place of the race
     """
-    warnings = (_missed(solved, accuracy=accuracy, watched=watched), _unsettled(solved, thin=thin), _plastic(solved))
+    missed = _missed(solved, accuracy=accuracy, quantities=quantities)
+    warnings = (missed, _unsettled(solved, thin=thin), _plastic(solved))
     return tuple(warning for warning in warnings if warning)
 
 
 def sheet_warning(contact: Contact) -> str:
     """Why a sheet is shown and not judged."""
-    assert contact.wall is not None  # or it would not have been meshed
+    assert contact.wall is not None  # otherwise it would not have been meshed
     return (
         f"{contact.pair}: the sheet of {contact.wall.thickness * 1e3:.3g} mm bends on its rim, which Hertz's half "
         "space does not know: compare with the stiffness, do not judge by it"
@@ -37,7 +40,7 @@ def sheet_warning(contact: Contact) -> str:
 
 
 def shoulder_warning(contact: Contact, reference: Reference) -> str:
-    """Of one contact that reaches its shoulder, or nearly."""
+    """The warning for a contact that reaches its shoulder, or nearly."""
     near, remedy = f"{contact.shoulder * 1e3:.3f} mm", "lower the load or the contact angle"
     finest = reference.meshes[-1]
     if finest.shoulder is None:
@@ -57,7 +60,7 @@ def shoulder_warning(contact: Contact, reference: Reference) -> str:
 
 
 def series_shoulder_warning(contact: Contact, *, load: float) -> str:
-    """Of a series that reaches its shoulder, or nearly, from `load` (N) on."""
+    """The warning for a series that reaches its shoulder, or nearly, from `load` (N) on."""
     return (
         f"{contact.pair}: from {load:g} N on the contact reaches its shoulder, {contact.shoulder * 1e3:.3f} mm "
         "away: outside Hertz"
@@ -65,17 +68,17 @@ def series_shoulder_warning(contact: Contact, *, load: float) -> str:
 
 
 def two_loads_warning(contact: Contact) -> str:
-    """Why a law has no uncertainty."""
+    """Why the law of two loads has no uncertainty."""
     return (
         f"{contact.pair}: two loads fit any power law, which is assumed: K, n and tangents are without an uncertainty; "
         "give a third load"
     )
 
 
-def _missed(solved: Sequence[Solved], *, accuracy: float, watched: Sequence[str]) -> str | None:
-    """The least certain of all quantities and loads, where it is less certain than was asked."""
+def _missed(solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[str]) -> str | None:
+    """The most uncertain of all quantities and loads, if it misses the required accuracy."""
     mesh, name, part = max(
-        ((mesh, name, estimates[name]) for mesh, estimates in solved for name in watched),
+        ((mesh, name, estimates[name]) for mesh, estimates in solved for name in quantities),
         key=lambda each: each[2].total,
     )
     if part.total <= accuracy:
@@ -87,7 +90,7 @@ def _missed(solved: Sequence[Solved], *, accuracy: float, watched: Sequence[str]
 
 
 def _unsettled(solved: Sequence[Solved], *, thin: bool) -> str | None:
-    """All quantities in which the meshes of some load do not close in on a value."""
+    """All quantities in which the meshes of some load do not converge."""
     loose = [
         (mesh.contact, _words(name))
         for mesh, estimates in solved
@@ -103,7 +106,7 @@ def _unsettled(solved: Sequence[Solved], *, thin: bool) -> str | None:
 
 
 def _plastic(solved: Sequence[Solved]) -> str | None:
-    """From which load on bearing steel would yield."""
+    """The smallest load under which bearing steel would yield."""
     over = [mesh for mesh, _ in solved if mesh.quantities.peak_pressure > STATIC_LIMIT]
     if not over:
         return None

@@ -6,22 +6,20 @@ import numpy as np
 
 from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.torque import CagePart, cage_friction, driven_cage
-from analytic.effects.ledger import Choices
+from analytic.effects.ledger import Ledger
 from analytic.effects.loads import chosen_balls
 from analytic.errors import InputError
 from analytic.scene import Array, Operation, Scene
-from fembearing.compare.cost.ladder import Question, Way, deviation
+from fembearing.compare.cost.ladder import UntimedLadder, UntimedMethod, deviation
 
-# Of each motion, s: shorter than a scene's, so that all rungs with their repeats take less than half a minute, in steps
-# as usual.
-SEEDS, DURATION = 3, 0.02
-SHARES = (0.25, 0.5, 1.0, 2.0)  # of the scene's steps a contact; the last is the reference
+SEEDS, DURATION = 3, 0.02  # of each motion; s, shorter than a scene's, so that all repeats take less than half a minute
+SHARES = (0.25, 0.5, 1.0, 2.0)  # of the scene's steps per contact; the last is the reference
 
 
-def cage_question(scene: Scene) -> Question:
-    """Torque of the cage at the fastest operating point, every rung with the friction coefficient of the closed form.
+def cage_methods(scene: Scene) -> UntimedLadder:
+    """Torque of the cage at the fastest operating point, each method with the friction coefficient of the closed form.
 
-    A scene that does not say how its cage started is asked for a motion from rest, which the closed form is of. Raises
+    The motion starts from rest, as the closed form assumes, unless the scene says how its cage started. Raises
     InputError for a scene without a cage, without friction in its pockets, or at standstill.
     """
     cage, bearing = scene.cage, scene.bearing
@@ -36,10 +34,10 @@ def cage_question(scene: Scene) -> Question:
     if turning == 0:
         raise InputError("the bearing stands still, and its cage takes nothing")
     resting = replace(scene, operation=operation, effects={**scene.effects, "cage": "on", "cage_dynamics": "off"})
-    balls, _ = chosen_balls(resting, operation, Choices(resting, 1), correction=None)
+    balls, _ = chosen_balls(resting, operation, Ledger(resting, 1), correction=None)
 
     def closed_form() -> CagePart:
-        part = cage_friction(resting, balls, operation, Choices(resting, 1), race=np.zeros(1))
+        part = cage_friction(resting, balls, operation, Ledger(resting, 1), race=np.zeros(1))
         assert part is not None  # there is a cage, and it is on
         return part
 
@@ -56,38 +54,38 @@ def cage_question(scene: Scene) -> Question:
     steps = [share * cage.steps_per_contact for share in SHARES]
     longer = cage.seeds * cage.duration / (SEEDS * duration)
 
-    def of_steps(number: int) -> Way:
-        asked = {"start": start, "seeds": SEEDS, "duration": duration, "steps_per_contact": steps[number]}
-        coarser = asked | {"steps_per_contact": steps[max(number - 1, 0)]}
-        return Way(
+    def motion_in(number: int) -> UntimedMethod:
+        settings = {"start": start, "seeds": SEEDS, "duration": duration, "steps_per_contact": steps[number]}
+        coarser = settings | {"steps_per_contact": steps[max(number - 1, 0)]}
+        return UntimedMethod(
             name=f"motion, {steps[number]:g} steps a contact",
-            run=lambda: _torque(measured_motion.__wrapped__(driven, **asked)),  # what it keeps has no price
-            bound=lambda: _of_motion(measured_motion(driven, **asked), measured_motion(driven, **coarser)),
+            run=lambda: _torque(measured_motion.__wrapped__(driven, **settings)),  # not from its cache
+            bound=lambda: _bound(measured_motion(driven, **settings), measured_motion(driven, **coarser)),
             may_refer=True,
         )
 
-    return Question(
+    return UntimedLadder(
         quantity="cage torque",
         reference=(
             f'motion in the finest steps, from "{start}", {SEEDS} seeds of {duration:.3g} s at '
             f"{turning:.4g} rad/s; what the scene asks takes {longer:.3g} times as long"
         ),
-        ways=(
-            # What it leaves out is known of no closed form: the motion shows it.
-            Way(name="closed form at rest", run=lambda: closed_form().torque, bound=lambda: np.inf),
-            *(of_steps(number) for number in range(len(steps))),
+        methods=(
+            # No closed form bounds what this one leaves out: only the motion shows it.
+            UntimedMethod(name="closed form at rest", run=lambda: closed_form().torque, bound=lambda: np.inf),
+            *(motion_in(number) for number in range(len(steps))),
         ),
     )
 
 
-def _torque(found: CageStatistics) -> Array:
-    return np.array([found.torque])
+def _torque(motion: CageStatistics) -> Array:
+    return np.array([motion.torque])
 
 
-def _of_motion(found: CageStatistics, coarser: CageStatistics) -> float:
-    """What twice the step changes, and half the interval of the mean over seeds; no bound without a coarser one."""
-    if coarser is found:
+def _bound(motion: CageStatistics, coarser: CageStatistics) -> float:
+    """The change from twice the step, and half the interval of the mean over seeds; infinite without a coarser one."""
+    if coarser is motion:
         return np.inf
-    low, high = found.torque_interval
-    interval = 0.0 if high == low else (high - low) / 2 / abs(found.torque)
-    return deviation(_torque(coarser), _torque(found)) + interval
+    low, high = motion.torque_interval
+    interval = 0.0 if high == low else (high - low) / 2 / abs(motion.torque)
+    return deviation(_torque(coarser), _torque(motion)) + interval

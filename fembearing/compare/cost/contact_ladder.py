@@ -6,37 +6,37 @@ import numpy as np
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Array, Contact
-from fembearing.compare.contact.corrected import CorrectedHertz, corrected_hertz
-from fembearing.compare.contact.discrepancy import ContactSolution, hertz_quantities
+from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
+from fembearing.compare.contact.mesh_refinement import COMPARED, Estimates, estimates_of
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
-from fembearing.compare.contact.reference import COMPARED, Estimates, estimates_of
-from fembearing.compare.cost.ladder import Ladder, Trial, Way, ladder_of, timed
+from fembearing.compare.cost.ladder import Ladder, TimedMethod, UntimedMethod, ladder_of, timed
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.memory import peak_while
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress, silent
 
-FEWEST = 3  # meshes that can be extrapolated
+FEWEST = 3  # meshes needed to extrapolate
 MESH_REPEATS = 3
-DEAR = 10.0  # s: a mesh that takes longer is timed once, or a slow machine would take minutes
-# Worst error of semi-axes, peak pressure and approach on each level of the recipe of a race, whatever the contact: a
-# mesh that follows the ellipse leaves about the same of any. 16 random contacts left 0.045 to 0.099, 0.0038 to 0.0094,
-# 0.0008 to 0.0020 and 0.0003 to 0.0007; validation/benchmarks/choices.py tries others.
+DEAR = 10.0  # s: a mesh that takes longer is timed once, to save minutes on a slow machine
+# Worst error of semi-axes, peak pressure and approach on each level of the recipe of a race, for any contact: the mesh
+# follows the ellipse, so that all have about the same error. The errors of 16 random contacts were 0.045 to 0.099,
+# 0.0038 to 0.0094, 0.0008 to 0.0020 and 0.0003 to 0.0007; validation/benchmarks/choices.py tests others.
 LEVEL_BOUNDS = {1: 0.105, 2: 0.01, 3: 0.0021, 4: 0.0008}
 
 
 def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent) -> Ladder:
-    """Hertz, corrected Hertz, then every level of `recipe`, timed apart from the sizing of the mesh.
+    """Hertz, corrected Hertz, then every level of `recipe`, timed without the sizing of the mesh.
 
-    Each level's seconds are predicted from the largest mesh solved before it; it is run once more than it is timed.
+    Each level's seconds are predicted from the largest mesh solved before it. A level runs once more than it is timed.
     """
-    trials = _formula_trials(contact)
+    methods = _formulas(contact)
     try:
         sized = fitted_solution(contact, recipe=recipe)
     except FembearingError as problem:
-        trials += [Trial(name=_level_name(level), answer=None, failed=str(problem)) for level in recipe.levels]
-        return ladder_of(_quantity(contact), _reference([], None), trials, tolerance=tolerance)
+        methods += [TimedMethod(name=_level_name(level), answer=None, failed=str(problem)) for level in recipe.levels]
+        return ladder_of(_quantity(contact), _reference([], None), methods, tolerance=tolerance)
     work = np.cumsum([0, *(level**3 for level in recipe.levels)])
     meshes: list[MeshSolution] = []
     for number, level in enumerate(recipe.levels):
@@ -52,74 +52,74 @@ def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, prog
             mesh, memory = peak_while(solve)
             seconds = (mesh.seconds, *(solve().seconds for _ in range(_repeats(mesh.seconds) - 1)))
         except FembearingError as problem:
-            trials.append(Trial(name=_level_name(level), answer=None, failed=str(problem), predicted=expected))
+            methods.append(TimedMethod(name=_level_name(level), answer=None, failed=str(problem), predicted=expected))
             continue
         meshes.append(mesh)
-        trials.append(_mesh_trial(mesh, seconds=seconds, warm_up=warm_up, memory=memory, predicted=expected))
+        methods.append(_mesh_method(mesh, seconds=seconds, warm_up=warm_up, memory=memory, predicted=expected))
     estimates = estimates_of(meshes) if len(meshes) >= FEWEST else None
-    trials += _extrapolated(estimates, trials)
-    return ladder_of(_quantity(contact), _reference(meshes, estimates), trials, tolerance=tolerance)
+    methods += _extrapolated(estimates, methods)
+    return ladder_of(_quantity(contact), _reference(meshes, estimates), methods, tolerance=tolerance)
 
 
-def contact_ladder_of(found: ContactSolution) -> Ladder:
-    """The contact ladder of a solution at hand: formulas timed in place, each mesh at the seconds it took, once."""
-    meshes = [_mesh_trial(mesh, seconds=(mesh.seconds,)) for mesh in found.meshes]
-    trials = [*_formula_trials(found.contact), *meshes, *_extrapolated(found.estimates, meshes)]
-    reference = _reference(found.meshes, found.estimates)
-    return ladder_of(_quantity(found.contact), reference, trials, tolerance=found.tolerance)
+def contact_ladder_of(solution: ContactSolution) -> Ladder:
+    """The contact ladder of a solution: formulas are timed here, each mesh has the seconds of its one solve."""
+    meshes = [_mesh_method(mesh, seconds=(mesh.seconds,)) for mesh in solution.meshes]
+    methods = [*_formulas(solution.contact), *meshes, *_extrapolated(solution.estimates, meshes)]
+    reference = _reference(solution.meshes, solution.estimates)
+    return ladder_of(_quantity(solution.contact), reference, methods, tolerance=solution.tolerance)
 
 
 def level_bound(contact: Contact, mesh: MeshSolution) -> float | None:
-    """On the error of one mesh; None for what was not compared: pockets, and contacts cut off at a shoulder."""
+    """Bound on the error of one mesh; None for pockets and contacts cut off at a shoulder, which were not compared."""
     return LEVEL_BOUNDS.get(mesh.level) if contact.pair != "pocket" and mesh.shoulder is None else None
 
 
-def _formula_trials(contact: Contact) -> list[Trial]:
-    """Hertz, and on a race Hertz corrected for finite geometry; the correction bounds both."""
+def _formulas(contact: Contact) -> list[TimedMethod]:
+    """Hertz, and on a race Hertz corrected for finite geometry; the correction gives the bounds of both."""
 
     def correction() -> CorrectedHertz:
-        found, beyond = corrected_hertz(contact, hertz=hertz_quantities(contact))
-        if found is None:
-            raise InputError("; ".join(beyond))
-        return found
+        corrected, reasons = corrected_hertz(contact, hertz=hertz_quantities(contact))
+        if corrected is None:
+            raise InputError("; ".join(reasons))
+        return corrected
 
-    def of_corrected() -> float:
+    def bound_of_corrected() -> float:
         return max(correction().uncertainty[name] for name in COMPARED)
 
-    def of_hertz() -> float:
-        """What the correction mends, and what it may leave."""
+    def bound_of_hertz() -> float:
+        """The size of the correction, and its uncertainty."""
         try:
-            fitted = correction()
+            corrected = correction()
         except InputError:
             return np.inf
-        off = np.abs(_compared(hertz_quantities(contact)) / _compared(fitted.quantities) - 1)
-        return float(np.max(off + [fitted.uncertainty[name] for name in COMPARED]))
+        off = np.abs(_compared(hertz_quantities(contact)) / _compared(corrected.quantities) - 1)
+        return float(np.max(off + [corrected.uncertainty[name] for name in COMPARED]))
 
     on_race = contact.pair != "pocket"
-    hertz = Way(
+    hertz = UntimedMethod(
         name="Hertz",
         run=lambda: _compared(hertz_quantities(contact)),
-        bound=of_hertz if on_race else lambda: np.inf,
+        bound=bound_of_hertz if on_race else lambda: np.inf,
     )
     if not on_race:
         return [timed(hertz)]
-    corrected = Way(
+    corrected = UntimedMethod(
         name="Hertz, corrected for finite geometry",
         run=lambda: _compared(correction().quantities),
-        bound=of_corrected,
+        bound=bound_of_corrected,
     )
     return [timed(hertz), timed(corrected)]
 
 
-def _mesh_trial(
+def _mesh_method(
     mesh: MeshSolution,
     *,
     seconds: tuple[float, ...],
     warm_up: float | None = None,
     memory: int | None = None,
     predicted: float | None = None,
-) -> Trial:
-    return Trial(
+) -> TimedMethod:
+    return TimedMethod(
         name=_level_name(mesh.level),
         answer=_compared(mesh.quantities),
         bound=level_bound(mesh.contact, mesh),
@@ -133,7 +133,7 @@ def _mesh_trial(
 
 
 def _repeats(seconds: float) -> int:
-    """How often a mesh that takes so long is timed."""
+    """Number of timings of a mesh that takes so long."""
     return 1 if seconds > DEAR else MESH_REPEATS
 
 
@@ -146,7 +146,7 @@ def _quantity(contact: Contact) -> str:
 
 
 def _reference(meshes: Sequence[MeshSolution], estimates: Estimates | None) -> str:
-    """What the errors of a contact ladder are taken against, in words."""
+    """What the errors of a contact ladder are relative to, in words."""
     if not meshes:
         return "none: no mesh was solved"
     words = "worst of semi-axes, peak pressure and approach"
@@ -159,18 +159,18 @@ def _off(estimates: Estimates) -> float:
     return max(part.mesh for name, part in estimates.items() if name in COMPARED)
 
 
-def _extrapolated(estimates: Estimates | None, trials: Sequence[Trial]) -> list[Trial]:
-    """What three meshes or more say together, at the price of all."""
+def _extrapolated(estimates: Estimates | None, methods: Sequence[TimedMethod]) -> list[TimedMethod]:
+    """The extrapolation of three meshes or more, at the price of all."""
     if estimates is None:
         return []
-    meshes = [trial for trial in trials if trial.unknowns and trial.seconds]
-    memories = [trial.memory for trial in meshes if trial.memory is not None]
+    meshes = [each for each in methods if each.unknowns and each.seconds]
+    memories = [mesh.memory for mesh in meshes if mesh.memory is not None]
     return [
-        Trial(
+        TimedMethod(
             name="finite elements, extrapolated",
             answer=np.array([estimates[name].limit for name in COMPARED]),
             bound=_off(estimates),
-            seconds=(sum(float(np.median(trial.seconds)) for trial in meshes),),
+            seconds=(sum(float(np.median(mesh.seconds)) for mesh in meshes),),
             memory=max(memories, default=None),
             may_refer=True,
         )

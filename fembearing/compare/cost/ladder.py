@@ -1,7 +1,7 @@
-"""What each digit costs: for a quantity, the ways to compute it from cheap to exact, with error, bound and seconds.
+"""What each digit costs: the methods for a quantity from cheap to exact, with error, bound and seconds.
 
-An error is relative to the ladder's reference rung, which has none of its own to show. A bound is what is known of it
-without that reference, and so what a rung is chosen by. Seconds are wall time on this machine, memory is resident.
+An error is relative to the reference, one of the ladder's methods, which has no error itself. A bound is known without
+the reference, so a method is chosen by it. Seconds are wall time on this machine, memory is resident.
 """
 
 import time
@@ -16,29 +16,29 @@ from analytic.errors import FembearingError
 from analytic.scene import Array
 from fembearing.memory import peak_while
 
-FORMULA_REPEATS = 15  # the median of 15 leaves out what other programs do to a short timing
-FEWEST_REPEATS, LONGEST = 3, 1.0  # of a formula that is slow; s, that all repeats should take together
-SAMPLE = 5e-3  # s that one timing of a formula lasts at least: 1000 times what the clock and the loop take
+FORMULA_REPEATS = 15  # their median leaves out the effect of other programs on a short timing
+FEWEST_REPEATS, LONGEST = 3, 1.0  # of a slow formula; s, limit for all repeats together
+SAMPLE = 5e-3  # s, least duration of one timing of a formula: 1000 times the cost of clock and loop
 MOST_CALLS = 1000  # in one timing
-ROUND_OFF = 1e-12  # bound of a rung that is exact: the hard cases hold the closed forms to less in 40-digit arithmetic
-DIGITS = (0.1, 0.01, 0.001, 0.0001)  # tolerances whose choices are told, whatever tolerance is asked
+ROUND_OFF = 1e-12  # bound of an exact method: the hard cases hold the closed forms to less, against 40-digit arithmetic
+DIGITS = (0.1, 0.01, 0.001, 0.0001)  # tolerances whose choices are shown, whatever the tolerance
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rung:
-    """One way to compute a quantity."""
+class Method:
+    """A method to compute a quantity, compared with the others of its ladder."""
 
     name: str
-    error: float | None  # worst relative deviation from the reference; None for the reference and where there is none
-    bound: float | None = None  # on the true error, relative, known without the reference; None: none is known
+    error: float | None  # worst relative deviation from the reference; None for the reference and without one
+    bound: float | None = None  # on the true error, relative, known without the reference; None: unknown
     seconds: float | None  # median of the repeats; None if it failed
     spread: float | None  # longest less shortest repeat, s
     repeats: int
     warm_up: float | None = None  # s, of the first call, which is in no repeat
-    predicted: float | None = None  # s, of a mesh, told before it was solved
+    predicted: float | None = None  # s, of a mesh, predicted before it was solved
     memory: int | None  # largest resident memory of the process while it ran, bytes; see `memory.peak_while`
     unknowns: int | None = None  # of a mesh
-    known_error: float | None = None  # what a tolerance is compared with, see `known_error`; None: nothing is known
+    known_error: float | None = None  # compared with a tolerance, see `known_error`; None: unknown
     chosen: bool = False  # the cheapest within the tolerance
     failed: str | None = None  # why it gave no answer, in one line
 
@@ -48,53 +48,53 @@ class Rung:
 
 @dataclass(frozen=True, kw_only=True)
 class Choice:
-    """What a tolerance takes."""
+    """The method that a tolerance needs."""
 
     tolerance: float  # relative
-    rung: Rung | None  # None where no rung is that good
-    price: float | None  # seconds over those of the choice one step looser; None at the first and where there is none
+    method: Method | None  # None where no method is within the tolerance
+    price: float | None  # seconds over those of the next looser choice; None for the first and without a method
 
     def to_json(self) -> dict[str, Any]:
         return {
             "tolerance": self.tolerance,
-            "rung": None if self.rung is None else self.rung.name,
-            "seconds": None if self.rung is None else self.rung.seconds,
+            "rung": None if self.method is None else self.method.name,
+            "seconds": None if self.method is None else self.method.seconds,
             "price": self.price,
         }
 
 
 @dataclass(frozen=True, kw_only=True)
 class Ladder:
-    """The rungs of one quantity, from cheap to exact."""
+    """The methods for one quantity, from cheap to exact."""
 
     quantity: str
-    reference: str  # what the errors are taken against
-    rungs: tuple[Rung, ...]
-    absent: str | None = None  # why the scene has no such ladder; then there are no rungs
+    reference: str  # what the errors are relative to
+    methods: tuple[Method, ...]
+    absent: str | None = None  # why the scene has no such ladder; then there are no methods
 
     @property
-    def chosen(self) -> Rung | None:
-        """The cheapest within the tolerance; None where no rung is."""
-        return next((rung for rung in self.rungs if rung.chosen), None)
+    def chosen(self) -> Method | None:
+        """The cheapest within the tolerance; None where no method is."""
+        return next((method for method in self.methods if method.chosen), None)
 
-    def choose(self, tolerance: float) -> Rung | None:
-        """The cheapest rung whose error is known to be within `tolerance`, relative; None where none is."""
+    def choose(self, tolerance: float) -> Method | None:
+        """The cheapest method whose error is known to be within `tolerance`, relative; None where none is."""
         within = [
-            (rung.seconds, number)
-            for number, rung in enumerate(self.rungs)
-            if rung.seconds is not None and rung.known_error is not None and rung.known_error <= tolerance
+            (method.seconds, number)
+            for number, method in enumerate(self.methods)
+            if method.seconds is not None and method.known_error is not None and method.known_error <= tolerance
         ]
-        return self.rungs[min(within)[1]] if within else None
+        return self.methods[min(within)[1]] if within else None
 
     @property
     def choices(self) -> tuple[Choice, ...]:
-        """The rung that each of DIGITS takes, and what the next digit costs."""
-        rungs = [self.choose(digit) for digit in DIGITS]
-        seconds = [None if rung is None else rung.seconds for rung in rungs]
+        """The method for each of DIGITS, and the price of the next digit."""
+        methods = [self.choose(digit) for digit in DIGITS]
+        seconds = [None if method is None else method.seconds for method in methods]
         prices = [None, *(tight / loose if loose and tight else None for loose, tight in pairwise(seconds))]
         return tuple(
-            Choice(tolerance=digit, rung=rung, price=price)
-            for digit, rung, price in zip(DIGITS, rungs, prices, strict=True)
+            Choice(tolerance=digit, method=method, price=price)
+            for digit, method, price in zip(DIGITS, methods, prices, strict=True)
         )
 
     def to_json(self) -> dict[str, Any]:
@@ -102,36 +102,36 @@ class Ladder:
             "quantity": self.quantity,
             "reference": self.reference,
             "absent": self.absent,
-            "rungs": [rung.to_json() for rung in self.rungs],
+            "rungs": [method.to_json() for method in self.methods],
             "choices": [choice.to_json() for choice in self.choices],
         }
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Way:
-    """One way to compute a quantity by a formula."""
+class UntimedMethod:
+    """A method that has not run yet: a function, and the bound on its error."""
 
     name: str
-    run: Callable[[], Array]  # what is compared, of one shape along a ladder
-    bound: Callable[[], float]  # on the relative error of what `run` gives; need not be part of its price
+    run: Callable[[], Array]  # the compared numbers, of one shape along a ladder
+    bound: Callable[[], float]  # on the relative error of the result of `run`; its time does not count
     may_refer: bool = False  # the last of these that gave an answer is the reference
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Question:
-    """A quantity and the ways to compute it, from cheap to exact."""
+class UntimedLadder:
+    """A quantity and its methods from cheap to exact, before they have run."""
 
     quantity: str
     reference: str
-    ways: tuple[Way, ...]
+    methods: tuple[UntimedMethod, ...]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Trial:
-    """One way that has run: a rung before it is compared."""
+class TimedMethod:
+    """A method that has run, before it is compared with the others."""
 
     name: str
-    answer: Array | None  # what is compared, of one shape along a ladder; None if it failed
+    answer: Array | None  # the compared numbers, of one shape along a ladder; None if it failed
     bound: float | None = None
     seconds: tuple[float, ...] = ()  # of each repeat
     warm_up: float | None = None
@@ -142,70 +142,70 @@ class Trial:
     failed: str | None = None
 
 
-def measured(question: Question, *, tolerance: float) -> Ladder:
-    """Every way of a question with its error and its price."""
-    trials = [timed(way) for way in question.ways]
-    return ladder_of(question.quantity, question.reference, trials, tolerance=tolerance)
+def measured(ladder: UntimedLadder, *, tolerance: float) -> Ladder:
+    """Run every method of a ladder: its error and its price."""
+    methods = [timed(method) for method in ladder.methods]
+    return ladder_of(ladder.quantity, ladder.reference, methods, tolerance=tolerance)
 
 
-def timed(way: Way) -> Trial:
-    """One call to warm up, then samples long enough for the clock; a refusal is told in its words."""
+def timed(method: UntimedMethod) -> TimedMethod:
+    """One call to warm up, then samples long enough for the clock; an error of the library is kept as its message."""
     try:
         start = time.perf_counter()
-        way.run()
+        method.run()
         warm_up = time.perf_counter() - start
-        answer, memory = peak_while(way.run)
-        once = _seconds(way.run, calls=1)
+        answer, memory = peak_while(method.run)
+        once = _seconds(method.run, calls=1)
         calls = int(np.clip(np.ceil(SAMPLE / once), 1, MOST_CALLS))
         repeats = int(np.clip(LONGEST / once, min(FEWEST_REPEATS, FORMULA_REPEATS), FORMULA_REPEATS))
-        seconds = tuple(_seconds(way.run, calls=calls) for _ in range(repeats))
-        bound = way.bound()
+        seconds = tuple(_seconds(method.run, calls=calls) for _ in range(repeats))
+        bound = method.bound()
     except FembearingError as problem:
-        return Trial(name=way.name, answer=None, failed=str(problem))
-    return Trial(
-        name=way.name,
+        return TimedMethod(name=method.name, answer=None, failed=str(problem))
+    return TimedMethod(
+        name=method.name,
         answer=answer,
         bound=bound if np.isfinite(bound) else None,
         seconds=seconds,
         warm_up=warm_up,
         memory=memory,
-        may_refer=way.may_refer,
+        may_refer=method.may_refer,
     )
 
 
-def ladder_of(quantity: str, reference: str, trials: Sequence[Trial], *, tolerance: float) -> Ladder:
-    """Compare each trial with the reference and choose the cheapest within `tolerance` (relative)."""
-    exact = next((trial for trial in reversed(trials) if trial.may_refer and trial.answer is not None), None)
-    rungs = []
-    for trial in trials:
+def ladder_of(quantity: str, reference: str, runs: Sequence[TimedMethod], *, tolerance: float) -> Ladder:
+    """Compare each method with the reference and choose the cheapest within `tolerance` (relative)."""
+    exact = next((each for each in reversed(runs) if each.may_refer and each.answer is not None), None)
+    methods = []
+    for each in runs:
         error = None
-        if exact is not None and trial is not exact and trial.answer is not None and exact.answer is not None:
-            error = deviation(trial.answer, exact.answer)
-        rungs.append(
-            Rung(
-                name=trial.name,
+        if exact is not None and each is not exact and each.answer is not None and exact.answer is not None:
+            error = deviation(each.answer, exact.answer)
+        methods.append(
+            Method(
+                name=each.name,
                 error=error,
-                bound=trial.bound,
-                known_error=known_error(trial.bound, error, None if exact is None else exact.bound),
-                seconds=float(np.median(trial.seconds)) if trial.seconds else None,
-                spread=max(trial.seconds) - min(trial.seconds) if trial.seconds else None,
-                repeats=len(trial.seconds),
-                warm_up=trial.warm_up,
-                predicted=trial.predicted,
-                memory=trial.memory,
-                unknowns=trial.unknowns,
-                failed=trial.failed,
+                bound=each.bound,
+                known_error=known_error(each.bound, error, None if exact is None else exact.bound),
+                seconds=float(np.median(each.seconds)) if each.seconds else None,
+                spread=max(each.seconds) - min(each.seconds) if each.seconds else None,
+                repeats=len(each.seconds),
+                warm_up=each.warm_up,
+                predicted=each.predicted,
+                memory=each.memory,
+                unknowns=each.unknowns,
+                failed=each.failed,
             )
         )
-    ladder = Ladder(quantity=quantity, reference=reference, rungs=tuple(rungs))
+    ladder = Ladder(quantity=quantity, reference=reference, methods=tuple(methods))
     chosen = ladder.choose(tolerance)
-    return replace(ladder, rungs=tuple(replace(rung, chosen=rung is chosen) for rung in rungs))
+    return replace(ladder, methods=tuple(replace(method, chosen=method is chosen) for method in methods))
 
 
 def known_error(bound: float | None, error: float | None, reference: float | None) -> float | None:
-    """What is known of a rung's error: its bound, or what was measured where that is more.
+    """What is known of a method's error: its bound, or the measured error if that is larger.
 
-    reference : the bound of what `error` was measured against, by which it may be off where the rung has no bound
+    reference : bound on the reference's own error, which is added to `error` where the method has no bound
     """
     if bound is not None:
         return bound if error is None else max(bound, error)
@@ -213,7 +213,7 @@ def known_error(bound: float | None, error: float | None, reference: float | Non
 
 
 def deviation(answer: Array, exact: Array) -> float:
-    """The worst of all numbers, relative; 0 against 0 is none."""
+    """The largest relative deviation of all numbers; 0 from 0 is none."""
     off = np.abs(answer - exact)
     return float(np.max(np.divide(off, np.abs(exact), out=np.where(off > 0, np.inf, 0.0), where=exact != 0)))
 

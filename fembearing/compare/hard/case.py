@@ -1,4 +1,4 @@
-"""One hard case: what is asked, what is right, and the judgement of an answer."""
+"""One hard case: a problem, its right answer, and the judgement of what the library answers."""
 
 import math
 import os
@@ -12,30 +12,29 @@ from typing import Any, Literal
 from analytic.errors import ConvergenceError, FembearingError, InputError
 
 Outcome = Literal["right", "refused", "wrong"]
+ROUND_OFF = (1e-13, "a few hundred roundings of a double")
 
 
 @dataclass(frozen=True, kw_only=True)
 class HardCase:
-    """One case: a number with its tolerance, or the words of a refusal."""
+    """One case: its answer is a number within a tolerance, or an error with given words."""
 
     name: str
-    asked: str
-    right: str  # what is right, and why
+    problem: str
+    answer: str  # the right one, and why
     evaluate: Callable[[], float]
     expected: float | None = None
-    tolerance: tuple[float, str] | None = None  # relative, and its reason
-    refusal: str | None = None  # words that the message must hold
+    tolerance: tuple[float, str] = ROUND_OFF  # relative, absolute for an expected 0; and its reason
+    refusal: str | None = None  # words that the error's message must contain
 
     def __post_init__(self) -> None:
-        if (self.expected is None) == (self.refusal is None) or (self.expected is None) != (self.tolerance is None):
-            raise InputError(f"hard case {self.name!r} needs either a number with its tolerance, or a refusal")
-        if self.expected == 0:
-            raise InputError(f"hard case {self.name!r} expects 0, of which no relative deviation can be told")
+        if (self.expected is None) == (self.refusal is None):
+            raise InputError(f"hard case {self.name!r} needs either a number or a refusal")
 
 
 @dataclass(frozen=True, kw_only=True)
 class HardOutcome:
-    """How a case ended: "refused" is a right answer too, where a refusal was asked for."""
+    """How a case ended. "refused" is right too, for a case whose answer is a refusal."""
 
     case: str
     outcome: Outcome
@@ -46,28 +45,28 @@ class HardOutcome:
 
 
 def outcome_of(case: HardCase) -> HardOutcome:
-    """Ask one case and judge the answer."""
+    """Evaluate one case and judge the result."""
     try:
-        found = float(case.evaluate())
+        value = float(case.evaluate())
     except (InputError, ConvergenceError) as refusal:
-        met = case.refusal is not None and case.refusal in str(refusal)
-        return HardOutcome(case=case.name, outcome="refused" if met else "wrong", detail=f"refused: {refusal}")
+        expected = case.refusal is not None and case.refusal in str(refusal)
+        return HardOutcome(case=case.name, outcome="refused" if expected else "wrong", detail=f"refused: {refusal}")
     except FembearingError as problem:
         return HardOutcome(case=case.name, outcome="wrong", detail=f"{type(problem).__name__}: {problem}")
     except Exception as problem:  # a bug of the library: the table shows it
         return HardOutcome(case=case.name, outcome="wrong", detail=f"bug, {type(problem).__name__}: {problem}")
-    if case.expected is None or case.tolerance is None:
-        return HardOutcome(case=case.name, outcome="wrong", detail=f"{found:.6g} instead of a refusal: {case.right}")
+    if case.expected is None:
+        return HardOutcome(case=case.name, outcome="wrong", detail=f"{value:.6g} instead of a refusal: {case.answer}")
     limit, reason = case.tolerance
-    off = found / case.expected - 1
-    right = math.isfinite(found) and abs(off) <= limit
-    detail = f"{found:.10g}, expected {case.expected:.10g}: off by {off:.1e}, allowed {limit:.1e} ({reason})"
+    off = value / case.expected - 1 if case.expected else value
+    right = math.isfinite(value) and abs(off) <= limit
+    detail = f"{value:.10g}, expected {case.expected:.10g}: off by {off:.1e}, allowed {limit:.1e} ({reason})"
     return HardOutcome(case=case.name, outcome="right" if right else "wrong", detail=detail)
 
 
 @contextmanager
-def passing_file(name: str) -> Iterator[Path]:
-    """A path for one case's file. A refusal tells it without its folder, which has another name every time."""
+def temporary_file(name: str) -> Iterator[Path]:
+    """A path for one case's file. Error messages omit its folder, whose name differs every time."""
     with TemporaryDirectory() as folder:
         try:
             yield Path(folder) / name

@@ -1,7 +1,7 @@
-"""Cases where such programs go wrong: what is asked, what is right and why, as a table.
+"""The table of hard cases, where such programs go wrong: each with its problem, and its right answer and why.
 
 An expected number is exact, a limit, or 40-digit arithmetic on the inputs written in the table, never our own output.
-Where no number is right, a refusal that says so is: any other answer, a silent infinity included, is wrong.
+Where no number is right, the right answer is an error that says so; any other answer, also infinity, is wrong.
 """
 
 from fembearing.compare.hard.cage import CAGE_CASES
@@ -23,15 +23,15 @@ HARD_CASES: tuple[HardCase, ...] = (
 def run_hard_cases(
     *, cases: tuple[HardCase, ...] | None = None, progress: Progress = silent
 ) -> tuple[HardOutcome, ...]:
-    """Every case of the table.
+    """Evaluate every case of the table.
 
-    cases : others than those of the table
-    progress : called with the share done, 0 to 1, and the case at hand
-    An exception that is no refusal is recorded as wrong, with its type: one case does not stop the others.
+    cases : to evaluate in place of the table
+    progress : called with the share done, 0 to 1, and the current case
+    Any other exception is recorded as wrong, with its type: one case does not stop the others.
     """
-    asked = HARD_CASES if cases is None else cases
+    cases = HARD_CASES if cases is None else cases
     outcomes = []
-    for number, case in enumerate(asked):
-        progress(number / len(asked), case.name)
+    for number, case in enumerate(cases):
+        progress(number / len(cases), case.name)
         outcomes.append(outcome_of(case))
     return tuple(outcomes)

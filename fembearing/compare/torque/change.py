@@ -14,8 +14,8 @@ from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.torque import friction_torque, with_model_uncertainty
 from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.compare.contact.scene_contact import balls_of
 from fembearing.compare.contact.verdict import Verdict, worst
-from fembearing.compare.torque.heaviest_ball import balls_of
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")

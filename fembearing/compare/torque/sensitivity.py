@@ -15,8 +15,8 @@ import numpy as np
 from analytic.errors import FembearingError
 from analytic.scene import Array, Bearing, Material, Scene
 from analytic.torque import friction_torque
-from fembearing.compare.contact.discrepancy import hertz_quantities
-from fembearing.compare.torque.heaviest_ball import heaviest_contact
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.scene_contact import heaviest_contact
 
 SAME = 1e-9  # relative: torques at two points that differ by less are one
 RACES: tuple[Literal["inner", "outer"], ...] = ("inner", "outer")

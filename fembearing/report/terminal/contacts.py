@@ -9,7 +9,7 @@ from rich.table import Table
 
 from analytic.scene import Scene
 from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.contact.stiffness_law import LoadSeries
+from fembearing.compare.contact.load_series import LoadSeries
 from fembearing.compare.contact.subsurface import SubsurfaceComparison
 from fembearing.compare.cost.scene_cost import Cost
 from fembearing.compare.hard.case import HardOutcome
@@ -74,7 +74,7 @@ def print_contact(out: Console, contact: ContactSolution) -> None:
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
         "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
-        f"{contact.rung}, {contact.seconds:.1f} s\n",
+        f"{contact.method}, {contact.seconds:.1f} s\n",
         style="dim",
         highlight=False,
     )
@@ -225,7 +225,7 @@ def print_cost(out: Console, cost: Cost) -> None:
         table = Table(title=title, **PLAIN)
         for head in ("", "rung", "error", "bound", "seconds", "spread", "first", "GiB"):
             table.add_column(head, justify="left" if head in ("", "rung") else "right", no_wrap=True)
-        for rung in ladder.rungs:
+        for rung in ladder.methods:
             table.add_row(
                 ">" if rung.chosen else "",
                 short_name(rung.name),
@@ -237,7 +237,7 @@ def print_cost(out: Console, cost: Cost) -> None:
                 "" if rung.memory is None else f"{rung.memory / 2**30:.2f}",
             )
         out.print(table)
-        for rung in ladder.rungs:
+        for rung in ladder.methods:
             if rung.failed:
                 out.print(f"{rung.name} failed: {rung.failed}", highlight=False, markup=False)
         out.print(f"Price of the next digit: {choices_line(ladder)}.", highlight=False)

@@ -1,4 +1,4 @@
-"""One contact both ways: what is reported against what was solved."""
+"""One contact by Hertz and by finite elements: what is reported against what was solved."""
 
 from dataclasses import replace
 from io import StringIO
@@ -9,9 +9,10 @@ from rich.console import Console
 
 from analytic.scene import Contact, Material
 from fembearing.compare.contact import discrepancy as module
-from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact, hertz_quantities
-from fembearing.compare.contact.reference import Reference, estimates_of, solve_reference
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.mesh_refinement import Reference, estimates_of, solve_reference
 from fembearing.compare.contact.warnings import shoulder_warning
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh import race
@@ -20,14 +21,14 @@ from fembearing.progress import silent
 from fembearing.report.terminal.contacts import print_contact
 from fembearing.report.words import shoulder_lines
 
-PARTS = ("meshes", "estimates", "shoulder")  # of a contact's solution that its reference has
+PARTS = ("meshes", "estimates", "shoulder")  # fields that a solution and its reference share
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
-def test_the_far_boundary_fades_as_it_is_said_to(
+def test_the_effect_of_the_far_boundary_falls_as_assumed(
     contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, pair: str
 ) -> None:
-    """Nested blocks: half again as large foretells two and a half times as large, to the half that stays uncertain."""
+    """A block 1.5 times as large predicts one 2.5 times as large, to the half of the effect that stays uncertain."""
     contact, recipe = contacts[pair], load_recipe("race")
     base = fitted_solution(contact, recipe=recipe)
 
@@ -37,37 +38,39 @@ def test_the_far_boundary_fades_as_it_is_said_to(
         return larger.quantities.approach / base.quantities.approach - 1
 
     near, far = approach(1.5), approach(2.5)
-    foretold = near * (1 - 2.5**-2) / (1 - 1.5**-2)
-    assert abs(far - foretold) < abs(foretold) / 2
-    found = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent).estimates["approach"]
-    assert found.beyond == pytest.approx(near / (1 - 1.5**-2), rel=0.5)
-    assert found.value / found.limit - 1 == pytest.approx(found.beyond, rel=1e-9)  # round-off
-    assert found.domain == pytest.approx(abs(found.beyond) / 2, rel=1e-9)
+    predicted = near * (1 - 2.5**-2) / (1 - 1.5**-2)
+    assert abs(far - predicted) < abs(predicted) / 2
+    part = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent).estimates["approach"]
+    assert part.beyond == pytest.approx(near / (1 - 1.5**-2), rel=0.5)
+    assert part.value / part.limit - 1 == pytest.approx(part.beyond, rel=1e-9)  # round-off
+    assert part.domain == pytest.approx(abs(part.beyond) / 2, rel=1e-9)
 
 
-def cut_at(found: ContactSolution, *, below: float, half: bool) -> ContactSolution:
-    """The same with a farther shoulder that is reached too."""
-    mesh = found.meshes[-1]
+def cut_at(solution: ContactSolution, *, below: float, half: bool) -> ContactSolution:
+    """The same solution with a second shoulder, which is farther and reached too."""
+    mesh = solution.meshes[-1]
     footprint = replace(mesh.pair.footprint, shoulders=(below, 0.8e-3), half=half)
-    return replace(found, meshes=(*found.meshes[:-1], replace(mesh, pair=replace(mesh.pair, footprint=footprint))))
+    return replace(
+        solution, meshes=(*solution.meshes[:-1], replace(mesh, pair=replace(mesh.pair, footprint=footprint)))
+    )
 
 
-def test_each_shoulder_that_is_reached_is_told_with_its_side_and_distance(cut_contact: ContactSolution) -> None:
+def test_each_shoulder_that_is_reached_is_named_with_its_side_and_distance(cut_contact: ContactSolution) -> None:
     unequal, equal = cut_at(cut_contact, below=0.8647e-3, half=True), cut_at(cut_contact, below=0.8e-3, half=False)
-    for found, sides in ((cut_contact, {"above": 0.8e-3}), (unequal, {"below": 0.8647e-3, "above": 0.8e-3})):
-        assert found.to_json()["shoulder"]["sides"] == sides
+    for solution, sides in ((cut_contact, {"above": 0.8e-3}), (unequal, {"below": 0.8647e-3, "above": 0.8e-3})):
+        assert solution.to_json()["shoulder"]["sides"] == sides
     words = " ".join(shoulder_lines(unequal.to_json()))
     assert "both shoulders, y = -0.8647 mm and y = 0.8 mm: half of the contact is meshed" in words
     assert "beside the shoulder at y = 0.8 mm carries" in words
     assert "one side" not in words
     assert "both shoulders, y = -0.8 mm and y = 0.8 mm." in " ".join(shoulder_lines(equal.to_json()))
     assert "half of" not in " ".join(shoulder_lines(equal.to_json()))
-    told = shoulder_warning(unequal.contact, Reference(**{part: getattr(unequal, part) for part in PARTS}))
-    assert "cut off on both sides, its shoulders stand at y = -0.865 mm and 0.800 mm" in told
+    warning = shoulder_warning(unequal.contact, Reference(**{part: getattr(unequal, part) for part in PARTS}))
+    assert "cut off on both sides, its shoulders stand at y = -0.865 mm and 0.800 mm" in warning
 
 
 def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut_contact: ContactSolution) -> None:
-    """It is that at y = 0; at the shoulder it has no bound."""
+    """It is the pressure at y = 0; at the shoulder it has no bound."""
     pressures = cut_contact.meshes[-1].pressure
     assert pressures.max() > 1.02 * cut_contact.reference.peak_pressure
     out = StringIO()
@@ -80,29 +83,29 @@ def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut_contact: Conta
 
 
 def test_an_ellipse_over_the_shoulder_is_not_judged(cut_contact: ContactSolution) -> None:
-    found, narrow = cut_contact, cut_contact.contact
-    assert found.verdict == "outside validity"
-    assert "shoulder stands at 0.800 mm" in " ".join(found.warnings)
-    assert "half of the contact" in found.rung
-    said = found.to_json()["shoulder"]
-    assert found.shoulders == (0.8e-3,)
-    assert said["centroid"]["fe"] < 0 < said["centroid"]["uncertainty"]
+    solution, narrow = cut_contact, cut_contact.contact
+    assert solution.verdict == "outside validity"
+    assert "shoulder stands at 0.800 mm" in " ".join(solution.warnings)
+    assert "half of the contact" in solution.method
+    shoulder = solution.to_json()["shoulder"]
+    assert solution.shoulders == (0.8e-3,)
+    assert shoulder["centroid"]["fe"] < 0 < shoulder["centroid"]["uncertainty"]
     # Hertz's line load 3 Q/(4 b) (1 - y^2/b^2) is 0.36 of its greatest in the middle of the strip, the edge's own more
-    assert 0.36 < said["strip_line_load"]["fe"] / said["hertz_line_load"] < 1
-    assert said["strip_line_load"]["fe"] * said["strip_width"] == pytest.approx(
-        said["strip_share"]["fe"] * narrow.load, rel=1e-3
+    assert 0.36 < shoulder["strip_line_load"]["fe"] / shoulder["hertz_line_load"] < 1
+    assert shoulder["strip_line_load"]["fe"] * shoulder["strip_width"] == pytest.approx(
+        shoulder["strip_share"]["fe"] * narrow.load, rel=1e-3
     )  # each with its own far boundary
     for name in ("centroid", "strip_share", "strip_line_load"):
-        values = said[name]["values"]
-        assert said[name]["uncertainty"] > abs(values[-1] / values[-2] - 1), name
-    text = " ".join(shoulder_lines(found.to_json()))
+        values = shoulder[name]["values"]
+        assert shoulder[name]["uncertainty"] > abs(values[-1] / values[-2] - 1), name
+    text = " ".join(shoulder_lines(solution.to_json()))
     assert "y = 0.8 mm, on one side" in text
     assert "times Hertz's greatest line load" in text
 
 
 def test_the_answer_does_not_jump_where_the_contact_reaches_its_shoulder(contacts: dict[str, Contact]) -> None:
-    """A quarter before, a half after: they agree within what they say of themselves."""
-    reach = 0.931e-3  # m, of the ellipse that the meshes find
+    """A quarter is meshed before, a half after: they agree within their uncertainties."""
+    reach = 0.931e-3  # m, semi-axis on the meshes
     before, after = (
         solve_reference(
             replace(contacts["inner"], shoulder=side * reach), recipe=load_recipe("race"), accuracy=0.9, progress=silent
@@ -118,15 +121,15 @@ def test_the_answer_does_not_jump_where_the_contact_reaches_its_shoulder(contact
 def test_the_hertzian_idealisation_has_no_shoulder(contacts: dict[str, Contact]) -> None:
     """Its exact answer is Hertz's."""
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
-    found = compare_contact(narrow, recipe=load_recipe("hertzian"), tolerance=0.05)
-    assert found.verdict == "pass"
-    assert not found.shoulder
-    assert not found.warnings
-    assert max(map(abs, found.discrepancy.values())) < 2e-3  # as without a shoulder
+    solution = compare_contact(narrow, recipe=load_recipe("hertzian"), tolerance=0.05)
+    assert solution.verdict == "pass"
+    assert not solution.shoulder
+    assert not solution.warnings
+    assert max(map(abs, solution.discrepancy.values())) < 2e-3  # as without a shoulder
 
 
-def test_meshes_go_on_as_long_as_one_more_could_decide(contacts: dict[str, Contact]) -> None:
-    """A PEEK pocket is so wide that its far boundary takes a tenth of 5 %: three meshes are then too few."""
+def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[str, Contact]) -> None:
+    """The far boundary of a wide PEEK pocket takes a tenth of the 5 %: three meshes do not decide."""
     peek = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
     pocket = replace(
         contacts["inner"],
@@ -138,39 +141,41 @@ def test_meshes_go_on_as_long_as_one_more_could_decide(contacts: dict[str, Conta
         load=28.0,
         race_material=peek,
     )
-    found = compare_contact(pocket, recipe=load_recipe("race"), tolerance=0.05)
+    solution = compare_contact(pocket, recipe=load_recipe("race"), tolerance=0.05)
     three = replace(
-        estimates_of(found.meshes[:3])["peak_pressure"],
-        beyond=found.estimates["peak_pressure"].beyond,
-        domain=found.estimates["peak_pressure"].domain,
+        estimates_of(solution.meshes[:3])["peak_pressure"],
+        beyond=solution.estimates["peak_pressure"].beyond,
+        domain=solution.estimates["peak_pressure"].domain,
     )
-    assert three.total < 0.05  # the accuracy is reached, at which meshing would end
-    assert abs(found.hertz.peak_pressure / three.value - 1) + three.total > 0.05  # yet undecided
-    assert len(found.meshes) == 4
-    assert found.verdict == "pass"
+    assert three.total < 0.05  # the accuracy is reached, where refinement could end
+    assert abs(solution.hertz.peak_pressure / three.value - 1) + three.total > 0.05  # yet undecided
+    assert len(solution.meshes) == 4
+    assert solution.verdict == "pass"
 
 
-@pytest.mark.parametrize(("room", "valid"), [(1.04, False), (1.06, True)])  # semi-axes from the middle to the shoulder
+@pytest.mark.parametrize(
+    ("distance", "valid"), [(1.04, False), (1.06, True)]
+)  # semi-axes from the middle to the shoulder
 def test_an_ellipse_within_a_twentieth_of_its_shoulder_is_not_judged(
-    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, room: float, valid: bool
+    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, distance: float, valid: bool
 ) -> None:
     contact = contacts["inner"]
     solved = replace(hertz_quantities(contact), semi_axis_transverse=0.9e-3)
     meshes = (SimpleNamespace(level=3, quantities=solved, shoulder=None),)
     values = {name: 3 * (value,) for name, value in vars(solved).items()}
     estimates = {name: Estimate(values=part, order=None, richardson=None, mesh=0.001) for name, part in values.items()}
-    found = SimpleNamespace(meshes=meshes, estimates=estimates, shoulder={})
-    monkeypatch.setattr(module, "solve_reference", lambda *_, **__: found)
-    judged = compare_contact(replace(contact, shoulder=room * 0.9e-3), recipe=load_recipe("race"), tolerance=0.4)
+    reference = SimpleNamespace(meshes=meshes, estimates=estimates, shoulder={})
+    monkeypatch.setattr(module, "solve_reference", lambda *_, **__: reference)
+    judged = compare_contact(replace(contact, shoulder=distance * 0.9e-3), recipe=load_recipe("race"), tolerance=0.4)
     assert judged.valid == valid
     assert judged.verdict == ("pass" if valid else "outside validity")
     assert any("shoulder stands" in warning for warning in judged.warnings) != valid
 
 
 def test_above_the_static_limit_the_warning_says_so(contacts: dict[str, Contact]) -> None:
-    """Both sides are elastic: that they agree proves nothing there."""
-    found = compare_contact(
+    """Both sides are elastic, so their agreement proves nothing there."""
+    solution = compare_contact(
         replace(contacts["inner"], groove_radius=5.0e-3, load=2250.0), recipe=load_recipe("race"), tolerance=0.9
     )
-    assert found.reference.peak_pressure > 4.2e9
-    assert "above the static limit 4.2e+09 Pa" in " ".join(found.warnings)
+    assert solution.reference.peak_pressure > 4.2e9
+    assert "above the static limit 4.2e+09 Pa" in " ".join(solution.warnings)

@@ -1,4 +1,4 @@
-"""Pressure along the axes: what it carries, and its middle; thinning, open nodes."""
+"""Pressure along the axes: its load, its centre, thinning, and nodes that do not touch."""
 
 from dataclasses import replace
 
@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
-from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact, hertz_quantities
+from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.contact.pressure_profile import AXES, MOST, Axis, hertz_profile, nodal_profile
 from fembearing.mesh.recipe import load_recipe
 
 
 @pytest.fixture(scope="module")
-def found(contacts: dict[str, Contact]) -> ContactSolution:
+def solution(contacts: dict[str, Contact]) -> ContactSolution:
     return compare_contact(contacts["outer"], recipe=load_recipe("race"), tolerance=0.9)
 
 
@@ -27,13 +28,13 @@ def carried(position: np.ndarray, pressure: np.ndarray, *, along: float, across:
 
 
 @pytest.mark.parametrize("axis", AXES)
-def test_the_pressure_on_either_axis_carries_the_load(found: ContactSolution, axis: Axis) -> None:
-    profile, measured = nodal_profile(found.meshes[-1], axis), found.reference
+def test_the_pressure_on_either_axis_carries_the_load(solution: ContactSolution, axis: Axis) -> None:
+    profile, measured = nodal_profile(solution.meshes[-1], axis), solution.reference
     along, across = measured.semi_axis_rolling, measured.semi_axis_transverse
     if axis == "transverse":
         along, across = across, along
     load = carried(profile.position, profile.pressure, along=along, across=across)
-    np.testing.assert_allclose(load, found.contact.load, rtol=0.015)  # nodes scatter by 0.5 %, more at the edge
+    np.testing.assert_allclose(load, solution.contact.load, rtol=0.015)  # nodes scatter by 0.5 %, more at the edge
     assert profile.position[0] == 0
     np.testing.assert_allclose(profile.pressure[0], measured.peak_pressure, rtol=5e-3)  # a node, and a fit to many
     assert np.all(np.diff(profile.position) > 0)
@@ -41,29 +42,29 @@ def test_the_pressure_on_either_axis_carries_the_load(found: ContactSolution, ax
 
 
 @pytest.mark.parametrize("axis", AXES)
-def test_hertz_carries_the_load_and_ends_at_its_edge(found: ContactSolution, axis: Axis) -> None:
-    profile, hertz = hertz_profile(found.hertz, axis), found.hertz
+def test_hertz_carries_the_load_and_ends_at_its_edge(solution: ContactSolution, axis: Axis) -> None:
+    profile, hertz = hertz_profile(solution.hertz, axis), solution.hertz
     along, across = hertz.semi_axis_rolling, hertz.semi_axis_transverse
     if axis == "transverse":
         along, across = across, along
     load = carried(profile.position, profile.pressure, along=along, across=across)
-    np.testing.assert_allclose(load, found.contact.load, rtol=1e-9)  # exact for an ellipse
+    np.testing.assert_allclose(load, solution.contact.load, rtol=1e-9)  # exact for an ellipse
     assert (profile.pressure[0], profile.pressure[-1]) == (hertz.peak_pressure, 0)
     np.testing.assert_allclose(profile.position[-1], along, rtol=1e-12)
 
 
-def test_the_axes_are_not_exchanged(found: ContactSolution) -> None:
-    rolling, transverse = (nodal_profile(found.meshes[-1], axis) for axis in AXES)
+def test_the_axes_are_not_exchanged(solution: ContactSolution) -> None:
+    rolling, transverse = (nodal_profile(solution.meshes[-1], axis) for axis in AXES)
     touched = [part.position[part.pressure > 0].max() for part in (rolling, transverse)]
-    semi_axes = found.reference.semi_axis_rolling, found.reference.semi_axis_transverse
+    semi_axes = solution.reference.semi_axis_rolling, solution.reference.semi_axis_transverse
     np.testing.assert_allclose(touched, semi_axes, rtol=0.05)  # to the last node that touches
 
 
-def test_many_nodes_are_thinned_with_ends_and_centre(found: ContactSolution) -> None:
-    mesh = found.meshes[-1]
+def test_many_nodes_are_thinned_with_ends_and_centre(solution: ContactSolution) -> None:
+    mesh = solution.meshes[-1]
     x = np.linspace(-1.1, 1.1, 501) * mesh.semi_axes[0]
     force = np.ones(501)
-    force[250 + 6] = 0.0  # an open node, with what a fit leaves there
+    force[250 + 6] = 0.0  # a node that does not touch, with noise of the fit
     many = replace(mesh, x=x, y=np.append(np.zeros(500), 1e-3), force=force, pressure=np.arange(501.0))
     profile = nodal_profile(many, "rolling")
     assert profile.position.size <= MOST

@@ -1,4 +1,4 @@
-"""How the ring's part is put together from its meshes, and how a person is told that there is none."""
+"""The ring's part of the approach from its meshes, and the message where there is none."""
 
 from types import SimpleNamespace
 from typing import Any
@@ -9,8 +9,8 @@ from analytic.errors import InputError
 from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
 from fembearing.compare.contact import ring as module
 from fembearing.compare.contact.discrepancy import solve_contact
+from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.ring import structure_of_ring
-from fembearing.compare.contact.uncertainty import Estimate
 from fembearing.mesh.recipe import load_recipe
 
 UNSEATED = """
@@ -31,8 +31,8 @@ inner_speed = "100 rpm"
 """
 
 
-def test_the_endless_half_space_takes_the_place_of_the_block(monkeypatch: pytest.MonkeyPatch) -> None:
-    """By hand: ring less block -0.25 um; an endless region softens the contact by 2 % of 5 um more, -0.35 um."""
+def test_the_infinite_half_space_takes_the_place_of_the_block(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By hand: ring less block -0.25 um; an infinite region softens the contact by 2 % of 5 um more, -0.35 um."""
     rings = {("free", 1): 1.7e-6, ("held", 1): 1.69e-6, ("free", 2): 1.75e-6}
     blocks = {1: 1.92e-6, 2: 2e-6}
 
@@ -43,31 +43,31 @@ def test_the_endless_half_space_takes_the_place_of_the_block(monkeypatch: pytest
     monkeypatch.setattr(module, "block_compression", lambda mesh: blocks[mesh.level])
     meshes: Any = [SimpleNamespace(level=level) for level in (1, 2, 3)]
     approach = Estimate(values=(4e-6, 4.9e-6, 5.1e-6), order=3.0, richardson=5e-6, mesh=0.1, beyond=0.02, domain=0.01)
-    found = structure_of_ring(meshes, approach, recipe=load_recipe("race"))
-    assert found.approach == pytest.approx(-0.35e-6, rel=1e-9)  # round-off of differences
-    assert found.share == pytest.approx(-0.35 / 5.1, rel=1e-9)
-    assert found.mesh == pytest.approx(0.01e-6, rel=1e-9)  # a third of -0.25 less -0.22
-    assert found.domain == pytest.approx(0.051e-6, rel=1e-9)  # 1 % of 5.1
-    assert found.reach == pytest.approx(0.01e-6, rel=1e-9)
-    assert found.to_json()["uncertainty"] == pytest.approx(0.071e-6, rel=1e-9)
+    structure = structure_of_ring(meshes, approach, recipe=load_recipe("race"))
+    assert structure.approach == pytest.approx(-0.35e-6, rel=1e-9)  # round-off of differences
+    assert structure.share == pytest.approx(-0.35 / 5.1, rel=1e-9)
+    assert structure.mesh == pytest.approx(0.01e-6, rel=1e-9)  # a third of -0.25 less -0.22
+    assert structure.domain == pytest.approx(0.051e-6, rel=1e-9)  # 1 % of 5.1
+    assert structure.reach == pytest.approx(0.01e-6, rel=1e-9)
+    assert structure.to_json()["uncertainty"] == pytest.approx(0.071e-6, rel=1e-9)
 
 
-def test_the_ring_changes_nothing_of_the_contact() -> None:
+def test_the_ring_does_not_change_the_contact() -> None:
     scene = load_scene(builtin_scene("6205"))
-    plain, beside = (solve_contact(scene, pair="inner", tolerance=0.9, geometry=shape) for shape in ("real", "ring"))
+    plain, ringed = (solve_contact(scene, pair="inner", tolerance=0.9, geometry=shape) for shape in ("real", "ring"))
     assert plain.ring is None
-    assert beside.ring is not None
+    assert ringed.ring is not None
     # A second method, for the size alone: a bonded layer of the ring's thickness under a point load, whose integral of
     # 1 - L(k) over k is 1.377 at nu = 0.3: 0.23 um. The ellipse is as wide as the ring is thick, the shoulders carry.
     layer = 1.377 * 372.2 * (1 - 0.3**2) / (3.1416 * 206e9 * 3.03e-3)
-    assert -1.1 * layer < beside.ring.approach < -0.6 * layer
-    assert beside.ring.uncertainty < 0.1 * abs(beside.ring.approach)
-    assert (beside.to_json()["geometry"], plain.to_json()["ring"]) == ("ring", None)
-    assert beside.reference == plain.reference
-    assert beside.verdicts == plain.verdicts
+    assert -1.1 * layer < ringed.ring.approach < -0.6 * layer
+    assert ringed.ring.uncertainty < 0.1 * abs(ringed.ring.approach)
+    assert (ringed.to_json()["geometry"], plain.to_json()["ring"]) == ("ring", None)
+    assert ringed.reference == plain.reference
+    assert ringed.verdicts == plain.verdicts
 
 
-def test_without_seats_there_is_a_word_why() -> None:
+def test_without_seats_the_error_names_the_missing_keys() -> None:
     scene = parse_scene(UNSEATED, origin="case.toml")
     with pytest.raises(InputError, match=r"inner: .* bearing\.bore_diameter and bearing\.width"):
         solve_contact(scene, pair="inner", geometry="ring")

@@ -1,4 +1,4 @@
-"""The stress under a contact both ways: each side with its own material, and an uncertainty that holds."""
+"""The stress under a contact: each side with its own material, and an uncertainty that covers the error."""
 
 import json
 from dataclasses import replace
@@ -28,7 +28,7 @@ def ideal(contacts: dict[str, Contact]) -> ContactSolution:
 
 
 def with_ratios(solution: ContactSolution, *, upper: float, lower: float, meshes: slice) -> ContactSolution:
-    """Other Poisson ratios under the same pressure: Hertz's peak pressure and ellipse stay the truth."""
+    """Other Poisson ratios under the same pressure: Hertz's peak pressure and ellipse stay exact."""
     contact = solution.contact
     materials = {
         "ball_material": replace(contact.ball_material, poisson_ratio=upper),
@@ -53,11 +53,13 @@ def closed_form(solution: ContactSolution, *, ratio: float) -> dict[str, float]:
 def test_the_idealisation_meets_the_closed_form_within_its_uncertainty(
     ideal: ContactSolution, side: Side, ratio: float
 ) -> None:
-    found = compare_subsurface(ideal, side=side)
-    assert found.hertz == closed_form(ideal, ratio=ratio)  # of that side's material: exchanged, depths are 3 % off
+    comparison = compare_subsurface(ideal, side=side)
+    assert comparison.hertz == closed_form(
+        ideal, ratio=ratio
+    )  # with that side's material: exchanged, depths would be 3 % off
     for name in NAMES:
-        assert not found.exceeds(name)
-        assert found.uncertainty[name] < 0.03 * found.fe[name]  # and is of use
+        assert not comparison.exceeds(name)
+        assert comparison.uncertainty[name] < 0.03 * comparison.fe[name]  # narrow enough to be useful
 
 
 @SIDES
@@ -66,62 +68,66 @@ def test_the_idealisation_meets_the_closed_form_within_its_uncertainty(
 def test_every_poisson_ratio_has_its_interval(ideal: ContactSolution, side: Side, upper: float, lower: float) -> None:
     """Down to 0, where von Mises stress is greatest on the surface and a relative depth would be a division by 0."""
     changed = with_ratios(ideal, upper=upper, lower=lower, meshes=slice(0, 2))  # the coarse ones: they are quick
-    found = compare_subsurface(changed, side=side)
-    told = json.loads(json.dumps(found.to_json(), allow_nan=False))
+    comparison = compare_subsurface(changed, side=side)
+    document = json.loads(json.dumps(comparison.to_json(), allow_nan=False))
     truth = closed_form(ideal, ratio=upper if side == "upper" else lower)
     for name in NAMES:
-        assert abs(found.fe[name] - truth[name]) <= found.uncertainty[name]
-        assert 0 < found.uncertainty[name] < np.inf
-        on_surface = 0.0 in (truth[name], found.fe[name])
-        assert (told["discrepancy"][name] is None) == on_surface
+        assert abs(comparison.fe[name] - truth[name]) <= comparison.uncertainty[name]
+        assert 0 < comparison.uncertainty[name] < np.inf
+        on_surface = 0.0 in (truth[name], comparison.fe[name])
+        assert (document["discrepancy"][name] is None) == on_surface
 
 
 @SIDES
 @pytest.mark.parametrize("ratio", [0.0, 0.24, 0.4999])
 def test_the_interval_of_the_third_level_holds_and_is_narrow(ideal: ContactSolution, side: Side, ratio: float) -> None:
     assert ideal.meshes[-1].level == 3
-    other = 0.29  # of the body that is not looked at
+    other = 0.29  # of the other body
     ratios = {"upper": ratio, "lower": other} if side == "upper" else {"upper": other, "lower": ratio}
-    found = compare_subsurface(with_ratios(ideal, **ratios, meshes=slice(1, 3)), side=side)
+    comparison = compare_subsurface(with_ratios(ideal, **ratios, meshes=slice(1, 3)), side=side)
     minor = min(ideal.hertz.semi_axis_rolling, ideal.hertz.semi_axis_transverse)
     for name in NAMES:
-        assert not found.exceeds(name)
-        scale = minor if "depth" in name else found.fe[name]
-        assert found.uncertainty[name] < 0.03 * scale  # what the second level was off, 2 % at most
+        assert not comparison.exceeds(name)
+        scale = minor if "depth" in name else comparison.fe[name]
+        assert comparison.uncertainty[name] < 0.03 * scale  # the second level is off by 2 % at most
 
 
 def test_a_maximum_on_the_surface_has_no_relative_depth(ideal: ContactSolution) -> None:
-    found = compare_subsurface(with_ratios(ideal, upper=0.0, lower=0.29, meshes=slice(1, 3)), side="upper")
-    assert found.hertz["max_von_mises_depth"] == found.fe["max_von_mises_depth"] == 0
-    assert found.discrepancy("max_von_mises_depth") is None
-    assert found.discrepancy("max_shear_depth") is not None
-    assert not found.exceeds("max_von_mises_depth")
-    assert found.uncertainty["max_von_mises_depth"] > 0
+    comparison = compare_subsurface(with_ratios(ideal, upper=0.0, lower=0.29, meshes=slice(1, 3)), side="upper")
+    assert comparison.hertz["max_von_mises_depth"] == comparison.fe["max_von_mises_depth"] == 0
+    assert comparison.discrepancy("max_von_mises_depth") is None
+    assert comparison.discrepancy("max_shear_depth") is not None
+    assert not comparison.exceeds("max_von_mises_depth")
+    assert comparison.uncertainty["max_von_mises_depth"] > 0
 
 
 def test_json_has_the_numbers_of_both_sides(ideal: ContactSolution) -> None:
-    found = compare_subsurface(ideal)
-    told = found.to_json()
-    assert told["side"] == "lower"
+    comparison = compare_subsurface(ideal)
+    document = comparison.to_json()
+    assert document["side"] == "lower"
     for name in NAMES:
-        assert told["discrepancy"][name] == pytest.approx(told["hertz"][name] / told["fe"][name] - 1, abs=1e-12)
-        assert told["exceeds_uncertainty"][name] is False
-    assert 3**0.5 < told["fe"]["max_von_mises"] / told["fe"]["max_shear"] < 2  # as of any stress: shear to tension
+        assert document["discrepancy"][name] == pytest.approx(
+            document["hertz"][name] / document["fe"][name] - 1, abs=1e-12
+        )
+        assert document["exceeds_uncertainty"][name] is False
+    assert (
+        3**0.5 < document["fe"]["max_von_mises"] / document["fe"]["max_shear"] < 2
+    )  # as of any stress: shear to tension
 
 
-def test_what_exceeds_its_uncertainty_is_told() -> None:
+def test_a_discrepancy_beyond_its_uncertainty_exceeds_it() -> None:
     values = dict(zip(NAMES, (0.61e9, 75e-6, 1.1e9, 0.0), strict=True))
     other = dict(zip(NAMES, (0.62e9, 74e-6, 1.11e9, 3e-6), strict=True))
     widths = dict(zip(NAMES, (0.02e9, 0.9e-6, 0.009e9, 4e-6), strict=True))
-    found = SubsurfaceComparison(side="lower", hertz=values, fe=other, uncertainty=widths)
-    assert [found.exceeds(name) for name in NAMES] == [False, True, True, False]
-    assert found.discrepancy("max_von_mises_depth") is None
+    comparison = SubsurfaceComparison(side="lower", hertz=values, fe=other, uncertainty=widths)
+    assert [comparison.exceeds(name) for name in NAMES] == [False, True, True, False]
+    assert comparison.discrepancy("max_von_mises_depth") is None
 
 
-def agreeing(found: SubsurfaceStress, curve: Array) -> SubsurfaceStress:
-    """Maxima typed in, and the curve beside them."""
+def agreeing(stress: SubsurfaceStress, curve: Array) -> SubsurfaceStress:
+    """Stresses with fixed maxima and this curve of the shear stress."""
     return replace(
-        found,
+        stress,
         max_shear=curve,
         von_mises=0 * curve,
         greatest_shear=0.61e9,
@@ -135,7 +141,7 @@ def agreeing(found: SubsurfaceStress, curve: Array) -> SubsurfaceStress:
 def test_a_second_maximum_as_great_is_in_the_interval(
     ideal: ContactSolution, monkeypatch: pytest.MonkeyPatch, lower_by: float, reached: bool
 ) -> None:
-    """Which of the two is the greater one hangs on less than the stresses are certain to: 0.04 % each, and a share."""
+    """The stresses do not decide which of the two is greater: they are uncertain by 0.04 % each, and a share."""
     estimates = {name: replace(part, domain=1.2e-4) for name, part in ideal.estimates.items()}
     same = subsurface_stress(ideal.meshes[1])
     curve = 0 * same.depth
@@ -148,16 +154,16 @@ def test_a_second_maximum_as_great_is_in_the_interval(
     assert (width >= away) == reached
 
 
-def test_the_far_boundary_and_a_chance_agreement_leave_their_share(
+def test_the_far_boundary_and_a_chance_agreement_add_their_share(
     ideal: ContactSolution, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Two meshes that happen to agree are not sure to the last digit; the block's share is that of its quantity."""
+    """Two meshes may agree by chance; the block's share is that of the related quantity."""
     shares = {"semi_axis_rolling": 0.004, "semi_axis_transverse": 0.05, "peak_pressure": 0.011}
     estimates = ideal.estimates | {name: replace(ideal.estimates[name], domain=part) for name, part in shares.items()}
     same = subsurface_stress(ideal.meshes[1])
     same = agreeing(same, 0 * same.depth)
     monkeypatch.setattr(module, "subsurface_stress", lambda *_, **__: same)
-    found = compare_subsurface(replace(ideal, estimates=estimates)).uncertainty
+    uncertainty = compare_subsurface(replace(ideal, estimates=estimates)).uncertainty
     minor = ideal.reference.semi_axis_rolling
     for name, value, share in (
         ("max_shear", 0.61e9, 3.8e-4 + 0.011),
@@ -166,4 +172,4 @@ def test_the_far_boundary_and_a_chance_agreement_leave_their_share(
         ("max_von_mises_depth", 68e-6, 0.004),
     ):
         least = 0.005 * minor if "depth" in name else 0.0  # the minor semi-axis lies along rolling
-        assert found[name] == pytest.approx(value * share + least, rel=1e-9)
+        assert uncertainty[name] == pytest.approx(value * share + least, rel=1e-9)

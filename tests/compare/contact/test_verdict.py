@@ -1,4 +1,4 @@
-"""The verdict against its definition: where the whole uncertainty interval lies."""
+"""The verdict by the position of the whole uncertainty interval."""
 
 import pytest
 from hypothesis import given
@@ -22,13 +22,13 @@ TOLERANCE = 0.031
     ],
 )
 def test_verdict_follows_the_interval(discrepancy: float, uncertainty: float, expected: Verdict) -> None:
-    found = judge(
+    verdict = judge(
         discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, settled=True, spread=2 * uncertainty
     )
-    assert found == expected
+    assert verdict == expected
 
 
-def test_meshes_that_do_not_settle_are_undecided() -> None:
+def test_meshes_that_do_not_converge_are_undecided() -> None:
     assert judge(discrepancy=0.002, uncertainty=0.003, tolerance=TOLERANCE, settled=False, spread=0.02) == "undecided"
 
 
@@ -36,7 +36,7 @@ def test_noise_far_below_the_tolerance_is_agreement() -> None:
     assert judge(discrepancy=0.002, uncertainty=1e-4, tolerance=TOLERANCE, settled=False, spread=1e-4) == "pass"
 
 
-def test_a_contact_that_hertz_is_not_made_for_never_passes() -> None:
+def test_a_contact_outside_the_validity_of_hertz_never_passes() -> None:
     assert (
         judge(discrepancy=0.0, uncertainty=0.0, tolerance=TOLERANCE, settled=True, spread=0.0, valid=False)
         == "outside validity"
@@ -45,17 +45,17 @@ def test_a_contact_that_hertz_is_not_made_for_never_passes() -> None:
 
 @given(st.floats(-0.2, 0.2), st.floats(0.0, 0.2))
 def test_a_pass_stays_a_pass_at_any_truth_inside_the_interval(discrepancy: float, uncertainty: float) -> None:
-    found = judge(
+    verdict = judge(
         discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, settled=True, spread=uncertainty
     )
     ends = [abs(discrepancy - uncertainty), abs(discrepancy + uncertainty)]
-    if found == "pass":
+    if verdict == "pass":
         assert max(ends) <= TOLERANCE * (1 + 1e-12)  # round-off of the sum
-    if found == "fail":
+    if verdict == "fail":
         assert min(ends) > TOLERANCE * (1 - 1e-12)
 
 
-def test_worst_is_what_a_person_must_act_on_first() -> None:
+def test_the_worst_verdict_is_the_most_serious() -> None:
     assert worst(["pass", "undecided", "fail", "outside validity"]) == "fail"
     assert worst(["pass", "undecided", "pass"]) == "undecided"
     assert worst(["pass", "pass"]) == "pass"

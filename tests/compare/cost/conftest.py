@@ -1,4 +1,4 @@
-"""What the tests of ladders share."""
+"""Fixtures of the tests of ladders."""
 
 import pytest
 
@@ -7,9 +7,9 @@ from fembearing.compare.cost import cage_ladder, contact_ladder, ladder
 
 @pytest.fixture
 def timed_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Formulas and meshes timed no more than they must be."""
+    """The fewest timings of formulas and meshes."""
     monkeypatch.setattr(contact_ladder, "MESH_REPEATS", 1)
     monkeypatch.setattr(ladder, "FORMULA_REPEATS", 3)
     monkeypatch.setattr(ladder, "SAMPLE", 0.0)
     monkeypatch.setattr(cage_ladder, "SEEDS", 2)
-    monkeypatch.setattr(cage_ladder, "DURATION", 6e-3)  # just beyond what the cage takes to cross its pockets
+    monkeypatch.setattr(cage_ladder, "DURATION", 6e-3)  # just longer than the cage takes to cross its pockets

@@ -1,4 +1,4 @@
-"""The ladders of the closed forms: which rungs a scene has, what they miss, and that their bounds cover it."""
+"""The ladders of the closed forms: which methods a scene has, their errors, and bounds that cover the errors."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -12,12 +12,12 @@ from analytic.scene import Autocorrelation, Contact, ContactAngle, HeightMapFile
 from analytic.scenefile.read import builtin_scene, load_scene
 from fembearing.compare.cost import formula_ladders
 from fembearing.compare.cost.formula_ladders import (
-    friction_question,
-    hertz_question_of,
-    load_question,
-    roughness_question,
+    friction_methods,
+    hertz_methods_of,
+    load_methods,
+    roughness_methods,
 )
-from fembearing.compare.cost.ladder import Ladder, Question, Rung, measured
+from fembearing.compare.cost.ladder import Ladder, UntimedLadder, measured
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"
 pytestmark = pytest.mark.usefixtures("timed_once")
@@ -30,38 +30,38 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def oiled() -> Scene:
-    """At one speed: oil, roughness and a sinh traction."""
+    """At one speed, with oil, roughness and a sinh traction."""
     whole = load_scene(SCENES / "6205_physical.toml")
     one = replace(whole.operation, axial_load=np.array([830.0]), inner_speed=np.array([17.0]))
     return replace(whole, operation=one)
 
 
 def errors_of(ladder: Ladder) -> list[float]:
-    return [rung.error for rung in ladder.rungs if rung.error is not None]
+    return [method.error for method in ladder.methods if method.error is not None]
 
 
 def check_bounds(ladder: Ladder) -> None:
-    for rung in ladder.rungs:
-        if rung.error is not None and rung.bound is not None:
-            assert rung.error <= rung.bound, rung.name
+    for method in ladder.methods:
+        if method.error is not None and method.bound is not None:
+            assert method.error <= method.bound, method.name
 
 
-def test_fitted_hertz_is_a_few_per_cent_off_and_a_circle_exact(contacts: dict[str, Contact]) -> None:
-    ladder = measured(hertz_question_of((contacts["inner"], contacts["outer"])), tolerance=0.01)
-    fitted, exact = ladder.rungs
+def test_fitted_hertz_is_a_few_per_cent_off_and_exact_for_a_circle(contacts: dict[str, Contact]) -> None:
+    ladder = measured(hertz_methods_of((contacts["inner"], contacts["outer"])), tolerance=0.01)
+    fitted, exact = ladder.methods
     assert [fitted.name, exact.name] == ["fitted", "exact"]
     assert fitted.error is not None
     assert 0.01 < fitted.error < 0.042  # the fits' stated range to a ratio of 100; here 32 and 15
     check_bounds(ladder)
     assert exact.chosen
     flat = replace(contacts["inner"], groove_radius=1e9, rolling_radius=1e9)
-    (error,) = errors_of(measured(hertz_question_of((flat,)), tolerance=0.01))
+    (error,) = errors_of(measured(hertz_methods_of((flat,)), tolerance=0.01))
     assert error == pytest.approx(0, abs=1e-8)  # 4 mm in 1e9 m
 
 
-def test_the_load_under_thrust_has_five_rungs(scene: Scene) -> None:
-    ladder = measured(load_question(scene), tolerance=0.01)
-    free, frozen, still, moving, ring = ladder.rungs
+def test_the_load_under_thrust_has_five_methods(scene: Scene) -> None:
+    ladder = measured(load_methods(scene), tolerance=0.01)
+    free, frozen, still, moving, ring = ladder.methods
     # Q goes as 1/sin al; 0.3031: an independent calculation of the loaded angle, to four digits
     assert free.error == pytest.approx(np.sin(0.3031) / np.sin(0.18) - 1, abs=4e-4)
     assert frozen.error is not None
@@ -75,17 +75,17 @@ def test_the_load_under_thrust_has_five_rungs(scene: Scene) -> None:
     check_bounds(ladder)
 
 
-def test_at_standstill_two_solvers_of_one_equilibrium_differ_by_their_last_steps(scene: Scene) -> None:
-    """Nothing is left out there, and yet no bound is 0."""
+def test_at_standstill_bounds_cover_the_difference_of_two_solvers(scene: Scene) -> None:
+    """Nothing is left out there, but each solver stops at its own last step."""
     still = replace(scene, operation=replace(scene.operation, inner_speed=np.zeros(5)))
-    check_bounds(measured(load_question(still), tolerance=0.01))
+    check_bounds(measured(load_methods(still), tolerance=0.01))
 
 
 def test_a_radial_load_leaves_only_the_ring(scene: Scene) -> None:
-    """Of balls under Fr and Fa alike the heaviest carries 4.37 Fr/Z and more: no thrust is near."""
+    """The heaviest ball carries 4.37 Fr/Z and more: no method for thrust comes close."""
     pulled = replace(scene, operation=replace(scene.operation, radial_load=2500.0))
-    ladder = measured(load_question(pulled), tolerance=0.1)
-    assert ladder.chosen is ladder.rungs[-1]
+    ladder = measured(load_methods(pulled), tolerance=0.1)
+    assert ladder.chosen is ladder.methods[-1]
     assert all(0.4 < error < 1 for error in errors_of(ladder)[1:])
     check_bounds(ladder)
 
@@ -94,17 +94,17 @@ def test_a_preload_leaves_no_free_angle(scene: Scene) -> None:
     outer = replace(scene.bearing.outer, bottom_radius=scene.bearing.outer.bottom_radius - 20e-6)
     bearing = replace(scene.bearing, outer=outer)
     tight = replace(scene, bearing=bearing, contact_angle=ContactAngle(rule="solved", free=None))
-    free, frozen, *others = measured(load_question(tight), tolerance=0.01).rungs
+    free, frozen, *others = measured(load_methods(tight), tolerance=0.01).methods
     assert "preload" in (free.failed or "")
     assert "preload" in (frozen.failed or "")
     assert free.seconds is None
-    assert not any(rung.failed for rung in others)
+    assert not any(method.failed for method in others)
 
 
-def test_sliding_has_rungs_that_come_nearer(oiled: Scene) -> None:
-    ladder = measured(friction_question(oiled), tolerance=1e-3)
-    single, along, few, over = ladder.rungs
-    assert [rung.name.partition(",")[0] for rung in ladder.rungs] == [
+def test_methods_for_sliding_become_more_accurate(oiled: Scene) -> None:
+    ladder = measured(friction_methods(oiled), tolerance=1e-3)
+    single, along, few, over = ladder.methods
+    assert [method.name.partition(",")[0] for method in ladder.methods] == [
         *("single coefficient", "along axis", "over ellipse", "over ellipse"),
     ]
     assert single.error is not None
@@ -116,7 +116,7 @@ def test_sliding_has_rungs_that_come_nearer(oiled: Scene) -> None:
 
 
 def test_a_generated_surface_has_the_moments_of_its_ensemble(oiled: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever the seed, within bounds that fall as the surface widens; the closed form is exact and the cheapest."""
+    """For any seed, within bounds that fall with the size of the surface; the closed form is exact and the cheapest."""
     monkeypatch.setattr(formula_ladders, "LARGEST_MAP", 512)
     for kind, seed in (("gaussian", 3), ("exponential", 4), ("gaussian", 5)):
         monkeypatch.setattr(formula_ladders, "SEED", seed)
@@ -124,18 +124,15 @@ def test_a_generated_surface_has_the_moments_of_its_ensemble(oiled: Scene, monke
             rms_roughness=0.4e-6,
             autocorrelation=Autocorrelation(kind=kind, length=30e-6, spacing=2e-6),  # pyright: ignore[reportArgumentType]
         )
-        ladder = measured(roughness_question(replace(oiled, surface=rough)), tolerance=0.1)
-        closed, *generated = ladder.rungs
+        ladder = measured(roughness_methods(replace(oiled, surface=rough)), tolerance=0.1)
+        closed, *generated = ladder.methods
         assert closed.error is None
         assert closed.chosen
-        assert [rung.name for rung in generated] == ["generated, 256 x 256", "generated, 512 x 512"]
+        assert [method.name for method in generated] == ["generated, 256 x 256", "generated, 512 x 512"]
         check_bounds(ladder)
-        assert [rung.bound for rung in generated] == sorted((known(rung) for rung in generated), reverse=True)
-
-
-def known(rung: Rung) -> float:
-    assert rung.bound is not None
-    return rung.bound
+        bounds = [method.bound for method in generated if method.bound is not None]
+        assert len(bounds) == len(generated)
+        assert bounds == sorted(bounds, reverse=True)
 
 
 def without_friction(scene: Scene) -> Scene:
@@ -156,23 +153,23 @@ def of_a_map(scene: Scene) -> Scene:
 
 
 @pytest.mark.parametrize(
-    ("question", "change", "words"),
+    ("methods", "change", "words"),
     [
-        (friction_question, without_friction, "neither friction.coefficient nor both"),
-        (friction_question, lambda scene: replace(scene, microslip="as_printed"), "as_printed"),
+        (friction_methods, without_friction, "neither friction.coefficient nor both"),
+        (friction_methods, lambda scene: replace(scene, microslip="as_printed"), "as_printed"),
         (
-            friction_question,
+            friction_methods,
             lambda scene: replace(scene, effects={"spin": "off", "conformity": "off"}),
             "nothing slides",
         ),
-        (load_question, of_given_angle, "holds the angle"),
-        (roughness_question, lambda scene: scene, r"no \[surface\]"),
-        (roughness_question, smooth, "smooth surface"),
-        (roughness_question, of_a_map, "measured"),
+        (load_methods, of_given_angle, "holds the angle"),
+        (roughness_methods, lambda scene: scene, r"no \[surface\]"),
+        (roughness_methods, smooth, "smooth surface"),
+        (roughness_methods, of_a_map, "measured"),
     ],
 )
-def test_what_a_scene_does_not_have_is_said(
-    scene: Scene, question: Callable[[Scene], Question], change: Callable[[Scene], Scene], words: str
+def test_a_scene_without_such_a_ladder_says_why(
+    scene: Scene, methods: Callable[[Scene], UntimedLadder], change: Callable[[Scene], Scene], words: str
 ) -> None:
     with pytest.raises(InputError, match=words):
-        question(change(scene))
+        methods(change(scene))

@@ -1,4 +1,4 @@
-"""Rungs against what they are measured against, and which of them a tolerance takes. No test asserts a duration."""
+"""Errors of methods against the reference, and the choice for a tolerance. No test asserts a duration."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -8,22 +8,22 @@ import pytest
 
 from analytic.errors import InputError
 from fembearing.compare.cost import ladder
-from fembearing.compare.cost.ladder import Trial, Way, deviation, ladder_of, timed
+from fembearing.compare.cost.ladder import TimedMethod, UntimedMethod, deviation, ladder_of, timed
 
 
-def trial(name: str, answer: list[float] | None, *seconds: float, may_refer: bool = False) -> Trial:
-    found = None if answer is None else np.array(answer)
+def ran(name: str, answer: list[float] | None, *seconds: float, may_refer: bool = False) -> TimedMethod:
+    numbers = None if answer is None else np.array(answer)
     failed = "no answer" if answer is None else None
-    return Trial(name=name, answer=found, seconds=seconds, may_refer=may_refer, failed=failed)
+    return TimedMethod(name=name, answer=numbers, seconds=seconds, may_refer=may_refer, failed=failed)
 
 
-ROUGH = trial("rough", [3.0, 4.2], 0.2, 0.3, 7.0)  # 50 % and 5 % off
-NEAR = trial("near", [2.02, 4.0], 0.9)  # 1 % off
-EXACT = replace(trial("exact", [2.0, 4.0], 5.0, may_refer=True), bound=1e-6)
+ROUGH = ran("rough", [3.0, 4.2], 0.2, 0.3, 7.0)  # 50 % and 5 % off
+NEAR = ran("near", [2.02, 4.0], 0.9)  # 1 % off
+EXACT = replace(ran("exact", [2.0, 4.0], 5.0, may_refer=True), bound=1e-6)
 
 
 def test_an_error_is_the_worst_deviation_relative_to_the_reference() -> None:
-    rough, near, exact = ladder_of("q", "r", (ROUGH, NEAR, EXACT), tolerance=0.1).rungs
+    rough, near, exact = ladder_of("q", "r", (ROUGH, NEAR, EXACT), tolerance=0.1).methods
     assert rough.error == pytest.approx(0.5, rel=1e-12)  # against the rough answer it would be a third
     assert near.error == pytest.approx(0.01, rel=1e-12)
     assert exact.error is None
@@ -34,30 +34,30 @@ def test_an_error_is_the_worst_deviation_relative_to_the_reference() -> None:
 @pytest.mark.parametrize(("tolerance", "name"), [(0.6, "rough"), (0.5 + 1e-5, "rough"), (0.4, "near"), (1e-3, "exact")])
 def test_the_cheapest_within_the_tolerance_is_chosen(tolerance: float, name: str) -> None:
     ladder = ladder_of("q", "r", (ROUGH, NEAR, EXACT), tolerance=tolerance)
-    assert [rung.name for rung in ladder.rungs if rung.chosen] == [name]
+    assert [method.name for method in ladder.methods if method.chosen] == [name]
     assert ladder.chosen is not None
     assert ladder.chosen.name == name
 
 
-def test_cheap_is_a_matter_of_seconds_and_not_of_place() -> None:
+def test_the_cheapest_is_chosen_by_seconds_and_not_by_order() -> None:
     slow = replace(ROUGH, seconds=(9.0,))
     chosen = ladder_of("q", "r", (slow, NEAR, EXACT), tolerance=0.6).chosen
     assert chosen is not None
     assert chosen.name == "near"
 
 
-def test_the_reference_is_the_last_that_may_be_and_gave_an_answer() -> None:
-    coarse, broken = trial("coarse", [2.5, 4.0], 1.0, may_refer=True), trial("finest", None, may_refer=True)
-    rungs = ladder_of("q", "r", (NEAR, coarse, EXACT, broken), tolerance=0.1).rungs
-    assert [rung.error for rung in rungs] == [pytest.approx(0.01), pytest.approx(0.25), None, None]
-    assert (rungs[3].failed, rungs[3].seconds, rungs[3].chosen) == ("no answer", None, False)
+def test_the_reference_is_the_last_eligible_method_with_an_answer() -> None:
+    coarse, broken = ran("coarse", [2.5, 4.0], 1.0, may_refer=True), ran("finest", None, may_refer=True)
+    methods = ladder_of("q", "r", (NEAR, coarse, EXACT, broken), tolerance=0.1).methods
+    assert [method.error for method in methods] == [pytest.approx(0.01), pytest.approx(0.25), None, None]
+    assert (methods[3].failed, methods[3].seconds, methods[3].chosen) == ("no answer", None, False)
     alone = ladder_of("q", "r", (NEAR, broken), tolerance=0.1)
-    assert alone.rungs[0].error is None  # nothing to compare with is not the same as exact
+    assert alone.methods[0].error is None  # no reference does not mean no error
     assert alone.chosen is None
 
 
 def test_the_first_call_is_not_timed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """On a clock that only the formula moves: 10 s at first, then half a second."""
+    """On a clock that only the formula advances: by 10 s at first, then by half a second."""
     now, calls = [0.0], [0]
 
     def formula() -> np.ndarray:
@@ -66,55 +66,55 @@ def test_the_first_call_is_not_timed(monkeypatch: pytest.MonkeyPatch) -> None:
         return np.ones(2)
 
     monkeypatch.setattr(ladder, "time", SimpleNamespace(perf_counter=lambda: now[0]))
-    found = timed(Way(name="f", run=formula, bound=lambda: 0.25))
+    found = timed(UntimedMethod(name="f", run=formula, bound=lambda: 0.25))
     assert found.warm_up == 10.0
     assert set(found.seconds) == {0.5}
     assert len(found.seconds) == ladder.FEWEST_REPEATS  # as it is so slow
     assert found.bound == 0.25
 
 
-def test_a_refusal_is_a_line_and_a_bug_is_not_hidden() -> None:
+def test_an_input_error_is_kept_as_a_line_and_a_bug_is_raised() -> None:
     def refuse() -> np.ndarray:
         raise InputError("too steep")
 
-    assert timed(Way(name="f", run=refuse, bound=lambda: 0.1)).failed == "too steep"
+    assert timed(UntimedMethod(name="f", run=refuse, bound=lambda: 0.1)).failed == "too steep"
     with pytest.raises(ZeroDivisionError):
-        timed(Way(name="f", run=lambda: np.array(1 / 0), bound=lambda: 0.1))
+        timed(UntimedMethod(name="f", run=lambda: np.array(1 / 0), bound=lambda: 0.1))
 
 
-def test_a_bound_that_says_nothing_is_none() -> None:
-    assert timed(Way(name="f", run=lambda: np.ones(2), bound=lambda: np.inf)).bound is None
+def test_an_infinite_bound_is_none() -> None:
+    assert timed(UntimedMethod(name="f", run=lambda: np.ones(2), bound=lambda: np.inf)).bound is None
 
 
-def test_a_rung_is_chosen_by_its_bound_and_not_by_a_lucky_error() -> None:
-    lucky = replace(NEAR, bound=0.2)  # 1 % off, but 20 % is all that is known
-    assert [ladder_of("q", "r", (lucky, EXACT), tolerance=limit).rungs[0].chosen for limit in (0.21, 0.19)] == [
+def test_a_method_is_chosen_by_its_bound_and_not_by_a_lucky_error() -> None:
+    lucky = replace(NEAR, bound=0.2)  # 1 % off, but only known to be within 20 %
+    assert [ladder_of("q", "r", (lucky, EXACT), tolerance=limit).methods[0].chosen for limit in (0.21, 0.19)] == [
         True,
         False,
     ]
     wrong = replace(NEAR, bound=0.001)  # a bound that the error breaks does not count
-    assert not ladder_of("q", "r", (wrong, EXACT), tolerance=0.005).rungs[0].chosen
+    assert not ladder_of("q", "r", (wrong, EXACT), tolerance=0.005).methods[0].chosen
 
 
-def test_without_a_bound_an_error_is_worth_no_more_than_what_it_was_measured_against() -> None:
-    """Motions of a cage that tumbles come near the reference by luck."""
+def test_without_a_bound_the_uncertainty_of_the_reference_is_added_to_the_error() -> None:
+    """The motion of a tumbling cage may agree with the reference by luck."""
     for unsure, chosen in ((0.03, True), (0.05, False), (None, False)):  # of 1 % and so much, within 5 %
-        rung = ladder_of("q", "r", (NEAR, replace(EXACT, bound=unsure)), tolerance=0.05).rungs[0]
-        assert rung.chosen is chosen
-        assert rung.known_error == (None if unsure is None else pytest.approx(0.01 + unsure, rel=1e-12))
+        method = ladder_of("q", "r", (NEAR, replace(EXACT, bound=unsure)), tolerance=0.05).methods[0]
+        assert method.chosen is chosen
+        assert method.known_error == (None if unsure is None else pytest.approx(0.01 + unsure, rel=1e-12))
 
 
-def test_each_digit_takes_a_rung_and_has_its_price() -> None:
+def test_each_digit_has_a_method_and_a_price() -> None:
     sure = replace(NEAR, bound=0.03, seconds=(0.25,))
     near, again, exact, best = ladder_of("q", "r", (sure, EXACT), tolerance=0.1).choices
     assert [choice.tolerance for choice in (near, again, exact, best)] == [0.1, 0.01, 0.001, 0.0001]
-    assert [choice.rung and choice.rung.name for choice in (near, again, exact, best)] == ["near", *["exact"] * 3]
+    assert [choice.method and choice.method.name for choice in (near, again, exact, best)] == ["near", *["exact"] * 3]
     assert [choice.price for choice in (near, again, exact, best)] == [None, 20.0, 1.0, 1.0]  # 5 s over 0.25 s
     unknown = ladder_of("q", "r", (replace(EXACT, bound=0.005),), tolerance=0.1).choices
-    assert [choice.rung is None for choice in unknown] == [False, False, True, True]
+    assert [choice.method is None for choice in unknown] == [False, False, True, True]
     assert unknown[2].to_json() == {"tolerance": 0.001, "rung": None, "seconds": None, "price": None}
 
 
-def test_a_deviation_from_nothing_is_told_apart_from_none() -> None:
+def test_a_deviation_from_zero_is_infinite_unless_both_are_zero() -> None:
     assert deviation(np.array([0.0, 3.0]), np.array([0.0, 2.0])) == 0.5
     assert deviation(np.array([0.1, 2.0]), np.array([0.0, 2.0])) == np.inf

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from analytic.loads.finite_geometry import thrust_correction
 from analytic.scenefile.read import parse_scene
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.torque.change import TorqueChange, change_of_torque
 
 SCENE = """

@@ -9,17 +9,19 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.compare.cost.ladder import Ladder, Rung
+from fembearing.compare.cost.ladder import Ladder, Method
 from fembearing.report.figures.cost import LEAST, cost_figure, cost_table
 from fembearing.report.words import choices_line
 
 GIB = 2**30
 
 
-def rung(name: str, *, error: float | None, seconds: float | None, bound: float | None = None, gib: float = 0) -> Rung:
+def rung(
+    name: str, *, error: float | None, seconds: float | None, bound: float | None = None, gib: float = 0
+) -> Method:
     memory = int(gib * GIB) or None
     known = max((part for part in (bound, error) if part is not None), default=None)
-    return Rung(
+    return Method(
         name=name,
         error=error,
         bound=bound,
@@ -34,10 +36,10 @@ def rung(name: str, *, error: float | None, seconds: float | None, bound: float 
 CONTACT = Ladder(
     quantity="the contact",
     reference="the finest",
-    rungs=(
+    methods=(
         rung("Hertz", error=0.031, bound=0.036, seconds=2e-6, gib=0.25),
         rung("finite elements, level 2", error=0.007, seconds=0.4, gib=0.5),
-        Rung(
+        Method(
             name="finite elements, level 3",
             error=None,
             seconds=None,
@@ -50,9 +52,9 @@ CONTACT = Ladder(
     ),
 )
 LOAD = Ladder(
-    quantity="the load", reference="the ring", rungs=(rung("thrust", error=0.9, bound=None, seconds=1e-3, gib=0.25),)
+    quantity="the load", reference="the ring", methods=(rung("thrust", error=0.9, bound=None, seconds=1e-3, gib=0.25),)
 )
-ABSENT = Ladder(quantity="roughness", reference="none", rungs=(), absent="no surface")
+ABSENT = Ladder(quantity="roughness", reference="none", methods=(), absent="no surface")
 
 
 def drawn(axes: Axes) -> list[tuple[list[float], list[float]]]:
@@ -112,14 +114,14 @@ def test_a_ring_marks_the_chosen_rung() -> None:
     plain = rung("a", error=0.01, seconds=0.1)
     chosen = replace(plain, chosen=True)
     counts = [
-        len(drawn(cost_figure([Ladder(quantity="q", reference="r", rungs=(one,)).to_json()], tolerance=0.1).axes[0]))
+        len(drawn(cost_figure([Ladder(quantity="q", reference="r", methods=(one,)).to_json()], tolerance=0.1).axes[0]))
         for one in (plain, chosen)
     ]
     assert counts[1] == counts[0] + 1
 
 
 def test_without_memory_there_is_no_panel_for_it() -> None:
-    bare = Ladder(quantity="q", reference="r", rungs=(rung("a", error=0.01, seconds=0.1),))
+    bare = Ladder(quantity="q", reference="r", methods=(rung("a", error=0.01, seconds=0.1),))
     assert len(cost_figure([bare.to_json()], tolerance=0.1).axes) == 1
 
 

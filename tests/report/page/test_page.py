@@ -13,7 +13,7 @@ from rich.console import Console
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.contact.uncertainty import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
+from fembearing.compare.contact.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.compare.hard.case import HardOutcome
 from fembearing.compare.validation import Validation
 from fembearing.report.document.document import Report

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from analytic.scenefile.read import parse_scene
-from fembearing.compare.contact import discrepancy
+from fembearing.compare.contact import scene_contact
 from fembearing.compare.validation import Validation
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.provenance import MEMORY, ORIGIN, TIMES, VARYING, repeatable
@@ -36,7 +36,7 @@ def shallow(name: str) -> Recipe:
 @pytest.fixture(scope="module")
 def twice() -> list[Validation]:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(discrepancy, "load_recipe", shallow)
+        patch.setattr(scene_contact, "load_recipe", shallow)
         return [validate(parse_scene(SCENE, origin="here")) for _ in range(2)]
 
 

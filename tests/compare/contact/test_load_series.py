@@ -1,4 +1,4 @@
-"""The stiffness law of a series: exact where Hertz is, and beside single solves where the true groove departs."""
+"""The stiffness law of a series: against Hertz where Hertz is exact, and against single solves on the true groove."""
 
 import json
 from dataclasses import replace
@@ -9,11 +9,12 @@ import pytest
 from analytic.errors import InputError
 from analytic.scene import Contact
 from analytic.scenefile.read import builtin_scene, load_scene
-from fembearing.compare.contact.discrepancy import ContactSolution, hertz_quantities, solve_contact
-from fembearing.compare.contact.law_fit import StiffnessLaw
-from fembearing.compare.contact.reference import solve_reference
-from fembearing.compare.contact.stiffness_law import LoadSeries, compare_series, solve_load_series
-from fembearing.compare.contact.uncertainty import CAUTIOUS, LEAST
+from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact
+from fembearing.compare.contact.grid_convergence import CAUTIOUS, LEAST
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.load_series import LoadSeries, compare_series, solve_load_series
+from fembearing.compare.contact.mesh_refinement import solve_reference
+from fembearing.compare.contact.power_law import StiffnessLaw
 from fembearing.mesh.recipe import Geometry, load_recipe
 from fembearing.progress import silent
 
@@ -21,7 +22,7 @@ LOADS = np.geomspace(11.0, 980.0, 13)  # a factor of 89: three meshes
 
 
 def exponent_uncertainty(law: StiffnessLaw | None) -> float:
-    """Of a law that has one."""
+    """The uncertainty of a law that has one."""
     assert law is not None
     assert law.exponent_uncertainty is not None
     return law.exponent_uncertainty
@@ -50,7 +51,7 @@ def test_the_idealisation_has_the_law_of_hertz(ideal: LoadSeries) -> None:
 
 def test_the_idealisation_is_hertz_within_its_uncertainties(ideal: LoadSeries) -> None:
     for point in ideal.points:
-        assert abs(point.discrepancy) < point.approach.total < 0.005  # OFF_MESH and some
+        assert abs(point.discrepancy) < point.approach.total < 0.005  # OFF_MESH and a little more
         assert point.tangent is not None
         assert point.tangent_uncertainty is not None
         assert abs(point.tangent / point.hertz_tangent - 1) < point.tangent_uncertainty < 0.02
@@ -58,8 +59,8 @@ def test_the_idealisation_is_hertz_within_its_uncertainties(ideal: LoadSeries) -
     assert ideal.meshes == 3
 
 
-def test_hertz_stands_beside_with_its_tangent(ideal: LoadSeries) -> None:
-    """The tangent is the slope of Hertz's own loads: a central difference, a thousandth of the load apart."""
+def test_the_tangent_of_hertz_is_the_slope_of_his_loads(ideal: LoadSeries) -> None:
+    """By a central difference over a thousandth of the load."""
     point = ideal.points[4]
     above, below = (
         hertz_quantities(replace(ideal.contact, load=point.load * factor)).approach for factor in (1.001, 0.999)
@@ -67,7 +68,7 @@ def test_hertz_stands_beside_with_its_tangent(ideal: LoadSeries) -> None:
     np.testing.assert_allclose(point.hertz_tangent, 0.002 * point.load / (above - below), rtol=1e-6)  # second order
 
 
-def test_the_groove_stiffens_as_single_solves_say(real: LoadSeries, contacts: dict[str, Contact]) -> None:
+def test_the_groove_stiffens_as_in_single_solves(real: LoadSeries, contacts: dict[str, Contact]) -> None:
     """From two contacts on their own meshes, at the ends of the series."""
     singles = []
     for load in (LOADS[0], LOADS[-1]):
@@ -86,8 +87,8 @@ def test_the_groove_stiffens_as_single_solves_say(real: LoadSeries, contacts: di
         assert abs(point.approach.value / single.value - 1) < point.approach.total + single.total
 
 
-def test_tangents_lead_from_load_to_load(real: LoadSeries, ideal: LoadSeries) -> None:
-    """Integrated over the approach they give the loads."""
+def test_tangents_integrate_to_the_loads(real: LoadSeries, ideal: LoadSeries) -> None:
+    """Over the approach, from the first load to the last."""
     for series in (real, ideal):
         approach = np.array([point.approach.value for point in series.points])
         tangent = np.array([point.tangent for point in series.points], dtype=float)
@@ -97,18 +98,18 @@ def test_tangents_lead_from_load_to_load(real: LoadSeries, ideal: LoadSeries) ->
 
 
 def test_json_holds_plain_numbers(ideal: LoadSeries) -> None:
-    told = json.loads(json.dumps(ideal.to_json(), allow_nan=False))
-    assert [part["load"] for part in told["loads"]] == LOADS.tolist()
-    assert told["loads"][3]["approach"]["fe"] == ideal.points[3].approach.value
-    assert told["loads"][3]["tangent"]["hertz"] == ideal.points[3].hertz_tangent
+    document = json.loads(json.dumps(ideal.to_json(), allow_nan=False))
+    assert [part["load"] for part in document["loads"]] == LOADS.tolist()
+    assert document["loads"][3]["approach"]["fe"] == ideal.points[3].approach.value
+    assert document["loads"][3]["tangent"]["hertz"] == ideal.points[3].hertz_tangent
     assert ideal.law is not None
-    assert told["law"]["exponent"] == ideal.law.exponent
-    assert told["law"]["stiffness_uncertainty"] == ideal.law.stiffness_uncertainty
-    assert told["hertz_law"] == {"stiffness": ideal.hertz_stiffness, "exponent": 1.5}
+    assert document["law"]["exponent"] == ideal.law.exponent
+    assert document["law"]["stiffness_uncertainty"] == ideal.law.stiffness_uncertainty
+    assert document["hertz_law"] == {"stiffness": ideal.hertz_stiffness, "exponent": 1.5}
 
 
-def test_a_series_is_refined_until_it_is_as_sure_as_was_asked(contacts: dict[str, Contact]) -> None:
-    """Off their meshes approaches are 0.3 % uncertain; each on its own comes below a tenth of that."""
+def test_a_series_is_refined_to_the_required_accuracy(contacts: dict[str, Contact]) -> None:
+    """On shared meshes approaches are 0.3 % uncertain; on their own meshes a tenth of that or less."""
     recipe, loads = load_recipe("hertzian"), [650.0, 140.0, 650.0, 290.0]
     rough = compare_series(contacts["inner"], recipe=recipe, loads=loads, tolerance=0.05)
     fine = compare_series(contacts["inner"], recipe=recipe, loads=loads, tolerance=0.001)
@@ -125,30 +126,30 @@ def test_a_series_is_refined_until_it_is_as_sure_as_was_asked(contacts: dict[str
 
 @pytest.mark.parametrize("geometry", ["real", "wall"])
 def test_a_pocket_has_a_series_too(geometry: Geometry) -> None:
-    """Beside single solves: the seat stiffens as its contact widens, the sheet bends on its rim whatever the load."""
+    """Against single solves: the seat stiffens as its contact widens; the sheet bends on its rim at any load."""
     scene = load_scene(builtin_scene("6205"))
     loads = [5.0, 12.0, 28.0] if geometry == "wall" else [5.0, 17.0, 60.0]
-    found = solve_load_series(scene, pair="pocket", loads=loads, geometry=geometry)
-    for point in (found.points[0], found.points[-1]):
+    series = solve_load_series(scene, pair="pocket", loads=loads, geometry=geometry)
+    for point in (series.points[0], series.points[-1]):
         single = solve_contact(scene, pair="pocket", load=point.load, geometry=geometry, accuracy=0.02)
         alone = single.estimates["approach"]
         assert abs(point.approach.value / alone.value - 1) < point.approach.total + alone.total < 0.02
         assert point.hertz_approach == single.hertz.approach
-    assert found.law is not None
-    uncertain = exponent_uncertainty(found.law)
-    assert found.judged == (geometry == "real")
-    told = found.to_json()
+    assert series.law is not None
+    uncertain = exponent_uncertainty(series.law)
+    assert series.judged == (geometry == "real")
+    document = series.to_json()
     if geometry == "wall":
         # Springs in a row, delta = (F/K)^(2/3) + c F: an exponent between 1.5 and 1.
-        assert 1 + uncertain < found.law.exponent < 1.5 - uncertain
-        assert told["verdict"] == "shown"
-        assert "the sheet of 0.9 mm bends" in " ".join(found.warnings)
+        assert 1 + uncertain < series.law.exponent < 1.5 - uncertain
+        assert document["verdict"] == "shown"
+        assert "the sheet of 0.9 mm bends" in " ".join(series.warnings)
     else:
-        assert 1.5 < found.law.exponent < 1.5 + 2 * uncertain
-        assert told["verdict"] == "pass"
+        assert 1.5 < series.law.exponent < 1.5 + 2 * uncertain
+        assert document["verdict"] == "pass"
 
 
-def test_one_load_has_no_law_and_repeated_ones_do_not_sharpen_it(contacts: dict[str, Contact]) -> None:
+def test_one_load_has_no_law_and_repeated_loads_count_once(contacts: dict[str, Contact]) -> None:
     recipe = load_recipe("hertzian")
     alone = compare_series(contacts["inner"], recipe=recipe, loads=[372.0], tolerance=0.05)
     assert alone.law is None
@@ -161,22 +162,22 @@ def test_one_load_has_no_law_and_repeated_ones_do_not_sharpen_it(contacts: dict[
     assert pair.law == again.law
     assert pair.law.exponent_uncertainty is None
     assert "two loads fit any power law" in " ".join(pair.warnings)
-    told = json.loads(json.dumps(pair.to_json(), allow_nan=False))
-    assert told["law"]["exponent_uncertainty"] is None
-    assert told["law"]["stiffness_uncertainty"] is None
-    assert [part["tangent"]["uncertainty"] for part in told["loads"]] == [None, None]
-    assert [part["tangent"]["fe"] for part in told["loads"]] == [point.tangent for point in pair.points]
+    document = json.loads(json.dumps(pair.to_json(), allow_nan=False))
+    assert document["law"]["exponent_uncertainty"] is None
+    assert document["law"]["stiffness_uncertainty"] is None
+    assert [part["tangent"]["uncertainty"] for part in document["loads"]] == [None, None]
+    assert [part["tangent"]["fe"] for part in document["loads"]] == [point.tangent for point in pair.points]
     assert [point.load for point in again.points] == [140.0, 650.0, 140.0, 650.0]
 
 
 def test_a_load_over_the_shoulder_is_as_uncertain_as_a_single_one_and_not_judged(cut_contact: ContactSolution) -> None:
-    """No order is relied on there: three times the last change, and no extrapolation. Below it nothing is cut off."""
+    """There no order is assumed: three times the last change, without extrapolation. A smaller load is not cut off."""
     contact = cut_contact.contact  # at 372 N; an ellipse of 235 N ends at its shoulder
-    found = compare_series(contact, recipe=load_recipe("race"), loads=[372.0, 185.0], tolerance=0.05)
-    assert [part.shoulder is None for part in found.solutions] == [False, True]
-    assert [point.verdict for point in found.points] == ["outside validity", "pass"]
-    assert "from 372 N on the contact reaches its shoulder" in " ".join(found.warnings)
-    over, below = found.points
+    series = compare_series(contact, recipe=load_recipe("race"), loads=[372.0, 185.0], tolerance=0.05)
+    assert [part.shoulder is None for part in series.solutions] == [False, True]
+    assert [point.verdict for point in series.points] == ["outside validity", "pass"]
+    assert "from 372 N on the contact reaches its shoulder" in " ".join(series.warnings)
+    over, below = series.points
     coarse, fine = over.approach.values
     assert over.approach.richardson is None
     assert below.approach.richardson is not None
@@ -189,27 +190,27 @@ def test_a_load_over_the_shoulder_is_as_uncertain_as_a_single_one_and_not_judged
 
 
 def test_the_idealisation_has_no_shoulder_in_a_series_either(contacts: dict[str, Contact]) -> None:
-    """Its exact answer is Hertz's, wherever the shoulder of the groove stands."""
+    """Its exact answer is Hertz's, wherever the groove's shoulder is."""
     narrow = replace(contacts["inner"], shoulder=0.6e-3)  # the semi-axis is 0.95 mm at 372 N
-    found = compare_series(narrow, recipe=load_recipe("hertzian"), loads=[372.0, 300.0, 30.0], tolerance=0.05)
-    for point in found.points:
+    series = compare_series(narrow, recipe=load_recipe("hertzian"), loads=[372.0, 300.0, 30.0], tolerance=0.05)
+    for point in series.points:
         assert abs(point.discrepancy) < point.approach.total < 0.005  # OFF_MESH and some
-    assert found.verdict == "pass"
-    assert not found.warnings
+    assert series.verdict == "pass"
+    assert not series.warnings
 
 
-def test_from_the_static_limit_on_the_warning_says_so_once(contacts: dict[str, Contact]) -> None:
+def test_loads_above_the_static_limit_have_one_warning(contacts: dict[str, Contact]) -> None:
     """A ball in a wide groove: 4.2 GPa at about 1800 N."""
-    found = compare_series(
+    series = compare_series(
         replace(contacts["inner"], groove_radius=5.0e-3),
         recipe=load_recipe("race"),
         loads=[2600.0, 700.0, 2250.0],
         tolerance=0.9,
     )
-    peaks = [part.quantities.peak_pressure > 4.2e9 for part in found.solutions]
+    peaks = [part.quantities.peak_pressure > 4.2e9 for part in series.solutions]
     assert peaks == [True, False, True]
-    (said,) = (warning for warning in found.warnings if "static limit" in warning)
-    assert "at 2250 N is above the static limit 4.2e+09 Pa" in said
+    (message,) = (warning for warning in series.warnings if "static limit" in warning)
+    assert "at 2250 N is above the static limit 4.2e+09 Pa" in message
 
 
 @pytest.mark.parametrize(

@@ -1,30 +1,24 @@
-"""A contact under many loads: its stiffness law F = K delta^n by finite elements, beside Hertz's F = K delta^1.5.
+"""A contact under many loads: its stiffness law F = K delta^n by finite elements, and Hertz's F = K delta^1.5.
 
 F: load, N; delta: approach, m. Each approach comes from the second and third level of a recipe, with value and
-uncertainty by the rules of a single contact. Loads share meshes, and one whose ellipse is not that of its mesh is less
-certain: see `OFF_MESH`. One whose approach is then less certain than the tolerance asks for is solved once more as a
-contact of its own.
+uncertainty as for a single contact. Loads share meshes, and a load whose ellipse differs from that of its mesh is more
+uncertain: see `OFF_MESH`. A load whose approach is then too uncertain for the required accuracy is solved again on its
+own meshes.
 """
 
 import time
 from dataclasses import asdict, dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError
 from analytic.scene import Contact, Pair, Scene
-from fembearing.compare.contact.discrepancy import (
-    Shape,
-    as_meshed,
-    contact_of,
-    hertz_quantities,
-    recipe_of,
-    traced_to_load,
-)
-from fembearing.compare.contact.law_fit import LawData, StiffnessLaw, fit_law, fit_tangents
-from fembearing.compare.contact.reference import boundary_effect, estimates_of, has_boundary, solve_reference
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.compare.contact.mesh_refinement import boundary_effect, estimates_of, has_boundary, solve_reference
+from fembearing.compare.contact.power_law import LawData, StiffnessLaw, fit_law, fit_tangents
+from fembearing.compare.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.compare.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.compare.contact.warnings import (
     near_shoulder,
@@ -39,24 +33,31 @@ from fembearing.memory import peak_memory
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.progress import Progress, part_of, silent
 
-# Where the edge of an ellipse runs through cells that were made for another one, the approach goes up and down with the
-# load, alike on all levels. Seen on 14 idealised contacts at 33 sizes from 0.65 to 1.35 of the mesh's, beyond what the
-# levels show: 0.21 % in 95 of 100, 0.43 % at worst (validation/benchmarks/calibrations.py); less where the ellipse is
-# nearly the mesh's.
+# Where the edge of an ellipse crosses cells made for another ellipse, the error of the approach oscillates with the
+# load, alike on all levels. On 14 idealised contacts at 33 sizes from 0.65 to 1.35 of the mesh's it exceeded the
+# error that the levels show by 0.21 % in 95 of 100 and 0.43 % at worst (validation/benchmarks/calibrations.py); it is
+# smaller where the ellipse is close to the mesh's.
 OFF_MESH = 3e-3
-OFF_FROM = 0.1  # an ellipse so far from its mesh's, in semi-axes, is off in full; in proportion below
-Solved = tuple[MeshSolution, Estimate, float]  # on the finest mesh, its approach, and its share that is off the mesh
+OFF_FROM = 0.1  # difference of the ellipses, in semi-axes, from which OFF_MESH applies in full; in proportion below
+
+
+class SolvedLoad(NamedTuple):
+    """One load of a series."""
+
+    mesh: MeshSolution  # on the finest level
+    approach: Estimate
+    off_mesh: float  # relative, the part of the approach's uncertainty by `OFF_MESH`
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LoadPoint:
-    """One load of a series. Tangents are dF/d(delta), N/m; uncertainties relative half-widths."""
+    """One load of a series, compared with Hertz. Tangents are dF/d(delta), N/m; uncertainties relative half-widths."""
 
     load: float  # N
     approach: Estimate  # m
     hertz_approach: float  # m
-    tangent: float | None  # by finite elements; None where one load makes the series
-    tangent_uncertainty: float | None  # None where no third load shows how far from a power law the series is
+    tangent: float | None  # by finite elements; None for a single load
+    tangent_uncertainty: float | None  # None without a third load, which shows the deviation from a power law
     verdict: Verdict  # on Hertz's approach
 
     @property
@@ -77,7 +78,7 @@ class LoadSeries:
     geometry: Geometry
     tolerance: float
     points: tuple[LoadPoint, ...]
-    law: StiffnessLaw | None  # None of a single load
+    law: StiffnessLaw | None  # None for a single load
     hertz_stiffness: float  # K of Hertz, N/m^1.5
     solutions: tuple[MeshSolution, ...]  # on the finest level, in the order of the points
     seconds: float
@@ -85,21 +86,21 @@ class LoadSeries:
 
     @property
     def meshes(self) -> int:
-        """How many meshes of a level the loads share."""
+        """Number of meshes of one level that the loads share."""
         return len({id(part.bodies) for part in self.solutions})
 
     @property
     def judged(self) -> bool:
-        """A sheet is shown, not judged: Hertz's half space is not made for it."""
+        """False for a sheet: Hertz's half space does not describe it."""
         return self.geometry != "wall"
 
     @property
     def verdict(self) -> Verdict:
-        """The worst of all loads."""
+        """The worst verdict of all loads."""
         return worst(point.verdict for point in self.points)
 
     def to_json(self) -> dict[str, Any]:
-        """The series as plain types; SI, discrepancies and uncertainties relative but that of the exponent."""
+        """The series as plain types, SI; discrepancies and uncertainties are relative, except the exponent's."""
         law = None
         if self.law is not None:
             law = asdict(self.law) | {"exponent_uncertainty": self.law.exponent_uncertainty}
@@ -144,15 +145,15 @@ def solve_load_series(
     geometry: Shape = "real",
     progress: Progress = silent,
 ) -> LoadSeries:
-    """Solve one contact of a scene under each of `loads` and set Hertz beside it.
+    """Solve one contact of a scene under each of `loads` and compare Hertz with it.
 
     loads : (n,) of the ball, N, in any order; the contact angle stays that of the scene's largest load
     tolerance : relative, for the verdict; the scene's unless given
-    accuracy : asked of each approach, relative half-width of its 95 % interval; the tolerance unless given
-    geometry : as of `solve_contact`, but for "ring"
-    progress : called with the share done, 0 to 1, and a word on the step at hand
-    Raises InputError for loads that are none or not positive or a contact that cannot be meshed, ConvergenceError for
-    one that does not settle.
+    accuracy : required of each approach, relative half-width of its 95 % interval; the tolerance unless given
+    geometry : as in `solve_contact`, except "ring"
+    progress : called with the share done, 0 to 1, and the name of the current step
+    Raises InputError for missing or non-positive loads or a contact that cannot be meshed, ConvergenceError for one
+    that does not converge.
     """
     given = checked_loads(loads)
     if geometry == "ring":
@@ -160,12 +161,12 @@ def solve_load_series(
     recipe = recipe_of(geometry, pair=pair)
     largest = float(given.max())
     contact = replace(contact_of(scene, pair=pair, load=largest), load=float(given[0]))
-    asked = scene.tolerance if tolerance is None else tolerance
+    tolerance = scene.tolerance if tolerance is None else tolerance
     with traced_to_load(scene, pair=pair, load=largest):
-        found = compare_series(
-            contact, recipe=recipe, loads=given, tolerance=asked, accuracy=accuracy, progress=progress
+        series = compare_series(
+            contact, recipe=recipe, loads=given, tolerance=tolerance, accuracy=accuracy, progress=progress
         )
-    return replace(found, warnings=(*scene.warnings, *found.warnings))
+    return replace(series, warnings=(*scene.warnings, *series.warnings))
 
 
 def compare_series(
@@ -180,10 +181,10 @@ def compare_series(
     """Solve `contact` under each of `loads`, (n,) N, on the second and third level of `recipe`.
 
     tolerance : relative, for the verdict;  accuracy : of each approach, relative; the tolerance unless given
-    Loads whose approach is more uncertain than that, or undecided, are solved again, each on its own.
+    A load whose approach misses the accuracy, or whose verdict is undecided, is solved again on its own meshes.
     """
     start = time.perf_counter()
-    wanted = tolerance if accuracy is None else accuracy
+    accuracy = tolerance if accuracy is None else accuracy
     contact = as_meshed(contact, recipe=recipe)
     given = checked_loads(loads)
     middle, fine = recipe.levels[1:3]
@@ -195,14 +196,14 @@ def compare_series(
     progress(0.5, f"{contact.pair}: level {fine}")
     third = on_level(second, recipe=recipe, level=fine)
     solved = {
-        parts[1].contact.load: (parts[1], _approach(*parts), off_mesh_uncertainty(parts[1]))
+        parts[1].contact.load: SolvedLoad(parts[1], _approach(*parts), off_mesh_uncertainty(parts[1]))
         for parts in zip(second, third, larger, strict=True)
     }
     solved |= _refined(
-        solved, recipe=recipe, tolerance=tolerance, accuracy=wanted, progress=part_of(progress, 0.6, 1.0)
+        solved, recipe=recipe, tolerance=tolerance, accuracy=accuracy, progress=part_of(progress, 0.6, 1.0)
     )
-    third, approaches, crossing = zip(*(solved[load] for load in given.tolist()), strict=True)
-    data = LawData.of(given, approaches, crossing)
+    third, approaches, off = zip(*(solved[load] for load in given.tolist()), strict=True)
+    data = LawData.of(given, approaches, off)
     law = fit_law(data)
     tangents = [(None, None)] * given.size if law is None else fit_tangents(data, given, approaches)
     thin = recipe.geometry == "wall"
@@ -234,25 +235,25 @@ def compare_series(
         warnings=(
             *((sheet_warning(contact),) if thin else ()),
             *((series_shoulder_warning(contact, load=min(over)),) if over else ()),
-            *solve_warnings(every, accuracy=wanted, watched=("approach",), thin=thin),
+            *solve_warnings(every, accuracy=accuracy, quantities=("approach",), thin=thin),
             *((two_loads_warning(contact),) if law is not None and not data.redundant else ()),
         ),
     )
 
 
 def _refined(
-    solved: dict[float, Solved], *, recipe: Recipe, tolerance: float, accuracy: float, progress: Progress
-) -> dict[float, Solved]:
-    """The loads that have to be solved on meshes of their own: their approach is too uncertain, or its verdict open."""
+    solved: dict[float, SolvedLoad], *, recipe: Recipe, tolerance: float, accuracy: float, progress: Progress
+) -> dict[float, SolvedLoad]:
+    """The loads whose approach is too uncertain or whose verdict is undecided, each solved on its own meshes."""
 
-    def is_open(part: Estimate, contact: Contact) -> bool:
+    def undecided(part: Estimate, contact: Contact) -> bool:
         formula = hertz_quantities(contact).approach
         return recipe.geometry != "wall" and could_be_decided(formula, part, tolerance=tolerance)
 
-    found = {}
-    for number, (load, (solution, part, _)) in enumerate(solved.items()):
-        contact = solution.contact
-        decided = solution.shoulder is not None or not is_open(part, contact)  # at a shoulder Hertz is not judged
+    refined = {}
+    for number, (load, (mesh, part, _)) in enumerate(solved.items()):
+        contact = mesh.contact
+        decided = mesh.shoulder is not None or not undecided(part, contact)  # at a shoulder Hertz is not judged
         if part.mesh <= max(accuracy - part.domain, part.domain / 2) and decided:
             continue
         try:
@@ -260,25 +261,25 @@ def _refined(
                 contact,
                 recipe=recipe,
                 accuracy=accuracy,
-                watched=("approach",),
-                is_open=lambda estimates, contact=contact: is_open(estimates["approach"], contact),
+                quantities=("approach",),
+                undecided=lambda estimates, contact=contact: undecided(estimates["approach"], contact),
                 progress=part_of(progress, number / len(solved), (number + 1) / len(solved)),
             )
-        except InputError:  # an ellipse too wide for a mesh of its own: what it has on its neighbour's stays
+        except InputError:  # an ellipse too wide for its own mesh: the result on its neighbour's stays
             continue
-        found[load] = single.meshes[-1], single.estimates["approach"], 0.0
-    return found
+        refined[load] = SolvedLoad(single.meshes[-1], single.estimates["approach"], 0.0)
+    return refined
 
 
 def off_mesh_uncertainty(solution: MeshSolution) -> float:
-    """Relative, of an approach: what its ellipse loses on a mesh that was made for another."""
+    """Relative uncertainty of an approach whose ellipse differs from that of its mesh."""
     return OFF_MESH * min(1.0, off_mesh(solution) / OFF_FROM)
 
 
 def _approach(second: MeshSolution, third: MeshSolution, larger: MeshSolution | None) -> Estimate:
-    found = estimates_of((second, third))["approach"]
+    estimate = estimates_of((second, third))["approach"]
     return replace(
-        found,
-        mesh=found.mesh + off_mesh_uncertainty(third),
+        estimate,
+        mesh=estimate.mesh + off_mesh_uncertainty(third),
         **({} if larger is None else vars(boundary_effect(second, larger)["approach"])),
     )

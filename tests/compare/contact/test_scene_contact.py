@@ -1,4 +1,4 @@
-"""The ball that finite elements solve is the one that the torque finds heaviest."""
+"""The contact that is compared is that of the most heavily loaded ball."""
 
 from dataclasses import replace
 
@@ -12,7 +12,7 @@ from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import ContactAngle, Operation, Scene
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
-from fembearing.compare.contact.discrepancy import contact_of
+from fembearing.compare.contact.scene_contact import contact_of
 
 
 @pytest.fixture(scope="module")
@@ -27,15 +27,15 @@ def scene() -> Scene:
     return replace(load_scene(builtin_scene("6205")), contact_angle=ContactAngle(rule="solved"), operation=series)
 
 
-def test_under_thrust_it_is_any_ball(scene: Scene) -> None:
+def test_under_thrust_it_is_any_ball_at_the_heaviest_point(scene: Scene) -> None:
     thrust = replace(
         scene, operation=Operation(axial_load=np.array([300.0, 900.0]), inner_speed=np.array([30.0, 30.0]))
     )
     expected = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=900.0)
     for pair in ("inner", "outer"):
-        found = contact_of(thrust, pair=pair)
-        np.testing.assert_allclose([found.load, found.contact_angle], [expected.ball_load, expected.contact_angle])
-        assert contact_of(thrust, pair=pair, load=77.0) == replace(found, load=77.0)
+        contact = contact_of(thrust, pair=pair)
+        np.testing.assert_allclose([contact.load, contact.contact_angle], [expected.ball_load, expected.contact_angle])
+        assert contact_of(thrust, pair=pair, load=77.0) == replace(contact, load=77.0)
 
 
 def test_under_a_radial_load_it_is_the_heaviest_of_the_ring(scene: Scene) -> None:
@@ -43,11 +43,11 @@ def test_under_a_radial_load_it_is_the_heaviest_of_the_ring(scene: Scene) -> Non
     heaviest = int(np.argmax(ring.inner_load))
     loads, angles = (ring.inner_load, ring.outer_load), (ring.inner_angle, ring.outer_angle)
     for race, load, angle in zip(RACES, loads, angles, strict=True):
-        found = contact_of(scene, pair=race)
+        contact = contact_of(scene, pair=race)
         # centrifugal and gyroscopic effects, left out here, are below 1e-3 of this load
-        np.testing.assert_allclose(found.load, load[heaviest], rtol=1e-3)
-        np.testing.assert_allclose(found.contact_angle, abs(angle[heaviest]), rtol=1e-2)
-        assert found.load > 5 * thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=210.0).ball_load
+        np.testing.assert_allclose(contact.load, load[heaviest], rtol=1e-3)
+        np.testing.assert_allclose(contact.contact_angle, abs(angle[heaviest]), rtol=1e-2)
+        assert contact.load > 5 * thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=210.0).ball_load
 
 
 def test_at_speed_each_race_has_its_own_load_and_angle(scene: Scene) -> None:

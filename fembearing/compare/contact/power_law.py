@@ -1,6 +1,6 @@
-"""F = K delta^n fitted to a load series, its tangents, and how uncertain both are.
+"""F = K delta^n fitted to a load series, and its tangents, both with uncertainties.
 
-F: load, N, exact; delta: approach, m, each with a half-width of its own.
+F: load, N, exact; delta: approach, m, each with its own half-width.
 """
 
 from collections.abc import Sequence
@@ -10,46 +10,46 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.stats import t as student
 
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.grid_convergence import Estimate
 
 Array = NDArray[np.float64]
-ALIKE = 0.3  # in ln F, a tenth of a semi-axis: of loads further apart, errors off the mesh have nothing in common
+ALIKE = 0.3  # in ln F, a tenth of a semi-axis: farther apart, off-mesh errors of two loads are independent
 CONFIDENCE = 0.95
-ENOUGH = 5  # distinct loads, for the tangents to bend away from a power law
+ENOUGH = 5  # distinct loads from which the tangents may depart from a power law
 
 
 @dataclass(frozen=True, kw_only=True)
 class StiffnessLaw:
-    """F = K delta^n, fitted to a series. Uncertainties but `propagated` are None of two loads, which fit it always."""
+    """F = K delta^n, fitted to a series. Uncertainties except `propagated` are None for two loads, which always fit."""
 
-    stiffness: float  # K, N/m^n: extrapolated to 1 m, to be used with n alone
+    stiffness: float  # K, N/m^n: extrapolated to 1 m, to be used only with n
     exponent: float  # n
-    stiffness_uncertainty: float | None  # of K, relative half-width, 95 %: large, as it is far from any load
-    misfit: float | None  # what n owes to loads that are no power law
-    propagated: float  # what it owes to uncertain approaches
+    stiffness_uncertainty: float | None  # of K, relative half-width, 95 %: large, as 1 m is far from any approach
+    misfit: float | None  # uncertainty of n from the deviation of the loads from a power law
+    propagated: float  # uncertainty of n from uncertain approaches
 
     @property
     def exponent_uncertainty(self) -> float | None:
-        """Half-width, 95 %, absolute: both parts added, since nothing says that they are independent."""
+        """Half-width, 95 %, absolute: the sum of both parts, as they may depend on each other."""
         return None if self.misfit is None else self.misfit + self.propagated
 
     def load(self, approach: ArrayLike) -> Array:
-        """N, at approaches of any shape, m."""
+        """Load, N, at approaches of any shape, m."""
         return self.stiffness * np.asarray(approach, dtype=np.float64) ** self.exponent
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LawData:
-    """What a law is fitted to, (n,) each: distinct loads, rising, and relative half-widths of their approaches."""
+    """The data of the fit, (n,) each: distinct loads, ascending, and relative half-widths of their approaches."""
 
     load: Array  # N
     approach: Array  # m
     common: Array  # errors that may have one cause at all loads
-    crossing: Array  # errors off the mesh
+    crossing: Array  # off-mesh errors
 
     @classmethod
     def of(cls, loads: Array, approaches: Sequence[Estimate], crossing: Sequence[float]) -> "LawData":
-        """From loads in any order, each as often as may be."""
+        """From loads in any order, which may repeat."""
         load, index = np.unique(loads, return_index=True)
         total = np.array([approaches[i].total for i in index])
         off = np.array([crossing[i] for i in index])
@@ -58,15 +58,15 @@ class LawData:
 
     @property
     def redundant(self) -> bool:
-        """Whether there are loads left over to judge a power law by."""
+        """Whether there are more loads than a power law has parameters."""
         return self.load.size > 2
 
 
 def fit_law(data: LawData) -> StiffnessLaw | None:
-    """F = K delta^n; None where there is only one load.
+    """F = K delta^n; None for a single load.
 
-    Loads are exact and approaches are not: ln delta is fitted over ln F by least squares, and 1/n is its slope. Two
-    loads show no departure from it: they are given a law, which is then assumed, and no interval.
+    Loads are exact and approaches are not: ln delta is fitted over ln F by least squares, with slope 1/n. Two loads
+    cannot show a departure from the law: it is assumed, without an interval.
     """
     if data.load.size < 2:
         return None
@@ -85,11 +85,11 @@ def fit_law(data: LawData) -> StiffnessLaw | None:
 
 
 def fit_tangents(data: LawData, loads: Array, approaches: Sequence[Estimate]) -> list[tuple[float, float | None]]:
-    """dF/d(delta), N/m, and its relative uncertainty, at each of `loads`, (n,) N with their `approaches`.
+    """dF/d(delta), N/m, and its relative uncertainty, at each of `loads`, (n,) N, with their `approaches`.
 
-    From five loads on, the slope of ln delta = c0 + c1 ln F + c2 F^(1/3): a groove departs from its power law as the
-    contact's size over the body's, which goes as F^(1/3). Fewer loads give the slope of the power law itself, two of
-    them without an uncertainty.
+    Five loads or more give the slope of ln delta = c0 + c1 ln F + c2 F^(1/3): a groove departs from its power law as
+    the ratio of contact size to body size, which grows as F^(1/3). Fewer loads give the slope of the power law itself,
+    two without an uncertainty.
     """
     terms = 3 if data.load.size >= ENOUGH else 2
     largest = data.load[-1]
@@ -97,7 +97,7 @@ def fit_tangents(data: LawData, loads: Array, approaches: Sequence[Estimate]) ->
     of = np.column_stack([np.zeros(loads.size), np.ones(loads.size), (loads / largest) ** (1 / 3) / 3])[:, :terms]
     coefficients, weights, deviation, propagated = _fitted(data, basis[:, :terms], of=of)
     slope = of @ coefficients  # of ln delta over ln F
-    # What a power law leaves over is a curve that it does not know, no chance: neighbouring loads share its sign.
+    # Residuals of a power law are systematic, not random: neighbouring loads share their sign.
     misfit = deviation * np.linalg.norm(weights, ord=1 if terms == 2 else 2, axis=1)
     tangent = loads / np.array([part.value for part in approaches]) / slope
     uncertainty = (misfit + propagated) / np.abs(slope) + np.array([part.total for part in approaches])
@@ -106,14 +106,14 @@ def fit_tangents(data: LawData, loads: Array, approaches: Sequence[Estimate]) ->
 
 
 def _fitted(data: LawData, basis: Array, *, of: Array) -> tuple[Array, Array, float, Array]:
-    """Coefficients (k,) of ln delta over `basis` (n, k); for each row of `of` (m, k), a combination of them, how each
-    load moves it, (m, n), absolute; the deviation from the fit, 95 %, 0 where nothing is left over; and for each row
-    the half-width (m,) that it owes to uncertain approaches.
+    """Least squares of ln delta over `basis` (n, k), for combinations `of` (m, k) of its coefficients.
 
-    Common errors count as if each had the sign that hurts most, and so do those off the mesh at neighbouring loads;
-    apart from each other these add as squares.
+    Returns the coefficients (k,); the absolute weight of each load in each combination (m, n); the deviation from the
+    fit, 95 %, 0 without redundant loads; and the half-width (m,) of each combination from uncertain approaches.
+    Common errors, and off-mesh errors of neighbouring loads, count with the most unfavourable signs. Off-mesh errors
+    of loads farther apart add as squares.
     """
-    inverse = np.asarray(np.linalg.pinv(basis), dtype=np.float64)  # its stub promises any float
+    inverse = np.asarray(np.linalg.pinv(basis), dtype=np.float64)  # its type stub allows any float
     values = np.log(data.approach)
     coefficients = inverse @ values
     weights = np.abs(of @ inverse)

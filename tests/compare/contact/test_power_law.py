@@ -1,4 +1,4 @@
-"""The fit of F = K delta^n: exact laws, errors put in by hand, and loads that are no power law."""
+"""The fit of F = K delta^n: exact laws, known errors, and loads that follow no power law."""
 
 from itertools import product
 
@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.compare.contact.law_fit import LawData, fit_law, fit_tangents
-from fembearing.compare.contact.uncertainty import Estimate
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.power_law import LawData, fit_law, fit_tangents
 
 
 def data(load: np.ndarray, approach: np.ndarray, *, common: float = 0.0, crossing: float = 0.0) -> LawData:
@@ -18,7 +18,7 @@ def data(load: np.ndarray, approach: np.ndarray, *, common: float = 0.0, crossin
 
 
 @given(exponent=st.floats(1.0, 2.0), stiffness=st.floats(1e3, 1e12), count=st.integers(3, 9))
-def test_a_power_law_is_found_again(exponent: float, stiffness: float, count: int) -> None:
+def test_an_exact_power_law_is_recovered(exponent: float, stiffness: float, count: int) -> None:
     load = np.geomspace(2.3, 710.0, count)
     law = fit_law(data(load, (load / stiffness) ** (1 / exponent)))
     assert law is not None
@@ -31,8 +31,8 @@ def test_a_power_law_is_found_again(exponent: float, stiffness: float, count: in
 
 
 @given(seed=st.integers(0, 2**32 - 1), range_of_loads=st.floats(3.0, 1e6))
-def test_no_common_error_moves_the_exponent_further_than_propagated(seed: int, range_of_loads: float) -> None:
-    """Signs drawn at random, and those of a tilt, which is the worst."""
+def test_no_common_error_moves_the_exponent_farther_than_propagated(seed: int, range_of_loads: float) -> None:
+    """With random signs, and with those of a tilt, which is the worst."""
     load = np.geomspace(1.9, 1.9 * range_of_loads, 8)
     signs = np.random.default_rng(seed).choice([-1.0, 1.0], (5, load.size))
     for sign in (*signs, np.sign(np.arange(load.size) - 3.5)):
@@ -44,7 +44,7 @@ def test_no_common_error_moves_the_exponent_further_than_propagated(seed: int, r
         assert abs(np.log(law.stiffness / 2.5e10)) <= 1.01 * law.stiffness_uncertainty
 
 
-def test_errors_off_the_mesh_average_out_only_between_loads_apart() -> None:
+def test_off_mesh_errors_average_out_only_between_distant_loads() -> None:
     few, many, wide = (
         fit_law(data(load, load ** (2 / 3), crossing=3e-3))
         for load in (np.geomspace(10.0, 60.0, 7), np.geomspace(10.0, 60.0, 400), np.geomspace(10.0, 3600.0, 14))
@@ -58,7 +58,7 @@ def test_errors_off_the_mesh_average_out_only_between_loads_apart() -> None:
 
 @pytest.mark.parametrize("slope", [0.61, 2 / 3])
 def test_a_stiffness_is_as_uncertain_as_its_extrapolation_to_one_metre(slope: float) -> None:
-    """An error that tilts the line: ln K moves by the whole way from the loads to 1 m."""
+    """An error that tilts the line moves ln K by its extrapolation from the loads to 1 m."""
     load = np.array([20.0, 90.0, 500.0])
     approach = 3e-7 * load**slope
     law = fit_law(data(load, approach, common=1e-4))
@@ -85,18 +85,18 @@ def stiffening_groove(load: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize(
     ("count", "span"), [*product((3, 4), (3.0, 14.0, 100.0, 1000.0)), *product((5, 6, 9, 30), (3.0, 14.0))]
 )
-def test_tangents_of_what_is_no_power_law_lie_within_their_intervals(law, count: int, span: float) -> None:
-    """Curves that no fit here knows whole, and approaches as uncertain as a series asked for 0.1 % has them."""
+def test_tangents_of_other_laws_lie_within_their_intervals(law, count: int, span: float) -> None:
+    """Curves that the fit cannot represent, with approaches as uncertain as in a series to 0.1 %."""
     load = np.geomspace(28.0 / span, 28.0, count)
-    found = fit_tangents(data(load, law(load), common=5e-4), load, estimates(law(load), mesh=5e-4))
+    tangents = fit_tangents(data(load, law(load), common=5e-4), load, estimates(law(load), mesh=5e-4))
     step = 1e-4 * load
-    for (tangent, uncertainty), exact in zip(found, 2 * step / (law(load + step) - law(load - step)), strict=True):
+    for (tangent, uncertainty), exact in zip(tangents, 2 * step / (law(load + step) - law(load - step)), strict=True):
         assert uncertainty is not None
         assert abs(tangent / exact - 1) < uncertainty
 
 
-def test_two_loads_are_given_a_law_and_no_interval() -> None:
-    """One law goes through any two loads; on the sheet's its tangents are off by more than approaches are uncertain."""
+def test_two_loads_have_a_law_without_an_interval() -> None:
+    """One law fits any two loads, but its tangents may be wrong by more than the approaches are uncertain."""
     load = np.array([2.0, 28.0])
     approach = springs_in_a_row(load)
     both = data(load, approach, common=1e-3)
@@ -113,7 +113,7 @@ def test_two_loads_are_given_a_law_and_no_interval() -> None:
 
 
 @pytest.mark.parametrize("count", [1, 2])
-def test_a_load_repeated_leaves_nothing_over(count: int) -> None:
+def test_a_repeated_load_is_not_redundant(count: int) -> None:
     load = np.array([9.0, 310.0])[:count]
     given = np.repeat(load, 3)
     approach = estimates(given ** (2 / 3), mesh=1e-3)

@@ -1,19 +1,19 @@
-"""The finite-element reference of a contact: as many meshes as its accuracy asks for, and what they say together."""
+"""The finite-element reference of a contact: refined until the accuracy is reached, then extrapolated."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 
 from analytic.scene import Contact
+from fembearing.compare.contact.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
-from fembearing.compare.contact.uncertainty import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress
 
 Estimates = dict[str, Estimate]
 
-# With which power of the cells a quantity's error falls: an approach is an energy and gains twice the order of
-# quadratic cells; semi-axes gain 3 on cells that follow the edge. Peak pressure has no steady one.
+# A quantity's error falls with this power of the cell size: the approach is an energy and has twice the order of
+# quadratic cells; semi-axes have order 3 on cells that follow the edge. Peak pressure has no steady order.
 FORMAL_ORDERS: dict[str, float | None] = {
     "semi_axis_rolling": 3.0,
     "semi_axis_transverse": 3.0,
@@ -22,17 +22,18 @@ FORMAL_ORDERS: dict[str, float | None] = {
     "stiffness": 4.0,
 }
 COMPARED = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")  # stiffness follows from the last
-# Relative: the strip beside a shoulder cuts cells; a third level is 2.6 % off boundary elements at most, over three
-# shoulders (validation/benchmarks/calibrations.py).
+# Relative: the edge of the strip next to a shoulder cuts through cells. The third level differs from boundary elements
+# by 2.6 % at most, over three shoulders (validation/benchmarks/calibrations.py).
 STRIP_LEAST = 0.03
-# A level costs about a quarter of the next, and its mesh serves the next one's interval: it is tried unless foretold to
-# miss by more than this. The peak pressure, whose error changes sign, is foretold up to twice too uncertain.
+# A level costs about a quarter of the next, whose interval also needs it: it is skipped only where its predicted
+# uncertainty exceeds the limit by more than this factor. The prediction is up to twice too large for the peak pressure,
+# whose error changes sign.
 WORTH_A_TRY = 2.0
-# With which power of a block's size the effect of its far boundary fades: tests/compare/contact/test_discrepancy.py foretells a
-# block 2.5 times as large from one 1.5 times as large. A pocket's seat is a cavity and no half space: its approach runs
-# on with the logarithm of the size.
+# The effect of the far boundary falls with this power of the block's size: tests/compare/contact/test_discrepancy.py
+# predicts a block 2.5 times as large from one 1.5 times as large. A pocket's seat is a cavity, not a half space: its
+# approach grows with the logarithm of the size, without a limit.
 FADING = 2.0
-ENDLESS_IN_A_SEAT = ("approach", "stiffness")
+UNLIMITED_IN_A_SEAT = ("approach", "stiffness")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -49,16 +50,16 @@ def solve_reference(
     *,
     recipe: Recipe,
     accuracy: float,
-    watched: Sequence[str] = COMPARED,
-    is_open: Callable[[Estimates], bool] = lambda _: False,
+    quantities: Sequence[str] = COMPARED,
+    undecided: Callable[[Estimates], bool] = lambda _: False,
     progress: Progress,
 ) -> Reference:
     """Solve `contact` on three levels of `recipe` or more.
 
-    accuracy : asked of the watched quantities, relative half-width
-    watched : names of quantities
-    is_open : whether what the meshes say is not yet enough, although the accuracy is reached
-    The first two levels predict which one holds the accuracy; where it does not, finer ones follow.
+    accuracy : required of the quantities, relative half-width
+    quantities : names of those that must reach the accuracy
+    undecided : whether a finer mesh is needed although the accuracy is reached
+    The first two levels predict the level that reaches the accuracy; where it does not, finer ones follow.
     """
     progress(0.0, f"{contact.pair}: size of the contact")
     second = fitted_solution(contact, recipe=recipe)
@@ -66,7 +67,7 @@ def solve_reference(
     boundary = _far_boundary(second, recipe=recipe)
     first = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
     meshes, estimates = [first, second], {}
-    allowed = {name: max(accuracy - boundary[name].domain, boundary[name].domain / 2) for name in watched}
+    allowed = {name: max(accuracy - boundary[name].domain, boundary[name].domain / 2) for name in quantities}
     predicted = _predicted_level(meshes, recipe=recipe, allowed=allowed)
     finer = [level for level in recipe.levels if level >= predicted]
     for number, level in enumerate(finer):
@@ -74,8 +75,8 @@ def solve_reference(
         progress(0.3 + 0.7 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
         meshes.append(solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=second.pair.semi_axes))
         estimates = {name: replace(part, **vars(boundary[name])) for name, part in estimates_of(meshes).items()}
-        holds = all(estimates[name].mesh <= limit for name, limit in allowed.items())
-        if holds and (second.shoulder is not None or not is_open(estimates)):
+        accurate = all(estimates[name].mesh <= limit for name, limit in allowed.items())
+        if accurate and (second.shoulder is not None or not undecided(estimates)):
             break
     shoulder = {name: part for name, part in estimates.items() if name not in FORMAL_ORDERS}
     return Reference(
@@ -84,35 +85,34 @@ def solve_reference(
 
 
 def estimates_of(meshes: Sequence[MeshSolution]) -> Estimates:
-    """Each quantity from two meshes or more, coarse to fine, without what the far boundary does.
+    """Each quantity from two meshes or more, coarse to fine, without the effect of the far boundary.
 
-    A contact cut off at a shoulder ends in pressure without bound: no order is relied on.
+    At a shoulder that cuts the contact off the pressure is singular: no order of convergence is assumed.
     """
     sizes = [1 / mesh.level for mesh in meshes]
     table = [measured(mesh) for mesh in meshes]
     singular = meshes[-1].shoulder is not None
-    found = {}
+    estimates = {}
     for name in table[-1]:
         values = [row[name] for row in table]
         if not any(values):  # the centroid between two shoulders
-            found[name] = Estimate(values=tuple(values), order=None, richardson=None, mesh=0.0)
+            part = Estimate(values=tuple(values), order=None, richardson=None, mesh=0.0)
         else:
             order = None if singular else FORMAL_ORDERS[name]
-            found[name] = estimate(values, sizes, formal_order=order, singular=singular)
-        if name.startswith("strip"):
-            found[name] = replace(found[name], mesh=max(found[name].mesh, STRIP_LEAST))
-    return found
+            part = estimate(values, sizes, formal_order=order, singular=singular)
+        estimates[name] = replace(part, mesh=max(part.mesh, STRIP_LEAST)) if name.startswith("strip") else part
+    return estimates
 
 
 def measured(mesh: MeshSolution) -> dict[str, float]:
-    """All that is read off a solved mesh, what the shoulder carries included."""
+    """All quantities of a solved mesh, with those at its shoulder."""
     return asdict(mesh.quantities) | ({} if mesh.shoulder is None else asdict(mesh.shoulder))
 
 
 def _predicted_level(meshes: Sequence[MeshSolution], *, recipe: Recipe, allowed: dict[str, float]) -> int:
-    """The coarsest level from the third on whose mesh uncertainty may be no more than allowed; else the finest."""
+    """The coarsest level from the third on that may reach the allowed mesh uncertainties; otherwise the finest."""
     coarse, fine = meshes
-    if fine.shoulder is not None:  # no order to predict with
+    if fine.shoulder is not None:  # no order is known to predict with
         return recipe.levels[2]
     for level in recipe.levels[2:-1]:
         for name, limit in allowed.items():
@@ -136,10 +136,10 @@ class Boundary:
 
 
 def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
-    """What the far boundary of a block still does to each quantity.
+    """The remaining effect of a block's far boundary on each quantity.
 
-    Half spaces end in their own displacement, exact to the second moments of the pressure; a sheet has no such
-    boundary: nothing.
+    It is 0 for half spaces, which end in their own displacement, exact to the second moments of the pressure, and for
+    a sheet, which has no such boundary.
     """
     if not has_boundary(mesh, recipe=recipe):
         return dict.fromkeys(measured(mesh), Boundary())
@@ -150,24 +150,25 @@ def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
 
 
 def has_boundary(mesh: MeshSolution, *, recipe: Recipe) -> bool:
-    """Whether the lower body ends in a displacement that it has only about."""
+    """Whether the lower body ends in a prescribed displacement that is only approximate."""
     return recipe.geometry != "hertzian" and mesh.pair.lower.far.size > 0
 
 
 def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Boundary]:
-    """What the far boundary does to each quantity, from a block with more cells all round.
+    """The effect of the far boundary on each quantity, from a larger block with more cells all round.
 
-    That shows a part of it. The rest follows from the power with which it fades, and half of the whole is left as
-    uncertainty; the approach into a seat is left as it is and uncertain as if it faded as one over the size.
+    The larger block shows a part of the effect. The rest follows from the power with which it falls, and half of the
+    whole stays as uncertainty. The approach into a seat is not corrected; its uncertainty assumes an effect that falls
+    as one over the size.
     """
     size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
     before, after = measured(mesh), measured(larger)
-    found = {}
+    effects = {}
     for name, value in before.items():
         change = after[name] / value - 1 if value else 0.0
-        if mesh.contact.pair == "pocket" and name in ENDLESS_IN_A_SEAT:
-            found[name] = Boundary(domain=abs(change) / (1 - size / further))
+        if mesh.contact.pair == "pocket" and name in UNLIMITED_IN_A_SEAT:
+            effects[name] = Boundary(domain=abs(change) / (1 - size / further))
         else:
             whole = change / (1 - (size / further) ** FADING)
-            found[name] = Boundary(beyond=whole, domain=abs(whole) / 2)
-    return found
+            effects[name] = Boundary(beyond=whole, domain=abs(whole) / 2)
+    return effects

@@ -1,0 +1,100 @@
+"""What several hard cases share: the 6205 with its contact, its torque and a scene text, and materials."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from analytic.contact.geometry import race_contact
+from analytic.result import FrictionTorque
+from analytic.scene import Bearing, Contact, Decision, Material, Operation, Scene
+from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
+from analytic.torque import friction_torque
+
+LARGE, SMALL, MODULUS = 310.0, 9.7, 1.13e11  # 1/m, 1/m, Pa: a steel ball on the inner race of a small bearing
+LOAD = 613.0  # N
+ANGLE, BALL_LOAD = 0.18, 620.0  # rad, N: the inner race contact of the 6205
+# The limits are those of the textbook formulas, under loads that inertia would exceed at any speed.
+AS_HERTZ: dict[str, Decision] = {
+    "spin": "on",
+    "finite_geometry": "off",
+    "centrifugal": "off",
+    "gyroscopic": "off",
+    "cage": "off",
+}
+SCENE = """
+name = "a scene"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+contact_angle = {{ rule = "solved" }}
+[operation]
+axial_load = "{load}"
+{speed_key} = "{speed}"
+"""
+
+
+@cache
+def scene_6205() -> Scene:
+    return load_scene(builtin_scene("6205"))
+
+
+def bearing() -> Bearing:
+    """The built-in 6205."""
+    return scene_6205().bearing
+
+
+def with_clearance(clearance: float) -> Bearing:
+    """The 6205 with its outer ring opened to a diametral clearance, m; negative is preload."""
+    touching = bearing().inner.bottom_radius + bearing().ball_diameter
+    return replace(bearing(), outer=replace(bearing().outer, bottom_radius=touching + clearance / 2))
+
+
+def inner(*, load: float = BALL_LOAD, material: Material | None = None, conformity: float | None = None) -> Contact:
+    """The ball on the inner race of the 6205; `material` is that of both bodies, `conformity` is r_g/D."""
+    contact = race_contact(bearing(), "inner", contact_angle=ANGLE, ball_load=load)
+    if material is not None:
+        contact = replace(contact, ball_material=material, race_material=material)
+    if conformity is not None:
+        contact = replace(contact, groove_radius=2 * conformity * contact.ball_radius)
+    return contact
+
+
+def incompressible() -> Material:
+    return replace(bearing().ball_material, poisson_ratio=0.4999)
+
+
+def peek() -> Material:
+    return Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="the catalog's")
+
+
+def ceramic() -> Material:
+    return Material(name="Si3N4", youngs_modulus=310e9, poisson_ratio=0.27, density=3200.0, source="the case's")
+
+
+def bronze() -> Material:
+    return Material(name="bronze", youngs_modulus=110e9, poisson_ratio=0.34, density=8800.0, source="the case's")
+
+
+def torque_6205(
+    *, axial_load: float = 0.0, radial_load: float = 0.0, speed: float = 31.0, **changed: Any
+) -> FrictionTorque:
+    """Torque of the 6205 under loads, N, at an inner speed, rad/s; `changed` replaces other fields of its scene."""
+    operation = Operation(
+        axial_load=np.array([axial_load]), inner_speed=np.array([speed]), radial_load=np.array([radial_load])
+    )
+    return friction_torque(replace(scene_6205(), operation=operation, effects=AS_HERTZ, **changed))
+
+
+def parsed(tables: str = "", **entries: str) -> float:
+    """The tolerance of a scene file of the 6205 with these entries and further tables."""
+    text = SCENE.format(**{"load": "700 N", "speed": "90 rpm", "speed_key": "inner_speed"} | entries)
+    return parse_scene(text + tables, origin="scene").tolerance
+
+
+def exponent(quantity: Callable[[float], float], low: float, high: float) -> float:
+    """Exponent of a quantity over the load, N, between two loads."""
+    return math.log(quantity(high) / quantity(low)) / math.log(high / low)
