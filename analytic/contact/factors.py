@@ -1,7 +1,7 @@
-"""What a contact of the true geometry changes in Hertz's: factors at the same load.
+"""Factors that turn Hertz's contact into one of the true geometry, at the same load.
 
-They come from outside: from a finite-element solution, the same for every load of a series, or from the fit in
-`analytic.contact.finite_geometry`, each load with its own.
+The factors come from a finite-element solution, where they are the same for every load of a series, or from the fit in
+`analytic.contact.finite_geometry`, which gives each load its own.
 """
 
 from collections.abc import Callable
@@ -16,15 +16,15 @@ from analytic.scene import Array
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ContactFactors:
-    """One contact's size and approach over Hertz's at the same load; 1 leaves Hertz's as it is.
+    """Size, pressure and approach of one contact over those of Hertz at the same load; 1 leaves Hertz's value.
 
-    Each a number, or an array with an element for every load.
+    Each factor is a number, or an array with one element for each load.
     """
 
     semi_axis_rolling: float | Array = 1.0
     semi_axis_transverse: float | Array = 1.0
     approach: float | Array = 1.0
-    peak_pressure: float | Array | None = None  # None: that of a semi-ellipsoid over the new semi-axes
+    peak_pressure: float | Array | None = None  # None: pressure is a semi-ellipsoid over the new semi-axes
 
     def __post_init__(self) -> None:
         given = {name: value for name, value in vars(self).items() if value is not None}
@@ -39,7 +39,7 @@ class ContactCorrection:
     outer: ContactFactors = ContactFactors()
 
     def mapped(self, change: Callable[[Array], Array]) -> "ContactCorrection":
-        """With every factor that is an array changed."""
+        """A copy with `change` applied to every factor that is an array."""
 
         def side(factors: ContactFactors) -> ContactFactors:
             return ContactFactors(
@@ -50,10 +50,10 @@ class ContactCorrection:
 
 
 def corrected_contact(contact: HertzContact, factors: ContactFactors) -> HertzContact:
-    """Hertz's contact with the factors applied; load and exponent 3/2 stay.
+    """Hertz's contact with the factors applied; the load and the exponent 3/2 stay.
 
-    semi-axes, approach and peak pressure times their factors, K = Q/delta^1.5; without a factor of its own
-    p0 = 3 Q/(2 pi a b), the semi-ellipsoid's. Factors of 1 change no bit.
+    Semi-axes, approach and peak pressure are multiplied by their factors, and K = Q/delta^1.5. Without a factor for the
+    peak pressure it is that of a semi-ellipsoid, p0 = 3 Q/(2 pi a b). Factors of 1 change no bit.
     """
     product, own = factors.semi_axis_rolling * factors.semi_axis_transverse, factors.peak_pressure
     return HertzContact(

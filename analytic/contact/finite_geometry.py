@@ -1,16 +1,16 @@
-"""Hertz's contact corrected for the true shape of ball and groove: what finite elements found, as a fit.
+"""Factors that correct Hertz's contact for the true shape of ball and groove, fitted to finite-element solutions.
 
-Hertz takes both bodies for half spaces and the gap for a paraboloid. In a groove the ball ends at its middle plane, the
-surfaces under the contact are curved, the groove closes in on the ball and ends at its shoulders. Each quantity over
-Hertz's depends on the ratios of a `ContactShape` alone, in elasticity, and is here
+Hertz assumes that both bodies are half spaces and that the gap is a paraboloid. In a bearing the ball ends at its
+middle plane, the surfaces under the contact are curved, and the groove encloses the ball and ends at its shoulders. In
+linear elasticity the ratio of each quantity to Hertz's depends only on the ratios in a `ContactShape`. It is computed as
     1 + sum of coefficient * (product of powers of the bases below)
-with the coefficients of catalog/corrections/finite_geometry.toml, whose head says how they came about. Every term
-vanishes with the contact's size, so that a small contact is Hertz's.
-The terms of first order follow theory. A body of modulus E, Poisson ratio nu and curvature 1/R under the load Q
-approaches a plane far away by Q/(E R) times a number more or less than a half space, and by
--(1 - 2 nu)^2 (1 + nu) Q ln(b/R)/(2 pi E R) more: on a curved surface Boussinesq's radial stress (1 - 2 nu) Q/(2 pi x^2)
-leaves a shear x/R times as large, and what frees the surface of it pushes the middle in (derived here; the sphere of
-E. Sternberg and F. Rosenthal, J. Appl. Mech. 19 (1952) 413, not seen, has such a logarithm).
+with the coefficients of catalog/corrections/finite_geometry.toml, whose head says how they were obtained. Every term
+vanishes with the size of the contact, so a small contact is Hertz's.
+The terms of first order follow theory. Take a body of modulus E, Poisson ratio nu and curvature 1/R under the load Q.
+Its approach to a plane far away differs from that of a half space by Q/(E R) times a number, and is larger by
+-(1 - 2 nu)^2 (1 + nu) Q ln(b/R)/(2 pi E R). The reason: on a curved surface Boussinesq's radial stress
+(1 - 2 nu) Q/(2 pi x^2) leaves a shear x/R times as large, and removing this shear from the surface pushes the middle
+in. This is derived here; the sphere of [Sternberg1952] has such a logarithm.
 """
 
 from collections.abc import Mapping
@@ -28,14 +28,14 @@ from analytic.contact.geometry import Race, race_curvatures, shoulder_distance
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.scene import Array, Bearing, Contact, Material
 
-OFF_SHOULDER = 1.15  # Hertz's semi-axes b that every solved contact kept from its centre to the shoulder, at least
-SMALL = 0.1  # b/r below which the factors' uncertainty falls with it, as the factors do: a point contact is Hertz's
+OFF_SHOULDER = 1.15  # least distance from a solved contact's centre to the shoulder, in Hertz's semi-axes b
+SMALL = 0.1  # b/r below which the uncertainty falls in proportion to b/r, as the factors do: a point contact is Hertz's
 BASES = (  # of `shape_bases`
     *("size", "axis_ratio", "relative_load", "rolling_curvature", "openness", "shoulder_curvature", "log_drift"),
     *("ball_share", "race_share", "ball_drift", "race_drift", "ball_bulk", "race_bulk"),
 )
-MOST_POWER = 4  # that a term has of one base
-TINIEST = 1e-300  # stands for a size of 0, whose logarithm is multiplied by it
+MOST_POWER = 4  # highest power of a base in a term
+TINIEST = 1e-300  # replaces a size of 0 in the logarithm, which is multiplied by the size
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -43,27 +43,29 @@ class ContactShape:
     """The ratios that the correction depends on; the fields broadcast."""
 
     conformity: ArrayLike  # r_g/D
-    rolling_curvature: ArrayLike  # r/R: the ball's radius over the race's along rolling, negative on an outer race
-    size: ArrayLike  # b/r: Hertz's semi-axis across rolling over the ball's radius
+    rolling_curvature: ArrayLike  # r/R: radius of the ball over rolling radius of the race, negative on an outer race
+    size: ArrayLike  # b/r: Hertz's transverse semi-axis over the ball's radius
     ball_poisson_ratio: ArrayLike
     race_poisson_ratio: ArrayLike
-    ball_share: ArrayLike  # of the compliance 1/E*, the ball's
-    shoulder: ArrayLike  # from the contact's centre to the nearer shoulder, over r; the solves have it on both sides
+    ball_share: ArrayLike  # share of the ball in the compliance 1/E*
+    shoulder: (
+        ArrayLike  # distance of the nearer shoulder from the contact's centre, over r; both sides alike in the fit
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CorrectedGeometry:
-    """Factors on Hertz's contact, all of one shape; 1 where the fit does not reach."""
+    """Factors on Hertz's contact, all of one shape; 1 outside the range of the fit."""
 
     factors: ContactFactors
-    uncertainty: Mapping[str, Array]  # of each factor, relative half-width, 95 %; NaN where the fit does not reach
-    covered: NDArray[np.bool_]  # where it reaches
-    warnings: tuple[str, ...]  # why it does not reach, with the numbers
+    uncertainty: Mapping[str, Array]  # of each factor, relative half-width, 95 %; NaN outside the range
+    covered: NDArray[np.bool_]  # where the shape lies within the range
+    warnings: tuple[str, ...]  # which ratios lie outside, with the numbers
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RaceCorrections:
-    """Both races of a bearing, each with an element for every operating point."""
+    """The corrections of both races of a bearing, with one element for each operating point."""
 
     inner: CorrectedGeometry
     outer: CorrectedGeometry
@@ -81,13 +83,13 @@ class RaceCorrections:
 def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     """Semi-axes, peak pressure and approach of the true shape over Hertz's, with their uncertainty.
 
-    Range: the file's, of every ratio; sizes below it count as in it, where the correction fades to nothing; a shoulder
-    at least 1.15 Hertz semi-axes b away. Outside, Hertz is left as it is, and the warnings say why.
+    The range of each ratio is that of the file, and the shoulder is at least 1.15 Hertz semi-axes b away. Smaller sizes
+    are accepted too: there the correction fades to 1. Outside the range the factors are 1, and the warnings say why.
     """
     fit = stored_fit()
     values = _broadcast(shape)
     covered, warnings = _covered(values, fit["range"])
-    with np.errstate(all="ignore"):  # what is not covered may be anything
+    with np.errstate(all="ignore"):  # outside the range any value may appear
         powers = _powers(shape_bases(shape))
         factors, uncertainty = {}, {}
         for name, quantity in fit["quantity"].items():
@@ -102,11 +104,11 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
 def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> ContactShape:
     """The shape of ball on race; contact_angle (al, rad, in [0, pi/2]) and ball_load (Q, N, >= 0) broadcast."""
     groove, radius = bearing.inner if race == "inner" else bearing.outer, bearing.ball_radius
-    along, _ = race_curvatures(bearing, race, contact_angle=contact_angle)
+    rolling, _ = race_curvatures(bearing, race, contact_angle=contact_angle)
     return _shape(
         radius=radius,
         groove_radius=groove.groove_radius,
-        rolling_curvature=radius * along - 1,
+        rolling_curvature=radius * rolling - 1,
         shoulder=shoulder_distance(bearing, race, contact_angle=contact_angle),
         load=ball_load,
         ball=bearing.ball_material,
@@ -128,23 +130,23 @@ def contact_shape(contact: Contact) -> ContactShape:
 
 
 def shape_bases(shape: ContactShape) -> dict[str, Array]:
-    """What the terms are products of: name -> array.
+    """The bases that the terms are products of, by name.
 
-    size : b/r;  axis_ratio : a/b, Hertz's, along over across rolling
-    relative_load : Q/(E* r delta) by Hertz = 2 pi (b/r)/(3 K): what a displacement Q/(E* r) is of the approach
-    ball_share, race_share : s, of the compliance, sum 1
-    ball_drift, race_drift : s (1 - 2 nu)/(1 - nu): by which a load draws the surface towards itself
+    size : b/r;  axis_ratio : a/b, Hertz's, rolling over transverse
+    relative_load : Q/(E* r delta) by Hertz = 2 pi (b/r)/(3 K): a displacement Q/(E* r) over the approach
+    ball_share, race_share : s, shares of the compliance, sum 1
+    ball_drift, race_drift : s (1 - 2 nu)/(1 - nu): how far a load draws the surface towards itself
     ball_bulk, race_bulk : s/(1 - nu^2): E*/E
-    log_drift : sum over both bodies of s (1 - 2 nu)^2/(1 - nu) R_ball/R, R of the mean curvature, times ln(b/r)
+    log_drift : sum over both bodies of s (1 - 2 nu)^2/(1 - nu) R_ball/R, with 1/R the mean curvature, times ln(b/r)
     rolling_curvature : r/R;  openness : 1 - r/r_g;  shoulder_curvature : r over the shoulder's distance
     """
-    given = _broadcast(shape)
-    size, rolling = given["size"], given["rolling_curvature"]
-    openness, share = 1 - 0.5 / given["conformity"], given["ball_share"]
+    values = _broadcast(shape)
+    size, rolling = values["size"], values["rolling_curvature"]
+    openness, share = 1 - 0.5 / values["conformity"], values["ball_share"]
     unit = hertz_contact(curvature_x=1 + rolling, curvature_y=openness, load=1.0, modulus=1.0)
     log_size = np.log(np.maximum(size, TINIEST))
     shares = {"ball": share, "race": 1 - share}
-    ratios = {body: given[f"{body}_poisson_ratio"] for body in shares}
+    ratios = {body: values[f"{body}_poisson_ratio"] for body in shares}
     drift = {body: shares[body] * (1 - 2 * ratios[body]) / (1 - ratios[body]) for body in shares}
     curvature = {"ball": 1.0, "race": (rolling + openness - 1) / 2}
     logarithm = sum(drift[body] * (1 - 2 * ratios[body]) * curvature[body] for body in shares)
@@ -154,7 +156,7 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
         "relative_load": size / (unit.semi_axis_y * unit.approach),
         "rolling_curvature": rolling,
         "openness": openness,
-        "shoulder_curvature": 1 / given["shoulder"],
+        "shoulder_curvature": 1 / values["shoulder"],
         "log_drift": logarithm * log_size,
         **{f"{body}_share": shares[body] for body in shares},
         **{f"{body}_drift": drift[body] for body in shares},
@@ -163,7 +165,7 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
 
 
 def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
-    """The product of the bases, each to its power; of those named alone."""
+    """The product of the bases named in `powers`, each to its power."""
     product = np.ones_like(bases["size"])
     for name, power in powers.items():
         product = product * bases[name] ** power
@@ -172,41 +174,42 @@ def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
 
 @cache
 def stored_fit() -> dict[str, Any]:
-    """The fit with its provenance, as stored."""
+    """The stored fit with its provenance."""
     return catalog.entry("corrections", "finite_geometry")
 
 
 def _powers(bases: Mapping[str, Array]) -> Array:
-    """Every base to the powers 0 to MOST_POWER, which the terms pick from: (bases times powers, *shape)."""
+    """Every base to the powers 0 to MOST_POWER, from which the terms choose: (bases times powers, *shape)."""
     stacked = np.stack([bases[name] for name in BASES])
     return np.stack([stacked**power for power in range(MOST_POWER + 1)], axis=1).reshape(-1, *stacked.shape[1:])
 
 
 @cache
-def _picked(name: str) -> tuple[Array, NDArray[np.intp]]:
-    """The terms of one quantity: coefficients (terms,), and which of the powers each multiplies, (factors, terms)."""
+def _terms(name: str) -> tuple[Array, NDArray[np.intp]]:
+    """The terms of one quantity: coefficients (terms,), and indices of the powers they multiply, (factors, terms)."""
     terms = stored_fit()["quantity"][name]["terms"]
-    places = {base: place for place, base in enumerate(BASES)}
-    picked = np.zeros((max(len(term["powers"]) for term in terms), len(terms)), dtype=np.intp)  # to the power 0: 1
+    positions = {base: position for position, base in enumerate(BASES)}
+    indices = np.zeros((max(len(term["powers"]) for term in terms), len(terms)), dtype=np.intp)  # index 0: a power of 0
     for column, term in enumerate(terms):
         for row, (base, power) in enumerate(term["powers"].items()):
-            picked[row, column] = places[base] * (MOST_POWER + 1) + power
-    return np.array([term["coefficient"] for term in terms]), picked
+            indices[row, column] = positions[base] * (MOST_POWER + 1) + power
+    return np.array([term["coefficient"] for term in terms]), indices
 
 
 def _change(name: str, powers: Array) -> Array:
-    """Sum of coefficient * (product of powers of bases), at every shape."""
-    coefficients, picked = _picked(name)
-    products = powers[picked[0]]
-    for factor in picked[1:]:
+    """Sum of coefficient * (product of powers of bases), for every shape."""
+    coefficients, indices = _terms(name)
+    products = powers[indices[0]]
+    for factor in indices[1:]:
         products = products * powers[factor]
     return np.tensordot(coefficients, products, axes=1)
 
 
 def _covered(values: Mapping[str, Array], limits: Mapping[str, Any]) -> tuple[NDArray[np.bool_], tuple[str, ...]]:
+    """Where the values lie within the range of the fit, and why not elsewhere."""
     covered, warnings = np.ones(values["size"].shape, dtype=bool), []
 
-    def ask(inside: NDArray[np.bool_], words: str) -> None:
+    def require(inside: NDArray[np.bool_], words: str) -> None:
         nonlocal covered
         if not inside.all():
             warnings.append(f"{words}: contacts there stay Hertz's, uncorrected")
@@ -216,9 +219,11 @@ def _covered(values: Mapping[str, Array], limits: Mapping[str, Any]) -> tuple[ND
         value, low = values[name], 0.0 if name == "size" else low
         outside = value[~((value >= low) & (value <= high))]
         if outside.size:
-            ask((value >= low) & (value <= high), f"{name} {outside[0]:.4g} is outside {low:g} to {high:g} of the fit")
-    near = values["shoulder"] >= OFF_SHOULDER * values["size"]
-    ask(near, f"the contact comes nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, and the fit does not")
+            require(
+                (value >= low) & (value <= high), f"{name} {outside[0]:.4g} is outside {low:g} to {high:g} of the fit"
+            )
+    clear = values["shoulder"] >= OFF_SHOULDER * values["size"]
+    require(clear, f"the contact comes nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, and the fit does not")
     return covered, tuple(warnings)
 
 

@@ -1,8 +1,8 @@
 """Where a ball meets a race: the geometry of one contact at a contact angle.
 
-The contact angle is measured from the radial plane; the contact's centre lies on the groove's profile at that angle.
-x runs along rolling, y along the groove's profile; a radius is positive where the race is convex (inner ring).
-Source: T. A. Harris and M. N. Kotzalas, Essential Concepts of Bearing Technology, 5th ed. (2007), section 2.
+The contact angle is measured from the radial plane, and the centre of the contact lies on the groove's profile at that
+angle. The transverse direction follows this profile. A radius is positive where the race is convex (inner ring).
+Source: [Harris2007] section 2.
 """
 
 from typing import Literal
@@ -18,25 +18,25 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 
 
 def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
-    """(curvature_x, curvature_y) of ball on race, 1/m, each with the shape of contact_angle.
+    """Relative curvatures (rolling, transverse) of ball on race, 1/m, each with the shape of contact_angle.
 
     contact_angle : al, rad, in [0, pi/2]
-    curvature_x = 1/r + cos(al)/(d_m/2 - r cos(al)) on the inner race, 1/r - cos(al)/(d_m/2 + r cos(al)) on the outer
-    curvature_y = 1/r - 1/r_g
+        rolling = 1/r + cos(al)/(d_m/2 - r cos(al)) on the inner race, 1/r - cos(al)/(d_m/2 + r cos(al)) on the outer
+        transverse = 1/r - 1/r_g
     Raises InputError if contact_angle lies outside [0, pi/2] or the groove is no wider than the ball.
     """
     angle = _angle(contact_angle)
     groove = _groove(bearing, race)
-    across = (groove.groove_radius - bearing.ball_radius) / (bearing.ball_radius * groove.groove_radius)
-    return 1 / bearing.ball_radius + _rolling_curvature(bearing, race, angle), np.full_like(angle, across)
+    transverse = (groove.groove_radius - bearing.ball_radius) / (bearing.ball_radius * groove.groove_radius)
+    return 1 / bearing.ball_radius + _rolling_curvature(bearing, race, angle), np.full_like(angle, transverse)
 
 
 def shoulder_distance(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> Array:
-    """Room from the contact's centre to the nearer shoulder, on the plane tangent there, m; shape of contact_angle.
+    """Distance from the contact's centre to the nearer shoulder in the tangent plane, m; shape of contact_angle.
 
     contact_angle : al, rad, in [0, pi/2]
-    The shoulder stands at the profile angle asin(w/r_g) from the groove's bottom, w the shoulder's half-width, so it is
-    r_g sin(asin(w/r_g) - al) away; below 0 the centre lies beyond the shoulder.
+    The shoulder has the profile angle asin(w/r_g) from the groove's bottom, where w is the shoulder's half-width. Its
+    distance is r_g sin(asin(w/r_g) - al); if negative, the centre lies beyond the shoulder.
     Raises InputError as race_curvatures does.
     """
     angle = _angle(contact_angle)
@@ -45,7 +45,7 @@ def shoulder_distance(bearing: Bearing, race: Race, *, contact_angle: ArrayLike)
 
 
 def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_load: float) -> Contact:
-    """One ball on one race as the noun that an elastic solution takes.
+    """One ball on one race, as an elastic solution needs it.
 
     contact_angle : al, rad, in [0, pi/2]
     ball_load : Q, N, >= 0
@@ -78,17 +78,17 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
 
 
 def pocket_contact(bearing: Bearing, cage: Cage, *, load: float) -> Contact:
-    """A ball in its cage pocket: a sphere in a spherical seat, along the pocket's axis.
+    """A ball in its cage pocket: a sphere in a spherical seat, loaded along the pocket's axis.
 
     load : N, >= 0
-    Raises InputError if the load is out of range or the pocket is no wider than the ball.
+    Raises InputError if the load is out of range or the pocket is not wider than the ball.
     """
     require_non_negative(load=load)
     radius = cage.pocket_diameter / 2
     if not radius > bearing.ball_radius:
         raise InputError(
             f"pocket_diameter {cage.pocket_diameter!r} m must exceed ball_diameter {bearing.ball_diameter!r} m: "
-            "the ball has no room"
+            "the ball needs clearance"
         )
     return Contact(
         pair="pocket",
@@ -105,13 +105,13 @@ def pocket_contact(bearing: Bearing, cage: Cage, *, load: float) -> Contact:
 
 
 def _rolling_curvature(bearing: Bearing, race: Race, angle: Array) -> Array:
-    """Curvature of the race along rolling at the contact's centre, 1/m; positive on the inner race."""
+    """Curvature of the race in the direction of rolling at the contact's centre, 1/m; positive on the inner race."""
     cosine, sign = np.cos(angle), 1 if race == "inner" else -1
     return sign * cosine / (bearing.pitch_diameter / 2 - sign * bearing.ball_radius * cosine)
 
 
 def _ring(bearing: Bearing, race: Race, groove: Groove) -> Ring | None:
-    """What lies behind the groove; None where seat or width are not known."""
+    """The ring behind the groove; None if its seat or width is not known."""
     seat = bearing.bore_diameter if race == "inner" else bearing.outside_diameter
     if seat is None or bearing.width is None:
         return None
@@ -132,7 +132,7 @@ def _angle(contact_angle: ArrayLike) -> Array:
 
 
 def _groove(bearing: Bearing, race: Race) -> Groove:
-    """The race's groove, refused where ball and rings leave no point contact to speak of."""
+    """The groove of the race; raises InputError if ball and groove do not meet in a point contact."""
     if race not in ("inner", "outer"):
         raise InputError(f'race must be "inner" or "outer", got {race!r}')
     groove = bearing.inner if race == "inner" else bearing.outer

@@ -1,10 +1,9 @@
 """Hertz point contact: two smooth elastic bodies pressed together without friction.
 
-Assumes linear elasticity, a contact small against every radius of curvature, and a gap that is
-a paraboloid (z = curvature_x x^2/2 + curvature_y y^2/2). x runs along rolling, y across it;
-either semi-axis may be the longer. A curvature is positive where the body is convex.
-Source: K. L. Johnson, Contact Mechanics (1985), section 4.2; elliptic integrals in the forms of
-B. C. Carlson, Numerical Algorithms 10 (1995) 13-26, and NIST DLMF sections 19.2 and 19.25.
+Assumes linear elasticity, a contact small compared with every radius of curvature, and a gap that is a paraboloid
+(z = curvature_x x^2/2 + curvature_y y^2/2). x is the direction of rolling, y is transverse to it; either semi-axis may
+be the longer one. A curvature is positive where the body is convex.
+Source: [Johnson1985] section 4.2; elliptic integrals in the forms of [Carlson1995] and [DLMF] sections 19.2 and 19.25.
 """
 
 from dataclasses import dataclass
@@ -21,7 +20,7 @@ from analytic.scene import Array, Contact, Material
 LAST_STEP = 1e-7
 # The start is 1.7 from the root at a ratio of 1e6, 4.8 at 1e12: four or five steps reach round-off, the rest is margin.
 MOST_STEPS = 20
-# (K - E)/m loses digits to a difference as m goes to 0: Carlson's form, ten times as dear, stands in below this m.
+# The difference (K - E)/m loses digits as m goes to 0: below this m Carlson's form is used, at ten times the cost.
 NEARLY_ROUND = 0.5
 NEAR_CIRCLE = 1e-4  # -ln s below which the slope of Newton's function is that of the circle to 1e-8
 
@@ -30,8 +29,8 @@ NEAR_CIRCLE = 1e-4  # -ln s below which the slope of Newton's function is that o
 class HertzContact:
     """The contact of one or many pairs of bodies; every field has the broadcast shape of the arguments."""
 
-    semi_axis_x: Array  # along rolling, m
-    semi_axis_y: Array  # across rolling, m
+    semi_axis_x: Array  # in the direction of rolling, m
+    semi_axis_y: Array  # transverse, m
     peak_pressure: Array  # p0, at the centre, Pa
     approach: Array  # delta, of two points far inside the bodies, m
     stiffness: Array  # K = load / approach^1.5, N/m^1.5; finite at zero load too
@@ -42,29 +41,27 @@ def hertz_contact(
 ) -> HertzContact:
     """Size, pressure and approach of an elliptic contact; all arguments broadcast.
 
-    curvature_x, curvature_y : relative curvatures 1/R summed over both bodies, along and across rolling, 1/m, > 0
-    load : Q, N, >= 0 (at 0 the sizes, the pressure and the approach are 0)
-    modulus : E*, with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, Pa (E' = 2 E* of the film formulas is another quantity)
+    curvature_x, curvature_y : relative curvatures 1/R, summed over both bodies, rolling and transverse, 1/m, > 0
+    load : Q, N, >= 0 (at 0 the semi-axes, the pressure and the approach are 0)
+    modulus : E*, with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, Pa, > 0; not the E' = 2 E* of the film formulas
 
-    With s the semi-axis ratio squared (minor over major), K(m), D(m) = (K - E)/m and B(m) = K - D at m = 1 - s:
+    With s = (minor/major)^2 and the elliptic integrals K(m), D(m) = (K - E)/m and B(m) = K - D at m = 1 - s:
         B/(s D) = larger over smaller curvature
         major^3 = 3 Q D/(pi E* smaller curvature),  minor = sqrt(s) major
         p0 = 3 Q/(2 pi major minor),  delta = 3 Q K/(2 pi E* major)
     Curvature ratios from 1 (a circle, exactly) to 1e6 agree with 50-digit arithmetic to 1e-14.
     Raises InputError if an argument is negative, zero (load excepted), not finite, or if shapes do not broadcast.
     """
-    along, across, force, stiff = contact_arguments(
+    rolling, transverse, force, stiff = contact_arguments(
         curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus
     )
-    log_ratio = np.log(
-        np.asarray(curvature_x) / np.asarray(curvature_y)
-    )  # before broadcasting: solved once per geometry
+    log_ratio = np.log(np.asarray(curvature_x) / np.asarray(curvature_y))  # not broadcast: solved once per geometry
     squared_ratio = _squared_axis_ratio(np.abs(log_ratio))
     integral_k, integral_d = _integrals(squared_ratio)
 
-    # Sizes at unit load, then powers of the load: finite stiffness and no 0/0 at zero load.
+    # Sizes at unit load times powers of the load: the stiffness stays finite and there is no 0/0 at zero load.
     root = np.cbrt(force)
-    major = np.cbrt(3 * integral_d / (np.pi * stiff * np.minimum(along, across)))
+    major = np.cbrt(3 * integral_d / (np.pi * stiff * np.minimum(rolling, transverse)))
     minor = np.sqrt(squared_ratio) * major
     approach = 3 * integral_k / (2 * np.pi * stiff * major)
     x_is_minor = log_ratio >= 0
@@ -78,10 +75,10 @@ def hertz_contact(
 
 
 def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
-    """The contact that is known under 1 N, under another load; load broadcasts with its fields.
+    """The contact under any load, from the same contact under 1 N; load broadcasts with the fields of `unit`.
 
     load : Q, N, >= 0
-    Sizes and pressure go with Q^(1/3), the approach with Q^(2/3): an ellipse keeps its shape.
+    Semi-axes and pressure grow as Q^(1/3), the approach as Q^(2/3): the ellipse keeps its shape.
     Raises InputError if a load is negative or not finite.
     """
     require_non_negative(load=load)
@@ -98,18 +95,18 @@ def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
 def contact_arguments(
     *, curvature_x: ArrayLike, curvature_y: ArrayLike, load: ArrayLike, modulus: ArrayLike
 ) -> tuple[Array, Array, Array, Array]:
-    """The arguments of a Hertz formula as arrays of one shape; refuses what hertz_contact refuses."""
+    """(curvature_x, curvature_y, load, modulus) as arrays of one shape; raises what hertz_contact raises."""
     require_positive(curvature_x=curvature_x, curvature_y=curvature_y, modulus=modulus)
     require_non_negative(load=load)
     given = [np.asarray(value, dtype=np.float64) for value in (curvature_x, curvature_y, load, modulus)]
     try:
-        along, across, force, stiff = np.broadcast_arrays(*given, subok=False)
+        rolling, transverse, force, stiff = np.broadcast_arrays(*given, subok=False)
     except ValueError as problem:
         shapes = ", ".join(str(value.shape) for value in given)
         raise InputError(
             f"curvature_x, curvature_y, load, modulus have shapes {shapes}: give equal lengths"
         ) from problem
-    return along, across, force, stiff
+    return rolling, transverse, force, stiff
 
 
 def _integrals(squared_ratio: Array) -> tuple[Array, Array]:
@@ -126,11 +123,11 @@ def _integrals(squared_ratio: Array) -> tuple[Array, Array]:
 
 
 def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:
-    """s = (minor/major)^2 for ln(larger/smaller curvature) >= 0, by Newton in t = -ln s.
+    """s = (minor/major)^2 for ln(larger/smaller curvature) >= 0, by Newton's method in t = -ln s.
 
-    ln of the curvature ratio is an increasing convex function of t with slope 3/4 (circle) to 1 (line), so
-    the root lies between 1 and 4/3 of it, and Newton kept in that bracket cannot fail.
-    The start s = ratio^(-4/pi) is Hamrock and Brewe's fit, J. Lubr. Tech. 105 (1983) 171.
+    ln of the curvature ratio is an increasing convex function of t with slope 3/4 (circle) to 1 (line). So t lies
+    between 1 and 4/3 times ln of the ratio, and Newton's method kept in that bracket cannot fail.
+    It starts at s = ratio^(-4/pi), the fit of [Hamrock1983].
     """
     t, least, most, largest = 4 / np.pi * log_curvature_ratio, log_curvature_ratio, 4 / 3 * log_curvature_ratio, np.inf
     for _ in range(MOST_STEPS):
@@ -155,9 +152,9 @@ def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:
     )
 
 
-@lru_cache(maxsize=64)  # every step of an equilibrium asks for it
+@lru_cache(maxsize=64)  # every step of an equilibrium needs it
 def contact_modulus(first: Material, second: Material) -> float:
-    """E* of two bodies in contact, Pa: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 (Johnson 1985, eq. 3.15b).
+    """E* of two bodies in contact, Pa: 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, [Johnson1985] equation 3.15b.
 
     Raises InputError if a Young's modulus is not positive or a Poisson ratio lies outside [-1, 0.5].
     """
@@ -172,10 +169,11 @@ def contact_modulus(first: Material, second: Material) -> float:
 
 
 def relative_curvatures(contact: Contact) -> tuple[float, float]:
-    """(curvature_x, curvature_y) of a ball in a groove, 1/m: 1/r + 1/rolling_radius and 1/r - 1/groove_radius.
+    """Relative curvatures (rolling, transverse) of a ball in a groove, 1/m.
 
-    Raises InputError if a radius is not positive (the rolling radius: zero), if the groove is no wider than the ball
-    (conformity 0.5 is a line contact), or if a concave race is no larger than the ball along rolling.
+        rolling = 1/ball_radius + 1/rolling_radius,  transverse = 1/ball_radius - 1/groove_radius
+    Raises InputError if a radius is not positive (the rolling radius: if it is 0), if the groove is not wider than the
+    ball (conformity 0.5 is a line contact), or if a concave race has a rolling radius not larger than the ball's.
     """
     ball, groove, rolling = contact.ball_radius, contact.groove_radius, contact.rolling_radius
     require_positive(ball_radius=ball, groove_radius=groove)

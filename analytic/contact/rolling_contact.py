@@ -1,7 +1,7 @@
-"""The contact of a ball with its race, or with its cage pocket, as film, rolling resistance and sliding take it.
+"""A loaded contact of a ball with its race or its cage pocket, for the formulas of film, rolling and sliding.
 
-z runs along the load, x along rolling, y transverse. All fields of a contact broadcast: one entry for each ball, race
-or operating point. A friction coefficient or a law of traction is an argument of its own and no field.
+x points in the direction of rolling, y transverse to it, z along the load. All fields of a contact broadcast: they have
+one entry for each ball, race or operating point. What resists sliding is not a field but a separate argument.
 """
 
 from dataclasses import dataclass
@@ -18,13 +18,13 @@ Numbers = Array | float
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class EllipticContact:
-    """Two elastic bodies under load; raises InputError for a field of the wrong sign or not finite."""
+    """Two elastic bodies under load. Raises InputError if a field has the wrong sign or is not finite."""
 
     load: Numbers  # Q, N, >= 0
     semi_axis_rolling: Numbers  # a, m, >= 0, and not 0 under load
-    semi_axis_transverse: Numbers  # b, m, likewise
-    curvature_rolling: Numbers  # 1/R_x, relative curvature of both bodies along rolling, 1/m, > 0
-    curvature_transverse: Numbers  # 1/R_y, relative curvature across rolling, 1/m, > 0
+    semi_axis_transverse: Numbers  # b, m, >= 0, and not 0 under load
+    curvature_rolling: Numbers  # 1/R_x, relative, the sum of both bodies, in the direction of rolling, 1/m, > 0
+    curvature_transverse: Numbers  # 1/R_y, relative, transverse to rolling, 1/m, > 0
     modulus: Numbers  # E*, Pa, > 0
 
     def __post_init__(self) -> None:
@@ -53,20 +53,28 @@ class EllipticContact:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RollingContact(EllipticContact):
-    """A ball that rolls on its race; rates are per unit ring speed w, so that they exist at standstill."""
+    """A ball that rolls on its race. Rates are per unit ring speed w, so they exist at standstill too."""
 
-    deformed_radius: Numbers  # R, of the contact surface across rolling, m, > 0
-    rolling_rate: Numbers  # w_roll/w, > 0
+    deformed_radius: Numbers  # R, transverse radius of the contact surface, m, > 0
+    rolling_rate: Numbers  # w_roll/w, >= 0; at 0 the ball only spins
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        require_positive(deformed_radius=self.deformed_radius, rolling_rate=self.rolling_rate)
+        require_positive(deformed_radius=self.deformed_radius)
+        require_non_negative(rolling_rate=self.rolling_rate)
+
+
+Pair = tuple[RollingContact, RollingContact]  # a ball on the inner and on the outer race
 
 
 def elliptic_contact(
     *, curvature_rolling: ArrayLike, curvature_transverse: ArrayLike, load: ArrayLike, modulus: ArrayLike
 ) -> EllipticContact:
-    """The contact of two bodies with the semi-axes of `hertz_contact`; its arguments and errors, which broadcast."""
+    """The contact of two bodies with the semi-axes of `hertz_contact`.
+
+    The arguments broadcast. Their ranges are those of the fields, and the errors those of `hertz_contact`.
+    """
+    require_positive(curvature_rolling=curvature_rolling, curvature_transverse=curvature_transverse)
     hertz = hertz_contact(curvature_x=curvature_rolling, curvature_y=curvature_transverse, load=load, modulus=modulus)
     return EllipticContact(
         load=np.asarray(load, dtype=np.float64),
@@ -79,10 +87,10 @@ def elliptic_contact(
 
 
 def deformed_radius(*, groove_radius: ArrayLike, ball_diameter: ArrayLike) -> Array:
-    """R, m: radius of the contact surface across rolling, 2 f D/(2 f + 1) with f = r_g/D; the arguments broadcast.
+    """Transverse radius R of the contact surface, m: 2 f D/(2 f + 1) with f = r_g/D; the arguments broadcast.
 
     groove_radius, ball_diameter : r_g, D, m, > 0
-    Bodies of equal elasticity meet halfway: the curvature of the surface is the mean of ball's and groove's.
+    Bodies of equal elasticity meet halfway: the curvature of the surface is the mean of those of ball and groove.
     """
     require_positive(groove_radius=groove_radius, ball_diameter=ball_diameter)
     conformity = np.asarray(groove_radius, dtype=np.float64) / np.asarray(ball_diameter, dtype=np.float64)

@@ -1,11 +1,10 @@
 """Stresses under the centre of a Hertzian contact, and their maxima: where rolling-contact fatigue begins.
 
-Assumes what Hertz assumes: a half space under the pressure p0 sqrt(1 - x^2/a^2 - y^2/b^2), without friction. x and y
-run along the semi-axes, z into the body from the contact's centre; a stress is positive in tension. On the z axis x, y
-and z are the principal directions.
-Source: derived here from Boussinesq's potentials of the semi-ellipsoidal layer, in the integrals of B. C. Carlson,
-Numerical Algorithms 10 (1995) 13-26. K. L. Johnson, Contact Mechanics (1985), section 4.2(c), and D. A. Hills and
-A. Sackfield, who tabulate the same stresses, were not seen in the original.
+Assumes as Hertz does a half space under the pressure p0 sqrt(1 - x^2/a^2 - y^2/b^2), without friction. x and y follow
+the semi-axes, z points into the body from the contact's centre. A stress is positive in tension. On the z axis x, y and
+z are the principal directions.
+Source: derived here from Boussinesq's potentials of the semi-ellipsoidal layer, in the integrals of [Carlson1995].
+[Johnson1985] section 4.2(c) and [Hills] tabulate the same stresses.
 """
 
 from collections.abc import Callable
@@ -18,24 +17,24 @@ from scipy.special import elliprd
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import Array
 
-# Both maxima lie within 0.8 minor semi-axes. The scan goes twice as deep, in steps that separate one from another.
+# Both maxima lie within 0.8 minor semi-axes. The scan goes twice as deep, in steps fine enough to separate two maxima.
 DEEPEST = 2.0  # minor semi-axes
 STEPS = 64
 GOLDEN = (np.sqrt(5) - 1) / 2
-SECTIONS = 40  # each keeps 0.62 of the bracket: 40 bring 1/16 to the square root of round-off, all that a maximum shows
+SECTIONS = 40  # each keeps 0.62 of the bracket: 40 reduce 1/16 to the square root of round-off; a maximum shows no more
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AxisStress:
     """The principal stresses on the axis; every field has the broadcast shape of the arguments."""
 
-    sigma_x: Array  # along rolling, Pa
-    sigma_y: Array  # across rolling, Pa
-    sigma_z: Array  # along the load, Pa
+    sigma_x: Array  # in the direction of rolling, Pa
+    sigma_y: Array  # transverse, Pa
+    sigma_z: Array  # in the direction of the load, Pa
 
     @property
     def max_shear(self) -> Array:
-        """Tresca's (sigma_1 - sigma_3)/2, Pa, sigma_1 and sigma_3 the largest and the least of the three."""
+        """Tresca's (sigma_1 - sigma_3)/2, Pa, with the largest and the least of the three stresses."""
         stress = np.array([self.sigma_x, self.sigma_y, self.sigma_z])
         return (stress.max(axis=0) - stress.min(axis=0)) / 2
 
@@ -69,14 +68,14 @@ def axis_stress(
     depth : z, m, >= 0
     peak_pressure : p0, Pa, >= 0
     semi_axis_x, semi_axis_y : a, b, m, > 0; either may be the longer
-    poisson_ratio : nu of the body whose stresses are asked, -1 to 0.5
+    poisson_ratio : nu of the body, -1 to 0.5
 
     With A = sqrt(a^2 + z^2), B = sqrt(b^2 + z^2), Jx = 2/3 R_D(B^2, z^2, A^2) and Jy = 2/3 R_D(A^2, z^2, B^2):
         sigma_x = p0 a b (z Jx + nu z Jy - 2 nu/(A B) - (1 - 2 nu)/(A (A + B)))
         sigma_y = p0 a b (z Jy + nu z Jx - 2 nu/(A B) - (1 - 2 nu)/(B (A + B)))
         sigma_z = -p0 a b/(A B)
-    The circle needs no case of its own. Long ellipses tend to the line contact of plane strain.
-    Errors are a few roundings of sigma_z.
+    The circle needs no special case. Long ellipses tend to the line contact of plane strain.
+    The errors are a few roundings of sigma_z.
     Raises InputError if an argument is out of range, not finite, or if shapes do not broadcast.
     """
     require_non_negative(depth=depth)
@@ -93,17 +92,17 @@ def axis_stress(
 def subsurface_maximum(
     *, peak_pressure: ArrayLike, semi_axis_x: ArrayLike, semi_axis_y: ArrayLike, poisson_ratio: ArrayLike
 ) -> SubsurfaceMaximum:
-    """The largest shear and von Mises stress on the axis, and how deep; all arguments broadcast.
+    """The largest shear and von Mises stress on the axis, and their depths; all arguments broadcast.
 
     peak_pressure : p0, Pa, >= 0
     semi_axis_x, semi_axis_y : a, b, m, > 0; either may be the longer
     poisson_ratio : nu, -1 to 0.5
 
-    At nu = 0.3: shear 0.310 p0 at 0.481 a under a circle, 0.300 p0 at 0.786 minor semi-axes under a line. Under a line
-    with nu below 0.24 the shear between load and length is the larger one and lies nearer the surface; with nu below
-    0.19 the von Mises stress is largest on the surface, at depth 0.
-    Stresses to round-off, depths to 1e-7 of the minor semi-axis: a maximum is flat.
-    Off the axis, at the edge of the ellipse, other stresses may be larger; they are not looked at.
+    At nu = 0.3 the largest shear is 0.310 p0 at 0.481 a under a circle, and 0.300 p0 at 0.786 minor semi-axes under a
+    line. Under a line with nu below 0.24 the shear between the directions of load and length is the larger one and lies
+    nearer the surface. With nu below 0.19 the von Mises stress is largest on the surface, at depth 0.
+    Stresses are exact to round-off, depths to 1e-7 of the minor semi-axis, because a maximum is flat.
+    Stresses off the axis are not computed; those at the edge of the ellipse may be larger.
     Raises InputError if an argument is out of range, not finite, or if shapes do not broadcast.
     """
     p0, a, b, ratio = _arguments(
@@ -126,7 +125,7 @@ def subsurface_maximum(
 
 
 def _axis_stress(z: Array, p0: Array, a: Array, b: Array, ratio: Array) -> AxisStress:
-    minor = np.minimum(a, b)  # lengths in units of it: Carlson's integrals of squares of micrometres would underflow
+    minor = np.minimum(a, b)  # unit of length: Carlson's integrals of squares of micrometres would underflow
     z, a, b = z / minor, a / minor, b / minor
     aa, bb = np.hypot(a, z), np.hypot(b, z)
     x_part = 2 / 3 * z * elliprd(bb**2, z**2, aa**2)
@@ -142,20 +141,20 @@ def _axis_stress(z: Array, p0: Array, a: Array, b: Array, ratio: Array) -> AxisS
 
 
 def _largest(measure: Callable[[Array], Array], one: Array) -> tuple[Array, Array]:
-    """The largest value over depths 0 to DEEPEST, and its depth: a scan, then golden sections about its best."""
+    """The largest value over depths 0 to DEEPEST, and its depth: a scan, then golden sections about its best depth."""
     best, place = measure(0 * one), 0 * one
     for depth in np.linspace(0, DEEPEST, STEPS + 1)[1:]:
-        found = measure(depth * one)
-        place = np.where(found > best, depth, place)
-        best = np.maximum(found, best)
+        value = measure(depth * one)
+        place = np.where(value > best, depth, place)
+        best = np.maximum(value, best)
     low, high = np.maximum(place - DEEPEST / STEPS, 0.0), place + DEEPEST / STEPS
     for _ in range(SECTIONS):
         inner, outer = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
         outwards = measure(outer) > measure(inner)
         low, high = np.where(outwards, inner, low), np.where(outwards, high, outer)
     middle = (low + high) / 2
-    found = measure(middle)
-    return np.maximum(found, best), np.where(found > best, middle, place)  # a maximum on the surface is the scan's
+    value = measure(middle)
+    return np.maximum(value, best), np.where(value > best, middle, place)  # a maximum on the surface is the scan's
 
 
 def _arguments(**given: ArrayLike) -> list[Array]:

@@ -107,7 +107,7 @@ def _asperities(oiled: LubricatedRaces | None, ledger: Ledger, friction: _Fricti
     # Oil under less load is less viscous by far, and shears beside what touches; its film is hardly thicker.
     left = np.maximum(1 - share - oiled.largest_asperity_area(thinned), 0.0)
     thin = [
-        oil - left * oiled.oil_friction(slip, borne=1 - share)
+        oil - left * oiled.oil_friction(slip, oil_share=1 - share)
         for oil, slip in zip((friction.rolling, friction.spinning), _slips(oiled), strict=True)
     ]
     relieved = np.maximum(*thin) * friction.uneven / np.maximum(thinned, LEAST_FILM)

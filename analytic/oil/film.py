@@ -1,10 +1,10 @@
-"""Central film thickness of a lubricated elliptic contact, fully flooded, and what inlet heating takes from it.
+"""Central film thickness of a fully flooded elliptic contact, and its reduction by heating of the inlet.
 
-Entrainment runs along x; a fit through numerical solutions that joins four asymptotes (rigid or elastic bodies, oil of
-constant or of pressure-dependent viscosity). Smooth bodies, isothermal, incompressible oil: compressibility alone makes
-the centre 5 to 17 % thinner.
-Source: G. Nijenbanning, C. H. Venner and H. Moes, Wear 176 (1994) 217-229 (not seen; the exponent s is also found with
-H_EI/H_RI in place of H_EI/H_EP, which moves the film by 5 to 8 %).
+Entrainment is in the direction of rolling. The formula is a fit to numerical solutions and joins four asymptotes: rigid
+or elastic bodies, each with oil of constant or of pressure-dependent viscosity. It assumes smooth bodies and an
+isothermal, incompressible oil; compressibility alone makes the centre 5 to 17 % thinner.
+Source: [Nijenbanning1994]. The exponent s also appears with H_EI/H_RI in place of H_EI/H_EP, which changes the film by
+5 to 8 %.
 """
 
 from dataclasses import dataclass
@@ -16,11 +16,11 @@ from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import Array
 
-# Relative standard uncertainty (95 %: twice that), both ways: the root mean square of what the formula misses measured
-# films of a circular contact by, 10.7 % in `validation/film.py`, most of it too thin. In the limit of a wide ellipse,
-# which a race is near, it lies within -8 to +1 % of a 1-D solution for incompressible oil.
+# Relative standard uncertainty, in both directions (95 %: twice that). It is the root mean square of the errors against
+# measured films of a circular contact, 10.7 % in `validation/film.py`; most computed films are too thin. In the limit
+# of a wide ellipse, and a race is near it, the formula lies within -8 to +1 % of a 1-D solution for incompressible oil.
 FORMULA_UNCERTAINTY = 0.11
-FITTED_ELLIPTICITY = (0.03, 1.0)  # of the numerical solutions behind the fit, about
+FITTED_ELLIPTICITY = (0.03, 1.0)  # approximate range of the numerical solutions that were fitted
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -29,21 +29,21 @@ class CentralFilm:
 
     thickness: Array  # h, m
     ellipticity: Array  # lambda = R_x/R_y
-    capped: NDArray[np.bool_]  # the formula gave more than the bodies leave room for, and the room is returned
-    outside_range: NDArray[np.bool_]  # ellipticity outside FITTED_ELLIPTICITY: the value is an extrapolation
+    capped: NDArray[np.bool_]  # the formula gave more than the clearance, and the thickness is the clearance
+    outside_range: NDArray[np.bool_]  # ellipticity outside FITTED_ELLIPTICITY: the thickness is extrapolated
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FilmAsymptotes:
-    """Logarithms of the films in m that central_film joins, and of the ratio that says how; fields broadcast."""
+    """Logarithms of the asymptotic films in m, and of the ratio that says how they join; the fields broadcast."""
 
     rigid: Array  # of H_RI
     elastic: Array  # of H_EI
     unloaded: Array  # of H_00
     piezoviscous: Array  # of H_RP and H_EP together
     elastic_ratio: Array  # ln(H_EI/H_EP)
-    room: Array  # of what bodies and surroundings leave the oil: no film is thicker
-    ellipticity: Array  # lambda itself
+    clearance: Array  # of the largest gap that bodies and surroundings allow: no film is thicker
+    ellipticity: Array  # lambda itself, not its logarithm
 
     @property
     def outside_range(self) -> NDArray[np.bool_]:
@@ -54,13 +54,13 @@ class FilmAsymptotes:
     def log_film(self, log_remaining: Array | float) -> tuple[Array, Array]:
         """ln h and its derivative by log_remaining = ln(1 - s_a), where asperities carry the share s_a of the load.
 
-        The oil's film is that of F (1 - s_a) and E* (1 - s_a): W stays, U grows as 1/(1 - s_a), so that in metres the
-        isoviscous asymptotes grow as powers of it (-2, -0.6 and -1/2) and the piezoviscous ones stay as they are. A
-        film that fills the room grows no more.
+        The film is that of the load F (1 - s_a) and the modulus E* (1 - s_a). Then W stays and U grows as 1/(1 - s_a).
+        In metres the isoviscous asymptotes grow as powers of 1 - s_a (-2, -0.6 and -1/2), and the piezoviscous ones
+        stay. A film that fills the clearance grows no more.
         """
         rigid = 1.5 * (self.rigid - 2 * log_remaining)
         elastic, unloaded = -4 * self.elastic + 2.4 * log_remaining, -4 * self.unloaded + 2 * log_remaining
-        with np.errstate(over="ignore", invalid="ignore"):  # inf - inf without load or speed: the film needs it not
+        with np.errstate(over="ignore", invalid="ignore"):  # inf - inf without load or speed: not used then
             bodies = np.logaddexp(elastic, unloaded)
             both = np.logaddexp(rigid, -3 / 8 * bodies)
             isoviscous = 2 / 3 * both
@@ -73,7 +73,7 @@ class FilmAsymptotes:
             # s changes too: ds = 1.08 ratio fading per unit of log_remaining
             mixture = weight * (isoviscous - film) + (1 - weight) * (self.piezoviscous - film)
             slope = weight * slope + np.where(fading > 0, 1.08 * ratio * fading / s * mixture, 0.0)
-        return np.minimum(film, self.room), np.where(film < self.room, slope, 0.0)
+        return np.minimum(film, self.clearance), np.where(film < self.clearance, slope, 0.0)
 
 
 def central_film(
@@ -84,24 +84,23 @@ def central_film(
     pressure_viscosity: ArrayLike,
     largest_gap: ArrayLike | None = None,
 ) -> CentralFilm:
-    """Thickness in the middle of the contact; all arguments broadcast.
+    """Film thickness in the centre of the contact; fields and arguments broadcast.
 
-    curvature_x, curvature_y : 1/R_x along entrainment and 1/R_y across it, relative, 1/m, > 0
-    load : F, N, >= 0;  modulus : E*, Pa, > 0 (the formula's E' is 2 E*)
-    entrainment_speed : u, mean of both surfaces, m/s; the formula takes the sum 2 |u|. At 0 there is no film
+    contact : with the load F and the curvatures 1/R_x (rolling) and 1/R_y (transverse); the semi-axes are not used
+    entrainment_speed : u, mean of both surfaces, m/s, of either sign. At 0 there is no film
     viscosity : eta_0, Pa s, > 0, and pressure_viscosity : alpha_p, 1/Pa, >= 0, at the inlet's temperature
-    largest_gap : m, > 0, what the surroundings leave the oil (half a pocket's clearance); the film is never thicker
-        than this nor than 1/(curvature_x + curvature_y): at light load the rigid asymptote grows as F^-2 without end
-    With lambda = R_x/R_y, U = 2 eta_0 u/(E' R_x), W = F/(E' R_x^2), M = W U^(-3/4), L = alpha_p E' U^(1/4) and
-    H = h/R_x U^(-1/2):
+    largest_gap : m, > 0, limit by the surroundings, such as half a pocket's clearance. The film is never thicker than
+        this, nor than 1/(1/R_x + 1/R_y): the rigid asymptote grows as F^-2 without limit at light loads
+    With E' = 2 E*, lambda = R_x/R_y, U = 2 eta_0 |u|/(E' R_x), W = F/(E' R_x^2), M = W U^(-3/4),
+    L = alpha_p E' U^(1/4) and H = h/R_x U^(-1/2):
         H_RI = 145 (1 + 0.796 lambda^(14/15))^(-15/7) lambda^-1 M^-2
         H_RP = 1.29 (1 + 0.691 lambda)^(-2/3) L^(2/3)
         H_EI = 3.18 (1 + 0.006 ln lambda + 0.63 lambda^(4/7))^(-14/25) lambda^(-1/15) M^(-2/15)
         H_EP = 1.48 (1 + 0.006 ln lambda + 0.63 lambda^(4/7))^(-7/20) lambda^(-1/24) M^(-1/12) L^(3/4)
         H_00 = 1.8/lambda,  s = 1.5 (1 + exp(-1.2 H_EI/H_EP))
         H^s = [H_RI^(3/2) + (H_EI^-4 + H_00^-4)^(-3/8)]^(2 s/3) + (H_RP^-8 + H_EP^-8)^(-s/8)
-    computed in logarithms, so that no power over- or underflows.
-    Raises InputError for an argument of the wrong sign, not finite, or if shapes do not broadcast.
+    The formula is computed in logarithms, so no power over- or underflows.
+    Raises InputError if an argument has the wrong sign or is not finite, or if shapes do not broadcast.
     """
     asymptotes = film_asymptotes(
         contact,
@@ -110,13 +109,13 @@ def central_film(
         pressure_viscosity=pressure_viscosity,
         largest_gap=largest_gap,
     )
-    log_film, room, ellipticity, outside_range = np.broadcast_arrays(
-        asymptotes.log_film(0.0)[0], asymptotes.room, asymptotes.ellipticity, asymptotes.outside_range
+    log_film, clearance, ellipticity, outside_range = np.broadcast_arrays(
+        asymptotes.log_film(0.0)[0], asymptotes.clearance, asymptotes.ellipticity, asymptotes.outside_range
     )
     return CentralFilm(
         thickness=np.exp(log_film),
         ellipticity=ellipticity,
-        capped=log_film >= room,
+        capped=log_film >= clearance,
         outside_range=outside_range,
     )
 
@@ -129,9 +128,10 @@ def film_asymptotes(
     pressure_viscosity: ArrayLike,
     largest_gap: ArrayLike | None = None,
 ) -> FilmAsymptotes:
-    """What the film of central_film joins, in logarithms; arguments and errors as there.
+    """The asymptotes that central_film joins, in logarithms; arguments and errors are those of central_film.
 
-    Without speed all are -inf; without load those of elastic bodies are inf; without piezoviscosity its own are -inf.
+    Without speed all are -inf. Without load those of elastic bodies are inf. Without piezoviscosity the piezoviscous
+    ones are -inf.
     """
     require_positive(viscosity=viscosity)
     require_non_negative(pressure_viscosity=pressure_viscosity)
@@ -161,21 +161,21 @@ def film_asymptotes(
         log_rp = np.log(1.29) - 2 / 3 * np.log1p(0.691 * ellipticity) + 2 / 3 * log_l
         log_ei = np.log(3.18) - 14 / 25 * elastic - log_ratio / 15
         log_ep = np.log(1.48) - 7 / 20 * elastic - log_ratio / 24 + 3 / 4 * log_l
-        with np.errstate(invalid="ignore"):  # inf - inf with neither load nor piezoviscosity: H_EP is then not needed
+        with np.errstate(invalid="ignore"):  # inf - inf without load and piezoviscosity: H_EP is not used then
             log_ep_loaded = np.where(log_l == -np.inf, -np.inf, log_ep - log_m / 12)
         piezoviscous = -np.logaddexp(-8 * log_rp, -8 * log_ep_loaded) / 8
-        room = -np.log(rolling + transverse)
+        clearance = -np.log(rolling + transverse)
         if largest_gap is not None:
-            room = np.minimum(room, np.log(largest_gap))
-        np.broadcast_shapes(room.shape, log_m.shape, log_l.shape)  # raises here what would not fit later
+            clearance = np.minimum(clearance, np.log(largest_gap))
+        np.broadcast_shapes(clearance.shape, log_m.shape, log_l.shape)  # raises ValueError if shapes do not fit
         return FilmAsymptotes(
             rigid=np.where(moving, scale + log_ri, -np.inf),
             elastic=np.where(moving, scale + log_ei - 2 / 15 * log_m, -np.inf),
             unloaded=np.where(moving, scale + np.log(1.8) - log_ratio, -np.inf),
             piezoviscous=np.where(moving, scale + piezoviscous, -np.inf),
-            # H_EI/H_EP in one piece: without load both are infinite, without piezoviscosity H_EP is 0.
+            # H_EI/H_EP as one expression: without load both are infinite, without piezoviscosity H_EP is 0.
             elastic_ratio=log_ei - log_ep - (2 / 15 - 1 / 12) * log_m,
-            room=room,
+            clearance=clearance,
             ellipticity=ellipticity,
         )
     except ValueError as problem:
@@ -187,14 +187,15 @@ def film_asymptotes(
 def inlet_heating_factor(
     *, peak_pressure: ArrayLike, modulus: ArrayLike, thermal_loading: ArrayLike, slide_to_roll: ArrayLike
 ) -> Array:
-    """Film with the inlet heated by its own shear over the isothermal film, 0 to 1; the arguments broadcast.
+    """Film whose inlet is heated by its own shear, over the isothermal film, 0 to 1; the arguments broadcast.
 
     peak_pressure : p0, Pa, >= 0;  modulus : E*, Pa, > 0
     thermal_loading : L_t = eta_0 beta u^2/k_f, >= 0 (see `thermal_loading`)
     slide_to_roll : S, sliding over mean speed, >= 0
         [1 - 13.2 (p0/E') L_t^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L_t^0.64],  E' = 2 E*
-    The numerator passes 0 near L_t = 160 at 2 GPa on steel; the fit means nothing long before, and 0 is returned.
-    Source: P. K. Gupta, H. S. Cheng, D. Zhu, N. H. Forster and J. B. Schrand, Tribol. Trans. 35 (1992) 269 (not seen).
+    The numerator passes 0 near L_t = 160 at 2 GPa on steel; beyond that 0 is returned. The fit loses its meaning long
+    before.
+    Source: [Gupta1992].
     """
     require_non_negative(peak_pressure=peak_pressure, thermal_loading=thermal_loading, slide_to_roll=slide_to_roll)
     require_positive(modulus=modulus)
@@ -206,7 +207,7 @@ def inlet_heating_factor(
 def thermal_loading(
     *, viscosity: ArrayLike, viscosity_temperature: ArrayLike, entrainment_speed: ArrayLike, conductivity: ArrayLike
 ) -> Array:
-    """L_t = eta_0 beta u^2/k_f, how far shear at the inlet heats the oil it meets; the arguments broadcast.
+    """L_t = eta_0 beta u^2/k_f: how much shear at the inlet heats the oil; the arguments broadcast.
 
     viscosity : eta_0, Pa s, > 0;  viscosity_temperature : beta = -d ln(eta)/dT, 1/K, >= 0
     entrainment_speed : u, m/s;  conductivity : k_f, of the oil, W/(m K), > 0

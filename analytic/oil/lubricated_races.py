@@ -1,7 +1,7 @@
-"""Rough balls on lubricated rough races: from the scene's oil and finish to film, shared load and law of traction.
+"""Rough balls on lubricated rough races: film, shared load and law of traction from the scene's oil and finish.
 
-The film is that of the oil at the inlet of the contact, rolling nearly without sliding, flooded. Arrays are (2, n, m):
-races, operating points, balls.
+The film is flooded, and the balls roll nearly without sliding. The oil has its properties at the inlet of the contact.
+Arrays are (2, n, m): races, operating points, balls.
 """
 
 from dataclasses import dataclass, replace
@@ -24,7 +24,7 @@ from analytic.surface.roughness import GapRoughness, gap_roughness
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class LubricatedRaces:
-    """Both races of loaded balls with the oil and the finish between them."""
+    """Loaded balls on both races, with the oil and the finish between them."""
 
     balls: LoadedBalls
     lubricant: Lubricant
@@ -33,12 +33,12 @@ class LubricatedRaces:
     tables: tuple[AsperityTable | None, AsperityTable | None]  # of inner and outer; None: smooth
     ring_speed: Array  # (n,) w, rad/s
     entrainment_speed: Array  # (n, m) u, m/s
-    film: CentralFilm  # (2, n, m) of smooth surfaces, isothermal
-    film_factor: float  # on the formula's, in it
+    film: CentralFilm  # (2, n, m) of smooth surfaces, isothermal, with the film_factor
+    film_factor: float  # on the film of the formula
 
     @cached_property
     def heating_factor(self) -> Array:
-        """What shear at the inlet leaves of the film; a ball slides by less than a hundredth of its rolling."""
+        """Share of the film that remains when shear heats the inlet; a ball slides by less than 1 % of its rolling."""
         oil = inlet_viscosity(self.lubricant)
         return inlet_heating_factor(
             peak_pressure=self.balls.contact.peak_pressure,
@@ -53,7 +53,10 @@ class LubricatedRaces:
         )
 
     def largest_asperity_share(self, heating_factor: Array | float = 1.0) -> Array:
-        """p_a(h) A_H/F at the film of smooth surfaces, at most 1: the film of a shared load is thicker."""
+        """Bound on the asperities' share: p_a(h) A_H/F at the film of smooth surfaces, at most 1.
+
+        It is a bound because the film of a shared load is thicker.
+        """
         share = np.zeros(self.balls.load.shape)
         for race, table in enumerate(self.tables):
             if table is not None:
@@ -64,27 +67,27 @@ class LubricatedRaces:
         return np.where(self.film.thickness > 0, share, 1.0)
 
     def largest_asperity_area(self, heating_factor: Array | float = 1.0) -> Array:
-        """A_a/A_H at the film of smooth surfaces, likewise."""
+        """Bound on the asperities' share of the area: A_a/A_H at the film of smooth surfaces."""
         film = self.film.thickness * heating_factor
-        touched = [
+        fractions = [
             np.zeros(height.shape) if table is None else table.area_fraction(height)
             for table, height in zip(self.tables, film, strict=True)
         ]
-        return np.where(self.film.thickness > 0, np.stack(touched), 1.0)
+        return np.where(self.film.thickness > 0, np.stack(fractions), 1.0)
 
-    def oil_friction(self, slip_speed: Array, *, borne: Array | float = 1.0) -> Array:
-        """(2, n, m) tau A_H of smooth surfaces at slip_speed and their mean pressure, of which oil has `borne`, N."""
+    def oil_friction(self, slip_speed: Array, *, oil_share: Array | float = 1.0) -> Array:
+        """(2, n, m) tau A_H, N, of smooth surfaces at slip_speed, m/s, with the oil's share of the mean pressure."""
         contacts = self.balls.contacts
         stress = oil_shear_stress(
             self.lubricant,
-            pressure=borne * contacts.mean_pressure,
+            pressure=oil_share * contacts.mean_pressure,
             speed=slip_speed,
             film_thickness=self.film.thickness,
         )
         return stress * contacts.area
 
     def shared(self, *, asperities: bool, heating_factor: Array | float) -> MixedContact:
-        """The load shared by film and asperities, or carried by the film alone."""
+        """The load, shared by film and asperities or carried by the film alone."""
         balls, factor = self.balls, np.broadcast_to(heating_factor, self.balls.load.shape)
         tables = self.tables if asperities else (None, None)
         if tables[0] is tables[1]:
@@ -93,7 +96,7 @@ class LubricatedRaces:
         return MixedContact(**{name: np.stack([getattr(race, name) for race in races]) for name in vars(races[0])})
 
     def traction(self, shared: MixedContact, race: int) -> MixedTraction:
-        """What resists sliding on one race, (n, m)."""
+        """The law of traction on one race, (n, m)."""
         return MixedTraction(
             lubricant=self.lubricant,
             boundary_friction=self.surface.boundary_friction,
@@ -123,10 +126,10 @@ def lubricated_races(
     ring_speed: Array,
     film_factor: float = 1.0,
 ) -> LubricatedRaces:
-    """Oil and finish between balls and races.
+    """The oil and the finish between balls and races.
 
-    ring_speed : w, (n,), rad/s;  film_factor : on every film that the formula gives, > 0
-    Raises InputError if no hardness is known, if film_factor is not positive, and as the formulas do for their oil.
+    ring_speed : w, (n,), rad/s;  film_factor : on every film of the formula, > 0
+    Raises InputError if no hardness is known, if film_factor is not positive, or if a formula refuses the oil.
     """
     require_positive(film_factor=film_factor)
     roughness = gap_roughness(surface)

@@ -1,8 +1,8 @@
-"""Mixed lubrication: the load of a rough contact shared between its oil film and its asperities.
+"""Mixed lubrication: oil film and asperities share the load of a rough contact.
 
-The oil carries 1 - s of the load as a smooth film would that is loaded with F (1 - s) between bodies of the modulus
-E* (1 - s), and the asperities carry s at the thickness of that film.
-Source: K. L. Johnson, J. A. Greenwood and S. Y. Poon, Wear 19 (1972) 91-108 (not seen).
+The asperities carry the share s of the load. The oil carries 1 - s, as a smooth film under the load F (1 - s) between
+bodies of the modulus E* (1 - s). Both share one film thickness.
+Source: [Johnson1972].
 """
 
 from dataclasses import dataclass, fields, replace
@@ -18,11 +18,11 @@ from analytic.oil.film import FilmAsymptotes, film_asymptotes
 from analytic.scene import Array
 from analytic.surface.asperity_table import AsperityTable
 
-# Of ln(s/(1 - s)), where Newton's quadratic steps leave far less; the asperities' table is good to 1e-8.
+# Of ln(s/(1 - s)). Newton's quadratic steps leave far less, and the table of the asperities is accurate to 1e-8.
 LAST_STEP = 1e-7
-FADED = 45.0  # standard deviations of summit height: there asperities bear e^-1000 of what they can
+FADED = 45.0  # standard deviations of summit height: there asperities carry e^-1000 of what they can carry
 NEARLY_ALL = 40.0  # ln(s/(1 - s)): s is 1 in double precision
-BLOCK = 4096  # contacts at a time: what is worked on stays in the processor's cache
+BLOCK = 4096  # contacts at a time: the arrays stay in the processor's cache
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -33,9 +33,9 @@ class MixedContact:
     film_thickness: Array  # h, between the mean planes, m; below 0 only where there is no film
     area_fraction: Array  # A_a/A_H, of the contact's area that asperities touch, 0 to 1
     asperity_load: Array  # s F, N
-    capped: NDArray[np.bool_]  # the film is as thick as the bodies leave room for
+    capped: NDArray[np.bool_]  # the film fills the clearance
     outside_range: NDArray[np.bool_]  # the film formula is extrapolated in ellipticity
-    without_film: NDArray[np.bool_]  # at standstill asperities carry all, which need not be the limit of u -> 0
+    without_film: NDArray[np.bool_]  # at standstill asperities carry all, which may differ from the limit u -> 0
 
 
 def mixed_contact(
@@ -48,19 +48,21 @@ def mixed_contact(
     heating_factor: ArrayLike = 1.0,
     largest_gap: ArrayLike | None = None,
 ) -> MixedContact:
-    """The share of the load that asperities carry, and the film that goes with it; all arguments broadcast.
+    """The share of the load that asperities carry, and the film thickness; fields and arguments broadcast.
 
-    curvature_x to pressure_viscosity, largest_gap : as `film.central_film`, contact_area besides
-    contact_area : A_H = pi a b of the smooth contact, m^2, >= 0; not 0 under load
+    contact : smooth, with the area A_H = pi a b of its semi-axes
+    entrainment_speed, viscosity, pressure_viscosity, largest_gap : as in `film.central_film`
     asperities : of both surfaces together, one table for all contacts; None: smooth
-    heating_factor : on the film, >= 0; what heating of the inlet leaves of it
+    heating_factor : on the film, >= 0, for the heating of the inlet
     s in [0, 1] and h solve
         p_a(h) A_H = s F,  h = heating_factor * film(F (1 - s), E* (1 - s))
-    As s grows the film grows and the pressure of the asperities falls: there is one solution. Asperities that carry the
-    load even at largest_gap carry all of it, and so they do without speed: then p_a(h) A_H = F gives h. Slower and
-    slower running comes to the same if that h is positive; else h tends to 0, and s to p_a(0) A_H/F below 1, from where
-    standstill is a jump. A contact without load has no share, and a smooth one only without speed, where h = 0.
-    Raises InputError for an argument of the wrong sign, not finite, or if shapes do not broadcast.
+    As s grows, the film grows and the pressure of the asperities falls, so there is one solution. Asperities carry the
+    whole load if they do so even at largest_gap, and also without speed; then p_a(h) A_H = F gives h. If this h is
+    positive, it is also the limit of slow running. Otherwise slow running tends to h = 0 and s = p_a(0) A_H/F < 1, and
+    standstill is a jump from there. Without load there is no share. A smooth contact has a share only without speed,
+    where h = 0 and s = 1.
+    Raises InputError if an argument has the wrong sign or is not finite, if shapes do not broadcast, or if a semi-axis
+    is 0 under load.
     """
     require_non_negative(heating_factor=heating_factor)
     asymptotes = film_asymptotes(
@@ -72,7 +74,7 @@ def mixed_contact(
     )
     force, area = np.asarray(contact.load, dtype=np.float64), contact.area
     try:
-        with np.errstate(divide="ignore", invalid="ignore"):  # without load nobody asks for the softness
+        with np.errstate(divide="ignore", invalid="ignore"):  # without load the softness is not used
             log_heating, log_softness = np.log(heating_factor), np.log(area) - np.log(force)
             thinned = {
                 name: np.where(log_heating == -np.inf, -np.inf, log_heating + getattr(asymptotes, name))
@@ -88,18 +90,20 @@ def mixed_contact(
             "the arguments of a mixed contact have shapes that do not fit together: give equal lengths"
         ) from problem
     if np.any(np.isneginf(numbers[-2])):  # ln 0 less the ln of a load
-        raise InputError("contact_area is 0 under load: give pi a b of the smooth contact")
+        raise InputError(
+            "semi_axis_rolling or semi_axis_transverse is 0 under load: give the semi-axes of the smooth contact"
+        )
     flat = numbers.reshape(len(parts), -1)
-    found = [_shared(flat[:, start : start + BLOCK], asperities) for start in range(0, max(flat.shape[1], 1), BLOCK)]
-    share, height, touched = (np.concatenate(rows).reshape(shape) for rows in zip(*found, strict=True))
-    film, *_ = _given(numbers)
+    blocks = [_shared(flat[:, start : start + BLOCK], asperities) for start in range(0, max(flat.shape[1], 1), BLOCK)]
+    share, height, touched = (np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
+    film, *_ = _unpacked(numbers)
     without_film = np.isneginf(film.rigid)
     return MixedContact(
         asperity_share=share,
         film_thickness=height,
         area_fraction=touched,
         asperity_load=share * force,
-        capped=~without_film & (height >= np.exp(film.room)),
+        capped=~without_film & (height >= np.exp(film.clearance)),
         outside_range=film.outside_range,
         without_film=without_film,
     )
@@ -107,13 +111,13 @@ def mixed_contact(
 
 def _shared(numbers: Array, asperities: AsperityTable | None) -> tuple[Array, Array, Array]:
     """Share, film thickness and area fraction of the contacts in the columns of numbers."""
-    film, log_softness, load = _given(numbers)
+    film, log_softness, load = _unpacked(numbers)
     log_alone, loaded = film.log_film(0.0)[0], load > 0
     dry = np.isneginf(log_alone)
     if asperities is None:
         return np.where(dry & loaded, 1.0, 0.0), np.exp(log_alone), np.where(dry, 1.0, 0.0)
     least = asperities.separation(np.where(loaded, -log_softness, 0.0))[0]  # h if asperities carry all
-    carried = loaded & (dry | (least >= np.exp(film.room)))
+    carried = loaded & (dry | (least >= np.exp(film.clearance)))
     share, height = np.where(carried, 1.0, 0.0), np.where(carried, least, np.exp(log_alone))
     sharing = loaded & ~carried
     if sharing.any():
@@ -121,20 +125,21 @@ def _shared(numbers: Array, asperities: AsperityTable | None) -> tuple[Array, Ar
     return share, height, asperities.area_fraction(height)
 
 
-def _given(numbers: Array) -> tuple[FilmAsymptotes, Array, Array]:
-    """The film, ln(A_H/F) and F that are in the rows of numbers."""
+def _unpacked(numbers: Array) -> tuple[FilmAsymptotes, Array, Array]:
+    """The film, ln(A_H/F) and F from the rows of numbers."""
     *film, log_softness, load = numbers
     names = (field.name for field in fields(FilmAsymptotes))
     return FilmAsymptotes(**dict(zip(names, film, strict=True))), log_softness, load
 
 
 def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: AsperityTable) -> tuple[Array, Array]:
-    """s and h where both carry: the film is the separation that the asperities' share of the load asks for.
+    """s and h where both carry: the film is as thick as the separation at which asperities carry their share.
 
-    Over z = ln(s/(1 - s)), which keeps the digits of s and 1 - s, asinh(h/sigma_s) of both is nearly a straight line,
-    one rising and one falling. log_alone: ln h without asperities; least: h without oil, m: they bound h from below.
+    The unknown is z = ln(s/(1 - s)), which keeps the digits of s and 1 - s. Over z, asinh(h/sigma_s) of film and
+    separation are nearly straight lines, one rising and one falling. log_alone: ln h without asperities; least: h
+    without oil, m. Both bound h from below.
     """
-    film, log_softness, _ = _given(numbers)
+    film, log_softness, _ = _unpacked(numbers)
     deviation = asperities.summits.height_deviation
 
     def excess(z: Array) -> tuple[Array, Array]:
@@ -146,17 +151,17 @@ def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: Asperi
         falling = np.exp(log_remaining) * needed_slope / np.hypot(deviation, needed)
         return np.arcsinh(h / deviation) - np.arcsinh(needed / deviation), rising - falling
 
-    thick = np.minimum(log_alone + np.log(4), film.room)  # no film under half of the load or more is thicker
+    thick = np.minimum(log_alone + np.log(4), film.clearance)  # no film under half of the load or more is thicker
     log_share = asperities.log_pressure(np.exp(np.stack([log_alone, thick]))) + log_softness
-    low = np.minimum(log_share[1], 0.0) - 1e-6  # the table's inverse is good to 1e-8
-    # ln(1/(1 - s)) at which the oil's film is as thick as asperities need that carry all.
-    thicken = np.log(np.maximum(least, 1e-3 * deviation))
-    grown = np.maximum((thicken - film.elastic) / 0.6, (thicken - film.unloaded) / 0.5)
-    grown = np.maximum(np.minimum(grown, (thicken - film.rigid) / 2), 0.3)
+    low = np.minimum(log_share[1], 0.0) - 1e-6  # the inverse of the table is accurate to 1e-8
+    # The start: ln(1/(1 - s)) at which the oil's film is as thick as the separation with the whole load on asperities.
+    log_needed = np.log(np.maximum(least, 1e-3 * deviation))
+    grown = np.maximum((log_needed - film.elastic) / 0.6, (log_needed - film.unloaded) / 0.5)
+    grown = np.maximum(np.minimum(grown, (log_needed - film.rigid) / 2), 0.3)
     start = grown + np.log(-np.expm1(-grown))
-    # Nor can they carry more than at the film of the full load; and a film FADED deviations thick leaves them nothing.
-    surely = np.log(asperities.summits.mean_height + FADED * deviation)
-    high = np.maximum((surely - film.rigid) / 2, 0.0) + NEARLY_ALL
+    # Asperities carry at most what they carry at the film of the full load, and nothing at FADED deviations.
+    log_faded = np.log(asperities.summits.mean_height + FADED * deviation)
+    high = np.maximum((log_faded - film.rigid) / 2, 0.0) + NEARLY_ALL
     little = log_share[0] < -0.5
     most = log_share[0] - np.log1p(-np.exp(np.minimum(log_share[0], -0.5)))
     z = bracketed_root(

@@ -1,10 +1,10 @@
-"""Hydrodynamic rolling resistance: what it takes to squeeze the oil into a rolling contact.
+"""Resistance to rolling without sliding: oil that is squeezed into the contact, and elastic hysteresis.
 
-Entrainment runs along x. Pressure builds up ahead of the contact and is not given back behind it, so each surface is
-held back by a force that no sliding causes. Pure rolling, oil of constant viscosity, fully flooded and isothermal, a
-contact that is no longer along rolling than across it, u small enough that rigid bodies resist more than elastic ones.
-Source: N. Biboulet and L. Houpert, Hydrodynamic force and moment in pure rolling lubricated contacts, part 2: point
-contacts, Proc. IMechE J 224 (2010) (not seen).
+Oil: pressure builds up ahead of the contact and is not given back behind it, so a force holds each surface back. The
+formula assumes pure rolling, oil of constant viscosity, a fully flooded and isothermal inlet, a contact that is not
+longer in the direction of rolling than transverse to it, and a speed so low that rigid bodies resist more than elastic
+ones. Heating and starvation of the inlet reduce it by the factors of [SKF2018].
+Source: [Biboulet2010].
 """
 
 from dataclasses import dataclass
@@ -25,29 +25,29 @@ GEOMETRY = 3.1  # K_Z, deep-groove ball bearings of one row
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RollingResistance:
-    """Of one or many contacts; every field has the broadcast shape of the arguments."""
+    """The resistance of one or many contacts; every field has the broadcast shape of the arguments."""
 
     force: Array  # f, on each of the two surfaces, against its motion, N, >= 0
     power: Array  # 2 |u| f, W, >= 0
-    outside_range: NDArray[np.bool_]  # longer along rolling than across, or so fast that rigid bodies resist less
+    outside_range: NDArray[np.bool_]  # longer in rolling than transverse, or so fast that rigid bodies resist less
 
 
 def hydrodynamic_rolling(
     contact: EllipticContact, *, viscosity: ArrayLike, entrainment_speed: ArrayLike
 ) -> RollingResistance:
-    """Rolling force on each surface and the power that both lose; all arguments broadcast.
+    """Rolling force on each surface and the power that both lose; fields and arguments broadcast.
 
-    curvature_x, curvature_y : 1/R_x along entrainment and 1/R_y across it, relative, 1/m, > 0
-    load : Q, N, >= 0;  modulus : E*, Pa, > 0 (the formula's E' is 2 E*)
+    contact : with the load Q and the curvatures 1/R_x (rolling) and 1/R_y (transverse); its semi-axes are not used,
+        because the formula takes those of Hertz
     viscosity : eta_0 at the inlet, Pa s, > 0;  entrainment_speed : u, mean of both surfaces, m/s, any sign
-    With the semi-axes a across and b along rolling, kappa = b/a, U = 2 eta_0 |u|/(E' R_x), W = Q/(E' R_x^2),
-    beta = (4/pi) E(m)/(1 + R_x/R_y), m = 1 - (minor/major)^2 and M = beta^(1/4) kappa W U^(-3/4):
-        f = E' R_x^2 (2 a/R_x) {[0.77 beta^(-1/3) kappa^0.12 U^(-1/12) - 1.8 beta^(-1/4)]/(1 + M/6.6)
+    With E' = 2 E*, Hertz's semi-axes a (rolling) and b (transverse), kappa = a/b, U = 2 eta_0 |u|/(E' R_x),
+    W = Q/(E' R_x^2), beta = (4/pi) E(m)/(1 + R_x/R_y), m = 1 - (minor/major)^2 and M = beta^(1/4) kappa W U^(-3/4):
+        f = E' R_x^2 (2 b/R_x) {[0.77 beta^(-1/3) kappa^0.12 U^(-1/12) - 1.8 beta^(-1/4)]/(1 + M/6.6)
             + 1.8 beta^(-1/4)} U^(3/4)
-    M -> 0 leaves the first term alone (rigid bodies, f ~ u^(2/3)), M -> inf the last (elastic, f ~ u^(3/4)). Exactly 0
-    at standstill; without load 0 too, as the width of the contact. It grows with speed and viscosity, and with load
-    too unless the first term is more than four times the last: then it falls with load for a while between them.
-    Raises InputError for an argument of the wrong sign, not finite, or if shapes do not broadcast.
+    M -> 0 leaves the first term (rigid bodies, f ~ u^(2/3)), M -> inf the last (elastic bodies, f ~ u^(3/4)). The force
+    is exactly 0 at standstill, and 0 without load, like the width of the contact. It grows with speed and viscosity.
+    It also grows with load, unless the first term is more than four times the last: then it falls over some loads.
+    Raises InputError if an argument has the wrong sign or is not finite, or if shapes do not broadcast.
     """
     require_positive(viscosity=viscosity)
     require_finite(entrainment_speed=entrainment_speed)
@@ -82,10 +82,11 @@ def hydrodynamic_rolling(
 
 
 def rolling_torque(resistance: RollingResistance, *, entrainment_rate: ArrayLike) -> Array:
-    """Torque about the bearing axis from each contact, N m: power over ring speed, 2 f u/w.
+    """Torque of each contact about the bearing axis, N m: power over ring speed, 2 f u/w.
 
     entrainment_rate : u/w, m, >= 0, entrainment speed per unit ring speed, the same on both races; broadcasts with the
-        forces. So the torque exists at standstill, where it is 0; like every torque it opposes w
+        forces
+    So the torque exists at standstill, where it is 0. Like every torque it opposes w.
     """
     require_non_negative(entrainment_rate=entrainment_rate)
     return 2 * resistance.force * np.asarray(entrainment_rate)
@@ -95,7 +96,8 @@ def hysteresis_moment(contact: EllipticContact, *, hysteresis_loss: ArrayLike) -
     """M_h = (3/16) alpha' Q a, N m: the moment that resists rolling because the bodies lose elastic energy.
 
     hysteresis_loss : alpha', share of the elastic energy that is lost in each cycle, >= 0; broadcasts with the contact
-    Source: equation 8 of [Paper], from [Johnson1985] p. 285, where a is the semi-axis along rolling.
+    a is the semi-axis in the direction of rolling.
+    Source: equation 8 of [Paper], from [Johnson1985] p. 285.
     """
     require_non_negative(hysteresis_loss=hysteresis_loss)
     return np.asarray(
@@ -105,9 +107,9 @@ def hysteresis_moment(contact: EllipticContact, *, hysteresis_loss: ArrayLike) -
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class InletFactors:
-    """The shares of the flooded, isothermal rolling torque that remain, each (n,), 0 to 1."""
+    """Shares of the flooded, isothermal rolling torque that remain, each (n,), 0 to 1."""
 
-    heating: Array  # with an inlet that its own shear heats
+    heating: Array  # with an inlet heated by its own shear
     starvation: Array | None  # with a starved inlet; None: the ring diameters are not known
 
 
@@ -134,9 +136,10 @@ def inlet_factors(bearing: Bearing, lubricant: Lubricant, *, ring_speed: Array) 
 
 
 def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinematic_viscosity: ArrayLike) -> Array:
-    """phi_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 nu^0.64]: what heating of the inlet leaves of SKF's rolling torque, 0 to 1.
+    """phi_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 nu^0.64]: SKF's factor on the rolling torque for inlet heating, 0 to 1.
 
     mean_diameter : d_m = (d + D)/2, m, > 0;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
+    The formula takes n in 1/min, d_m in mm and nu in mm^2/s. Source: [SKF2018].
     """
     require_positive(mean_diameter=mean_diameter, kinematic_viscosity=kinematic_viscosity)
     require_non_negative(ring_speed=ring_speed)
@@ -152,11 +155,12 @@ def replenishment_factor(
     kinematic_viscosity: ArrayLike,
     supply: Supply,
 ) -> Array:
-    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/[2 (D - d)])): what starvation leaves of SKF's rolling torque, 0 to 1.
+    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/[2 (D - d)])): SKF's factor on the rolling torque for starvation.
 
     bore_diameter, outside_diameter : d < D, m;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
-    supply : `oil_bath` (low level; also oil jet) or `grease` (also oil-air), K_rs of 3e-8 or 6e-8; K_Z = 3.1
-    1 - phi_rs bounds what is lost where replenishment is left out.
+    supply : `oil_bath` (low level; also oil jet) or `grease` (also oil-air), with K_rs of 3e-8 or 6e-8; K_Z = 3.1
+    The factor is 0 to 1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s. 1 - phi_rs bounds the
+    effect of leaving starvation out. Source: [SKF2018].
     """
     if supply not in STARVATION:
         raise InputError(f'supply must be "oil_bath" or "grease", got {supply!r}')
@@ -168,7 +172,7 @@ def replenishment_factor(
 
 
 def ring_diameters(bore_diameter: ArrayLike, outside_diameter: ArrayLike) -> tuple[Array, Array]:
-    """d and D in mm."""
+    """d and D in mm; raises InputError unless 0 < d < D."""
     require_positive(bore_diameter=bore_diameter, outside_diameter=outside_diameter)
     bore, outside = 1e3 * np.asarray(bore_diameter), 1e3 * np.asarray(outside_diameter)
     if not np.all(bore < outside):
@@ -180,8 +184,10 @@ def ring_diameters(bore_diameter: ArrayLike, outside_diameter: ArrayLike) -> tup
 
 
 def per_minute(speed: ArrayLike) -> Array:
+    """n, 1/min, from a speed in rad/s."""
     return np.asarray(speed) * 60 / (2 * np.pi)
 
 
 def square_millimetres(kinematic_viscosity: ArrayLike) -> Array:
+    """nu, mm^2/s, from m^2/s."""
     return 1e6 * np.asarray(kinematic_viscosity)

@@ -1,10 +1,9 @@
-"""What resists sliding at a point of a contact, and over the whole of it: Coulomb friction, or oil beside asperities.
+"""Laws of traction: Coulomb friction, or oil together with asperities.
 
-A law of traction gives the stress against the sliding at one point, and the force of a contact that slides everywhere
-at one speed under its mean pressure. Where nothing slides the stress is the limit of slow sliding: a Coulomb contact
-and `eyring_constant` then jump with the direction of sliding, which only an integral over the contact smooths.
-Source: oil by H. Eyring, J. Chem. Phys. 4 (1936) 283 (not seen), with a limit as in S. Bair and W. O. Winer,
-J. Lubr. Tech. 101 (1979) 251 (not seen).
+A law gives the stress that resists sliding at one point of a contact, and the force of a contact that slides everywhere
+at one speed under its mean pressure. Without sliding the stress is the limit of slow sliding. Coulomb friction and
+`eyring_constant` then jump with the direction of sliding; only an integral over the contact smooths this jump.
+Source: oil by [Eyring1936], with a limit as in [Bair1979].
 """
 
 from collections.abc import Callable
@@ -21,7 +20,7 @@ from analytic.scene import Array, Lubricant
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CoulombTraction:
-    """mu times the pressure, whatever the speed."""
+    """mu times the pressure, at any speed."""
 
     friction_coefficient: Array | float  # mu, >= 0
 
@@ -46,15 +45,15 @@ class CoulombTraction:
 class MixedTraction:
     """Boundary friction on the asperities' share of load and area, oil on the rest; the fields broadcast.
 
-    asperity_share to film_thickness : as `mixed.mixed_contact` finds them
-    The oil bears (1 - s) of the pressure, which sets its viscosity and its limit.
+    asperity_share, area_fraction, film_thickness : from `mixed.mixed_contact`
+    The oil carries the share 1 - s of the pressure, which determines its viscosity and its limit.
     """
 
     lubricant: Lubricant
     boundary_friction: Array | float  # mu_b, >= 0
     asperity_share: Array | float  # s, 0 to 1
     area_fraction: Array | float  # A_a/A_H, 0 to 1
-    film_thickness: Array | float  # h, m; at or below 0 the oil shears at its limit
+    film_thickness: Array | float  # h, m; at 0 and below the oil shears at its limit
 
     def __post_init__(self) -> None:
         require_non_negative(
@@ -78,7 +77,7 @@ class MixedTraction:
     def force(self, contact: EllipticContact) -> Callable[[Array], Array]:
         """mu_b s Q + tau (A_H - A_a), N, as a function of the speed |v|, m/s, with tau at the mean pressure Q/A_H.
 
-        The contact broadcasts with the fields. A force, because the coefficient has no limit at Q = 0.
+        The contact broadcasts with the fields. It is a force because the coefficient has no limit at Q = 0.
         """
         share = np.asarray(self.asperity_share)
         shear = _oil_shear(self.lubricant, (1 - share) * contact.mean_pressure, np.asarray(self.film_thickness))
@@ -93,14 +92,15 @@ Traction = CoulombTraction | MixedTraction
 def oil_shear_stress(
     lubricant: Lubricant, *, pressure: ArrayLike, speed: ArrayLike, film_thickness: ArrayLike
 ) -> Array:
-    """tau of the oil between surfaces that slide past each other, Pa; the arguments broadcast.
+    """Shear stress tau of the oil between surfaces that slide past each other, Pa; the arguments broadcast.
 
-    pressure : p, of the oil, Pa, >= 0;  speed : |v|, m/s, >= 0;  film_thickness : h, m; at or below 0 there is no film
-    `eyring_constant`: tau_E, whatever slides, and at the limit of no sliding too.
+    pressure : p, of the oil, Pa, >= 0;  speed : |v|, m/s, >= 0;  film_thickness : h, m; at 0 and below there is no film
+    `eyring_constant`: tau_E at any speed, and in the limit of no sliding too.
     `eyring_sinh`: the smaller of tau_E asinh(eta(p, T) |v|/(h tau_E)), with Roelands' viscosity at the temperature of
-    the inlet, and zeta p; without a film zeta p. Each of both is measured where the other is far off. The smaller one
-    keeps them, never falls with |v| and has only a kink; any smooth passage would invent a lower stress between them.
-    Shear heating within the film is left out: it lowers tau where sliding is fast.
+    the inlet, and zeta p; without a film zeta p. Measurements support each expression where the other one is much
+    larger. The smaller one keeps both, never falls with |v| and has only a kink. A smooth transition would assume a
+    lower stress between them.
+    Shear heating within the film is left out; it lowers tau where sliding is fast.
     """
     require_non_negative(pressure=pressure, speed=speed)
     try:
@@ -112,7 +112,7 @@ def oil_shear_stress(
 
 
 def _oil_shear(lubricant: Lubricant, pressure: Array, film_thickness: Array) -> Callable[[Array], Array]:
-    """oil_shear_stress as a function of the speed; the viscosity is computed once, pressure and speed not checked."""
+    """oil_shear_stress as a function of the speed, which is not checked; the viscosity is computed once."""
     require_positive(eyring_stress=lubricant.eyring_stress)
     require_non_negative(limiting_shear=lubricant.limiting_shear)
     eyring = lubricant.eyring_stress

@@ -1,9 +1,9 @@
 """Viscosity of an oil under pressure and at temperature, by Roelands.
 
-eta_0 is the viscosity at ambient pressure and the reference temperature T_0, alpha_p = d ln(eta)/dp and
-beta = -d ln(eta)/dT are its logarithmic slopes there. Barus's eta_0 exp(alpha_p p) has the same slope and runs away
-from measured oils above some 0.5 GPa; beyond 1 GPa, where races work, it is unphysical and not offered.
-Source: C. J. A. Roelands, thesis, Delft (1966) (not seen).
+eta_0 is the viscosity at ambient pressure and the reference temperature T_0; alpha_p = d ln(eta)/dp and
+beta = -d ln(eta)/dT are its logarithmic slopes there. Barus's eta_0 exp(alpha_p p) has the same slope, but departs from
+measured oils above some 0.5 GPa. Beyond 1 GPa, where races work, it is unphysical, so it is not offered.
+Source: [Roelands1966].
 """
 
 from collections.abc import Callable
@@ -16,14 +16,14 @@ from numpy.typing import ArrayLike
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.scene import Array, Lubricant
 
-LOG_POLE_VISCOSITY = -9.67  # ln of the viscosity, in Pa s, that every oil tends to
+LOG_POLE_VISCOSITY = -9.67  # ln of the viscosity in Pa s to which every oil tends
 POLE_PRESSURE = 1 / 5.1e-9  # Pa
 POLE_TEMPERATURE = 138.0  # K
 
 
 @dataclass(frozen=True, kw_only=True)
 class InletViscosity:
-    """What the film formula takes: the oil at the inlet's temperature and ambient pressure."""
+    """The oil at the inlet's temperature and ambient pressure, as the film formula needs it."""
 
     viscosity: float  # eta_0, Pa s
     pressure_viscosity: float  # alpha_p, 1/Pa
@@ -45,8 +45,8 @@ def roelands_viscosity(
     pressure_viscosity : alpha_p, 1/Pa, >= 0;  viscosity_temperature : beta, 1/K, >= 0;  reference_temperature : T_0, K
         ln(eta) = -9.67 + G (1 + 5.1e-9 p)^Z [(T - 138)/(T_0 - 138)]^-S,  G = ln(eta_0) + 9.67
         Z = alpha_p/(5.1e-9 G),  S = beta (T_0 - 138)/G
-    Fits mineral oils to about 1 GPa within their scatter, and is extrapolated above. Z of an oil is 0.4 to 0.8; above 1
-    viscosity grows faster than Barus's law says.
+    The formula fits mineral oils to about 1 GPa within their scatter and is extrapolated above. Z of an oil is 0.4 to
+    0.8; with Z above 1 the viscosity would grow faster than by Barus's law.
     """
     require_non_negative(pressure=pressure)
     log_factor, shift = _thermal(
@@ -62,9 +62,9 @@ def roelands_viscosity(
 
 @lru_cache(maxsize=64)
 def viscosity_under_pressure(lubricant: Lubricant) -> Callable[[Array], Array]:
-    """roelands_viscosity at the lubricant's temperature as a function of the pressure alone, Pa, which is not checked.
+    """roelands_viscosity at the lubricant's temperature as a function of the pressure in Pa, which is not checked.
 
-    What does not depend on the pressure is computed once: an integral over a contact asks for thousands of pressures.
+    Terms without the pressure are computed once, because an integral over a contact needs thousands of pressures.
     """
     log_factor, shift = _thermal(
         temperature=lubricant.temperature,
@@ -99,9 +99,9 @@ def inlet_viscosity(lubricant: Lubricant) -> InletViscosity:
 
 def _thickening(pressure: Array, log_factor: Array, exponent: Array | float, shift: Array) -> Array:
     """eta/eta_0 = exp(G ((1 + 5.1e-9 p)^Z [(T - 138)/(T_0 - 138)]^-S - 1))."""
-    # expm1: where pressure and heating are slight, the factor keeps its digits.
+    # expm1 keeps the digits of the factor where pressure and heating are small.
     growth = log_factor * np.expm1(exponent * np.log1p(pressure / POLE_PRESSURE) + shift)
-    with np.errstate(over="ignore"):  # an oil of a large Z under very large pressure: no flow
+    with np.errstate(over="ignore"):  # large Z under very large pressure: the oil does not flow
         return np.exp(growth)
 
 

@@ -1,16 +1,17 @@
-"""Micro-slip of one contact by the paper's equations 2 to 7 exactly as printed, to show what their misprints do.
+"""Micro-slip of one contact by equations 2 to 7 of [Paper] exactly as printed, to show the effect of their misprints.
 
-Never a model: `analytic.sliding.long_ellipse.microslip_moments` is. A scene asks for it with [friction] microslip = "as_printed".
-Printed are three cases, and in the first and the last of them the names M_z (spin) and M_r (rolling) are exchanged, and
-the first lacks its bracket of 0.322285. So both moments jump where the spin-to-roll ratio is 0 and where it is 1/2.
-Source: "Effect of Surface Roughness on the Friction Moment in a Ball Bearing", equations 2 to 7. It does not print how
-the pure-rolling lines follow from the ratio; here they leave no net force.
+This is not a model; `analytic.sliding.long_ellipse.microslip_moments` is. A scene selects it with
+[friction] microslip = "as_printed". The paper prints three cases. In the first and the last the names M_z (spin) and
+M_r (rolling) are exchanged, and the first lacks its bracket of 0.322285. So both moments jump where the spin-to-roll
+ratio is 0 and where it is 1/2.
+Source: [Paper] equations 2 to 7. It does not print how the pure-rolling lines follow from the ratio; here they leave no
+net force.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import RollingContact
+from analytic.contact.rolling_contact import Pair
 from analytic.errors import require_non_negative, require_positive
 from analytic.scene import Array
 from analytic.sliding.long_ellipse import (
@@ -28,11 +29,11 @@ def as_printed_moments(
     ball_radius: ArrayLike,
     spin_to_roll: ArrayLike,
 ) -> tuple[Array, Array]:
-    """(M_z, M_r), N m, by the names that the paper gives them; the arguments broadcast.
+    """(M_z, M_r), N m, under their names in the paper; the arguments broadcast.
 
     friction_force : mu F_n, N, >= 0;  semi_axis_transverse : b, m, >= 0
-    ball_radius : r_b, m, > 0, as equation 11 uses it; the corrected form has the radius of the contact surface here
-    spin_to_roll : eps, >= 0: the paper says nothing of negative ones
+    ball_radius : r_b, m, > 0, as equation 11 uses it; the corrected form has the radius of the contact surface instead
+    spin_to_roll : eps, >= 0; the paper does not treat negative ones
         eps = 0:        M_z = mu F_n b^2/(4 r_b),  M_r = 0                                            (2, 3)
         0 < eps < 1/2:  M_z = (3/4) mu F_n b [g1^2 (1 - g1^2/2) - g2^2 (1 - g2^2/2)]                  (4)
                         M_r = mu F_n b^2/(4 r_b) [2/5 + g1^3 (1 - 3 g1^2/5) - g2^3 (1 - 3 g2^2/5)]    (5)
@@ -47,7 +48,7 @@ def as_printed_moments(
     ratio, half_length = np.asarray(spin_to_roll, dtype=np.float64), np.asarray(semi_axis_transverse)
     pull = np.asarray(friction_force) * half_length  # mu F_n b
     curved = pull * half_length / (4 * np.asarray(ball_radius))
-    g1, g2 = pure_rolling_lines(np.minimum(ratio, FULL_SPIN))  # beyond it they are not asked for
+    g1, g2 = pure_rolling_lines(np.minimum(ratio, FULL_SPIN))  # beyond it the lines are not used
     spin_bracket = g1**2 * (1 - g1**2 / 2) - g2**2 * (1 - g2**2 / 2)
     roll_bracket = 2 / 5 + g1**3 * (1 - 3 * g1**2 / 5) - g2**3 * (1 - 3 * g2**2 / 5)
     printed_z = np.where(ratio == 0, curved, np.where(ratio < FULL_SPIN, 0.75 * pull * spin_bracket, 0.0))
@@ -56,27 +57,24 @@ def as_printed_moments(
 
 
 def as_printed_torque(
-    inner: RollingContact,
-    outer: RollingContact,
+    contacts: Pair,
     *,
     friction_force: tuple[ArrayLike, ArrayLike],
-    inner_spin_rate: ArrayLike,
-    outer_spin_rate: ArrayLike,
+    spin_rates: tuple[ArrayLike, ArrayLike],
     ball_radius: ArrayLike,
 ) -> MicroslipTorque:
     """Torque of one ball from its slip on both races with the printed moments, N m; all fields and arguments broadcast.
 
-    friction_force : mu Q on the inner and on the outer race, N, >= 0
-    inner_spin_rate, outer_spin_rate : w_s/w of each contact, of either sign, as `race.microslip_torque` finds them
+    contacts : on the inner and the outer race;  friction_force : mu Q on both, N, >= 0
+    spin_rates : w_s/w on both, of either sign, from `long_ellipse.microslip_torque`
     ball_radius : r_b, m, > 0
         spin = M_z,i |w_s,i|/w + M_z,o |w_s,o|/w,  conformity = M_r,i w_roll,i/w + M_r,o w_roll,o/w
-    which are equations 10 and 11 for one ball: the paper does not say which contact's M_z its equation 10 means, and so
-    each goes with the spin of its own contact. Where neither contact is at a misprint the difference from the derived
-    torque is the ball's radius in place of the contact surface's.
+    These are equations 10 and 11 for one ball. The paper does not say which contact has the M_z of equation 10, so each
+    moment is multiplied by the spin of its own contact. Where no misprint applies, the torque differs from the derived
+    one only by the ball's radius in place of that of the contact surface.
     Raises InputError for a ball_radius that is not positive.
     """
-    contacts = (inner, outer)
-    rates = [np.asarray(rate, dtype=np.float64) for rate in (inner_spin_rate, outer_spin_rate)]
+    inner_rate, outer_rate = (np.asarray(rate, dtype=np.float64) for rate in spin_rates)
     (inner_spin, inner_roll), (outer_spin, outer_roll) = (
         as_printed_moments(
             friction_force=force,
@@ -84,15 +82,11 @@ def as_printed_torque(
             ball_radius=ball_radius,
             spin_to_roll=spin_to_roll_ratio(contact, spin_rate=np.abs(rate)),
         )
-        for contact, force, rate in zip(contacts, friction_force, rates, strict=True)
+        for contact, force, rate in zip(contacts, friction_force, (inner_rate, outer_rate), strict=True)
     )
-    return MicroslipTorque(
-        spin=inner_spin * np.abs(rates[0]) + outer_spin * np.abs(rates[1]),
-        conformity=inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
-        inner_spin_rate=rates[0],
-        outer_spin_rate=rates[1],
-        inner_spin_moment=np.copysign(inner_spin, rates[0]),
-        outer_spin_moment=np.copysign(outer_spin, rates[1]),
-        inner_rolling_moment=inner_roll,
-        outer_rolling_moment=outer_roll,
+    return MicroslipTorque.of(
+        contacts,
+        spin_rates=(inner_rate, outer_rate),
+        spin_moments=(np.copysign(inner_spin, inner_rate), np.copysign(outer_spin, outer_rate)),
+        rolling_moments=(inner_roll, outer_roll),
     )

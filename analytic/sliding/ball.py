@@ -1,12 +1,14 @@
-"""Friction of one ball that rolls and spins between its races, by three rungs from cheap to accurate.
+"""Friction of one ball that rolls and spins between its races, by three methods from cheap to accurate.
 
-`single_coefficient`: each contact slides with one coefficient, that of its mean pressure and mean sliding speed, and
-its moments are the closed forms of `analytic.sliding.long_ellipse`. `along_axis`: the stress follows pressure and sliding from point to
-point, the sliding across the major axis left out. `over_ellipse`: that sliding too. Leaving it out costs 1 % of the
-torque by slip of a 6205. The single coefficient costs 0.4 to 5 % where the stress follows the pressure, up to 16 %
-where the oil's stress is the same everywhere and asperities carry little (`validation/benchmarks/friction.py`).
-Rates are per unit ring speed difference w and torques are slip power / w, as in `analytic.sliding.long_ellipse`; the law of traction
-sees sliding speeds of |w| times as much.
+- `single_coefficient`: each contact slides with one coefficient, that of its mean pressure and mean sliding speed. Its
+  moments are the closed forms of `analytic.sliding.long_ellipse`. The error is 0.4 to 5 % where the stress follows the
+  pressure, and up to 16 % where the oil's stress is the same everywhere and asperities carry little
+  (`validation/benchmarks/friction.py`).
+- `along_axis`: the stress follows pressure and sliding from point to point, without the sliding transverse to the
+  direction of rolling. The error is 1 % of the torque by slip of a 6205.
+- `over_ellipse`: with sliding in both directions.
+Rates are per unit ring speed difference w and torques are slip power over w, as in `analytic.sliding.long_ellipse`. The
+law of traction takes the true sliding speeds, which are |w| times as large.
 """
 
 from collections.abc import Callable
@@ -17,7 +19,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import RollingContact
+from analytic.contact.rolling_contact import Pair, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.numerics.root import bracketed_root, with_secant_slopes
 from analytic.oil.traction import Traction
@@ -28,12 +30,10 @@ from analytic.sliding.long_ellipse import MicroslipTorque, contact_moments, micr
 SlidingMethod = Literal["single_coefficient", "along_axis", "over_ellipse"]
 SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
 ROUND_OFF = 4 * np.finfo(np.float64).eps  # of a spin moment, and of the share of spin that balances it
-LAST_STEP = 1e-6  # of the share of spin: power is least at the balance, and so is wrong by the square of what is left
+LAST_STEP = 1e-6  # of the share of spin: the power is least at the balance, so its error is the square of this step
 BLOCK = 32  # points at a time: a contact has 768 nodes
 
-
-Pair = tuple[RollingContact, RollingContact]  # the ball on the inner and on the outer race
-Tractions = tuple[Traction, Traction]  # what resists sliding there, likewise
+Tractions = tuple[Traction, Traction]  # on the inner and on the outer race
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -41,9 +41,9 @@ class SlipFriction:
     """Friction of one ball by slip on both races; arrays of one shape."""
 
     torque: MicroslipTorque  # with moments and spin rates
-    inner_coefficient: Array  # of the Coulomb friction that would lose the same power at the same sliding; 0 unloaded
+    inner_coefficient: Array  # of the Coulomb friction that loses the same power at the same sliding; 0 without load
     outer_coefficient: Array
-    inner_slip_speed: Array  # m/s, the mean that the pressure weighs
+    inner_slip_speed: Array  # m/s, mean weighted by the pressure
     outer_slip_speed: Array
 
 
@@ -59,26 +59,26 @@ def slip_friction(
 ) -> SlipFriction:
     """Torque of one ball from its slip on both races; all fields, ring_speed and spin_difference broadcast.
 
-    contacts, traction : inner and outer race
+    contacts, traction : on the inner and the outer race
     ring_speed : w, inner less outer, rad/s, any sign; at 0 the law of traction gives its limit
-    spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) where the contact angles are equal
-    spin_rule : as `long_ellipse.microslip_torque`;  nodes : of a contact that is integrated, as in `ellipse`
+    spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) if the contact angles are equal
+    spin_rule : as in `long_ellipse.microslip_torque`;  nodes : of the quadrature over a contact, as in `ellipse`
     With `single_coefficient` each contact has the force of its law at the mean sliding speed
         |v| = |w| [w_roll M_roll + w_s M_spin]/(mu Q)
-    that goes with its share of the spin. With every method the moment of a contact grows with that share, so there is
-    one balance. Fixed-point iteration between forces and shares would fail where oil is viscous and both contacts spin
-    in full.
+    of its share of the spin. With every method the moment of a contact grows with this share, so there is one balance.
+    A fixed-point iteration between forces and shares would fail where the oil is viscous and both contacts spin in
+    full.
     Raises InputError for arguments that do not broadcast, a negative spin_difference, an unknown rule or method.
     """
     require_finite(ring_speed=ring_speed)
     require_non_negative(spin_difference=spin_difference)
-    given = [np.asarray(value, dtype=np.float64) for value in (ring_speed, spin_difference)]
+    speed, difference = np.abs(np.asarray(ring_speed, dtype=np.float64)), np.asarray(spin_difference, dtype=np.float64)
     nouns = (*contacts, *traction)
     try:
-        shape = np.broadcast_shapes(*(value.shape for value in given), *map(_shape, nouns))
+        shape = np.broadcast_shapes(speed.shape, difference.shape, *map(_shape, nouns))
     except ValueError as problem:
         raise InputError("both contacts and their speeds have shapes that do not fit: give equal lengths") from problem
-    speed, difference = (np.broadcast_to(value, shape) for value in (np.abs(given[0]), given[1]))
+    speed, difference = (np.broadcast_to(value, shape) for value in (speed, difference))
     if method == "single_coefficient":
         columns = _single_coefficient(contacts, traction, speed, difference, spin_rule)
     elif method in SLIP:
@@ -97,15 +97,11 @@ def slip_friction(
     inner_rate, inner_spin, inner_roll, inner_coefficient, inner_slip = columns[:5]
     outer_rate, outer_spin, outer_roll, outer_coefficient, outer_slip = columns[5:]
     return SlipFriction(
-        torque=MicroslipTorque(
-            spin=inner_spin * inner_rate + outer_spin * outer_rate,
-            conformity=inner_roll * contacts[0].rolling_rate + outer_roll * contacts[1].rolling_rate,
-            inner_spin_rate=inner_rate,
-            outer_spin_rate=outer_rate,
-            inner_spin_moment=inner_spin,
-            outer_spin_moment=outer_spin,
-            inner_rolling_moment=inner_roll,
-            outer_rolling_moment=outer_roll,
+        torque=MicroslipTorque.of(
+            contacts,
+            spin_rates=(inner_rate, outer_rate),
+            spin_moments=(inner_spin, outer_spin),
+            rolling_moments=(inner_roll, outer_roll),
         ),
         inner_coefficient=inner_coefficient,
         outer_coefficient=outer_coefficient,
@@ -125,7 +121,7 @@ def _single_coefficient(
     if not any(law.depends_on_speed for law in traction):  # the forces are known: Coulomb's closed form
         forces = tuple(np.broadcast_to(law(speed), speed.shape) for law in laws)
         torque = microslip_torque(
-            *contacts, friction_force=(forces[0], forces[1]), spin_difference=difference, spin_rule=spin_rule
+            contacts, friction_force=(forces[0], forces[1]), spin_difference=difference, spin_rule=spin_rule
         )
         moments = (
             (torque.inner_spin_rate, torque.inner_spin_moment, torque.inner_rolling_moment),
@@ -155,7 +151,7 @@ def _single_coefficient(
 def _inner_share(
     spin_rule: SpinRule, spin_moments: Callable[[Array], tuple[Array, Array]], shape: tuple[int, ...]
 ) -> Array:
-    """Of the spin difference, what the inner contact takes; spin_moments: those of inner and outer at such a share."""
+    """Share of the spin difference on the inner race; spin_moments: share -> moments on inner and outer race."""
     none, whole = np.zeros(shape), np.ones(shape)
     if spin_rule == "inner_control":
         return none
@@ -188,15 +184,15 @@ def _integrated(
     spin_rule: SpinRule,
     slip: Callable[..., SlipMoments],
 ) -> Columns:
-    """The sums over the nodes of every contact; all numbers (n,), speeds : ring speed and spin difference.
+    """Integrals over every contact; all numbers (n,). speeds : ring speed and spin difference.
 
-    Both races go in one call: most callers have few points.
+    One call integrates both races, because most callers have few points.
     """
     speed, difference = speeds
     n = speed.size
     both = {name: np.concatenate([getattr(contact, name) for contact in contacts]) for name in vars(contacts[0])}
     load = both["load"]
-    loaded = load > 0  # a contact without load is a point and has no friction
+    loaded = load > 0  # a contact without load is a point without friction; it gets semi-axes of 1
     for name in ("semi_axis_rolling", "semi_axis_transverse"):
         both[name] = np.where(loaded, both[name], 1.0)
     contact = RollingContact(**both)
@@ -226,7 +222,7 @@ def _integrated(
 
 
 def _over(numerator: Array, denominator: ArrayLike) -> Array:
-    """The quotient, and 0 where the denominator is."""
+    """The quotient, and 0 where the denominator is 0."""
     top, bottom = np.broadcast_arrays(numerator, denominator)
     return np.divide(top, bottom, out=np.zeros(top.shape), where=bottom > 0)
 

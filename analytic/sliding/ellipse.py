@@ -1,11 +1,12 @@
-"""Micro-slip with any law of traction, summed over the contact: the accurate limit of `analytic.sliding.long_ellipse`.
+"""Micro-slip with any law of traction, integrated over the contact ellipse.
 
-x runs along rolling, y across, from the contact's centre; the pressure is p0 sqrt(1 - x^2/a^2 - y^2/b^2). A ball that
-rolls with w_roll and spins with w_s over a surface curved by R slides by
+x is the direction of rolling, y is transverse, both from the contact's centre. The pressure is
+p0 sqrt(1 - x^2/a^2 - y^2/b^2). A ball that rolls with w_roll and spins with w_s over a surface of radius R slides by
     v_x = w_roll y^2/(2 R) + w_s y - c,  v_y = -w_s x
-and every point resists with a stress against v that a function of pressure and speed gives. c leaves no net force.
-Over the ellipse both components count; along the major axis v_y is left out, which is the long-ellipse limit, and with
-Coulomb friction that of `analytic.sliding.long_ellipse.microslip_moments`. Elastic creep is not in it (`analytic.sliding.long_ellipse.sliding_number`).
+Every point resists with a stress against v, which is a function of pressure and speed. c leaves no net force.
+`slip_over_ellipse` has both components. `slip_along_axis` leaves out v_y: this is the limit of a long ellipse, and with
+Coulomb friction its moments are those of `analytic.sliding.long_ellipse.microslip_moments`. Elastic creep is left out
+(`analytic.sliding.long_ellipse.sliding_number` says when it matters).
 Source: derived here.
 """
 
@@ -22,10 +23,10 @@ from analytic.numerics.root import bracketed_root, with_secant_slopes
 from analytic.scene import Array
 
 Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; all (*points, nodes)
-# Net force left over, of all the friction there is: round-off of the sum of a thousand nodes.
+# Net force that counts as none, relative to the sum of all friction: round-off of the sum over a thousand nodes.
 BALANCED = 1e-14
-NARROWEST = 4 * np.finfo(np.float64).eps  # bracket of c, of the largest speed
-NODES = (16, 16)  # across and along rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
+NARROWEST = 4 * np.finfo(np.float64).eps  # bracket of c, relative to the largest speed
+NODES = (16, 16)  # transverse and rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -42,17 +43,17 @@ class SlipMoments:
 def slip_over_ellipse(
     contact: RollingContact, *, traction: Traction, spin_rate: ArrayLike, nodes: tuple[int, int] = NODES
 ) -> SlipMoments:
-    """Moments of one contact from sliding in both directions at every point of it; the numbers broadcast.
+    """Moments of one contact by sliding in both directions at every point; fields and spin_rate broadcast.
 
-    traction : (pressure, speed) -> stress, Pa, >= 0, each of shape (*points, nodes): pressure >= 0 in Pa, speed |v| in
-        m/s. Coulomb friction is `lambda pressure, speed: 0.08 * pressure`. It must not fall where the speed grows, or
-        more than one c may leave no force; a law with a kink, such as a cap, needs more nodes
-    peak_pressure : p0, Pa, >= 0;  semi_axis_rolling, semi_axis_transverse : a, b, m, > 0;  deformed_radius : R, m, > 0
-    rolling_rate : w_roll, rad/s, >= 0;  spin_rate : w_s, rad/s, any sign. If traction does not ask for the speed,
-        both may be per unit ring speed; creep speed and slip power are then, too
-    nodes : of each of three panels, whose sides are where v_x = 0, across rolling and along it
+    contact : with semi-axes > 0; its pressure has the peak p0 = 3 Q/(2 pi a b), and its curvatures are not used
+    traction : (pressure, speed) -> stress, Pa, >= 0, each of shape (*points, nodes), with pressure >= 0 in Pa and speed
+        |v| in m/s. Coulomb friction is `lambda pressure, speed: 0.08 * pressure`. The stress must not fall as the speed
+        grows, or more than one c may leave no force. A law with a kink, such as a cap, needs more nodes
+    spin_rate : w_s, any sign, in the unit of the contact's rolling_rate: rad/s, or per unit ring speed w. With rates
+        per unit w, speeds, creep speed and slip power are per unit w too
+    nodes : in the transverse direction for each of three panels that meet where v_x = 0, and in that of rolling
         M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
-    Raises InputError for an argument of the wrong sign or not finite, ConvergenceError if no c is found.
+    Raises InputError if an argument has the wrong sign or is not finite, ConvergenceError if no c is found.
     """
     return _slip(contact, traction, spin_rate, nodes=nodes, sideways=True)
 
@@ -60,18 +61,18 @@ def slip_over_ellipse(
 def slip_along_axis(
     contact: RollingContact, *, traction: Traction, spin_rate: ArrayLike, nodes: tuple[int, int] = NODES
 ) -> SlipMoments:
-    """The same with v_y = 0, of a contact much longer across rolling than along it; arguments as `slip_over_ellipse`.
+    """The same with v_y = 0, for a contact much longer transverse to rolling; arguments as in `slip_over_ellipse`.
 
-    The traction still follows the pressure of each point along rolling.
+    The traction still follows the pressure at each point in the direction of rolling.
     """
     return _slip(contact, traction, spin_rate, nodes=nodes, sideways=False)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Sliding:
-    """A contact at one c; arrays over the points and its nodes, (*points, across, along) or 1 for either of the last.
+    """A contact at one c; arrays (*points, transverse nodes, rolling nodes), where either of the last two may be 1.
 
-    x, y in units of a and b; its fields are even in x, so that the sums over x > 0 stand for both halves.
+    x and y are in units of a and b. The fields are even in x, so weights for x > 0 cover both halves.
     """
 
     x: Array
@@ -94,12 +95,12 @@ def _sum(of_nodes: Array) -> Array:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Integrand:
-    """Numbers of shape (*points, 1) and the quadrature; spin is a magnitude, as y may point either way."""
+    """Numbers of shape (*points, 1), and the quadrature; spin is a magnitude, because y may point either way."""
 
     traction: Traction
     pressure: Array  # p0
-    along: Array  # a
-    across: Array  # b
+    rolling: Array  # a
+    transverse: Array  # b
     roll: Array  # w_roll b^2/(2 R), m/s
     spin: Array  # |w_s| b, m/s
     sideways: bool
@@ -107,20 +108,20 @@ class _Integrand:
 
     def at(self, creep: Array) -> _Sliding:
         """Sliding and friction at every node; creep (*points, 1)."""
-        y, y_weight = self._across_nodes(creep)
+        y, y_weight = self._transverse_nodes(creep)
         slide = ((self.roll * y + self.spin) * y - creep)[..., None]
-        half = np.sqrt((1 - y) * (1 + y))[..., None]  # of the contact along rolling, in units of a
-        turn = (self.spin * self.along / self.across)[..., None] * self.sideways
+        half = np.sqrt((1 - y) * (1 + y))[..., None]  # half-length in the direction of rolling, in units of a
+        turn = (self.spin * self.rolling / self.transverse)[..., None] * self.sideways
         tau, weight = _unit_gauss(self.nodes[1])
-        x, x_weight = tau * (2 - tau), 2 * (1 - tau) * weight  # the pressure's root at the rim becomes smooth
+        x, x_weight = tau * (2 - tau), 2 * (1 - tau) * weight  # makes the root of the pressure at the rim smooth
         if self.sideways:
-            # |v| = sqrt(slide^2 + (turn x)^2) is nearly sharp at x = 0 where slide is small: with x ~ sinh(z t) not.
+            # |v| = sqrt(slide^2 + (turn x)^2) has a near kink at x = 0 where slide is small; x ~ sinh(z t) removes it.
             least = 1e-200 * np.where(self.roll + self.spin > 0, self.roll + self.spin, 1.0)[..., None]
             steep = np.maximum(turn * half / np.maximum(np.abs(slide), least), 1e-8)  # at 1e-8 sinh is its argument
             z = np.arcsinh(steep)
             x, t = np.exp(z * (x - 1)) * np.expm1(-2 * z * x) / np.expm1(-2 * z), x_weight
             x_weight = z * np.hypot(1 / steep, x) * t
-        area = 2 * (y_weight * self.along * self.across)[..., None] * half * x_weight
+        area = 2 * (y_weight * self.rolling * self.transverse)[..., None] * half * x_weight
         speed = np.hypot(slide, turn * half * x)
         pressure = self.pressure[..., None] * half * np.sqrt((1 - x) * (1 + x))
         flat = (*speed.shape[:-2], -1)
@@ -135,8 +136,8 @@ class _Integrand:
             friction=stress * area,
         )
 
-    def _across_nodes(self, creep: Array) -> tuple[Array, Array]:
-        """y/b and weights of three panels that meet where v_x = 0, crowded at their ends; (*points, 3 nodes)."""
+    def _transverse_nodes(self, creep: Array) -> tuple[Array, Array]:
+        """y/b and weights of three panels that meet where v_x = 0, denser at their ends; (*points, 3 nodes)."""
         root = np.sqrt(np.maximum(self.spin**2 + 4 * self.roll * creep, 0.0))
         near = np.divide(2 * creep, self.spin + root, out=np.zeros_like(root), where=self.spin + root > 0)
         far = np.divide(-(self.spin + root), 2 * self.roll, out=np.full_like(root, -1.0), where=self.roll > 0)
@@ -165,22 +166,22 @@ def _slip(
         raise InputError(
             "the arguments of a slip have shapes that do not fit together: give equal lengths"
         ) from problem
-    load, along, across, radius, roll, spin = (array[..., None] for array in arrays)
+    load, rolling, transverse, radius, roll, spin = (array[..., None] for array in arrays)
     integrand = _Integrand(
         traction=traction,
-        pressure=1.5 * load / (np.pi * along * across),
-        along=along,
-        across=across,
-        roll=roll * across**2 / (2 * radius),
-        spin=np.abs(spin) * across,
+        pressure=1.5 * load / (np.pi * rolling * transverse),
+        rolling=rolling,
+        transverse=transverse,
+        roll=roll * transverse**2 / (2 * radius),
+        spin=np.abs(spin) * transverse,
         sideways=sideways,
         nodes=nodes,
     )
     creep = _forceless_creep(integrand)
     at = integrand.at(creep)
-    pull, along, across = at.pull, along[..., None], across[..., None]
+    pull, rolling, transverse = at.pull, rolling[..., None], transverse[..., None]
     return SlipMoments(
-        spin_moment=np.sign(arrays[5]) * _sum(pull * (at.slide * at.y * across + at.turn * at.x**2 * along)),
+        spin_moment=np.sign(arrays[5]) * _sum(pull * (at.slide * at.y * transverse + at.turn * at.x**2 * rolling)),
         rolling_moment=_sum(pull * at.slide * at.y**2) * arrays[2] ** 2 / (2 * arrays[3]),
         slip_power=_sum(at.friction * at.speed),
         unit_power=_sum(at.unit * at.speed),
@@ -189,7 +190,7 @@ def _slip(
 
 
 def _forceless_creep(integrand: _Integrand) -> Array:
-    """c of no net force, (*points, 1): between the c that turn all friction one way and all the other way."""
+    """c of no net force, (*points, 1). Its bracket: at one end all friction points forwards, at the other backwards."""
     roll, spin = integrand.roll, integrand.spin
     vertex = -np.divide(spin, 2 * roll, out=np.ones_like(spin), where=spin < 2 * roll)
     low, high = (roll * vertex + spin) * vertex, roll + spin
@@ -206,7 +207,7 @@ def _forceless_creep(integrand: _Integrand) -> Array:
         high=high,
         relative=float(NARROWEST),
         unit="of the slip speed",
-        problem="the balance of friction along rolling",
+        problem="the balance of friction in the direction of rolling",
         remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",
     )
 

@@ -1,34 +1,34 @@
-"""Friction of one ball on its two races: micro-slip from spin and conformity, and elastic hysteresis.
+"""Micro-slip of one ball on its two races by spin and conformity, in closed form for long contact ellipses.
 
-Micro-slip is Coulomb sliding at every point of a contact that is much longer across rolling than along it, so that
-only the major axis counts: y runs along it, from -b to b, and carries the line load (3 Q/4 b)(1 - y^2/b^2). The
-contact surface is curved with the radius R, and a ball that rolls with w_roll and spins with w_s slides by
+Micro-slip is Coulomb sliding at every point of a contact that is much longer transverse to rolling than in its
+direction. Then only the major axis counts: y follows it from -b to b, with the line load (3 Q/4 b)(1 - y^2/b^2). The
+contact surface has the radius R. A ball that rolls with w_roll and spins with w_s slides by
     v(y) = w_roll y^2/(2 R) + w_s y - c
-with the c that leaves no net friction force. It needs sliding that is large against what the surfaces give
-elastically (`sliding_number` well above 3). A contact of finite length spins harder: 2 % at b/a = 9, 57 % at a circle.
-Rates here are per unit ring speed difference w, so that every torque exists at standstill: it is slip power / w.
-Source: K. L. Johnson, Contact Mechanics (1985), sections 8.5 and 9.2 (not seen); the moments are derived here, and
-are those of the paper's equations 2 to 7 with the two moments in their right places and a continuous limit.
+with the c that leaves no net friction force. The model needs sliding that is large compared with the elastic creep of
+the surfaces (`sliding_number` well above 3). A contact of finite length resists spin more: 2 % at b/a = 9, 57 % at a
+circle. Rates are per unit ring speed difference w, so every torque exists at standstill: it is slip power over w.
+Source: [Johnson1985] sections 8.5 and 9.2. The moments are derived here. They are those of equations 2 to 7 of [Paper]
+with each moment in its right place and a continuous limit.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import RollingContact
+from analytic.contact.rolling_contact import Pair, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.root import bracketed_root
 from analytic.scene import Array, SpinRule
 
-FULL_SPIN = 0.5  # |eps| from which one pure-rolling line has left the contact and the other is its centre
-# Of the share of spin, or of the moments it balances: where Newton's quadratic steps can do no better.
+FULL_SPIN = 0.5  # from this |eps| on one pure-rolling line has left the contact and the other is its centre
+# Tolerance of the share of spin, and of the moments that it balances: the limit of Newton's quadratic steps.
 ROUND_OFF = 4 * np.finfo(np.float64).eps
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MicroslipTorque:
-    """Friction torque of one ball about the bearing axis, with the moments it comes from; arrays of one shape."""
+    """Friction torque of one ball about the bearing axis, with its moments and rates; arrays of one shape."""
 
     spin: Array  # N m
     conformity: Array  # N m
@@ -39,15 +39,34 @@ class MicroslipTorque:
     inner_rolling_moment: Array  # N m, >= 0
     outer_rolling_moment: Array  # N m, >= 0
 
+    @classmethod
+    def of(
+        cls,
+        contacts: Pair,
+        *,
+        spin_rates: tuple[Array, Array],
+        spin_moments: tuple[Array, Array],
+        rolling_moments: tuple[Array, Array],
+    ) -> "MicroslipTorque":
+        """The torque of one ball, slip power over w, from its spin rates w_s/w and its moments on both races."""
+        values = np.broadcast_arrays(
+            spin_moments[0] * spin_rates[0] + spin_moments[1] * spin_rates[1],
+            rolling_moments[0] * contacts[0].rolling_rate + rolling_moments[1] * contacts[1].rolling_rate,
+            *spin_rates,
+            *spin_moments,
+            *rolling_moments,
+        )
+        return cls(**dict(zip((field.name for field in fields(cls)), values, strict=True)))
+
 
 def pure_rolling_lines(spin_to_roll: ArrayLike) -> tuple[Array, Array]:
-    """(g1, g2) with g1 <= g2: where along the major axis nothing slides, in units of b; shapes of spin_to_roll.
+    """(g1, g2) with g1 <= g2: the points of the major axis without sliding, in units of b; shapes of spin_to_roll.
 
     spin_to_roll : eps = (w_s/w_roll)(R/b), any finite number
         g1 + g2 = -2 eps,  H(g2) - H(g1) = 2/3 with H(g) = g - g^3/3 (no net force)
-    With g = -eps -/+ d this is d^3 - 3(1 - eps^2) d + 1 = 0, whose root in the contact is, with p^2 = 1 - eps^2,
+    With g = -eps -/+ d this is d^3 - 3(1 - eps^2) d + 1 = 0. With p^2 = 1 - eps^2 its root in the contact is
         d = 2 p sin(arcsin(1/(2 p^3))/3)
-    From |eps| = 1/2 on d = |eps|: one line stays at the centre, the other has left the contact.
+    For |eps| >= 1/2 it is d = |eps|: one line stays at the centre, and the other has left the contact.
     """
     require_finite(spin_to_roll=spin_to_roll)
     ratio = np.asarray(spin_to_roll, dtype=np.float64)
@@ -68,8 +87,8 @@ def microslip_moments(
     spin_to_roll : eps = (w_s/w_roll)(R/b), any finite number; the spin moment is odd in it, the rolling moment even
         M_spin = (3/4) mu Q b [g1^2 (1 - g1^2/2) - g2^2 (1 - g2^2/2)]
         M_roll = mu Q b^2/(4 R) [2/5 + g1^3 (1 - 3 g1^2/5) - g2^3 (1 - 3 g2^2/5)]
-    with the pure-rolling lines g1, g2. No spin: 0 and 0.0806 mu Q b^2/R; |eps| >= 1/2: (3/8) mu Q b and 0. The power
-    that the contact loses is M_spin w_s + M_roll w_roll, and its derivative by w_s is M_spin.
+    with the pure-rolling lines g1, g2. Without spin they are 0 and 0.0806 mu Q b^2/R; for |eps| >= 1/2 they are
+    (3/8) mu Q b and 0. The contact loses the power M_spin w_s + M_roll w_roll, whose derivative by w_s is M_spin.
     """
     require_non_negative(friction_force=friction_force, semi_axis_transverse=semi_axis_transverse)
     require_positive(deformed_radius=deformed_radius)
@@ -81,8 +100,7 @@ def microslip_moments(
 
 
 def microslip_torque(
-    inner: RollingContact,
-    outer: RollingContact,
+    contacts: Pair,
     *,
     friction_force: tuple[ArrayLike, ArrayLike],
     spin_difference: ArrayLike,
@@ -90,50 +108,39 @@ def microslip_torque(
 ) -> MicroslipTorque:
     """Torque of one ball from its slip on both races, N m; all fields and arguments broadcast.
 
-    friction_force : mu Q on the inner and on the outer race, N, >= 0
-    spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) where the contact angles are equal
-    `balanced`: the ball, free about the contact normal, takes the spin that leaves no moment on it,
+    contacts : on the inner and the outer race;  friction_force : mu Q on both, N, >= 0
+    spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) if the contact angles are equal
+    spin_rule `balanced`: the ball is free about the contact normal and takes the spin that leaves no moment on it,
         M_spin,i(w_s,i) + M_spin,o(w_s,o) = 0
-    which is also the spin of least slip power. `inner_control`, `outer_control`: the named race does not spin.
-    The slip power of both contacts divided by w gives
+    This is also the spin of least slip power. `inner_control`, `outer_control`: the named race does not spin.
+    The slip power of both contacts over w is the sum of
         spin = M_spin,i w_s,i/w + M_spin,o w_s,o/w,  conformity = M_roll,i w_roll,i/w + M_roll,o w_roll,o/w
-    hence Z |M_spin| sin(al) (equation 10) and Z (M_ri R_o + M_ro R_i)/(2 r) (equation 11) for Z equal balls.
+    For Z equal balls these are Z |M_spin| sin(al) (equation 10) and Z (M_ri R_o + M_ro R_i)/(2 r) (equation 11).
     Raises InputError for a negative spin_difference or an unknown rule.
     """
     require_non_negative(spin_difference=spin_difference)
     difference = np.asarray(spin_difference, dtype=np.float64)
     match spin_rule:
         case "balanced":
-            shares = _balanced_shares((inner, outer), friction_force, difference)
+            shares = _balanced_shares(contacts, friction_force, difference)
         case "inner_control":
             shares = np.zeros_like(difference), np.ones_like(difference)
         case "outer_control":
             shares = np.ones_like(difference), np.zeros_like(difference)
         case _:
             raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
-    inner_rate, outer_rate = shares[0] * difference, -shares[1] * difference
-    inner_spin, inner_roll = contact_moments(inner, friction_force=friction_force[0], spin_rate=inner_rate)
-    outer_spin, outer_roll = contact_moments(outer, friction_force=friction_force[1], spin_rate=outer_rate)
-    fields = np.broadcast_arrays(
-        inner_spin * inner_rate + outer_spin * outer_rate,
-        inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
-        *(inner_rate, outer_rate, inner_spin, outer_spin, inner_roll, outer_roll),
+    rates = shares[0] * difference, -shares[1] * difference
+    (inner_spin, inner_roll), (outer_spin, outer_roll) = (
+        contact_moments(contact, friction_force=force, spin_rate=rate)
+        for contact, force, rate in zip(contacts, friction_force, rates, strict=True)
     )
-    spin, conformity, inner_rate, outer_rate, inner_spin, outer_spin, inner_roll, outer_roll = fields
-    return MicroslipTorque(
-        spin=spin,
-        conformity=conformity,
-        inner_spin_rate=inner_rate,
-        outer_spin_rate=outer_rate,
-        inner_spin_moment=inner_spin,
-        outer_spin_moment=outer_spin,
-        inner_rolling_moment=inner_roll,
-        outer_rolling_moment=outer_roll,
+    return MicroslipTorque.of(
+        contacts, spin_rates=rates, spin_moments=(inner_spin, outer_spin), rolling_moments=(inner_roll, outer_roll)
     )
 
 
 def contact_moments(contact: RollingContact, *, friction_force: ArrayLike, spin_rate: ArrayLike) -> tuple[Array, Array]:
-    """(spin moment, rolling moment), N m: microslip_moments of a contact that spins with w_s/w = spin_rate."""
+    """(spin moment, rolling moment), N m, of a contact that spins with w_s/w = spin_rate, by microslip_moments."""
     return microslip_moments(
         friction_force=friction_force,
         semi_axis_transverse=contact.semi_axis_transverse,
@@ -143,9 +150,9 @@ def contact_moments(contact: RollingContact, *, friction_force: ArrayLike, spin_
 
 
 def spin_to_roll_ratio(contact: RollingContact, *, spin_rate: ArrayLike) -> Array:
-    """eps = (w_s/w_roll)(R/b) of a contact that spins with w_s/w = spin_rate; its fields and spin_rate broadcast.
+    """eps = (w_s/w_roll)(R/b) of a contact that spins with w_s/w = spin_rate; fields and spin_rate broadcast.
 
-    Where the contact is a point it is the largest number if it spins and 0 if it does not.
+    For a contact that is a point or does not roll, eps is the largest number if it spins, and 0 if it does not.
     """
     numerator = np.asarray(spin_rate) * np.asarray(contact.deformed_radius)
     denominator = np.asarray(contact.rolling_rate) * np.asarray(contact.semi_axis_transverse)
@@ -154,10 +161,11 @@ def spin_to_roll_ratio(contact: RollingContact, *, spin_rate: ArrayLike) -> Arra
 
 
 def sliding_number(contact: RollingContact, *, friction_coefficient: ArrayLike, entrainment_speed: ArrayLike) -> Array:
-    """chi = [w_roll b^2/(2 R u)]/(mu a/R_x): sliding from conformity over elastic creep; all arguments broadcast.
+    """chi = [w_roll b^2/(2 R u)]/(mu a/R_x): sliding by conformity over elastic creep; fields and arguments broadcast.
 
     friction_coefficient : mu, >= 0;  entrainment_speed : u/w, m, > 0
-    Below about 3 part of the contact sticks, and the moments of micro-slip are too large. Infinite where mu or a is 0.
+    Below about 3 a part of the contact sticks, and the moments of micro-slip are too large. chi is infinite where mu or
+    a is 0.
     """
     require_non_negative(friction_coefficient=friction_coefficient)
     require_positive(entrainment_speed=entrainment_speed)
@@ -169,12 +177,12 @@ def sliding_number(contact: RollingContact, *, friction_coefficient: ArrayLike, 
 
 
 def _balanced_shares(
-    contacts: tuple[RollingContact, RollingContact], friction_force: tuple[ArrayLike, ArrayLike], difference: Array
+    contacts: Pair, friction_force: tuple[ArrayLike, ArrayLike], difference: Array
 ) -> tuple[Array, Array]:
-    """Shares of w_s,i - w_s,o that inner and outer take so that their moments are opposite; they add up to 1.
+    """Shares of w_s,i - w_s,o on inner and outer race that make their moments opposite; they add up to 1.
 
-    Newton kept in a bracket, for the contact that can carry the larger moment: its share is the one that can be next to
-    nothing, and so keeps its digits. Its moment less the other's grows with the share, from below 0 to above.
+    Newton's method in a bracket finds the share of the contact that can carry the larger moment. Only this share can be
+    close to 0, and so it keeps its digits. Its moment less the other one grows with the share, from below 0 to above.
     """
     limit_inner, limit_outer, ratio_inner, ratio_outer = np.broadcast_arrays(
         *(
@@ -211,26 +219,26 @@ def _balanced_shares(
 
 
 def _half_distance(ratio: Array) -> Array:
-    """d, half the distance of the pure-rolling lines in units of b, for eps >= 0; that of eps = 1/2 beyond it."""
+    """d, half the distance of the pure-rolling lines in units of b, for eps >= 0; beyond eps = 1/2 its value there."""
     root = np.sqrt(1 - np.minimum(ratio, FULL_SPIN) ** 2)
     return 2 * root * np.sin(np.arcsin(1 / (2 * root**3)) / 3)
 
 
 def _spin_moment(ratio: Array) -> Array:
-    """M_spin/(mu Q b) for eps >= 0: 3 eps d (1 - eps^2 - d^2), the bracket of the docstring in factors."""
+    """M_spin/(mu Q b) for eps >= 0: 3 eps d (1 - eps^2 - d^2), the factorised bracket of `microslip_moments`."""
     eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
     return 3 * eps * d * (1 - eps**2 - d**2)
 
 
 def _spin_stiffness(ratio: Array) -> Array:
-    """Its derivative by eps, which falls from 0.916 to 0 at eps = 1/2; at most round-off below 0."""
+    """Derivative of `_spin_moment` by eps. It falls from 0.916 to 0 at eps = 1/2; at most round-off is below 0."""
     eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
     bracket = 1 - eps**2 - d**2
     return np.where(ratio < FULL_SPIN, 3 * d * bracket - 12 * eps**2 * d**3 / bracket, 0.0)
 
 
 def _rolling_moment(ratio: Array) -> Array:
-    """M_roll R/(mu Q b^2) for eps >= 0, the bracket of the docstring in eps and d; 0 from 1/2 on."""
+    """M_roll R/(mu Q b^2) for eps >= 0: the bracket of `microslip_moments` in eps and d; 0 from eps = 1/2 on."""
     eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
     cubes, fifths = 3 * eps**2 + d**2, 5 * eps**4 + 10 * eps**2 * d**2 + d**4
     return np.where(ratio < FULL_SPIN, np.maximum(0.1 - d * cubes / 2 + 0.3 * d * fifths, 0.0), 0.0)
