@@ -13,8 +13,9 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.cage.torque import cage_friction
+from analytic.cage.torque import cage_drive, cage_friction
 from analytic.contact.factors import ContactCorrection
+from analytic.effects.cage import decide_cage
 from analytic.effects.ledger import DECLARED, EFFECTS, Choices, Effect, share_in
 from analytic.effects.limits import watch
 from analytic.effects.loads import RACES, loaded_balls, points
@@ -93,7 +94,11 @@ def friction_torque(
         )
         parts |= {name: getattr(slid, name) for name in BY_SLIP if choices.on(name)}
     race = _sum(parts, speed)
-    cage = cage_friction(scene, balls, operation, choices, race=race)
+    drive = None if scene.cage is None else cage_drive(scene.bearing, scene.cage, balls, speed)
+    decide_cage(scene, drive, choices, race=race)
+    cage = None
+    if drive is not None and choices.on("cage"):
+        cage = cage_friction(scene, drive, moves=choices.on("cage_dynamics"))
     computed = race if cage is None else race + cage.torque
     declared = _declared(scene, choices, computed)
     total = computed if declared is None else computed + declared

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.cage.statistics import CageStatistics, measured_motion
-from analytic.cage.torque import CagePart, cage_friction, driven_cage
+from analytic.cage.torque import CagePart, cage_drive, cage_friction, driven_cage
 from analytic.effects.ledger import Choices
 from analytic.effects.loads import loaded_balls, points
 from analytic.errors import InputError
@@ -39,9 +39,7 @@ def cage_question(scene: Scene) -> Question:
     balls, _ = loaded_balls(resting, operation, Choices(resting, 1), correction=None)
 
     def closed_form() -> CagePart:
-        part = cage_friction(resting, balls, operation, Choices(resting, 1), race=np.zeros(1))
-        assert part is not None  # there is a cage, and it is on
-        return part
+        return cage_friction(resting, cage_drive(bearing, cage, balls, operation.inner_speed), moves=False)
 
     driven = driven_cage(
         bearing,

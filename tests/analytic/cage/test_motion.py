@@ -12,11 +12,11 @@ from analytic.cage.motion import CageMotion, MotionError
 from analytic.cage.pocket import impact
 from analytic.cage.steady import rest_torque, whirl_force, whirl_speed, whirl_torque
 from analytic.errors import InputError
-from tests.analytic.cage.specimens import CAGE, NOWHERE, RATE, TABLE_1, W
+from tests.analytic.cage.specimens import CAGE, RATE, TABLE_1, WEIGHTLESS, W
 
 
 def test_balls_and_cage_at_one_speed_never_touch_without_gravity() -> None:
-    motion = CageMotion(replace(CAGE, gravity=NOWHERE), begin="rest")
+    motion = CageMotion(replace(CAGE, gravity=WEIGHTLESS), begin="rest")
     passed = motion.advance(0.05)
     assert passed.max_force == 0
     assert passed.slip_power == 0
@@ -44,7 +44,7 @@ def test_rest_begins_where_friction_and_weight_balance(sign: int) -> None:
     x, y, _ = motion.centre
     np.testing.assert_allclose(x / -y, sign * 0.1, rtol=1e-9)
     motion.advance(0.005)
-    assert motion.advance(0.02).unrest < 0.01 * cage.room
+    assert motion.advance(0.02).place_deviation < 0.01 * cage.half_clearance
 
 
 @pytest.mark.parametrize("locked", [True, False])
@@ -54,8 +54,12 @@ def test_a_cage_that_whirls_rolls_in_its_pockets(locked: bool) -> None:
     motion.advance(0.05)
     passed = motion.advance(0.05)
     leaning = 0.18 if locked else 0.0
-    whirl = whirl_speed(ball_speed=cage.ball_speed, ball_radius=3.97e-3, contact_angle=leaning, room=cage.room)
-    force = whirl_force(cage_mass=cage.mass, whirl=whirl, orbit_speed=cage.orbit_speed, room=cage.room)
+    whirl = whirl_speed(
+        ball_speed=cage.ball_speed, ball_radius=3.97e-3, contact_angle=leaning, half_clearance=cage.half_clearance
+    )
+    force = whirl_force(
+        cage_mass=cage.mass, whirl=whirl, orbit_speed=cage.orbit_speed, half_clearance=cage.half_clearance
+    )
     np.testing.assert_allclose(passed.circling, whirl + cage.orbit_speed, rtol=0.02)
     np.testing.assert_allclose(passed.force, force, rtol=0.02)
     torque = whirl_torque(
@@ -69,12 +73,12 @@ def test_a_cage_that_whirls_rolls_in_its_pockets(locked: bool) -> None:
 
 def test_impact_force_is_the_closed_form() -> None:
     """A cage thrown straight at its balls hits all of them at once; frictionless, at two speeds."""
-    cage = replace(CAGE, friction_coefficient=0.0, restitution=1.0, gravity=NOWHERE, orbit_speed=0.0)
+    cage = replace(CAGE, friction_coefficient=0.0, restitution=1.0, gravity=WEIGHTLESS, orbit_speed=0.0)
     forces = []
     for speed in (0.11, 0.43):
         motion = CageMotion(cage, begin="sudden")
         motion.launch(velocity=np.array([0.6 * speed, 0.8 * speed, 0.0]), angular_velocity=np.zeros(3))
-        largest = motion.advance(1.9 * cage.room / speed).max_force
+        largest = motion.advance(1.9 * cage.half_clearance / speed).max_force
         exact = impact(mass=cage.mass / 9, speed=speed, stiffness=cage.stiffness)
         np.testing.assert_allclose(largest, exact.force, rtol=3e-3)  # the largest of 40 points
         forces.append(largest)
@@ -84,11 +88,11 @@ def test_impact_force_is_the_closed_form() -> None:
 @pytest.mark.parametrize("restitution", [0.3, 0.8])
 def test_a_bounce_keeps_the_restitution(restitution: float) -> None:
     cage = replace(
-        CAGE, friction_coefficient=0.0, restitution=restitution, gravity=NOWHERE, orbit_speed=0.0, ball_speed=100.0
+        CAGE, friction_coefficient=0.0, restitution=restitution, gravity=WEIGHTLESS, orbit_speed=0.0, ball_speed=100.0
     )
     motion = CageMotion(cage, begin="sudden")
     motion.launch(velocity=np.array([0.0, 0.0, 0.37]), angular_velocity=np.zeros(3))
-    motion.advance(1.9 * cage.room / 0.37)
+    motion.advance(1.9 * cage.half_clearance / 0.37)
     np.testing.assert_allclose(motion.velocity[2], -0.37 * restitution, rtol=5e-3)  # the step's error
 
 
@@ -129,7 +133,9 @@ def test_running_backwards_is_the_mirror_image() -> None:
         found.append((motion.advance(2e-3), motion.centre * [1, sign, 1]))
     (ahead, there), (back, mirrored) = found
     assert ahead.max_force > 1
-    np.testing.assert_allclose(mirrored, there, atol=1e-6 * cage.room)  # round-off grows from impact to impact
+    np.testing.assert_allclose(
+        mirrored, there, atol=1e-6 * cage.half_clearance
+    )  # round-off grows from impact to impact
     np.testing.assert_allclose([back.slip_power, -back.moment], [ahead.slip_power, ahead.moment], rtol=1e-6)
 
 
@@ -154,7 +160,7 @@ def test_a_contact_that_opens_fast_does_not_pull() -> None:
 def test_one_ball_and_a_still_bearing() -> None:
     passed = CageMotion(replace(CAGE, ball_count=1), begin="sudden", seed=3).advance(0.01)
     assert np.isfinite(passed.slip_power)
-    still = replace(CAGE, ball_speed=0.0, orbit_speed=0.0, ring_speed=0.0, gravity=NOWHERE)
+    still = replace(CAGE, ball_speed=0.0, orbit_speed=0.0, ring_speed=0.0, gravity=WEIGHTLESS)
     assert CageMotion(still, begin="whirl").advance(0.01).max_force == 0
 
 
@@ -213,7 +219,7 @@ def test_no_compiler_is_loaded_before_the_first_motion() -> None:
 
 def test_drag_takes_what_a_free_cage_loses() -> None:
     """In free flight, long enough to lose a tenth and too short to reach a ball."""
-    cage = replace(CAGE, drag=0.1, gravity=NOWHERE, axial_inertia=3e-6, friction_coefficient=0.0)
+    cage = replace(CAGE, drag=0.1, gravity=WEIGHTLESS, axial_inertia=3e-6, friction_coefficient=0.0)
     motion = CageMotion(cage, begin="sudden")
     motion.launch(velocity=np.array([0.11, -0.07, 0.05]), angular_velocity=np.array([0.0, 0.0, 1.7]))
     before, velocity = motion.kinetic_energy, motion.velocity

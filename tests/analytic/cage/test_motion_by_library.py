@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from analytic.cage.motion import CageMotion
 from analytic.cage.pocket import friction_force, normal_force, penetration
 from analytic.cage.steady import DrivenCage, LandGuidance
-from tests.analytic.cage.specimens import CAGE, NOWHERE, RATE, TABLE_1, W
+from tests.analytic.cage.specimens import CAGE, RATE, TABLE_1, WEIGHTLESS, W
 
 
 def ball_forces(cage: DrivenCage, time: float, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -32,7 +32,7 @@ def ball_forces(cage: DrivenCage, time: float, y: np.ndarray) -> tuple[np.ndarra
     first = np.broadcast_to(up, home.shape) if cage.pocket_axis == "axial" else home
     frames = turn @ np.stack([first, along, np.cross(first, along)], axis=2)  # columns: the pocket's axes
     offset = np.einsum("ijk,ij->ik", frames, centre - y[:3] - cage.pitch_radius * home @ turn.T)
-    depths, normals = penetration(offset, room=cage.room, centre_offset=cage.centre_offset)
+    depths, normals = penetration(offset, half_clearance=cage.half_clearance, centre_offset=cage.centre_offset)
     normals = np.einsum("ijk,isk->isj", frames, normals)
     arms = centre[:, None] + cage.ball_radius * normals - y[:3]
     surface = np.cross(rate[:, None] * up, centre)[:, None] + cage.ball_radius * np.cross(spin, normals)
@@ -104,7 +104,7 @@ def test_motion_is_that_of_a_library_solver(change: dict[str, Any]) -> None:
     assert errors[1] < 0.4 * errors[0]  # second order, or a little less where friction turns
 
 
-@pytest.mark.parametrize("pocket", [TABLE_1, {"room": 0.1e-3, "centre_offset": 0.4e-6}])
+@pytest.mark.parametrize("pocket", [TABLE_1, {"half_clearance": 0.1e-3, "centre_offset": 0.4e-6}])
 def test_forces_now_are_those_of_the_formulas(pocket: dict[str, Any]) -> None:
     """Both shells of some balls at once, in a turned cage; and of one where the far side of both is within reach."""
     cage = replace(CAGE, restitution=1.0, **pocket)
@@ -124,7 +124,7 @@ def test_forces_now_are_those_of_the_formulas(pocket: dict[str, Any]) -> None:
 def test_energy_of_a_cage_without_losses_stays_over_fifty_bounces() -> None:
     """Balls that stand still; the drift is told where the cage flies freely."""
     cage = replace(
-        CAGE, friction_coefficient=0.0, restitution=1.0, gravity=NOWHERE, orbit_speed=0.0, ball_speed=0.4 / 3.97e-3
+        CAGE, friction_coefficient=0.0, restitution=1.0, gravity=WEIGHTLESS, orbit_speed=0.0, ball_speed=0.4 / 3.97e-3
     )
     motion = thrown(cage)
     energy, bounces, touching, drift = motion.kinetic_energy, 0, False, []
@@ -139,8 +139,8 @@ def test_energy_of_a_cage_without_losses_stays_over_fifty_bounces() -> None:
 
 def test_energy_is_accounted_for() -> None:
     """What balls and gravity give is what the cage has, and what friction, impacts, drag and land took."""
-    land = LandGuidance(radius=17e-3, room=0.08e-3, outside=False, speed=0.0, half_width=5e-3)
-    cage = replace(CAGE, drag=3e-6, land=land, gravity=NOWHERE, ball_lead=0.03e-3)
+    land = LandGuidance(radius=17e-3, half_clearance=0.08e-3, outside=False, speed=0.0, half_width=5e-3)
+    cage = replace(CAGE, drag=3e-6, land=land, gravity=WEIGHTLESS, ball_lead=0.03e-3)
     motion = thrown(cage)
     before = motion.kinetic_energy
     passed = motion.advance(0.02)

@@ -7,22 +7,22 @@ from scipy.integrate import solve_ivp
 
 from analytic.cage.pocket import (
     friction_force,
-    half_clearance,
     impact,
     impact_damping,
     normal_force,
     penetration,
+    pocket_shape,
     pocket_stiffness,
 )
 from analytic.contact.hertz import hertz_contact
 from analytic.errors import InputError
 
 BALL, POCKET, DEPTH = 7.94e-3, 13.9e-3, 6.81e-3  # m: Table 1 of the paper
-ROOM, OFF = half_clearance(ball_diameter=BALL, pocket_diameter=POCKET, pocket_depth=DEPTH)
+NABLA, OFF = pocket_shape(ball_diameter=BALL, pocket_diameter=POCKET, pocket_depth=DEPTH)
 
 
-def test_room_and_centres() -> None:
-    np.testing.assert_allclose([ROOM, OFF], [2.98e-3, 0.14e-3], rtol=1e-12)  # by hand
+def test_half_clearance_and_centres_of_the_shells() -> None:
+    np.testing.assert_allclose([NABLA, OFF], [2.98e-3, 0.14e-3], rtol=1e-12)  # by hand
 
 
 def test_stiffness_is_hertz_of_a_sphere_in_a_seat() -> None:
@@ -35,7 +35,7 @@ def test_stiffness_is_hertz_of_a_sphere_in_a_seat() -> None:
 @pytest.mark.parametrize("offset", [(1.7e-3, 2.1e-3, -1.9e-3), (-0.09e-3, 2.4e-3, 1.8e-3), (0.05e-3, 0.3e-3, 0.2e-3)])
 def test_penetration_is_how_far_the_shell_reaches_into_the_ball(offset: tuple[float, float, float]) -> None:
     """Each shell as a cloud of points of its half sphere, at least one of which is nearest to the ball's centre."""
-    found, normal = penetration(offset, room=ROOM, centre_offset=OFF)
+    found, normal = penetration(offset, half_clearance=NABLA, centre_offset=OFF)
     polar, around = np.meshgrid(np.linspace(0, np.pi / 2, 601), np.linspace(0, 2 * np.pi, 1201))
     for index, side in enumerate((1, -1)):
         cap = [side * np.cos(polar), np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around)]
@@ -50,19 +50,19 @@ def test_penetration_is_how_far_the_shell_reaches_into_the_ball(offset: tuple[fl
 
 def test_the_farther_shell_is_equation_13() -> None:
     x, y, z = -0.31e-3, 2.2e-3, 2.4e-3
-    deeper = penetration((x, y, z), room=ROOM, centre_offset=OFF)[0].max()
+    deeper = penetration((x, y, z), half_clearance=NABLA, centre_offset=OFF)[0].max()
     printed = np.sqrt((abs(x) + abs(POCKET / 2 - DEPTH)) ** 2 + y**2 + z**2) - (POCKET / 2 - BALL / 2)
     np.testing.assert_allclose(deeper, printed, rtol=1e-12)
 
 
 def test_both_shells_touch_up_to_the_offset_of_their_centres() -> None:
-    across = np.array([0.0, 2.1e-3, -2.5e-3])  # m: sqrt(2.1^2 + 2.5^2) = 3.26 mm is beyond the room
+    across = np.array([0.0, 2.1e-3, -2.5e-3])  # m: sqrt(2.1^2 + 2.5^2) = 3.26 mm is beyond the half clearance
     touching = [
-        np.count_nonzero(penetration(across + np.array([x, 0, 0]), room=ROOM, centre_offset=OFF)[0])
+        np.count_nonzero(penetration(across + np.array([x, 0, 0]), half_clearance=NABLA, centre_offset=OFF)[0])
         for x in (0.0, 0.139e-3, 0.141e-3, -0.139e-3, -0.141e-3)
     ]
     assert touching == [2, 2, 1, 2, 1]
-    depths, normal = penetration(across, room=ROOM, centre_offset=OFF)
+    depths, normal = penetration(across, half_clearance=NABLA, centre_offset=OFF)
     assert depths[0] == depths[1]
     np.testing.assert_array_equal(normal[0] * [-1, 1, 1], normal[1])
 
@@ -70,11 +70,11 @@ def test_both_shells_touch_up_to_the_offset_of_their_centres() -> None:
 def test_a_whole_sphere_has_one_contact_and_no_jump_in_its_middle() -> None:
     across = np.array([0.0, 0.07e-3, -0.09e-3])
     for x in (0.0, 1e-12, -1e-12):
-        depths, _ = penetration(across + np.array([x, 0, 0]), room=0.1e-3, centre_offset=0.0)
+        depths, _ = penetration(across + np.array([x, 0, 0]), half_clearance=0.1e-3, centre_offset=0.0)
         assert np.count_nonzero(depths) == 1
         assert depths.argmax() == (1 if x < 0 else 0)
         np.testing.assert_allclose(depths.max(), np.hypot(0.07e-3, 0.09e-3) - 0.1e-3, rtol=1e-9)
-    assert not penetration(np.zeros(3), room=0.1e-3, centre_offset=0.0)[0].any()
+    assert not penetration(np.zeros(3), half_clearance=0.1e-3, centre_offset=0.0)[0].any()
 
 
 def bounce(mass: float, speed: float, stiffness: float, damping: float) -> tuple[float, float, float, float]:
@@ -149,15 +149,15 @@ def test_friction_follows_the_sliding_and_fades_at_rest() -> None:
     ("call", "words"),
     [
         (
-            lambda: half_clearance(ball_diameter=8e-3, pocket_diameter=7.9e-3, pocket_depth=3.9e-3),
+            lambda: pocket_shape(ball_diameter=8e-3, pocket_diameter=7.9e-3, pocket_depth=3.9e-3),
             "must exceed ball_diameter 0.008 m",
         ),
         (
-            lambda: half_clearance(ball_diameter=7.9e-3, pocket_diameter=8.1e-3, pocket_depth=4.1e-3),
+            lambda: pocket_shape(ball_diameter=7.9e-3, pocket_diameter=8.1e-3, pocket_depth=4.1e-3),
             "at most half of pocket_diameter 0.0081 m",
         ),
-        (lambda: half_clearance(ball_diameter=7.9e-3, pocket_diameter=8.3e-3, pocket_depth=3.9e-3), "clamped"),
-        (lambda: pocket_stiffness(ball_diameter=8e-3, pocket_diameter=8e-3, modulus=1e11), "no room"),
+        (lambda: pocket_shape(ball_diameter=7.9e-3, pocket_diameter=8.3e-3, pocket_depth=3.9e-3), "clamped"),
+        (lambda: pocket_stiffness(ball_diameter=8e-3, pocket_diameter=8e-3, modulus=1e11), "no clearance"),
         (lambda: impact_damping(0.01), "restitution must be 0.05 to 1, got 0.01"),
         (lambda: impact_damping(float("nan")), "restitution"),
         (lambda: impact(mass=2.0, speed=-3.0, stiffness=4.0), "speed must be positive"),

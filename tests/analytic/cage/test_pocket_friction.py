@@ -7,8 +7,8 @@ import pytest
 
 from analytic.cage.pocket_friction import friction_in_pocket
 from analytic.oil.film import central_film
-from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene
-from tests.analytic.specimens import FINISH, OIL
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from tests.analytic.specimens import FINISH, OIL, STAMPED_CAGE
 
 BALL, POCKET = 3.97e-3, 6.95e-3  # m, radii: the paper's pocket
 RADIUS = 1 / (1 / BALL - 1 / POCKET)
@@ -24,13 +24,7 @@ def scene(bearing_6205: Bearing) -> Scene:
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="given", value=0.18),
         operation=Operation(axial_load=np.array([900.0]), inner_speed=np.array([31.0])),
-        cage=Cage(
-            pocket_diameter=2 * POCKET,
-            pocket_depth=POCKET,
-            wall_thickness=0.9e-3,
-            mass=6.58e-3,
-            material=bearing_6205.ball_material,
-        ),
+        cage=replace(STAMPED_CAGE, pocket_diameter=2 * POCKET, pocket_depth=POCKET),
         lubricant=THIN,
         surface=replace(FINISH, rms_roughness=0.0),
     )

@@ -38,9 +38,9 @@ def test_without_friction_a_ball_pushes_where_it_is_pressed() -> None:
     force, distance = np.linalg.norm(found.force, axis=2), np.linalg.norm(found.offset, axis=2)
     pressed = force > 0
     assert 20 < pressed.sum() < pressed.size / 2
-    assert distance[pressed].min() > SEVEN.room
+    assert distance[pressed].min() > SEVEN.half_clearance
     # The force of an instant is that after the damping has looked at the speed: one that pulls is cut to 0.
-    assert np.mean(distance[~pressed] <= SEVEN.room) > 0.99
+    assert np.mean(distance[~pressed] <= SEVEN.half_clearance) > 0.99
     along = np.sum(found.force * found.offset, axis=2)[pressed]
     np.testing.assert_allclose(along, (force * distance)[pressed], rtol=1e-9)  # round-off of turns gone by
 

@@ -33,7 +33,7 @@ def test_rest_and_whirl_are_both_there_and_the_start_decides() -> None:
 
 def test_a_cage_that_cannot_whirl_has_one_steady_motion() -> None:
     """A whirl number of 0.5: thrown round, it falls back on its balls."""
-    slow = np.sqrt(0.5 * 9.80665 * CAGE.room) / 3.97e-3
+    slow = np.sqrt(0.5 * 9.80665 * CAGE.half_clearance) / 3.97e-3
     cage = replace(CAGE, ball_speed=slow, orbit_speed=slow / RATE * 0.4, ring_speed=slow / RATE)
     found = measured_motion(cage, start="sudden", seeds=2, duration=0.3)
     assert (found.state, found.other) == ("rest", None)
@@ -54,15 +54,17 @@ def test_a_resting_cage_slides_alike_at_any_speed(rpm: float) -> None:
 
 def test_what_swings_slower_than_a_block_does_not_rest() -> None:
     """Table 1's pocket: a swing takes 0.11 s, a block 5 ms, and the cage lets itself fall."""
-    found = measured_motion(replace(CAGE, room=2.98e-3, centre_offset=0.14e-3), start="sudden", seeds=2, duration=0.05)
+    found = measured_motion(
+        replace(CAGE, half_clearance=2.98e-3, centre_offset=0.14e-3), start="sudden", seeds=2, duration=0.05
+    )
     assert found.state == "irregular"
     assert found.largest_force > 10
 
 
 def test_a_cage_that_tumbles_about_its_land_does_not_rest() -> None:
-    """However small the land's room is beside that of the pockets."""
-    land = LandGuidance(radius=17e-3, room=0.05e-3, outside=False, speed=W, half_width=5e-3)
-    found = measured_motion(replace(CAGE, land=land, room=0.5e-3), start="whirl", seeds=2, duration=0.02)
+    """However small the clearance of the land is next to that of the pockets."""
+    land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=False, speed=W, half_width=5e-3)
+    found = measured_motion(replace(CAGE, land=land, half_clearance=0.5e-3), start="whirl", seeds=2, duration=0.02)
     assert found.state != "rest"  # of a tumbling motion the seeds may part
 
 
@@ -81,7 +83,7 @@ def test_balls_that_lead_and_lag_shake_a_whirling_cage() -> None:
 
 def test_what_is_told_is_that_of_the_motions() -> None:
     """Against the blocks themselves, run again: two seeds of an irregular motion at a land that takes a part."""
-    land = LandGuidance(radius=17e-3, room=0.06e-3, outside=False, speed=W, half_width=5e-3)
+    land = LandGuidance(radius=17e-3, half_clearance=0.06e-3, outside=False, speed=W, half_width=5e-3)
     cage = replace(CAGE, ball_lead=0.06e-3, land=land, drag=4e-6)
     found = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
     blocks = []
@@ -107,7 +109,7 @@ def test_what_is_told_is_that_of_the_motions() -> None:
 def test_whether_it_could_whirl_is_by_half_the_clearance() -> None:
     """A whirl number of 1.3 asks for another start, one of 0.8 does not."""
     for number in (1.3, 0.8):
-        surface = np.sqrt(number * 9.80665 * CAGE.room) / 3.97e-3
+        surface = np.sqrt(number * 9.80665 * CAGE.half_clearance) / 3.97e-3
         cage = replace(CAGE, ball_speed=surface, orbit_speed=surface / RATE * 0.4, ring_speed=surface / RATE)
         assert (measured_motion(cage, start="rest", seeds=2, duration=8e-3).other is None) == (number < 1)
 

@@ -5,12 +5,10 @@ import pytest
 from scipy.integrate import quad
 
 from analytic.effects.bounds import (
-    cage_rest_torque,
     centrifugal_ratio,
     gyroscopic_pull,
     gyroscopic_slip_ratio,
     load_distribution_ratio,
-    whirl_number,
 )
 from analytic.errors import InputError
 from analytic.loads.kinematics import BallKinematics, ball_kinematics
@@ -72,33 +70,9 @@ def test_the_gyroscopic_moment_is_the_change_of_angular_momentum() -> None:
     )  # round-off of the difference
 
 
-def test_a_whirling_cage_against_its_weight() -> None:
-    """The cage's centre goes round with the radius nabla at w_b r/nabla: its centrifugal force over its weight."""
-    ball_speed, nabla, mass, gravity = 123.0, 0.17e-3 / 2, 6.58e-3, 9.5
-    turns = ball_speed * 3.97e-3 / nabla
-    found = whirl_number(ball_speed=ball_speed, ball_radius=3.97e-3, clearance=2 * nabla, gravity=gravity)
-    np.testing.assert_allclose(found, mass * turns**2 * nabla / (mass * gravity), rtol=1e-13)  # round-off
-    on_earth = whirl_number(ball_speed=ball_speed, ball_radius=3.97e-3, clearance=2 * nabla)
-    np.testing.assert_allclose(on_earth * 9.80665, found * gravity, rtol=1e-13)
-
-
-def test_a_resting_cage_computed_elsewhere(bearing_6205: Bearing) -> None:
-    found = cage_rest_torque(
-        friction_coefficient=0.1, cage_mass=6.58e-3, ball_rate=motion(bearing_6205, 30 / np.pi).ball_speed,
-        ball_radius=3.97e-3,
-    )  # fmt: skip
-    np.testing.assert_allclose(found * 1e3, 0.0604, atol=0.5e-4)  # N mm, the last digit given
-    heavy = cage_rest_torque(
-        friction_coefficient=0.1, cage_mass=6.58e-3, ball_rate=2.36, ball_radius=3.97e-3, gravity=[0.0, 19.6]
-    )
-    np.testing.assert_allclose(heavy, [0.0, 0.1 * 6.58e-3 * 19.6 * 2.36 * 3.97e-3], rtol=1e-13)
-
-
 def test_nothing_opposed_is_infinite_and_nothing_at_all_is_nothing() -> None:
     speeds = {"pitch_diameter": 39e-3, "cage_speed": [0.0, 21.0]}
     np.testing.assert_array_equal(centrifugal_ratio(ball_mass=2e-3, load=0.0, **speeds), [0.0, np.inf])
-    np.testing.assert_array_equal(whirl_number(ball_speed=[0.0, 7.0], ball_radius=4e-3, clearance=2e-4, gravity=0.0),
-                                  [0.0, np.inf])  # fmt: skip
     found = gyroscopic_slip_ratio(ball_speed=3.0, cage_speed=2.0, contact_angle=[0.0, 0.2], **BALL, friction_force=0.0)
     np.testing.assert_array_equal(found, [0.0, np.inf])
 
@@ -116,10 +90,6 @@ def test_nonsense_is_refused() -> None:
         centrifugal_ratio(ball_mass=2e-3, pitch_diameter=39e-3, cage_speed=3.0, load=-1.0)
     with pytest.raises(InputError, match="is it in degrees"):
         gyroscopic_slip_ratio(ball_speed=3.0, cage_speed=2.0, contact_angle=15.0, **BALL, **HELD)
-    with pytest.raises(InputError, match="clearance must be positive"):
-        whirl_number(ball_speed=3.0, ball_radius=4e-3, clearance=0.0)
-    with pytest.raises(InputError, match="cage_mass must be at least 0"):
-        cage_rest_torque(friction_coefficient=0.1, cage_mass=np.nan, ball_rate=2.0, ball_radius=4e-3)
 
 
 def test_the_gyroscopic_pull_is_what_the_ring_feels(bearing_6205: Bearing) -> None:
