@@ -1,4 +1,4 @@
-"""Scene files: every mistake is one line naming the key, the value and a remedy, whatever the text."""
+"""Mistakes in scene files: every message is one line with the key, the value and a remedy, for any text."""
 
 from pathlib import Path
 
@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 
 from analytic.errors import InputError
-from analytic.scene import Scene
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.scenefile.text import LARGEST_FILE
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
@@ -16,7 +15,7 @@ from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, chan
 BEARING = 'catalog = "6205"'
 MAP = '{ path = "a.npy", spacing = "1 um" }'
 CAGE = PLAIN + "[cage]\n"
-MISTAKES = [  # text, and what the one line must name: key, value, what would be accepted
+MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed('"700 N"', "700"), ("operation.axial_load = 700", "no unit", '"1000 N"')),
     (changed('"700 N"', '"700"'), ("operation.axial_load = '700'", "unit is missing", '"1000 N"')),
     (changed('"700 N"', '"700 mm"'), ("operation.axial_load = '700 mm'", "unit like N")),
@@ -171,13 +170,13 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
 def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> None:
     message = refusal(text)
     assert message.startswith("case.toml: ")
-    assert message.isprintable(), "one line, nothing that a terminal would act on"
+    assert message.isprintable(), "one line without control characters"
     assert len(message) < 1500
     missing = [word for word in words if word not in message]
     assert not missing, message
 
 
-def test_several_mistakes_come_together() -> None:
+def test_several_mistakes_are_reported_together() -> None:
     message = refusal(changed('"2 %"', "7", changed('"700 N"', "700")))
     assert "tolerance = 7" in message
     assert "operation.axial_load = 700" in message
@@ -203,7 +202,7 @@ def test_a_file_that_cannot_be_read_is_refused(tmp_path: Path, content: bytes | 
 
 
 @pytest.mark.parametrize("path", ["", ".", "no\0path", "two\nlines", "long" * 3000])
-def test_what_is_no_file_is_refused(path: str) -> None:
+def test_a_path_that_is_no_file_is_refused(path: str) -> None:
     with pytest.raises(InputError) as problem:
         load_scene(path)
     assert str(problem.value).isprintable()
@@ -219,7 +218,7 @@ def test_an_unknown_builtin_scene_is_refused() -> None:
         builtin_scene("6305")
 
 
-# Fuzz: the pieces of a scene file, garbled, give a Scene or a refusal in one line, never another exception.
+# Fuzzing: garbled scene files give a Scene or a message of one line, never another exception.
 PIECES = sorted({*PLAIN.split(), *INLINE.split(), *PLAIN.splitlines(), *INLINE.splitlines()})
 JUNK = st.one_of(
     st.sampled_from(PIECES),
@@ -245,16 +244,10 @@ def test_any_text_is_read_or_refused(text: str) -> None:
 
 
 def read_or_refused(text: str) -> None:
-    found = read(text)
-    if isinstance(found, Scene):
-        assert np.all(found.operation.axial_load > 0)
-        assert found.bearing.groove_centre_distance > 0
-    else:
-        assert found.isprintable()
-
-
-def read(text: str) -> Scene | str:
     try:
-        return scene(text)
+        given = scene(text)
     except InputError as problem:
-        return str(problem)
+        assert str(problem).isprintable()
+    else:
+        assert np.all(given.operation.axial_load > 0)
+        assert given.bearing.groove_centre_distance > 0

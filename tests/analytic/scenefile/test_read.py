@@ -1,4 +1,4 @@
-"""Scene files: what is read."""
+"""Reading of scene files: units, defaults, the catalog and optional tables."""
 
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, chan
 
 def test_the_builtin_scene_is_table_1_of_the_paper(bearing_6205) -> None:
     found = load_scene(builtin_scene("6205"))
-    table = bearing_6205  # typed in a second time beside these tests
+    table = bearing_6205  # typed in a second time
     for name in ("ball_count", "ball_diameter", "ball_mass"):
         assert getattr(found.bearing, name) == getattr(table, name), name
     for ring in ("inner", "outer"):
@@ -46,7 +46,7 @@ def test_units_become_si() -> None:
     assert found.friction_coefficient is None
 
 
-def test_one_quantity_serves_the_whole_series() -> None:
+def test_one_quantity_applies_to_the_whole_series() -> None:
     operation = scene(PLAIN).operation
     np.testing.assert_array_equal(operation.axial_load, [700.0, 700.0])
     np.testing.assert_allclose(operation.inner_speed, [10.471975511965978, np.pi / 6], rtol=1e-15)
@@ -68,7 +68,7 @@ def test_seats_and_width_may_be_left_out() -> None:
     assert (wide.bore_diameter, wide.width) == (None, 9e-3)
 
 
-def test_radial_load_and_moment_of_a_ring() -> None:
+def test_radial_load_and_moment_are_read() -> None:
     found = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
     np.testing.assert_array_equal(found.operation.radial_load, [-400.0, 0.0])
     np.testing.assert_allclose(found.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
@@ -90,7 +90,7 @@ def test_no_cage_table_is_no_cage() -> None:
     wide = scene(PLAIN + '[cage]\npocket_clearance = "0.3 mm"').cage
     assert wide is not None
     np.testing.assert_allclose((wide.pocket_diameter, wide.pocket_depth), (8.24e-3, 4.12e-3), rtol=1e-15)
-    direct = scene(PLAIN + '[cage]\npocket_diameter = "8.3 mm"').cage  # in place of the catalog's clearance
+    direct = scene(PLAIN + '[cage]\npocket_diameter = "8.3 mm"').cage  # replaces the clearance of the catalog
     assert direct is not None
     assert direct.pocket_diameter == 8.3e-3
 
@@ -105,7 +105,7 @@ def test_the_printed_pocket_needs_its_name_and_warns() -> None:
     assert "overlap" in refusal(PLAIN + '[cage]\npocket_diameter = "13.9 mm"\npocket_depth = "6.81 mm"')
 
 
-def test_a_moulded_cage_is_a_variant_that_keeps_the_pocket() -> None:
+def test_a_moulded_cage_is_a_variant_with_its_own_pocket() -> None:
     moulded = scene(PLAIN + '[cage]\nvariant = "peek"\npocket_clearance = "0.3 mm"')
     assert moulded.cage is not None
     assert (moulded.cage.material.name, moulded.cage.wall_thickness) == ("peek", 1.5e-3)
@@ -129,7 +129,7 @@ def test_a_lubricant_is_read() -> None:
     oil = scene(OIL).lubricant
     assert oil is not None
     assert (oil.viscosity, oil.pressure_viscosity, oil.eyring_stress, oil.traction) == (0.06, 2e-8, 5e6, "eyring_sinh")
-    assert oil.temperature == oil.reference_temperature == 313.15  # 40 degC, where nothing else is said
+    assert oil.temperature == oil.reference_temperature == 313.15  # 40 degC by default
     warm = scene(OIL + 'reference_temperature = "40.5 degC"\nviscosity_temperature = "0.03 1/K"').lubricant
     assert warm is not None
     assert (warm.temperature, warm.reference_temperature, warm.viscosity_temperature) == (313.65, 313.65, 0.03)
@@ -149,25 +149,25 @@ def test_a_surface_is_read(tmp_path: Path) -> None:
     assert declared.autocorrelation.spacing == 2e-6
     (tmp_path / "race.CSV").write_text("0, 1")
     (tmp_path / "case.toml").write_text(PLAIN + '[surface]\nheight_map = { path = "race.CSV", spacing = "0.7 um" }')
-    measured = load_scene(tmp_path / "case.toml").surface  # sought beside the scene file, wherever one works
+    measured = load_scene(tmp_path / "case.toml").surface  # relative to the folder of the scene file
     assert measured is not None
     assert measured.height_map is not None
     assert (measured.height_map.path, measured.height_map.spacing) == (str(tmp_path / "race.CSV"), 7e-7)
     assert measured.rms_roughness is None
 
 
-def test_hardness_is_known_of_steel_alone() -> None:
+def test_only_steel_has_a_hardness_in_the_catalog() -> None:
     assert scene(PLAIN).bearing.ball_material.hardness == 7.8e9
     own = scene(changed("poisson_ratio = 0.27", 'poisson_ratio = 0.27, hardness = "15 GPa"', INLINE)).bearing
     assert (own.ball_material.hardness, own.outer.material.hardness) == (15e9, None)
 
 
-def test_a_ball_of_the_wrong_mass_is_doubted() -> None:
+def test_a_ball_of_the_wrong_mass_gives_a_warning() -> None:
     (warning,) = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.5 mm"')).warnings
     assert "2.04 g" in warning
     assert "1.734 g" in warning  # pi/6 (7.5 mm)^3 7850 kg/m^3
 
 
-def test_an_elastic_preload_fits() -> None:
+def test_an_elastic_preload_is_accepted() -> None:
     found = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.96 mm"'))
     assert found.bearing.diametral_clearance < 0
