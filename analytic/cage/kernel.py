@@ -28,7 +28,7 @@ LARGEST = TALLY - 1
 
 
 class Law(NamedTuple):
-    """Constants of the cage, its balls, their contacts and the integration, SI."""
+    """Constants of the cage, its balls and their contacts, SI."""
 
     mass: float
     axial_inertia: float
@@ -58,7 +58,6 @@ class Law(NamedTuple):
     land_speed: float
     land_half_width: float
     deepest: float  # penetration at which the motion has diverged, m
-    step: float  # s
 
 
 class Body(NamedTuple):
@@ -247,9 +246,10 @@ def advance(
     touch: NDArray[np.float64],
     now: NDArray[np.float64],
     tally: NDArray[np.float64],
+    step: float,
     steps: int,
 ) -> int:
-    """Advance the state in place; returns the number of steps done, fewer than asked for where the motion diverges.
+    """Advance the state in place by steps of `step` seconds; returns the number of steps done, less if it diverges.
 
     azimuth : (Z, 2), cosine and sine of the place of each pocket
     touch : (Z, 2), for each shell the fastest closing speed of its contact since it began, m/s; 0 without contact
@@ -260,7 +260,6 @@ def advance(
     none = now[:0]
     inverse, soft = 1.0 / law.mass, 1.0 / law.transverse_inertia
     excess = 1.0 / law.axial_inertia - soft
-    step = law.step
     half = 0.5 * step
     moment = slip = land = damping = drag = given = pressed = winding = distance = square = place_x = place_y = 0.0
     largest = tally[LARGEST]

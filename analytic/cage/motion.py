@@ -123,7 +123,6 @@ class CageMotion:
             land_speed=0.0 if land is None else land.speed,
             land_half_width=0.0 if land is None else land.half_width,
             deepest=DEEPEST * cage.ball_radius,
-            step=self.step,
         )
         azimuth = 2 * np.pi * np.arange(cage.ball_count) / cage.ball_count
         self._azimuth = np.stack([np.cos(azimuth), np.sin(azimuth)], axis=1)
@@ -257,7 +256,7 @@ class CageMotion:
                 self.launch(velocity=np.zeros(3), angular_velocity=turning)
 
     def _go(self, tally: Array, steps: int, now: NDArray[np.float64]) -> None:
-        done = self._advance(self._law, self._azimuth, self._state, self._touch, now, tally, steps)
+        done = self._advance(self._law, self._azimuth, self._state, self._touch, now, tally, self.step, steps)
         if done < steps or not np.all(np.isfinite(self._state)) or not np.all(np.isfinite(tally)):
             raise MotionError(
                 time=self.time, place=self.centre, speed=float(np.linalg.norm(self.velocity)), step=self.step

@@ -1,9 +1,15 @@
-"""Specimens of the moving cage: the cage of a 6205 at 500 rpm, and pockets."""
+"""Specimens of the cage: that of a 6205 in a scene, and driven at 500 rpm; and the pocket of the paper."""
 
+from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from analytic.cage.steady import DrivenCage
-from tests.analytic.specimens import STAMPED_CAGE
+from analytic.scene import ContactAngle, Operation, Scene
+from tests.analytic.specimens import AS_HERTZ, BEARING_6205, STAMPED_CAGE
+
+RPM = np.pi / 30  # rad/s
 
 W = 52.36  # rad/s: 500 rpm
 RATE = 15.599 * 23.411 / (39.01 * 3.97)  # w_b/w of a 6205 at 0.18 rad
@@ -23,3 +29,19 @@ CAGE = DrivenCage(
 )
 WEIGHTLESS = (0.0, 0.0, 0.0)  # gravity
 TABLE_1: dict[str, Any] = {"half_clearance": 2.98e-3, "centre_offset": 0.14e-3}  # the paper's pocket
+CAGED = Scene(  # at 20 and 500 rpm
+    name="test",
+    tolerance=0.05,
+    bearing=BEARING_6205,
+    contact_angle=ContactAngle(rule="given", value=0.18),
+    operation=Operation(axial_load=np.array([1000.0, 1000.0]), inner_speed=np.array([20.0, 500.0]) * RPM),
+    cage=replace(STAMPED_CAGE, seeds=2, duration=0.03),
+    friction_coefficient=0.1,
+    effects=AS_HERTZ,
+)
+
+
+def with_cage(scene: Scene, **change: Any) -> Scene:
+    """The scene with another cage."""
+    assert scene.cage is not None
+    return replace(scene, cage=replace(scene.cage, **change))

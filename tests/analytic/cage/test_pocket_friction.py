@@ -1,4 +1,4 @@
-"""Friction of a ball in its pocket where the film formula holds: a wide pocket, thin oil, a firm load."""
+"""Friction of a ball in its pocket where the film formula holds: a wide pocket, thin oil, a high load."""
 
 from dataclasses import replace
 
@@ -31,7 +31,7 @@ def scene(bearing_6205: Bearing) -> Scene:
 
 
 def contact(scene: Scene) -> tuple[float, float]:
-    """E*, Pa, and the area of Hertz's circle, m^2, by the sphere's closed form."""
+    """E*, Pa, and the area of the contact, m^2, by the closed form of Hertz for spheres."""
     softness = sum(
         (1 - body.poisson_ratio**2) / body.youngs_modulus
         for body in (scene.bearing.ball_material, scene.bearing.ball_material)
@@ -53,24 +53,26 @@ def film(scene: Scene, entrainment_speed: np.ndarray) -> np.ndarray:
     return found.thickness
 
 
-def test_smooth_surfaces_shear_the_oil_of_their_circle(scene: Scene) -> None:
-    """Newton's tau = eta v/h, as thin oil leaves Eyring's stress far away: the ball slides at v, and drags v/2 in."""
+def test_smooth_surfaces_shear_the_oil_in_their_contact(scene: Scene) -> None:
+    """Newton's tau = eta v/h, as the stress of thin oil is far below that of Eyring; v slides and v/2 entrains."""
     found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
     shear = THIN.viscosity * SPEED / film(scene, SPEED / 2)
     assert np.all(shear < 0.005 * THIN.eyring_stress)
-    np.testing.assert_allclose(found.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5)  # asinh x/x leaves x^2/6
+    np.testing.assert_allclose(
+        found.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5
+    )  # of asinh(x)/x = 1 - x^2/6
     assert found.warnings == ()
     assert found.source == "mixed lubrication"
 
 
-def test_constant_stress_knows_no_speed(scene: Scene) -> None:
+def test_constant_stress_does_not_depend_on_speed(scene: Scene) -> None:
     scene = replace(scene, lubricant=replace(THIN, traction="eyring_constant"))
     found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
     np.testing.assert_allclose(found.coefficient, THIN.eyring_stress * contact(scene)[1] / LOAD, rtol=1e-9)
 
 
-def test_the_softer_body_sets_the_circle(scene: Scene) -> None:
-    """A cage of a hundredth of the modulus: of both softnesses its own is left, and the area goes as that to 2/3."""
+def test_the_softer_body_determines_the_contact_area(scene: Scene) -> None:
+    """A cage with 1/97 of the modulus: the area is proportional to the sum of both compliances to the power 2/3."""
     cage = scene.cage
     assert cage is not None
     soft = replace(cage.material, youngs_modulus=cage.material.youngs_modulus / 97)

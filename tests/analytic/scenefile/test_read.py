@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from analytic.scene import Land
 from analytic.scenefile.read import builtin_scene, load_scene
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
 
@@ -118,6 +119,24 @@ def test_a_moulded_cage_is_a_variant_with_its_own_pocket() -> None:
     np.testing.assert_allclose(moulded.cage.mass, volume * moulded.cage.material.density, rtol=0.02)  # written: 1.8 g
     # Only the printed pocket may overlap its neighbour.
     assert "overlap" in refusal(PLAIN + '[cage]\nvariant = "peek"\npocket_diameter = "13.9 mm"')
+
+
+def test_the_motion_of_a_cage_is_read() -> None:
+    text = (
+        'start = "sudden"\nseeds = 7\nduration = "0.3 s"\nrestitution = 0.6\ngravity = "along"\ndrag = "2e-6 N m s"\n'
+        "steps_per_contact = 57\n"
+        'pocket_axis = "radial"\nball_lead = "-30 um"\nfriction_coefficient = 0.08\n'
+        'pocket_approach = { load = "28 N", approach = "0.9 um" }\n'
+        'land = { ring = "outer", clearance = "0.3 mm", width = "9 mm" }\n'
+    )
+    cage = scene(PLAIN + "[cage]\n" + text).cage
+    assert cage is not None
+    assert (cage.start, cage.seeds, cage.duration, cage.restitution) == ("sudden", 7, 0.3, 0.6)
+    assert cage.steps_per_contact == 57
+    assert (cage.gravity, cage.drag, cage.pocket_axis, cage.ball_lead) == ("along", 2e-6, "radial", -30e-6)
+    assert cage.friction_coefficient == 0.08
+    assert cage.land == Land(ring="outer", clearance=0.3e-3, width=9e-3)
+    assert cage.pocket_stiffness == pytest.approx(28 / 0.9e-6**1.5, rel=1e-12)
 
 
 def test_no_lubricant_and_no_surface_is_none() -> None:

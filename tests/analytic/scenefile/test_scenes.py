@@ -28,9 +28,7 @@ def test_the_calibrated_race_torque(length: float, roughness: float, slow: float
     correlation = Autocorrelation(kind="gaussian", length=length, spacing=length / 20)
     surface = replace(scene.surface, autocorrelation=correlation, rms_roughness=roughness)
     race = 1e3 * friction_torque(replace(scene, surface=surface)).torque.race
-    tolerance = (
-        0.06 if roughness == 1e-6 else 0.11
-    )  # half a unit of the last digit; 0.07 is the difference between both lengths
+    tolerance = 0.06 if roughness == 1e-6 else 0.11  # half a unit of the last digit; both lengths differ by 0.07
     np.testing.assert_allclose(race[[0, -1]], [slow, fast], atol=tolerance)
     assert np.all(np.diff(race) < 0)
 
@@ -97,8 +95,10 @@ def test_the_radial_scene() -> None:
 
 
 def test_the_high_speed_scene() -> None:
-    """Centrifugal force F_c = m (d_m/2) (w R_i/d_m)^2 by hand at 0.2909 rad, R_i = 19.505 - 3.97 cos(0.2909) = 15.702 mm: 1.767, 7.070,
-    15.907 N. The outer race carries its component along the mean of both normals more."""
+    """Centrifugal force F_c = m (d_m/2) (w R_i/d_m)^2 by hand, with R_i = 19.505 - 3.97 cos(0.2909) = 15.702 mm at the
+    contact angle 0.2909 rad: 1.767, 7.070, 15.907 N. The outer race carries more than the inner race by its component
+    along the mean of both normals.
+    """
     scene = load_scene(SCENES / "6205_high_speed.toml")
     found = friction_torque(scene)
     decisions = {effect.name: effect.decision for effect in found.effects}

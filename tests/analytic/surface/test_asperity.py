@@ -96,7 +96,7 @@ def test_the_integrals_in_40_digits(ratio: float, t: float) -> None:
 
 @pytest.mark.parametrize("t", [-3.1, -0.4, 0.0, 0.9, 3.3])
 def test_hard_summits_have_the_elastic_limit(t: float) -> None:
-    """[Greenwood1966]: p = (4/3) density E* sqrt(R_a sigma^3) F_{3/2}(t), the integral as a parabolic cylinder function."""
+    """p = (4/3) density E* sqrt(R_a sigma^3) F_{3/2}(t) of [Greenwood1966], F by a parabolic cylinder function."""
     found = contact(1.3e-6 + t * 0.8e-6, hardness=1e6 * H)
     f32 = 3 * np.sqrt(np.pi) / 4 / np.sqrt(2 * np.pi) * np.exp(-(t**2) / 4) * pbdv(-2.5, t)[0]
     s = SUMMITS
