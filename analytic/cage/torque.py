@@ -22,7 +22,6 @@ from analytic.cage.steady import (
 )
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
-from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
 from analytic.scene import Array, Bearing, Cage, Scene
 
@@ -127,11 +126,11 @@ class CagePart:
 def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool) -> CagePart:
     """Torque and forces of the cage.
 
-    moves : by its motion, where the bearing turns; else by the closed form at rest
-    Raises InputError for a motion without `cage.start`, MotionError if a motion diverges.
+    moves : by its motion from `cage.start`, where the bearing turns; else by the closed form at rest
+    Raises MotionError if a motion diverges.
     """
     cage, points = drive.cage, drive.inner_speed.size
-    weight = np.full(points, cage.mass * max(drive.gravity, 1e-3 * STANDARD_GRAVITY))
+    weight = np.full(points, cage.mass * max(drive.gravity, 1e-3 * STANDARD_GRAVITY))  # > 0: a film needs a load
     friction = drive.pocket_friction(scene, np.maximum(drive.whirling_force, weight) if moves else weight)
     torque, force = _at_rest(drive, friction.coefficient)
     moment = cage.drag * drive.orbit_speed * np.sign(drive.inner_speed)
@@ -189,8 +188,7 @@ def _at_rest(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Arra
 
 def _moved(drive: CageDrive, point: int, friction_coefficient: float) -> tuple[DrivenCage, CageStatistics]:
     cage, speed = drive.cage, float(drive.inner_speed[point])
-    if cage.start is None:
-        raise InputError('a motion of the cage needs cage.start: give "rest", "ramp", "sudden" or "whirl"')
+    assert cage.start is not None  # else no motion is called for
     driven = driven_cage(
         drive.bearing,
         cage,

@@ -13,12 +13,12 @@ from tests.analytic.cage.specimens import CAGE, WEIGHTLESS, W
 def test_the_land_rises_to_speed_with_the_ring() -> None:
     """With a ramp of half a second the land has hardly moved after 1 ms."""
     land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=False, speed=2.0, half_width=5e-3)
-    found = []
+    powers = []
     for ramp in (0.5, 1e-4):
         cage = replace(CAGE, land=land, half_clearance=1e-3, orbit_speed=0.0, ball_speed=0.0)
         motion = CageMotion(cage, begin="ramp", ramp=ramp)
-        found.append(motion.advance(1e-3).land_power)
-    assert found[0] < 0.02 * found[1]  # by then it has reached 0.2 % of 34 mm/s
+        powers.append(motion.advance(1e-3).land_power)
+    assert powers[0] < 0.02 * powers[1]  # by then it has reached 0.2 % of 34 mm/s
 
 
 def test_the_land_guides_the_cage_before_the_pockets() -> None:

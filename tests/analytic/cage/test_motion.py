@@ -113,25 +113,25 @@ def test_an_impact_during_contact_keeps_the_restitution(restitution: float) -> N
 
 
 def test_torque_does_not_depend_on_the_smoothing_of_friction() -> None:
-    found = []
+    results = []
     for smoothing in (0.25e-3, 0.5e-3, 1e-3):  # more is limited by the speed of the balls
         motion = CageMotion(replace(CAGE, smoothing=smoothing), begin="whirl")
         motion.advance(0.03)
-        found.append(motion.advance(0.03).slip_power)
-    assert np.ptp(found) < 5e-3 * found[1]
+        results.append(motion.advance(0.03).slip_power)
+    assert np.ptp(results) < 5e-3 * results[1]
 
 
 def test_running_backwards_is_the_mirror_image() -> None:
     """The bearing is mirrored in y; gravity is along -x."""
     cage = replace(CAGE, gravity=(-9.80665, 0.0, 0.0))
-    found = []
+    results = []
     for sign in (1, -1):
         motion = CageMotion(
             replace(cage, orbit_speed=sign * cage.orbit_speed, ball_speed=sign * cage.ball_speed), begin="sudden"
         )
         motion.launch(velocity=np.array([0.11, sign * 0.2, 0.05]), angular_velocity=np.array([sign * 3.0, 4.0, 0.0]))
-        found.append((motion.advance(2e-3), motion.centre * [1, sign, 1]))
-    (ahead, there), (back, mirrored) = found
+        results.append((motion.advance(2e-3), motion.centre * [1, sign, 1]))
+    (ahead, there), (back, mirrored) = results
     assert ahead.max_force > 1
     np.testing.assert_allclose(mirrored, there, atol=1e-6 * cage.half_clearance)  # round-off grows with every impact
     np.testing.assert_allclose([back.slip_power, -back.moment], [ahead.slip_power, ahead.moment], rtol=1e-6)
@@ -163,9 +163,9 @@ def test_one_ball_and_a_bearing_at_standstill() -> None:
 
 
 def test_the_same_seed_gives_the_same_numbers() -> None:
-    found = [CageMotion(CAGE, begin="sudden", seed=seed).advance(2e-3) for seed in (3, 3, 4)]
-    assert found[0] == found[1]
-    assert found[0] != found[2]
+    results = [CageMotion(CAGE, begin="sudden", seed=seed).advance(2e-3) for seed in (3, 3, 4)]
+    assert results[0] == results[1]
+    assert results[0] != results[2]
 
 
 def test_both_shells_hold_a_ball_between_them() -> None:

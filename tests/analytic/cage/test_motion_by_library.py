@@ -67,8 +67,8 @@ def by_library(cage: DrivenCage, start: CageMotion, duration: float) -> np.ndarr
 
     turn = Rotation.from_matrix(start.orientation)
     y = np.concatenate([start.centre, start.velocity, turn.as_quat(), turn.inv().apply(start.angular_velocity)])
-    found = solve_ivp(rhs, (0, duration), y, method="LSODA", rtol=1e-9, atol=1e-13, max_step=cage.contact_time / 4)
-    return found.y[:, -1]
+    solution = solve_ivp(rhs, (0, duration), y, method="LSODA", rtol=1e-9, atol=1e-13, max_step=cage.contact_time / 4)
+    return solution.y[:, -1]
 
 
 def thrown(cage: DrivenCage, **kwargs: Any) -> CageMotion:

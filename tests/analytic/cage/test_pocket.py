@@ -28,14 +28,14 @@ def test_half_clearance_and_centres_of_the_shells() -> None:
 def test_stiffness_is_that_of_hertz() -> None:
     curvature = 2 / 7.94e-3 - 2 / 8.14e-3
     hertz = hertz_contact(curvature_x=curvature, curvature_y=curvature, load=28.0, modulus=1.13e11)
-    found = pocket_stiffness(ball_diameter=7.94e-3, pocket_diameter=8.14e-3, modulus=1.13e11)
-    np.testing.assert_allclose(found, hertz.stiffness, rtol=1e-12)  # round-off
+    computed = pocket_stiffness(ball_diameter=7.94e-3, pocket_diameter=8.14e-3, modulus=1.13e11)
+    np.testing.assert_allclose(computed, hertz.stiffness, rtol=1e-12)  # round-off
 
 
 @pytest.mark.parametrize("offset", [(1.7e-3, 2.1e-3, -1.9e-3), (-0.09e-3, 2.4e-3, 1.8e-3), (0.05e-3, 0.3e-3, 0.2e-3)])
 def test_penetration_is_how_far_the_shell_reaches_into_the_ball(offset: tuple[float, float, float]) -> None:
     """Each shell is represented by points of its half sphere; the nearest one to the centre of the ball counts."""
-    found, normal = penetration(offset, half_clearance=NABLA, centre_offset=OFF)
+    computed, normal = penetration(offset, half_clearance=NABLA, centre_offset=OFF)
     polar, around = np.meshgrid(np.linspace(0, np.pi / 2, 601), np.linspace(0, 2 * np.pi, 1201))
     for index, side in enumerate((1, -1)):
         cap = [side * np.cos(polar), np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around)]
@@ -43,8 +43,8 @@ def test_penetration_is_how_far_the_shell_reaches_into_the_ball(offset: tuple[fl
         distance = np.linalg.norm(points - offset, axis=-1)
         reach = BALL / 2 - distance.min()
         nearest = points.reshape(-1, 3)[distance.argmin()] - offset
-        np.testing.assert_allclose(found[index], max(reach, 0.0), atol=4e-8)  # m: the spacing of 18 um, squared
-        if found[index] > 0:
+        np.testing.assert_allclose(computed[index], max(reach, 0.0), atol=4e-8)  # m: the spacing of 18 um, squared
+        if computed[index] > 0:
             np.testing.assert_allclose(normal[index], nearest / np.linalg.norm(nearest), atol=8e-3)  # spacing/radius
 
 
@@ -90,23 +90,23 @@ def bounce(mass: float, speed: float, stiffness: float, damping: float) -> tuple
     leaves.terminal, leaves.direction = True, -1  # type: ignore[attr-defined]
     guess = impact(mass=mass, speed=speed, stiffness=stiffness)
     end = 20 * float(guess.duration)
-    found = solve_ivp(
+    computed = solve_ivp(
         rhs, (0, end), [1e-14, speed], events=leaves, method="DOP853", rtol=1e-11, atol=1e-16, max_step=end / 2000
     )
-    deepest = found.y[0].max()
-    return deepest, stiffness * deepest**1.5, found.t_events[0][0], -found.y_events[0][0, 1]
+    deepest = computed.y[0].max()
+    return deepest, stiffness * deepest**1.5, computed.t_events[0][0], -computed.y_events[0][0, 1]
 
 
 def test_impact_agrees_with_its_equation_of_motion() -> None:
     mass, speed, stiffness = 3.1e-3, 0.47, 5.3e10
     deepest, force, duration, leaving = bounce(mass, speed, stiffness, 0.0)
-    found = impact(mass=mass, speed=speed, stiffness=stiffness)
-    np.testing.assert_allclose(found.indentation, deepest, rtol=1e-5)  # the largest of 100 points of the contact
-    np.testing.assert_allclose(found.force, force, rtol=1e-5)
-    np.testing.assert_allclose(found.duration, duration, rtol=1e-7)
+    computed = impact(mass=mass, speed=speed, stiffness=stiffness)
+    np.testing.assert_allclose(computed.indentation, deepest, rtol=1e-5)  # the largest of 100 points of the contact
+    np.testing.assert_allclose(computed.force, force, rtol=1e-5)
+    np.testing.assert_allclose(computed.duration, duration, rtol=1e-7)
     np.testing.assert_allclose(leaving, speed, rtol=1e-8)
     faster = impact(mass=mass, speed=3.7 * speed, stiffness=stiffness)
-    np.testing.assert_allclose(faster.force / found.force, 3.7**1.2, rtol=1e-12)
+    np.testing.assert_allclose(faster.force / computed.force, 3.7**1.2, rtol=1e-12)
 
 
 @pytest.mark.parametrize("restitution", [0.08, 0.5, 0.8, 0.97, 1.0])
@@ -139,10 +139,10 @@ def test_a_contact_never_pulls() -> None:
 
 def test_friction_is_along_the_sliding_and_vanishes_at_rest() -> None:
     sliding = np.array([[0.0, 0.0, 0.0], [3e-4, 0.0, -4e-4], [0.0, -0.7, 2.4]])
-    found = friction_force([5.0, 7.0, 11.0], sliding, friction_coefficient=0.13, smoothing=1e-3)
-    np.testing.assert_array_equal(found[0], 0)
-    np.testing.assert_allclose(found[1], 0.13 * 7 * np.tanh(0.5) * np.array([0.6, 0, -0.8]), rtol=1e-12)
-    np.testing.assert_allclose(found[2], 0.13 * 11 * np.array([0, -0.28, 0.96]), rtol=1e-12)
+    computed = friction_force([5.0, 7.0, 11.0], sliding, friction_coefficient=0.13, smoothing=1e-3)
+    np.testing.assert_array_equal(computed[0], 0)
+    np.testing.assert_allclose(computed[1], 0.13 * 7 * np.tanh(0.5) * np.array([0.6, 0, -0.8]), rtol=1e-12)
+    np.testing.assert_allclose(computed[2], 0.13 * 11 * np.array([0, -0.28, 0.96]), rtol=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -40,7 +40,7 @@ def contact(scene: Scene) -> tuple[float, float]:
 
 
 def film(scene: Scene, entrainment_speed: np.ndarray) -> np.ndarray:
-    found = central_film(
+    computed = central_film(
         curvature_x=1 / RADIUS,
         curvature_y=1 / RADIUS,
         load=LOAD,
@@ -49,26 +49,26 @@ def film(scene: Scene, entrainment_speed: np.ndarray) -> np.ndarray:
         viscosity=THIN.viscosity,
         pressure_viscosity=0.0,
     )
-    assert not np.any(found.capped)
-    return found.thickness
+    assert not np.any(computed.capped)
+    return computed.thickness
 
 
 def test_smooth_surfaces_shear_the_oil_in_their_contact(scene: Scene) -> None:
     """Newton's tau = eta v/h, as the stress of thin oil is far below that of Eyring; v slides and v/2 entrains."""
-    found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
+    computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
     shear = THIN.viscosity * SPEED / film(scene, SPEED / 2)
     assert np.all(shear < 0.005 * THIN.eyring_stress)
     np.testing.assert_allclose(
-        found.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5
+        computed.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5
     )  # of asinh(x)/x = 1 - x^2/6
-    assert found.warnings == ()
-    assert found.source == "mixed lubrication"
+    assert computed.warnings == ()
+    assert computed.source == "mixed lubrication"
 
 
 def test_constant_stress_does_not_depend_on_speed(scene: Scene) -> None:
     scene = replace(scene, lubricant=replace(THIN, traction="eyring_constant"))
-    found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
-    np.testing.assert_allclose(found.coefficient, THIN.eyring_stress * contact(scene)[1] / LOAD, rtol=1e-9)
+    computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
+    np.testing.assert_allclose(computed.coefficient, THIN.eyring_stress * contact(scene)[1] / LOAD, rtol=1e-9)
 
 
 def test_the_softer_body_determines_the_contact_area(scene: Scene) -> None:
@@ -79,5 +79,5 @@ def test_the_softer_body_determines_the_contact_area(scene: Scene) -> None:
     scene = replace(scene, lubricant=replace(THIN, traction="eyring_constant"))
     steel = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
     scene = replace(scene, cage=replace(cage, material=soft))
-    found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
-    np.testing.assert_allclose(found / steel, (98 / 2) ** (2 / 3), rtol=1e-9)
+    computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
+    np.testing.assert_allclose(computed / steel, (98 / 2) ** (2 / 3), rtol=1e-9)

@@ -16,32 +16,32 @@ SEVEN = replace(CAGE, ball_count=7, orbit_speed=21.0, ball_speed=123.0)
 
 def test_velocities_are_derivatives_of_places() -> None:
     """The cage whirls with a period of 1.3 ms."""
-    found = recorded_motion(SEVEN, start="whirl", duration=2e-3, samples=400)
-    step = np.diff(found.time)
+    series = recorded_motion(SEVEN, start="whirl", duration=2e-3, samples=400)
+    step = np.diff(series.time)
     np.testing.assert_allclose(step.sum() + step[0], 2e-3, rtol=0.05)  # in whole steps of the motion
-    moved = np.diff(found.centre, axis=0) / step[:, None]
-    mean = (found.velocity[1:] + found.velocity[:-1]) / 2
-    np.testing.assert_allclose(moved, mean, atol=0.01 * np.abs(found.velocity).max())  # the trapezoidal rule
-    np.testing.assert_allclose(found.ball_angle, 21 * found.time, rtol=1e-9)
-    np.testing.assert_allclose(np.linalg.norm(found.axis, axis=1), 1, rtol=1e-12)
-    pushed = np.diff(found.velocity, axis=0) * SEVEN.mass / step[:, None] + [0, SEVEN.mass * 9.80665, 0]
-    forces = found.force.sum(axis=1)
+    moved = np.diff(series.centre, axis=0) / step[:, None]
+    mean = (series.velocity[1:] + series.velocity[:-1]) / 2
+    np.testing.assert_allclose(moved, mean, atol=0.01 * np.abs(series.velocity).max())  # the trapezoidal rule
+    np.testing.assert_allclose(series.ball_angle, 21 * series.time, rtol=1e-9)
+    np.testing.assert_allclose(np.linalg.norm(series.axis, axis=1), 1, rtol=1e-12)
+    pushed = np.diff(series.velocity, axis=0) * SEVEN.mass / step[:, None] + [0, SEVEN.mass * 9.80665, 0]
+    forces = series.force.sum(axis=1)
     np.testing.assert_allclose(pushed.mean(axis=0), forces.mean(axis=0), atol=0.02 * np.abs(forces).max())
-    assert found.force.shape == (400, 7, 3)
-    assert np.all(found.max_force >= 0)
+    assert series.force.shape == (400, 7, 3)
+    assert np.all(series.max_force >= 0)
 
 
 def test_without_friction_forces_are_normal() -> None:
     """Balls lead and lag and the cage tumbles: each force is along the offset of the ball from its pocket."""
     slippery = replace(SEVEN, friction_coefficient=0.0, ball_lead=0.05e-3)
-    found = recorded_motion(slippery, start="sudden", duration=0.02, samples=700, seed=3)
-    force, distance = np.linalg.norm(found.force, axis=2), np.linalg.norm(found.offset, axis=2)
+    series = recorded_motion(slippery, start="sudden", duration=0.02, samples=700, seed=3)
+    force, distance = np.linalg.norm(series.force, axis=2), np.linalg.norm(series.offset, axis=2)
     pressed = force > 0
     assert 20 < pressed.sum() < pressed.size / 2
     assert distance[pressed].min() > SEVEN.half_clearance
     # Damping reduces some forces to 0 while the contact opens.
     assert np.mean(distance[~pressed] <= SEVEN.half_clearance) > 0.99
-    along = np.sum(found.force * found.offset, axis=2)[pressed]
+    along = np.sum(series.force * series.offset, axis=2)[pressed]
     np.testing.assert_allclose(
         along, (force * distance)[pressed], rtol=1e-9
     )  # round-off that accumulates with the rotation
@@ -49,8 +49,8 @@ def test_without_friction_forces_are_normal() -> None:
 
 def test_the_file_has_series_and_units(tmp_path: Path) -> None:
     """Written as netCDF and read again."""
-    found = recorded_motion(SEVEN, start="sudden", duration=2e-4, samples=5)
-    found.to_dataset().to_netcdf(tmp_path / "series.nc", engine="netcdf4")
+    series = recorded_motion(SEVEN, start="sudden", duration=2e-4, samples=5)
+    series.to_dataset().to_netcdf(tmp_path / "series.nc", engine="netcdf4")
     read = xarray.load_dataset(tmp_path / "series.nc", engine="netcdf4")
     assert dict(read.sizes) == {"time": 5, "direction": 3, "ball": 7}
     assert read["direction"].values.tolist() == ["x", "y", "z"]
@@ -67,7 +67,7 @@ def test_the_file_has_series_and_units(tmp_path: Path) -> None:
         "max_force": "N",
     }
     assert all(read[name].attrs["long_name"] for name in read.variables)
-    for name, values in vars(found).items():
+    for name, values in vars(series).items():
         np.testing.assert_array_equal(read[name].values, values)
     falling = read["velocity"].sel(direction="y")  # free fall from the middle, before the first contact
     np.testing.assert_allclose(falling, -9.80665 * read["time"], rtol=1e-6)

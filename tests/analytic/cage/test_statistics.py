@@ -35,8 +35,8 @@ def test_a_cage_that_cannot_whirl_has_one_steady_motion() -> None:
     """With a whirl number of 0.5 a cage that was thrown falls back on its balls."""
     slow = np.sqrt(0.5 * 9.80665 * CAGE.half_clearance) / 3.97e-3
     cage = replace(CAGE, ball_speed=slow, orbit_speed=slow / RATE * 0.4, ring_speed=slow / RATE)
-    found = measured_motion(cage, start="sudden", seeds=2, duration=0.3)
-    assert (found.state, found.other) == ("rest", None)
+    statistics = measured_motion(cage, start="sudden", seeds=2, duration=0.3)
+    assert (statistics.state, statistics.other) == ("rest", None)
 
 
 @pytest.mark.parametrize("rpm", [1.0, 500.0])
@@ -44,48 +44,53 @@ def test_torque_at_rest_does_not_depend_on_speed(rpm: float) -> None:
     """The speed that smooths friction is small relative to that of the balls, even of slow balls."""
     slower = rpm * np.pi / 30 / W
     driven = {name: slower * getattr(CAGE, name) for name in ("orbit_speed", "ball_speed", "ring_speed")}
-    found = measured_motion(replace(CAGE, **driven), start="rest", seeds=2, duration=0.02)
+    statistics = measured_motion(replace(CAGE, **driven), start="rest", seeds=2, duration=0.02)
     closed = rest_torque(
         friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
     )
-    np.testing.assert_allclose(found.torque, closed, rtol=0.02)  # it swings slightly
-    assert found.state == "rest"
+    np.testing.assert_allclose(statistics.torque, closed, rtol=0.02)  # it swings slightly
+    assert statistics.state == "rest"
 
 
 def test_a_swing_slower_than_a_block_is_not_rest() -> None:
     """Pocket of Table 1: a swing takes 0.11 s, a block 5 ms, and the cage falls from the middle."""
-    found = measured_motion(
+    statistics = measured_motion(
         replace(CAGE, half_clearance=2.98e-3, centre_offset=0.14e-3), start="sudden", seeds=2, duration=0.05
     )
-    assert found.state == "irregular"
-    assert found.largest_force > 10
+    assert statistics.state == "irregular"
+    assert statistics.largest_force > 10
 
 
 def test_a_tumbling_cage_on_a_land_is_not_at_rest() -> None:
     """Although the clearance of the land is small next to that of the pockets."""
     land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=False, speed=W, half_width=5e-3)
-    found = measured_motion(replace(CAGE, land=land, half_clearance=0.5e-3), start="whirl", seeds=2, duration=0.02)
-    assert found.state != "rest"  # irregular, or mixed as seeds of a tumbling motion may differ
+    statistics = measured_motion(replace(CAGE, land=land, half_clearance=0.5e-3), start="whirl", seeds=2, duration=0.02)
+    assert statistics.state != "rest"  # irregular, or mixed as seeds of a tumbling motion may differ
 
 
 def test_leading_and_lagging_balls_make_a_whirl_irregular() -> None:
     """Seeds and steps agree on its torque."""
     cage = replace(CAGE, ball_lead=0.06e-3)
-    found = measured_motion(cage, start="whirl", seeds=3, duration=0.05)
-    assert found.state == "irregular"
-    low, high = found.torque_interval
-    assert low < found.torque < high
-    assert high - low < 0.06 * found.torque  # within 3 % of the mean
-    assert found.max_force_interval[0] <= found.max_force <= found.max_force_interval[1] <= found.largest_force
+    statistics = measured_motion(cage, start="whirl", seeds=3, duration=0.05)
+    assert statistics.state == "irregular"
+    low, high = statistics.torque_interval
+    assert low < statistics.torque < high
+    assert high - low < 0.06 * statistics.torque  # within 3 % of the mean
+    assert (
+        statistics.max_force_interval[0]
+        <= statistics.max_force
+        <= statistics.max_force_interval[1]
+        <= statistics.largest_force
+    )
     finer = measured_motion(cage, start="whirl", seeds=2, duration=0.05, steps_per_contact=80)
-    np.testing.assert_allclose(finer.torque, found.torque, rtol=0.03)
+    np.testing.assert_allclose(finer.torque, statistics.torque, rtol=0.03)
 
 
 def test_statistics_are_those_of_the_blocks() -> None:
     """Two seeds of an irregular motion with a land, run again block by block."""
     land = LandGuidance(radius=17e-3, half_clearance=0.06e-3, outside=False, speed=W, half_width=5e-3)
     cage = replace(CAGE, ball_lead=0.06e-3, land=land, drag=4e-6)
-    found = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
+    statistics = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
     blocks = []
     for seed in range(2):
         motion = CageMotion(cage, begin="whirl", seed=seed)
@@ -93,15 +98,19 @@ def test_statistics_are_those_of_the_blocks() -> None:
         blocks += [motion.advance(1e-3) for _ in range(10)]
     lost = {name: np.mean([getattr(block, name) for block in blocks]) / W for name in POWERS}
     assert min(lost.values()) > 0
-    np.testing.assert_allclose(found.torque, lost["slip_power"] + lost["land_power"] + lost["drag_power"], rtol=1e-12)
-    np.testing.assert_allclose([found.damping_torque, found.drag_torque], [lost["damping_power"], lost["drag_power"]])
-    np.testing.assert_allclose(found.signed_moment, np.mean([block.moment for block in blocks]), rtol=1e-12)
+    np.testing.assert_allclose(
+        statistics.torque, lost["slip_power"] + lost["land_power"] + lost["drag_power"], rtol=1e-12
+    )
+    np.testing.assert_allclose(
+        [statistics.damping_torque, statistics.drag_torque], [lost["damping_power"], lost["drag_power"]]
+    )
+    np.testing.assert_allclose(statistics.signed_moment, np.mean([block.moment for block in blocks]), rtol=1e-12)
     largest = sorted(block.max_force for block in blocks)
-    np.testing.assert_allclose(found.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)
-    assert found.largest_force == largest[-1]
+    np.testing.assert_allclose(statistics.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)
+    assert statistics.largest_force == largest[-1]
     # Order statistics 6 and 15 of 20: fewer than 6 values are below the median with the probability 21700/2^20, 2.07 %.
-    assert found.max_force_interval == (largest[5], largest[14])
-    low, high = found.torque_interval
+    assert statistics.max_force_interval == (largest[5], largest[14])
+    low, high = statistics.torque_interval
     seeds = [np.mean([b.slip_power + b.land_power + b.drag_power for b in blocks[k : k + 10]]) / W for k in (0, 10)]
     np.testing.assert_allclose(
         (high - low) / 2, 12.706 * abs(seeds[0] - seeds[1]) / 2, rtol=1e-4
@@ -117,9 +126,9 @@ def test_another_start_is_tried_above_a_whirl_number_of_one() -> None:
 
 def test_different_states_of_seeds_are_mixed() -> None:
     """With such a lead of the balls some motions whirl on and others stop."""
-    found = measured_motion(replace(CAGE, ball_lead=0.1e-3), start="sudden", seeds=3, duration=0.05)
-    assert found.state == "mixed"
-    assert found.torque_interval[1] - found.torque_interval[0] > found.torque
+    statistics = measured_motion(replace(CAGE, ball_lead=0.1e-3), start="sudden", seeds=3, duration=0.05)
+    assert statistics.state == "mixed"
+    assert statistics.torque_interval[1] - statistics.torque_interval[0] > statistics.torque
 
 
 def test_the_same_motion_has_the_same_statistics() -> None:
@@ -135,10 +144,10 @@ def test_the_same_motion_has_the_same_statistics() -> None:
 def test_drag_brakes_the_cage_and_the_balls_push_it(start: Any) -> None:
     """The mean moment of the balls about the axis balances the drag; without drag it is 0."""
     cage = replace(CAGE, drag=2e-6)
-    found = measured_motion(cage, start=start, seeds=2, duration=0.05)
-    np.testing.assert_allclose(found.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
-    np.testing.assert_allclose(found.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
-    assert found.torque > found.drag_torque
+    statistics = measured_motion(cage, start=start, seeds=2, duration=0.05)
+    np.testing.assert_allclose(statistics.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
+    np.testing.assert_allclose(statistics.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
+    assert statistics.torque > statistics.drag_torque
 
 
 @pytest.mark.parametrize(

@@ -40,8 +40,8 @@ def sliding_power(friction: float, angle: float, balls: int) -> float:
         total = loads(place)[0] - [0, MASS * 9.80665, 0]
         return float((total[:2] ** 2).sum())
 
-    found = minimize(unbalanced, [np.pi / 2, MASS], method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-18})
-    return friction * found.x[1] * loads(found.x)[1].sum()
+    computed = minimize(unbalanced, [np.pi / 2, MASS], method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-18})
+    return friction * computed.x[1] * loads(computed.x)[1].sum()
 
 
 @pytest.mark.parametrize(("friction", "angle", "within"), [(0.1, 0.18, 5e-4), (0.3, 0.5, 7e-3)])
@@ -65,7 +65,7 @@ def test_independently_computed_numbers() -> None:
 
 
 def test_the_weight_of_a_resting_cage_is_its_mass_times_gravity() -> None:
-    found = rest_torque(
+    computed = rest_torque(
         friction_coefficient=0.1,
         cage_mass=MASS,
         ball_rate=2.36,
@@ -73,7 +73,7 @@ def test_the_weight_of_a_resting_cage_is_its_mass_times_gravity() -> None:
         contact_angle=0.0,
         gravity=[0, 19.6],
     )
-    np.testing.assert_allclose(found, [0.0, 0.1 * MASS * 19.6 * 2.36 * RADIUS / np.hypot(1, 0.1)], rtol=1e-13)
+    np.testing.assert_allclose(computed, [0.0, 0.1 * MASS * 19.6 * 2.36 * RADIUS / np.hypot(1, 0.1)], rtol=1e-13)
     with pytest.raises(InputError, match="cage_mass must be at least 0"):
         rest_torque(friction_coefficient=0.1, cage_mass=np.nan, ball_rate=2.0, ball_radius=4e-3, contact_angle=0.0)
 
@@ -82,10 +82,10 @@ def test_whirl_number_is_centrifugal_force_over_weight() -> None:
     """The cage centre circles with the radius nabla at w_b r/nabla."""
     ball_speed, nabla, gravity = 123.0, 0.17e-3 / 2, 9.5
     turns = ball_speed * RADIUS / nabla
-    found = whirl_number(ball_speed=ball_speed, ball_radius=RADIUS, half_clearance=nabla, gravity=gravity)
-    np.testing.assert_allclose(found, MASS * turns**2 * nabla / (MASS * gravity), rtol=1e-13)  # round-off
+    computed = whirl_number(ball_speed=ball_speed, ball_radius=RADIUS, half_clearance=nabla, gravity=gravity)
+    np.testing.assert_allclose(computed, MASS * turns**2 * nabla / (MASS * gravity), rtol=1e-13)  # round-off
     on_earth = whirl_number(ball_speed=ball_speed, ball_radius=RADIUS, half_clearance=nabla)
-    np.testing.assert_allclose(on_earth * 9.80665, found * gravity, rtol=1e-13)
+    np.testing.assert_allclose(on_earth * 9.80665, computed * gravity, rtol=1e-13)
     weightless = whirl_number(ball_speed=[0.0, 7.0], ball_radius=RADIUS, half_clearance=1e-4, gravity=0.0)
     np.testing.assert_array_equal(weightless, [0.0, np.inf])
     with pytest.raises(InputError, match="half_clearance must be positive"):
@@ -100,18 +100,20 @@ def test_a_whirling_cage_moves_with_the_surfaces_of_its_balls() -> None:
     surface = np.cross(-spin * np.cos(angle) * up, RADIUS * normal)  # mean over the balls, whose leaning cancels
     np.testing.assert_allclose(cage, surface, rtol=1e-12)
     centripetal = MASS * np.linalg.norm(np.cross((whirl + 31.0) * up, np.cross((whirl + 31.0) * up, nabla * normal)))
-    found = whirl_force(cage_mass=MASS, whirl=whirl, orbit_speed=31.0, half_clearance=nabla)
-    np.testing.assert_allclose(found, centripetal, rtol=1e-12)
+    computed = whirl_force(cage_mass=MASS, whirl=whirl, orbit_speed=31.0, half_clearance=nabla)
+    np.testing.assert_allclose(computed, centripetal, rtol=1e-12)
 
 
 def test_the_leaning_axes_of_the_balls_make_a_whirling_cage_slide() -> None:
     angle, phi = 0.31, 2 * np.pi * np.arange(4001) / 4001
     leaning = np.stack([np.sin(angle) * np.cos(phi), np.sin(angle) * np.sin(phi), np.zeros(4001)], axis=1)
     slip = np.linalg.norm(np.cross(leaning, [0.6, 0.8, 0.0]), axis=1).mean() * RATE * RADIUS
-    found = whirl_torque(friction_coefficient=0.13, force=7.1, ball_rate=RATE, ball_radius=RADIUS, contact_angle=angle)
-    np.testing.assert_allclose(found, 0.13 * 7.1 * slip, rtol=1e-6)  # 4001 balls instead of a circle
+    computed = whirl_torque(
+        friction_coefficient=0.13, force=7.1, ball_rate=RATE, ball_radius=RADIUS, contact_angle=angle
+    )
+    np.testing.assert_allclose(computed, 0.13 * 7.1 * slip, rtol=1e-6)  # 4001 balls instead of a circle
     bound = sliding_torque(friction_coefficient=0.13, force=7.1, ball_rate=RATE, ball_radius=RADIUS)
-    assert bound > found
+    assert bound > computed
 
 
 def test_balls_may_lead_until_no_place_of_the_cage_clears_them() -> None:

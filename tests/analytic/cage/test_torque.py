@@ -99,51 +99,51 @@ def test_the_motion_is_that_of_the_scene(ring: Any) -> None:
 
 
 def test_a_start_calls_for_the_motion() -> None:
-    found = friction_torque(with_cage(CAGED, start="whirl"))
-    assert found.cage is not None
-    assert found.torque.cage is not None
-    slow, fast = found.cage.motion
+    result = friction_torque(with_cage(CAGED, start="whirl"))
+    assert result.cage is not None
+    assert result.torque.cage is not None
+    slow, fast = result.cage.motion
     assert slow is not None
     assert fast is not None
     assert (slow.state, fast.state) == ("irregular", "whirl")  # the slow cage cannot whirl and still swings
-    assert found.torque.cage[1] == fast.torque
-    np.testing.assert_allclose(found.cage.half_interval, [np.diff(m.torque_interval)[0] / 2 for m in (slow, fast)])
-    share = found.cage.half_interval / found.torque.total
-    assert np.all(found.numerical_uncertainty >= share)
-    point = found.to_json()["points"][1]["cage"]
+    assert result.torque.cage[1] == fast.torque
+    np.testing.assert_allclose(result.cage.half_interval, [np.diff(m.torque_interval)[0] / 2 for m in (slow, fast)])
+    share = result.cage.half_interval / result.torque.total
+    assert np.all(result.numerical_uncertainty >= share)
+    point = result.to_json()["points"][1]["cage"]
     assert point["state"] == "whirl"
     assert point["max_force"] == fast.max_force
     assert point["interval"] == {"torque": list(fast.torque_interval), "max_force": list(fast.max_force_interval)}
     np.testing.assert_allclose(point["mean_force"], 15.95, rtol=0.02)  # m (w_b r/nabla + w_c)^2 nabla by hand
     assert point["duration"] == 0.06
-    (warning,) = (warning for warning in found.warnings if "more than one steady motion" in warning)
+    (warning,) = (warning for warning in result.warnings if "more than one steady motion" in warning)
     assert 'cage.start = "whirl" leads to whirl' in warning
     assert '"rest" to rest' in warning
     assert (
-        found.provenance["cage"]
+        result.provenance["cage"]
         == 'motion from "whirl", 40 steps a contact, pocket stiffness by Hertz, friction by friction.coefficient'
     )
     back = replace(CAGED.operation, inner_speed=-CAGED.operation.inner_speed)
     mirrored = friction_torque(with_cage(replace(CAGED, operation=back), start="whirl"))
     assert mirrored.torque.cage is not None
     # The disturbance is not mirrored, as with other seeds. The slow cage is not steady after so short a time.
-    np.testing.assert_allclose(mirrored.torque.cage[1], found.torque.cage[1], rtol=0.03)
+    np.testing.assert_allclose(mirrored.torque.cage[1], result.torque.cage[1], rtol=0.03)
 
 
 def test_at_standstill_the_closed_form_is_the_limit() -> None:
     still = replace(CAGED, operation=Operation(axial_load=np.array([1000.0]), inner_speed=np.array([0.0])))
-    found = friction_torque(replace(with_cage(still, start="rest"), effects={**CAGED.effects, "cage_dynamics": "on"}))
-    assert found.cage is not None
-    assert found.cage.motion == (None,)
-    assert found.cage.torque[0] > 0
+    result = friction_torque(replace(with_cage(still, start="rest"), effects={**CAGED.effects, "cage_dynamics": "on"}))
+    assert result.cage is not None
+    assert result.cage.motion == (None,)
+    assert result.cage.torque[0] > 0
 
 
 @pytest.mark.parametrize(("gravity", "part"), [("along", 0.179), ("off", 0.0)])
 def test_the_closed_form_follows_gravity(gravity: Any, part: float) -> None:
     """Along the axis the ball surfaces slide with the share sin(0.18) = 0.179; without gravity nothing is pressed."""
-    found = friction_torque(with_cage(CAGED, gravity=gravity)).torque.cage
-    assert found is not None
-    np.testing.assert_allclose(found, part * 0.0604e-3, rtol=2e-3)
+    result = friction_torque(with_cage(CAGED, gravity=gravity)).torque.cage
+    assert result is not None
+    np.testing.assert_allclose(result, part * 0.0604e-3, rtol=2e-3)
 
 
 def test_friction_comes_from_cage_oil_or_races() -> None:
@@ -171,9 +171,9 @@ def test_friction_comes_from_cage_oil_or_races() -> None:
 def test_a_scene_file_with_a_motion_runs(tmp_path: Path) -> None:
     text = changed("90 rpm", "500 rpm", MINE) + '[cage]\nstart = "rest"\nseeds = 2\nduration = "20 ms"'
     (tmp_path / "case.toml").write_text(text, "utf-8")
-    found = friction_torque(load_scene(tmp_path / "case.toml"))
-    assert found.cage is not None
-    motion = found.cage.motion[0]
+    result = friction_torque(load_scene(tmp_path / "case.toml"))
+    assert result.cage is not None
+    motion = result.cage.motion[0]
     assert motion is not None
     assert motion.state == "rest"
 

@@ -64,11 +64,11 @@ def test_with_more_steps_auto_allows_less_motion() -> None:
 
 def test_without_cage_or_with_the_cage_left_out_nothing_is_added() -> None:
     for left in (replace(CAGED, cage=None), replace(CAGED, effects={**CAGED.effects, "cage": "off"})):
-        found = friction_torque(left)
-        assert found.cage is None
-        assert found.torque.cage is None
-        assert effect_of(found, "cage").decision == effect_of(found, "cage_dynamics").decision == "off"
-        assert set(found.to_json()["points"][0]["cage"].values()) == {None}
+        result = friction_torque(left)
+        assert result.cage is None
+        assert result.torque.cage is None
+        assert effect_of(result, "cage").decision == effect_of(result, "cage_dynamics").decision == "off"
+        assert set(result.to_json()["points"][0]["cage"].values()) == {None}
 
 
 def test_a_motion_needs_its_start() -> None:

@@ -11,40 +11,44 @@ from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, chan
 
 
 def test_the_builtin_scene_is_table_1_of_the_paper(bearing_6205) -> None:
-    found = load_scene(builtin_scene("6205"))
+    parsed = load_scene(builtin_scene("6205"))
     table = bearing_6205  # typed in a second time
     for name in ("ball_count", "ball_diameter", "ball_mass"):
-        assert getattr(found.bearing, name) == getattr(table, name), name
+        assert getattr(parsed.bearing, name) == getattr(table, name), name
     for ring in ("inner", "outer"):
         for name in ("bottom_radius", "groove_radius"):
-            assert getattr(getattr(found.bearing, ring), name) == getattr(getattr(table, ring), name), (ring, name)
-    np.testing.assert_allclose(found.bearing.pitch_diameter, 39.01e-3, rtol=1e-12)  # round-off
-    np.testing.assert_allclose(found.bearing.diametral_clearance, 0.020e-3, rtol=1e-9)  # round-off of a difference
+            assert getattr(getattr(parsed.bearing, ring), name) == getattr(getattr(table, ring), name), (ring, name)
+    np.testing.assert_allclose(parsed.bearing.pitch_diameter, 39.01e-3, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(parsed.bearing.diametral_clearance, 0.020e-3, rtol=1e-9)  # round-off of a difference
     # Boundary dimensions of a 6205 as every maker lists them.
-    assert (found.bearing.bore_diameter, found.bearing.outside_diameter, found.bearing.width) == (25e-3, 52e-3, 15e-3)
-    assert (found.tolerance, found.friction_coefficient) == (0.05, 0.1)
-    assert (found.contact_angle.rule, found.contact_angle.free) == ("solved", 0.18)
-    np.testing.assert_allclose(found.operation.axial_load, [1000.0] * 5)
+    assert (parsed.bearing.bore_diameter, parsed.bearing.outside_diameter, parsed.bearing.width) == (
+        25e-3,
+        52e-3,
+        15e-3,
+    )
+    assert (parsed.tolerance, parsed.friction_coefficient) == (0.05, 0.1)
+    assert (parsed.contact_angle.rule, parsed.contact_angle.free) == ("solved", 0.18)
+    np.testing.assert_allclose(parsed.operation.axial_load, [1000.0] * 5)
     speeds = np.array([100, 200, 300, 400, 500]) * 2 * np.pi / 60
-    np.testing.assert_allclose(found.operation.inner_speed, speeds, rtol=1e-15)  # one rounding
-    assert found.cage is not None
-    assert (found.cage.pocket_diameter, found.cage.pocket_depth, found.cage.mass) == (8.14e-3, 4.07e-3, 6.58e-3)
-    assert found.warnings == ()
+    np.testing.assert_allclose(parsed.operation.inner_speed, speeds, rtol=1e-15)  # one rounding
+    assert parsed.cage is not None
+    assert (parsed.cage.pocket_diameter, parsed.cage.pocket_depth, parsed.cage.mass) == (8.14e-3, 4.07e-3, 6.58e-3)
+    assert parsed.warnings == ()
 
 
 def test_units_become_si() -> None:
-    found = scene(INLINE)
-    assert found.bearing.ball_material.density == 3200.0
-    assert (found.bearing.inner.material.name, found.bearing.outer.material.name) == ("steel", "peek")
-    assert found.bearing.outer.bottom_radius == 18.01e-3
-    np.testing.assert_allclose(found.contact_angle.value or 0.0, np.pi / 12, rtol=1e-15)  # one rounding
-    np.testing.assert_allclose(found.operation.axial_load, [12 * 9.80665, 1e-12], rtol=1e-15)
-    np.testing.assert_allclose(found.operation.inner_speed, [-200 * np.pi / 30, 0], rtol=1e-15)
-    assert found.cage is not None
-    assert (found.cage.pocket_diameter, found.cage.pocket_depth) == (6.3e-3, 3.1e-3)
-    assert found.effects["spin"] == "off"
-    assert found.effects["rolling"] == "auto"
-    assert found.friction_coefficient is None
+    parsed = scene(INLINE)
+    assert parsed.bearing.ball_material.density == 3200.0
+    assert (parsed.bearing.inner.material.name, parsed.bearing.outer.material.name) == ("steel", "peek")
+    assert parsed.bearing.outer.bottom_radius == 18.01e-3
+    np.testing.assert_allclose(parsed.contact_angle.value or 0.0, np.pi / 12, rtol=1e-15)  # one rounding
+    np.testing.assert_allclose(parsed.operation.axial_load, [12 * 9.80665, 1e-12], rtol=1e-15)
+    np.testing.assert_allclose(parsed.operation.inner_speed, [-200 * np.pi / 30, 0], rtol=1e-15)
+    assert parsed.cage is not None
+    assert (parsed.cage.pocket_diameter, parsed.cage.pocket_depth) == (6.3e-3, 3.1e-3)
+    assert parsed.effects["spin"] == "off"
+    assert parsed.effects["rolling"] == "auto"
+    assert parsed.friction_coefficient is None
 
 
 def test_one_quantity_applies_to_the_whole_series() -> None:
@@ -56,34 +60,34 @@ def test_one_quantity_applies_to_the_whole_series() -> None:
 
 
 def test_a_catalog_entry_is_overridden_key_by_key() -> None:
-    found = scene(
+    parsed = scene(
         changed('catalog = "6205"', 'catalog = "6205"\ninner.groove_radius = "4.2 mm"\nball_count = 8')
     ).bearing
-    assert (found.inner.groove_radius, found.inner.bottom_radius, found.ball_count) == (4.2e-3, 15.53e-3, 8)
+    assert (parsed.inner.groove_radius, parsed.inner.bottom_radius, parsed.ball_count) == (4.2e-3, 15.53e-3, 8)
 
 
 def test_seats_and_width_may_be_left_out() -> None:
-    found = scene(INLINE).bearing
-    assert (found.bore_diameter, found.outside_diameter, found.width) == (None, None, None)
+    parsed = scene(INLINE).bearing
+    assert (parsed.bore_diameter, parsed.outside_diameter, parsed.width) == (None, None, None)
     wide = scene(changed('name = "hybrid"', 'name = "hybrid"\nwidth = "0.9 cm"', INLINE)).bearing
     assert (wide.bore_diameter, wide.width) == (None, 9e-3)
 
 
 def test_radial_load_and_moment_are_read() -> None:
-    found = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
-    np.testing.assert_array_equal(found.operation.radial_load, [-400.0, 0.0])
-    np.testing.assert_allclose(found.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
-    assert found.warnings == ()
+    parsed = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
+    np.testing.assert_array_equal(parsed.operation.radial_load, [-400.0, 0.0])
+    np.testing.assert_allclose(parsed.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
+    assert parsed.warnings == ()
     np.testing.assert_array_equal(scene(PLAIN).operation.radial_load, [0.0, 0.0])
 
 
 @pytest.mark.parametrize("clearance", [13e-6, -7e-6])
 def test_a_clearance_moves_both_rings(bearing_6205, clearance: float) -> None:
     key = f'catalog = "6205"\ndiametral_clearance = "{clearance * 1e6} um"'
-    found = scene(changed('catalog = "6205"', key)).bearing
-    np.testing.assert_allclose(found.diametral_clearance, clearance, rtol=1e-9)  # a difference of radii of 20 mm
-    np.testing.assert_allclose(found.pitch_diameter, bearing_6205.pitch_diameter, rtol=1e-15)  # one rounding
-    assert found.inner.bottom_radius != bearing_6205.inner.bottom_radius
+    parsed = scene(changed('catalog = "6205"', key)).bearing
+    np.testing.assert_allclose(parsed.diametral_clearance, clearance, rtol=1e-9)  # a difference of radii of 20 mm
+    np.testing.assert_allclose(parsed.pitch_diameter, bearing_6205.pitch_diameter, rtol=1e-15)  # one rounding
+    assert parsed.inner.bottom_radius != bearing_6205.inner.bottom_radius
 
 
 def test_no_cage_table_is_no_cage() -> None:
@@ -188,5 +192,5 @@ def test_a_ball_of_the_wrong_mass_gives_a_warning() -> None:
 
 
 def test_an_elastic_preload_is_accepted() -> None:
-    found = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.96 mm"'))
-    assert found.bearing.diametral_clearance < 0
+    parsed = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.96 mm"'))
+    assert parsed.bearing.diametral_clearance < 0

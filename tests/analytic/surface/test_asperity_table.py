@@ -37,10 +37,10 @@ def test_table_agrees_with_the_integrals(ratio: float) -> None:
 def test_separation_is_the_inverse(ratio: float) -> None:
     made, summits = table(ratio)
     pressure = np.geomspace(1e-250, 1e12, 397)
-    found, slope = made.separation(np.log(pressure))
+    computed, slope = made.separation(np.log(pressure))
     exact = separation_at(pressure=pressure, summits=summits, modulus=E, hardness=H)
     t = (exact - MEAN) / DEVIATION
-    assert np.all(np.abs(found - exact) < 3e-8 * DEVIATION * (1 + np.abs(t)))  # separation_at: 1e-8 of a deviation
+    assert np.all(np.abs(computed - exact) < 3e-8 * DEVIATION * (1 + np.abs(t)))  # separation_at: 1e-8 of a deviation
     step = 1e-4
     beyond, before = (made.separation(np.log(pressure) + d)[0] for d in (step, -step))
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), rtol=2e-6)  # third derivatives of a spline

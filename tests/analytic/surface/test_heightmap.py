@@ -24,26 +24,26 @@ def test_moments_of_waves_are_exact() -> None:
     """Mean squares of a product of cosines: A^2/4, with (2/d) sin(k d/2) instead of k because of the differences."""
     size, amplitude = 1260, 0.29e-6
     k, q = 2 * np.pi * 15 / (size * SPACING), 2 * np.pi * 18 / (size * SPACING)  # whole periods
-    found = measure(waves(size, size, amplitude=amplitude, along_rows=k, along_columns=q))
+    computed = measure(waves(size, size, amplitude=amplitude, along_rows=k, along_columns=q))
     by_differences = [2 / SPACING * np.sin(wave * SPACING / 2) for wave in (k, q)]
     square = amplitude**2 / 4
     edge = 2 / size  # a row of n points has one or two differences less
-    np.testing.assert_allclose(found.moments.height, square, rtol=1e-12)  # round-off
-    np.testing.assert_allclose(found.moments.slope, square * np.mean(np.square(by_differences)), rtol=edge)
-    np.testing.assert_allclose(found.moments.curvature, square * np.mean(np.power(by_differences, 4)), rtol=edge)
+    np.testing.assert_allclose(computed.moments.height, square, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(computed.moments.slope, square * np.mean(np.square(by_differences)), rtol=edge)
+    np.testing.assert_allclose(computed.moments.curvature, square * np.mean(np.power(by_differences, 4)), rtol=edge)
     tops = 15 * 18 + 14 * 17  # where both cosines are 1 or both -1, without the rim
-    np.testing.assert_allclose(found.summits.density, tops / ((size - 2) * SPACING) ** 2, rtol=1e-12)
-    np.testing.assert_allclose(found.summits.mean_height, amplitude, rtol=1e-12)  # every summit is on a point
-    np.testing.assert_allclose(found.summits.radius, 2 / (amplitude * (k**2 + q**2)), rtol=0.02)
-    assert found.warnings == ()
+    np.testing.assert_allclose(computed.summits.density, tops / ((size - 2) * SPACING) ** 2, rtol=1e-12)
+    np.testing.assert_allclose(computed.summits.mean_height, amplitude, rtol=1e-12)  # every summit is on a point
+    np.testing.assert_allclose(computed.summits.radius, 2 / (amplitude * (k**2 + q**2)), rtol=0.02)
+    assert computed.warnings == ()
 
 
 def test_correlation_length_of_waves() -> None:
     """cos(k r) falls to 1/e at acos(1/e)/k."""
     size = 1200
     k = 2 * np.pi * 20 / (size * SPACING)
-    found = measure(waves(size, size, amplitude=2e-7, along_rows=k, along_columns=k))
-    np.testing.assert_allclose(found.correlation_length, np.arccos(np.exp(-1)) / k, rtol=0.01)  # open ends
+    computed = measure(waves(size, size, amplitude=2e-7, along_rows=k, along_columns=k))
+    np.testing.assert_allclose(computed.correlation_length, np.arccos(np.exp(-1)) / k, rtol=0.01)  # open ends
 
 
 def test_a_lay_and_a_coarse_or_narrow_map_give_warnings() -> None:
@@ -71,18 +71,18 @@ def test_tilt_and_offset_are_removed() -> None:
 def test_a_binary_map_is_read(tmp_path: Path, dtype: type) -> None:
     heights = (ROUGH if dtype is not np.int16 else np.zeros((40, 53))).astype(dtype)
     np.save(tmp_path / "map.npy", np.asfortranarray(heights))
-    found = read_height_map(tmp_path / "map.npy", spacing=SPACING)
+    computed = read_height_map(tmp_path / "map.npy", spacing=SPACING)
     np.testing.assert_allclose(
-        found.heights, levelled(HeightMap(heights=heights.astype(np.float64), spacing=SPACING)).heights, atol=1e-20
+        computed.heights, levelled(HeightMap(heights=heights.astype(np.float64), spacing=SPACING)).heights, atol=1e-20
     )
-    assert found.spacing == SPACING
+    assert computed.spacing == SPACING
 
 
 def test_a_text_map_is_read(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "map.CSV", ROUGH, delimiter=",", header="heights, m")
     expected = levelled(HeightMap(heights=ROUGH, spacing=SPACING)).heights
-    found = read_height_map(tmp_path / "map.CSV", spacing=SPACING).heights
-    np.testing.assert_allclose(found, expected, atol=1e-20)  # savetxt writes 18 digits
+    computed = read_height_map(tmp_path / "map.CSV", spacing=SPACING).heights
+    np.testing.assert_allclose(computed, expected, atol=1e-20)  # savetxt writes 18 digits
 
 
 class Bomb:

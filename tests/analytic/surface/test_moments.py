@@ -13,13 +13,13 @@ GAUSSIAN = SpectralMoments(height=SQ**2, slope=2 * SQ**2 / B**2, curvature=12 * 
 
 
 def test_published_values_of_a_gaussian_autocorrelation() -> None:
-    found = mccool_summits(GAUSSIAN)
+    computed = mccool_summits(GAUSSIAN)
     np.testing.assert_allclose(GAUSSIAN.bandwidth, 3, rtol=1e-14)  # round-off
-    np.testing.assert_allclose(found.density * B**2, 0.18378, atol=5e-6)  # all to the last printed digit
-    np.testing.assert_allclose(found.radius * SQ / B**2, 0.19187, atol=5e-6)
-    np.testing.assert_allclose(found.height_deviation / SQ, 0.8373, atol=5e-5)
-    np.testing.assert_allclose(found.mean_height / SQ, 1.3029, atol=5e-5)
-    np.testing.assert_allclose(found.density * found.radius * found.height_deviation, 0.0295, atol=5e-5)
+    np.testing.assert_allclose(computed.density * B**2, 0.18378, atol=5e-6)  # all to the last printed digit
+    np.testing.assert_allclose(computed.radius * SQ / B**2, 0.19187, atol=5e-6)
+    np.testing.assert_allclose(computed.height_deviation / SQ, 0.8373, atol=5e-5)
+    np.testing.assert_allclose(computed.mean_height / SQ, 1.3029, atol=5e-5)
+    np.testing.assert_allclose(computed.density * computed.radius * computed.height_deviation, 0.0295, atol=5e-5)
 
 
 @pytest.mark.parametrize("bandwidth", [1.7, 3.0, 9.3])
@@ -41,9 +41,11 @@ def test_nayaks_distribution_of_summit_heights(bandwidth: float) -> None:
     total, mean, square = (quad(lambda u, n=n: u**n * density(u), -12, 12, limit=400)[0] for n in range(3))
     np.testing.assert_allclose(total, 1, rtol=1e-9)  # quadrature
     moments = SpectralMoments(height=SQ**2, slope=0.031, curvature=bandwidth * 0.031**2 / SQ**2)
-    found = mccool_summits(moments)
-    np.testing.assert_allclose(found.mean_height / SQ, mean, rtol=1e-9)
-    np.testing.assert_allclose(found.height_deviation / SQ, np.sqrt(square - mean**2), rtol=1e-4)  # 0.8968 has 4 digits
+    computed = mccool_summits(moments)
+    np.testing.assert_allclose(computed.mean_height / SQ, mean, rtol=1e-9)
+    np.testing.assert_allclose(
+        computed.height_deviation / SQ, np.sqrt(square - mean**2), rtol=1e-4
+    )  # 0.8968 has 4 digits
 
 
 def test_moments_of_two_surfaces_add_and_scale_with_the_heights() -> None:
@@ -59,9 +61,9 @@ def test_moments_of_two_surfaces_add_and_scale_with_the_heights() -> None:
 
 
 def test_a_smooth_surface_has_no_summits() -> None:
-    found = mccool_summits(GAUSSIAN.scaled(0.0))
-    assert (found.density, found.height_deviation, found.mean_height) == (0, 0, 0)
-    assert found.radius == np.inf
+    computed = mccool_summits(GAUSSIAN.scaled(0.0))
+    assert (computed.density, computed.height_deviation, computed.mean_height) == (0, 0, 0)
+    assert computed.radius == np.inf
 
 
 @pytest.mark.parametrize(

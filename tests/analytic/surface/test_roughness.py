@@ -52,57 +52,61 @@ def test_gaussian_moments_are_the_derivatives_of_the_autocorrelation() -> None:
         rho = lambda r: mpmath.exp(-((r / mpmath.mpf(SMOOTH.length)) ** 2))  # noqa: E731
         second = mpmath.diff(rho, 0, 2, h=mpmath.mpf("1e-12"))
         fourth = mpmath.diff(rho, 0, 4, h=mpmath.mpf("1e-12"))
-    found = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
-    np.testing.assert_allclose(found.height, SQ**2, rtol=1e-14)
-    np.testing.assert_allclose(found.slope, -(SQ**2) * float(second), rtol=1e-10)  # the difference quotient's
-    np.testing.assert_allclose(found.curvature, SQ**2 * float(fourth), rtol=1e-10)
+    computed = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
+    np.testing.assert_allclose(computed.height, SQ**2, rtol=1e-14)
+    np.testing.assert_allclose(computed.slope, -(SQ**2) * float(second), rtol=1e-10)  # the difference quotient's
+    np.testing.assert_allclose(computed.curvature, SQ**2 * float(fourth), rtol=1e-10)
 
 
 @pytest.mark.parametrize("spacing", [21e-6 * 1e-9, 0.3e-6, 2.1e-6, 35e-6])
 def test_exponential_moments_are_differences_at_the_spacing(spacing: float) -> None:
     """E[(z1 - z0)^2] and E[(z2 - 2 z1 + z0)^2] from the covariances, in 40 digits."""
-    found = spectral_moments(
+    computed = spectral_moments(
         rms_roughness=SQ, autocorrelation=Autocorrelation(kind="exponential", length=21e-6, spacing=spacing)
     )
     with mpmath.workdps(40):
         d = mpmath.mpf(spacing)
         one, two = mpmath.exp(-d / mpmath.mpf(21e-6)), mpmath.exp(-2 * d / mpmath.mpf(21e-6))
         slope, curvature = (2 - 2 * one) / d**2, (6 - 8 * one + 2 * two) / d**4
-    np.testing.assert_allclose(found.slope, SQ**2 * float(slope), rtol=1e-13)  # round-off
-    np.testing.assert_allclose(found.curvature, SQ**2 * float(curvature), rtol=1e-13)
+    np.testing.assert_allclose(computed.slope, SQ**2 * float(slope), rtol=1e-13)  # round-off
+    np.testing.assert_allclose(computed.curvature, SQ**2 * float(curvature), rtol=1e-13)
 
 
 @pytest.mark.parametrize(("spacing", "radius"), [(0.5e-6, 0.372e-6), (1e-6, 1.053e-6), (2e-6, 2.990e-6)])
 def test_tip_radii_of_an_exponential_surface(spacing: float, radius: float) -> None:
     """Sq 1 um, length 10 um, by an independent calculation; they grow with the spacing, which is part of the input."""
     surface = Autocorrelation(kind="exponential", length=10e-6, spacing=spacing)
-    found = mccool_summits(spectral_moments(rms_roughness=1e-6, autocorrelation=surface))
-    np.testing.assert_allclose(found.radius, radius, atol=0.5e-9)  # the last digit
+    computed = mccool_summits(spectral_moments(rms_roughness=1e-6, autocorrelation=surface))
+    np.testing.assert_allclose(computed.radius, radius, atol=0.5e-9)  # the last digit
 
 
 def test_moments_of_generated_surfaces_over_many_seeds(smooth_measurements: list[Measurement]) -> None:
     """Against the covariances at these lags. Subtracting the mean of the map reduces Sq^2 by the mean of rho."""
     d, one, two = SMOOTH.spacing, lagged(0, 1), lagged(0, 2)
     mean_rho = np.pi * SMOOTH.length**2 / (POINTS * d) ** 2
-    assert_mean([found.moments.height for found in smooth_measurements], SQ**2 * (1 - mean_rho))
-    assert_mean([found.moments.slope for found in smooth_measurements], SQ**2 * (2 - 2 * one) / d**2)
-    assert_mean([found.moments.curvature for found in smooth_measurements], SQ**2 * (6 - 8 * one + 2 * two) / d**4)
+    assert_mean([computed.moments.height for computed in smooth_measurements], SQ**2 * (1 - mean_rho))
+    assert_mean([computed.moments.slope for computed in smooth_measurements], SQ**2 * (2 - 2 * one) / d**2)
+    assert_mean(
+        [computed.moments.curvature for computed in smooth_measurements], SQ**2 * (6 - 8 * one + 2 * two) / d**4
+    )
     closed = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
     # The systematic errors are the next terms of the series in d, at a tenth of the length.
-    assert_mean([found.moments.slope for found in smooth_measurements], closed.slope, systematic=0.005)
-    assert_mean([found.moments.curvature for found in smooth_measurements], closed.curvature, systematic=0.0166)
-    assert_mean([found.correlation_length for found in smooth_measurements], SMOOTH.length, systematic=0.01)
+    assert_mean([computed.moments.slope for computed in smooth_measurements], closed.slope, systematic=0.005)
+    assert_mean([computed.moments.curvature for computed in smooth_measurements], closed.curvature, systematic=0.0166)
+    assert_mean([computed.correlation_length for computed in smooth_measurements], SMOOTH.length, systematic=0.01)
 
 
 def test_counted_summits_agree_with_mccool(smooth_measurements: list[Measurement]) -> None:
     """Points above their neighbours against the closed form."""
     expected = mccool_summits(spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH))
-    summits = [found.summits for found in smooth_measurements]
-    assert_mean([float(found.density) for found in summits], float(expected.density), systematic=0.01)
-    assert_mean([float(found.height_deviation) for found in summits], float(expected.height_deviation), systematic=0.02)
-    assert_mean([float(found.mean_height) for found in summits], float(expected.mean_height), systematic=0.02)
+    summits = [computed.summits for computed in smooth_measurements]
+    assert_mean([float(computed.density) for computed in summits], float(expected.density), systematic=0.01)
+    assert_mean(
+        [float(computed.height_deviation) for computed in summits], float(expected.height_deviation), systematic=0.02
+    )
+    assert_mean([float(computed.mean_height) for computed in summits], float(expected.mean_height), systematic=0.02)
     # 1.6 % of m_4 is 0.8 % of its root. The points are next to the true summits, where the curvature is smaller.
-    assert_mean([float(found.radius) for found in summits], float(expected.radius), systematic=0.02)
+    assert_mean([float(computed.radius) for computed in summits], float(expected.radius), systematic=0.02)
 
 
 def test_a_generated_surface_has_the_declared_autocorrelation(smooth_maps: list[np.ndarray]) -> None:
@@ -162,11 +166,11 @@ def test_a_scene_with_a_height_map(tmp_path: Path) -> None:
     heights = made(SMOOTH, 11)
     np.save(tmp_path / "race.npy", heights)
     given = HeightMapFile(path=str(tmp_path / "race.npy"), spacing=SMOOTH.spacing)
-    found = gap_roughness(Surface(height_map=given, ball_rms_roughness=0.1e-6))
+    computed = gap_roughness(Surface(height_map=given, ball_rms_roughness=0.1e-6))
     straight = levelled(HeightMap(heights=heights, spacing=SMOOTH.spacing)).heights
-    np.testing.assert_allclose(found.race.rms_roughness, straight.std(), rtol=1e-12)  # round-off
-    np.testing.assert_allclose(found.ball.rms_roughness, 0.1e-6, rtol=1e-13)
-    np.testing.assert_allclose(found.ball.bandwidth, found.race.bandwidth, rtol=1e-12)
+    np.testing.assert_allclose(computed.race.rms_roughness, straight.std(), rtol=1e-12)  # round-off
+    np.testing.assert_allclose(computed.ball.rms_roughness, 0.1e-6, rtol=1e-13)
+    np.testing.assert_allclose(computed.ball.bandwidth, computed.race.bandwidth, rtol=1e-12)
     np.save(tmp_path / "flat.npy", np.zeros((50, 60)))
     flat = HeightMapFile(path=str(tmp_path / "flat.npy"), spacing=1e-6)
     for surface, message in (
