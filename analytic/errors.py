@@ -1,19 +1,19 @@
-"""Errors a user can act on; any other exception is a bug in fembearing."""
+"""Errors that a user can act on; any other exception is a bug in fembearing."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 
 class FembearingError(Exception):
-    """Base of all of them; the command line prints it without a traceback."""
+    """Base class; the command line prints these errors without a traceback."""
 
 
 class InputError(FembearingError, ValueError):
-    """A value the model cannot accept."""
+    """A value that the model cannot accept."""
 
 
 class ConvergenceError(FembearingError):
-    """An iteration that stopped short; the numbers stay readable."""
+    """An iteration that did not converge; its numbers are attributes."""
 
     def __init__(
         self,
@@ -33,14 +33,14 @@ class ConvergenceError(FembearingError):
 
 
 class SingularError(ConvergenceError):
-    """Equations that no solver could solve: there is no first iteration to tell of."""
+    """Equations that cannot be solved: there was no iteration."""
 
     def __init__(self, *, problem: str, remedy: str) -> None:
         self.iterations, self.residual, self.tolerance = 0, np.inf, 0.0
         FembearingError.__init__(self, f"{problem}. {remedy}")
 
 
-# Formulas ask these often, and for few numbers: the smallest and the largest tell, and fail where one is not a number.
+# Formulas call these often with few numbers: minimum and maximum are fast, and comparisons with NaN fail.
 
 
 def require_finite(**values: ArrayLike) -> None:

@@ -1,8 +1,8 @@
-"""The nouns of a bearing problem: what it is made of, how it is run, what is asked.
+"""A bearing problem: what the bearing is made of, how it is run, and how accurate the result has to be.
 
-Every field is an SI float (m, kg, N, Pa, rad, rad/s); units live in `analytic.scenefile.read` alone.
-Axes of a contact: z along the load, x along rolling, y transverse (along the groove's
-profile), origin at the contact's centre. A radius is positive where the body is convex.
+Every quantity is a float in SI (m, kg, N, Pa, rad, rad/s); `analytic.scenefile.quantity` reads other units.
+Axes of a contact: z along the load, x along rolling, y transverse (along the profile of the groove); the origin is the
+centre of the contact. A radius is positive where the body is convex.
 """
 
 import copyreg
@@ -33,7 +33,7 @@ def read_only(mapping: Mapping) -> MappingProxyType:
     return MappingProxyType(mapping)
 
 
-# A scene goes to other processes and its result comes back: read-only mappings cannot on their own.
+# Scenes and results are sent between processes, and read-only mappings cannot be pickled without this.
 copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))
 
 
@@ -46,7 +46,7 @@ class Material:
     poisson_ratio: float  # nu
     density: float  # kg/m^3
     source: str  # where the numbers come from
-    hardness: float | None = None  # H, of indentation, Pa; None: not known
+    hardness: float | None = None  # H, of indentation, Pa; None: unknown
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,14 +54,14 @@ class Groove:
     """The raceway of one ring: a torus, with a flat land beyond each shoulder."""
 
     bottom_radius: float  # bearing axis to the bottom of the groove, m
-    groove_radius: float  # r_g, of the groove's profile, m
+    groove_radius: float  # r_g, of the profile of the groove, m
     shoulder_half_width: float  # middle of the groove to each shoulder, along the axis, m
     material: Material
 
 
 @dataclass(frozen=True, kw_only=True)
 class Land:
-    """The ring whose shoulders guide the cage, where its rims reach them before its pockets reach the balls."""
+    """The ring whose shoulders guide the cage: the rims of the cage touch them before its pockets touch the balls."""
 
     ring: Literal["inner", "outer"]
     clearance: float  # on the diameter, m
@@ -72,7 +72,7 @@ class Land:
 class Cage:
     """The ball cage: a sheet with a spherical pocket around each ball, and how it moves.
 
-    The fields from `restitution` on ask nothing of a cage that rests on its balls; one that moves needs `start`.
+    A motion of the cage needs `start`.
     """
 
     pocket_diameter: float  # D_p, m
@@ -80,16 +80,16 @@ class Cage:
     wall_thickness: float  # m
     mass: float  # kg
     material: Material
-    pocket_axis: PocketAxis = "axial"  # the line of both half-shells' centres: how a stamped cage is put together
-    pocket_stiffness: float | None = None  # K_pb, N/m^1.5, of finite elements or a test; None: Hertz's
-    friction_coefficient: float | None = None  # of ball on pocket; None: as the races'
-    restitution: float = 0.8  # share of its speed that an impact keeps; assumed
-    start: CageStart | None = None  # from where the motion begins; None: no motion is asked for
+    pocket_axis: PocketAxis = "axial"  # line through the centres of both half-shells; axial in a stamped cage
+    pocket_stiffness: float | None = None  # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
+    friction_coefficient: float | None = None  # of ball on pocket; None: that of the races
+    restitution: float = 0.8  # share of the speed that remains after an impact; assumed
+    start: CageStart | None = None  # how the motion begins; None: no motion
     seeds: int = 4  # motions from slightly different beginnings
-    duration: float = 0.2  # measured of each, s
-    steps_per_contact: int = 40  # of the motion in the shortest impact to expect: its accuracy in time
-    gravity: CageGravity = "across"  # to the axis: down, against the first ball's quarter turn
-    drag: float = 0.0  # torque over speed with which the oil around brakes the cage, N m s
+    duration: float = 0.2  # measured time of each, s: ten swings of a cage at rest, a hundred turns of a whirl
+    steps_per_contact: int = 40  # time steps in the shortest impact to expect
+    gravity: CageGravity = "across"  # of the axis: "across" is -y, "along" is -z
+    drag: float = 0.0  # braking torque of the surrounding oil over the speed of the cage, N m s
     ball_lead: float = 0.0  # how far balls lead on one side of the bearing and lag on the other, m
     land: Land | None = None
 
@@ -107,8 +107,10 @@ class Bearing:
     outer: Groove
     bore_diameter: float | None = None  # m: where the inner ring sits on its shaft
     outside_diameter: float | None = None  # m: where the outer ring sits in its housing
-    width: float | None = None  # m, of both rings; None of the three: not known, and no ring's structure
-    static_load_rating: float | None = None  # C0, N, as a catalogue tells it; None: not known
+    width: float | None = (
+        None  # of both rings, m; where one of these three is None the structure of the rings is unknown
+    )
+    static_load_rating: float | None = None  # C0 by a catalogue, N; None: unknown
 
     @property
     def ball_radius(self) -> float:
@@ -121,21 +123,21 @@ class Bearing:
 
     @property
     def diametral_clearance(self) -> float:
-        """P_d: radial play of the unloaded rings, on the diameter, m; negative is preload."""
+        """P_d: radial clearance of the unloaded bearing, on the diameter, m; negative is preload."""
         return 2 * (self.outer.bottom_radius - self.inner.bottom_radius - self.ball_diameter)
 
     @property
     def groove_centre_distance(self) -> float:
-        """A_0 = r_gi + r_go - D: groove centre to groove centre when both races touch the ball, m."""
+        """A_0 = r_gi + r_go - D: distance of the groove centres when both races touch the ball, m."""
         return self.inner.groove_radius + self.outer.groove_radius - self.ball_diameter
 
 
 @dataclass(frozen=True, kw_only=True)
 class ContactAngle:
-    """Where the contact angle comes from.
+    """How the contact angle is determined.
 
-    `given`: `value` is the loaded angle. `solved`: the angle follows from the load, starting
-    at `free`, or where that is None at the angle that the clearance leaves.
+    `given`: `value` is the loaded angle. `solved`: the angle follows from the load. The unloaded angle is then `free`;
+    None: the angle that the clearance allows.
     """
 
     rule: Literal["solved", "given"]
@@ -145,7 +147,7 @@ class ContactAngle:
 
 @dataclass(frozen=True, kw_only=True)
 class Lubricant:
-    """The oil that flows into the contacts."""
+    """The oil at the inlets of the contacts."""
 
     viscosity: float  # eta_0, at the reference temperature and ambient pressure, Pa s
     pressure_viscosity: float  # alpha_p = d ln(eta)/dp there, 1/Pa
@@ -157,16 +159,16 @@ class Lubricant:
     eyring_stress: float  # tau_E, Pa
     limiting_shear: float  # zeta: the largest shear stress over the pressure
     traction: Traction
-    supply: Supply = "oil_bath"  # how it comes back to the track
+    supply: Supply = "oil_bath"  # how oil returns to the track
 
 
 @dataclass(frozen=True, kw_only=True)
 class Autocorrelation:
-    """How the heights of a random surface at a distance r depend on each other: rho(r), 1 at 0."""
+    """Autocorrelation rho(r) of the heights of a random surface at the distance r; rho(0) = 1."""
 
     kind: Literal["gaussian", "exponential"]  # exp(-(r/length)^2), exp(-r/length)
     length: float  # where rho is 1/e, m
-    spacing: float  # of the points at which the surface is known, m
+    spacing: float  # of the points of the surface, m
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,31 +176,31 @@ class HeightMapFile:
     """A measured surface."""
 
     path: str  # .npy or .csv, heights in m
-    spacing: float  # of neighbouring points, the same both ways, m
+    spacing: float  # of neighbouring points in both directions, m
 
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
-    """Ball and races as they are finished: random heights declared, or a height map of a race.
+    """Roughness of ball and races: declared statistics of random heights, or the height map of a race.
 
-    Exactly one of `height_map` and the pair `rms_roughness`, `autocorrelation` is given. The ball's heights follow the
-    same statistics; `ball_rms_roughness` scales them.
+    Give either `height_map` or both `rms_roughness` and `autocorrelation`. The heights of the ball have the same
+    statistics, scaled to `ball_rms_roughness`.
     """
 
     rms_roughness: float | None = None  # Sq, of each surface, m
     autocorrelation: Autocorrelation | None = None
     height_map: HeightMapFile | None = None
-    ball_rms_roughness: float | None = None  # Sq of the ball where it differs, m
+    ball_rms_roughness: float | None = None  # Sq of the ball, m; None: as the race
     hardness: float | None = None  # H, Pa; None: that of the softer material
-    boundary_friction: float = 0.12  # mu_b, where asperities touch
+    boundary_friction: float = 0.12  # mu_b, of asperities in contact
 
 
 @dataclass(frozen=True, kw_only=True)
 class Losses:
-    """Torques about the bearing axis that no formula here gives, as the scene tells them; None: not declared."""
+    """Torques about the bearing axis that the scene declares, as no formula here gives them; None: not declared."""
 
     seals: float | None = None  # N m, >= 0
-    drag: float | None = None  # of the oil that balls and cage stir, N m, >= 0
+    drag: float | None = None  # of the oil that balls and cage move, N m, >= 0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -206,9 +208,9 @@ class Operation:
     """The operating points of a series; every array has the same shape (n,)."""
 
     axial_load: Array  # N
-    inner_speed: Array  # rad/s, the outer ring stands still
-    radial_load: Array | float = 0.0  # N, along x, which points at the first ball
-    moment: Array | float = 0.0  # N m, about y: it tilts the inner ring's x-side against the axial load
+    inner_speed: Array  # w, rad/s; the outer ring stands still
+    radial_load: Array | float = 0.0  # N, along x, which points to the first ball
+    moment: Array | float = 0.0  # N m, about y; it tilts the +x side of the inner ring against the axial load
 
     @property
     def is_thrust(self) -> bool:
@@ -228,7 +230,7 @@ class Operation:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Scene:
-    """One question: this bearing, run this way, to this accuracy."""
+    """A bearing, its operating points, and the accuracy of the result."""
 
     name: str
     tolerance: float  # relative
@@ -236,21 +238,21 @@ class Scene:
     contact_angle: ContactAngle
     operation: Operation
     cage: Cage | None = None  # None: no cage term and no pocket contact
-    lubricant: Lubricant | None = None  # None: not known
-    surface: Surface | None = None  # None: not known
-    friction_coefficient: float | None = None  # mu at every race contact, in place of a surface's; None: not given
-    hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: not known
+    lubricant: Lubricant | None = None  # None: unknown
+    surface: Surface | None = None  # None: unknown
+    friction_coefficient: float | None = None  # mu of every race contact, given instead of a surface
+    hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: unknown
     losses: Losses = Losses()
-    spin_rule: SpinRule = "balanced"  # how a ball's spin is shared between its two races
-    sliding: Sliding = "auto"  # the rung by which it is integrated over a contact; auto: as the tolerance asks
-    microslip: Microslip = "derived"  # its moments; `as_printed` is the paper's, misprints included
+    spin_rule: SpinRule = "balanced"  # how the spin of a ball is shared between its races
+    sliding: Sliding = "auto"  # method that integrates sliding over a contact; auto: chosen by the tolerance
+    microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
     effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
-    calibration: str | None = None  # which inputs were chosen until which numbers came out, in words; None: none said
+    calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
     warnings: tuple[str, ...] = ()
 
     @property
     def has_friction(self) -> bool:
-        """Whether the friction of ball on race is given, or known well enough to be computed."""
+        """Whether the friction of ball on race is given or can be computed."""
         return self.friction_coefficient is not None or (self.lubricant is not None and self.surface is not None)
 
 
@@ -264,7 +266,7 @@ class Wall:
 
 @dataclass(frozen=True, kw_only=True)
 class Ring:
-    """The ring behind a groove; its section is symmetric about the middle of the groove."""
+    """The ring that carries a groove; its section is symmetric about the middle of the groove."""
 
     bottom_radius: float  # bearing axis to the bottom of the groove, m
     seat_radius: float  # bearing axis to the seat on the shaft or in the housing, m
@@ -274,12 +276,11 @@ class Ring:
 
 @dataclass(frozen=True, kw_only=True)
 class Contact:
-    """A ball pressed into a groove: all that an elastic solution needs to know.
+    """A ball pressed into a groove: all that an elastic solution needs.
 
-    `rolling_radius` is the groove's radius along rolling at the contact's centre: positive on
-    the inner ring (convex), negative on the outer (concave).
-    `shoulder` is the distance from the contact's centre to the nearer shoulder, on the plane
-    tangent at that centre; y, across the groove, is positive towards it.
+    `rolling_radius` is the radius of the groove along rolling at the centre of the contact: positive on the inner ring
+    (convex), negative on the outer ring (concave). `shoulder` is the distance from the centre of the contact to the
+    nearer shoulder, in the tangent plane at that centre; y is positive towards this shoulder.
     """
 
     pair: Pair
@@ -292,4 +293,4 @@ class Contact:
     ball_material: Material
     race_material: Material
     wall: Wall | None = None  # of a pocket
-    ring: Ring | None = None  # of a race, where its seat and width are known
+    ring: Ring | None = None  # of a race whose seat and width are known

@@ -14,9 +14,10 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.cage.torque import CagePart, cage_friction
+from analytic.cage.torque import CagePart, cage_drive, cage_friction
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
+from analytic.effects.cage import decide_cage
 from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
@@ -116,7 +117,11 @@ def friction_torque(
         )
         parts |= {name: getattr(sliding, name) for name in BY_SLIP if ledger.is_on(name)}
     race = _sum(parts, speed)
-    cage = cage_friction(scene, balls, operation, ledger, race=race)
+    drive = None if scene.cage is None else cage_drive(scene.bearing, scene.cage, balls, speed)
+    decide_cage(scene, drive, ledger, race=race)
+    cage: CagePart | None = None
+    if drive is not None and ledger.is_on("cage"):
+        cage = cage_friction(scene, drive, moves=ledger.is_on("cage_dynamics"))
     computed = race if cage is None else race + cage.torque
     declared = declared_losses(ledger, computed)
     total = computed if declared is None else computed + declared

@@ -1,8 +1,10 @@
-"""The compiled loop of the cage's motion. Compiled on first use and kept; `analytic.cage.motion` says what it solves.
+"""The compiled loop of the cage's motion; `analytic.cage.motion` says what it solves.
 
-Loaded on demand, for numba is: nothing else here imports it. Everything is in the fixed frame, z the bearing's axis.
-One step is a kick by the loads, the exact motion of a free ring, and a kick by the loads at its end, whose friction and
-damping take the speeds that the loads of before would give: second order, and without losses symplectic.
+Compiled on first use and cached. Only `analytic.cage.motion` imports it, on demand, because numba is slow to import.
+Everything is in the fixed frame, z is the axis of the bearing.
+One step is half a kick by the loads, the exact motion of a free ring, and half a kick by the loads at its end. There,
+friction and damping take the velocities that the previous loads would give. The method is of second order, and
+symplectic without losses.
 """
 
 from collections.abc import Callable
@@ -16,15 +18,13 @@ from numpy.typing import NDArray
 FAST = {"contract", "reassoc", "arcp", "nsz", "afn"}
 SATURATED = 20.0  # |v|/v0 from where tanh is 1 in double precision
 
-# The state: position, velocity, quaternion (scalar first), angular momentum, time and angle of the orbit.
+# The state: place, velocity, quaternion (scalar first), angular momentum, time and angle of the orbit.
 STATE = 15
-# What a call adds up: impulse of the moments about z, works by slip in pockets and at the land, of damping, of drag and
-# of the balls on the cage, integral of the normal forces, angle about the axis that the centre went, integrals of its
-# distance, of the distance squared, of x and of y; and the largest normal force of one contact in a pocket.
+# The sums of a call: impulse of the moments about z; energy lost by slip in pockets, by slip at the land, by damping
+# and by drag; work of the balls on the cage; integral of the normal forces; angle through which the centre circled z;
+# integrals of its distance, of its distance squared, of x and of y; and the largest normal force of one contact.
 TALLY = 13
-MOMENT, SLIP, LAND_SLIP, DAMPING, DRAG, BALLS, FORCE, WINDING, DISTANCE, SQUARE, PLACE_X, PLACE_Y, LARGEST = range(
-    TALLY
-)
+LARGEST = TALLY - 1
 
 
 class Law(NamedTuple):
@@ -35,12 +35,12 @@ class Law(NamedTuple):
     transverse_inertia: float
     pitch_radius: float
     ball_radius: float
-    room: float
+    half_clearance: float
     centre_offset: float
     axial_pockets: bool
     stiffness: float
     damping: float
-    least_impact: float  # v0 of the damping: an impact slower than this counts as so fast
+    least_impact: float  # a slower impact is damped as if it had this speed
     friction: float
     smoothing: float
     gravity_x: float
@@ -48,20 +48,53 @@ class Law(NamedTuple):
     gravity_z: float
     drag: float
     orbit_speed: float
-    spin_axial: float  # of a ball relative to the orbit: along z, and outward
-    spin_radial: float
+    spin_axial: float  # of a ball relative to the orbit, along z
+    spin_radial: float  # likewise, outward
     lead: float  # rad
-    ramp: float  # s; 0: full speed at once
+    ramp: float  # time in which all speeds rise, s; 0: full speed at once
     land_radius: float  # 0: no land
-    land_room: float
-    land_side: float  # of the contact, seen from the axis along the cage's displacement: -1 at the bore, +1 outside
+    land_half_clearance: float
+    land_side: float  # of the contact along the displacement of the cage: -1 at the bore of the cage, +1 outside
     land_speed: float
     land_half_width: float
-    deepest: float  # penetration at which the motion has come apart, m
+    deepest: float  # penetration at which the motion has diverged, m
 
 
-def _kept(function: Callable[..., int]) -> Callable[..., int]:
-    """Compiled for good; for this run alone where no folder takes it, as in a read-only installation without a home."""
+class Body(NamedTuple):
+    """The cage as its loads depend on it."""
+
+    place: tuple[float, float, float]
+    velocity: tuple[float, float, float]
+    rotation: tuple[float, float, float, float, float, float, float, float, float]  # matrix by rows
+    angular_velocity: tuple[float, float, float]
+
+
+class Orbit(NamedTuple):
+    """Where the balls are and how fast they move."""
+
+    cosine: float  # of the angle of the orbit
+    sine: float
+    scale: float  # of all speeds, 0 to 1, as they rise
+
+
+class Loads(NamedTuple):
+    """What acts on the cage at one instant; powers in W, forces in N."""
+
+    force: tuple[float, float, float]
+    moment: tuple[float, float, float]
+    ball_moment: float  # of the balls about z, through the centre of the cage
+    slip: float  # power lost by friction in the pockets
+    land_slip: float  # at the land
+    damping: float  # in impacts
+    drag: float  # in the oil around the cage
+    given: float  # power of the balls on the cage
+    pressed: float  # sum of the normal forces in the pockets
+    largest: float  # of these forces
+    deepest: float  # penetration, m
+
+
+def _compiled(function: Callable[..., int]) -> Callable[..., int]:
+    """Compile and cache; without a cache where no folder is writable (a read-only installation without a home)."""
     try:
         return njit(cache=True, fastmath=FAST)(function)
     except RuntimeError:
@@ -69,16 +102,20 @@ def _kept(function: Callable[..., int]) -> Callable[..., int]:
 
 
 @njit(fastmath=FAST, inline="always")
-def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine, sine, scale):
-    """Force and moment on the cage, and what they tell of; r: rotation matrix by rows."""
-    xx, xy, xz, yx, yy, yz, zx, zy, zz = r
+def _loads(law, azimuth, touch, now, body, drive):
+    """Loads on the Body by balls that an Orbit describes; azimuth, touch and now as in `advance`."""
+    x, y, z = body.place
+    vx, vy, vz = body.velocity
+    wx, wy, wz = body.angular_velocity
+    xx, xy, xz, yx, yy, yz, zx, zy, zz = body.rotation
+    cosine, sine, scale = drive
     fx, fy, fz = law.mass * law.gravity_x, law.mass * law.gravity_y, law.mass * law.gravity_z
     mx = my = mz = slip = damped = given = pressed = largest = deepest = 0.0
     orbit = law.orbit_speed * scale
-    room, offset, radius, pitch = law.room, law.centre_offset, law.ball_radius, law.pitch_radius
-    reach = room * room
+    clearance, offset, radius, pitch = law.half_clearance, law.centre_offset, law.ball_radius, law.pitch_radius
+    reach = clearance * clearance
     shells = 1 if offset == 0.0 else 2
-    # Ball less pocket: both lie on circles of one radius, so that only the difference of two rotations is left.
+    # Ball minus pocket: both lie on circles of one radius, so only the difference of two rotations remains.
     ax, ay, bx, by = pitch * (cosine - xx), pitch * (sine - yx), pitch * (-sine - xy), pitch * (cosine - yy)
     az, bz = -pitch * zx, -pitch * zy
     for ball in range(azimuth.shape[0]):
@@ -106,13 +143,13 @@ def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine,
             place = along + side * offset
             nx, ny, nz = ux + side * offset * ex, uy + side * offset * ey, uz + side * offset * ez
             distance = np.sqrt(nx * nx + ny * ny + nz * nz)
-            depth = distance - room
+            depth = distance - clearance
             facing = shells == 1 or side * place > 0.0
             if depth <= 0.0 or not facing:
                 touch[ball, shell] = 0.0
                 continue
             nx, ny, nz = nx / distance, ny / distance, nz / distance
-            # Surface of the ball: centre on its orbit, and its own turning.
+            # Velocity of the ball's surface: that of its centre on the orbit, and its own rotation.
             tx, ty, tz = law.spin_radial * scale * bc, law.spin_radial * scale * bs, law.spin_axial * scale + rate
             sx = -rate * pitch * bs + radius * (ty * nz - tz * ny)
             sy = rate * pitch * bc + radius * (tz * nx - tx * nz)
@@ -144,7 +181,7 @@ def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine,
                 now[ball, 0] += qx
                 now[ball, 1] += qy
                 now[ball, 2] += qz
-    turning = mz  # of the balls on the cage, about an axis through its centre
+    ball_moment = mz
     rubbing = dragged = 0.0
     if law.drag != 0.0:
         along = law.drag / (pitch * pitch)
@@ -155,7 +192,7 @@ def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine,
             half = law.land_half_width if rim == 0 else -law.land_half_width
             hx, hy = x + half * xz, y + half * yz
             distance = np.sqrt(hx * hx + hy * hy)
-            depth = distance - law.land_room
+            depth = distance - law.land_half_clearance
             if depth <= 0.0:
                 continue
             nx, ny = hx / distance, hy / distance
@@ -174,12 +211,14 @@ def _loads(law, azimuth, touch, now, x, y, z, vx, vy, vz, r, wx, wy, wz, cosine,
             mx, my, mz = mx + py * qz - pz * qy, my + pz * qx - px * qz, mz + px * qy - py * qx
             rubbing += per_speed * speed * speed
             deepest = max(deepest, depth)
-    return fx, fy, fz, mx, my, mz, turning, slip, rubbing, damped, dragged, given, pressed, largest, deepest
+    return Loads(
+        (fx, fy, fz), (mx, my, mz), ball_moment, slip, rubbing, damped, dragged, given, pressed, largest, deepest
+    )
 
 
 @njit(fastmath=FAST, inline="always")
-def _turned(a, b, c, d):
-    """Rotation matrix of a quaternion of length 1, by rows."""
+def _rotation(a, b, c, d):
+    """Matrix of a quaternion of length 1, by rows."""
     return (
         1.0 - 2.0 * (c * c + d * d),
         2.0 * (b * c - a * d),
@@ -195,11 +234,11 @@ def _turned(a, b, c, d):
 
 @njit(fastmath=FAST, inline="always")
 def _scale(time, ramp):
-    """Of all speeds, as they rise."""
+    """Share of all speeds that is reached, 0 to 1."""
     return time / ramp if time < ramp else 1.0
 
 
-@_kept
+@_compiled
 def advance(
     law: Law,
     azimuth: NDArray[np.float64],
@@ -210,22 +249,22 @@ def advance(
     step: float,
     steps: int,
 ) -> int:
-    """Go on by so many steps, in place; the number of steps done, fewer where the motion comes apart.
+    """Advance the state in place by steps of `step` seconds; returns the number of steps done, less if it diverges.
 
-    azimuth : (Z, 2), cosine and sine of each pocket's place
-    touch : (Z, 2), of each shell's contact the fastest at which it has closed since it began, m/s; 0 without
-    now : (Z, 3), to which the forces of the balls at the end are added, or (0, 3) where nobody asks
-    tally : (TALLY,), to which the step's share of each integral is added
+    azimuth : (Z, 2), cosine and sine of the place of each pocket
+    touch : (Z, 2), for each shell the fastest closing speed of its contact since it began, m/s; 0 without contact
+    now : (Z, 3), to which the forces of the balls at the end are added; (0, 3) where these are not needed
+    tally : (TALLY,), to which the integrals over the steps are added
     """
     x, y, z, vx, vy, vz, a, b, c, d, lx, ly, lz, time, angle = state
     none = now[:0]
     inverse, soft = 1.0 / law.mass, 1.0 / law.transverse_inertia
     excess = 1.0 / law.axial_inertia - soft
     half = 0.5 * step
-    moment = slip = rubbing = damped = dragged = given = pressed = winding = far = square = place_x = place_y = 0.0
+    moment = slip = land = damping = drag = given = pressed = winding = distance = square = place_x = place_y = 0.0
     largest = tally[LARGEST]
     fx = fy = fz = mx = my = mz = 0.0
-    r = _turned(a, b, c, d)
+    r = _rotation(a, b, c, d)
     scale = _scale(time, law.ramp)
     done = 0
     for done in range(steps + 1):
@@ -233,8 +272,8 @@ def advance(
             vx, vy, vz = vx + half * inverse * fx, vy + half * inverse * fy, vz + half * inverse * fz
             lx, ly, lz = lx + half * mx, ly + half * my, lz + half * mz
             x, y, z = x + step * vx, y + step * vy, z + step * vz
-            # A free ring turns about its angular momentum, and about its own axis besides: both by Cayley's map, whose
-            # error is the cube of an angle of some 1e-5.
+            # A free ring rotates about its angular momentum and about its own axis: both by Cayley's map, whose error
+            # is the cube of an angle of some 1e-5.
             turn = half * (r[2] * lx + r[5] * ly + r[8] * lz) * excess
             a, b, c, d = a - turn * d, b + turn * c, c - turn * b, d + turn * a
             px, py, pz = half * soft * lx, half * soft * ly, half * soft * lz
@@ -249,39 +288,42 @@ def advance(
             time += step
             before, scale = scale, _scale(time, law.ramp)
             angle += half * (before + scale) * law.orbit_speed
-            r = _turned(a, b, c, d)
-        # Speeds that friction and damping see: those that the loads before would give. Nothing has loaded the first.
+            r = _rotation(a, b, c, d)
+        # Friction and damping see the velocities that the previous loads would give. At first there are none.
         kx, ky, kz = lx + half * mx, ly + half * my, lz + half * mz
         own = (r[2] * kx + r[5] * ky + r[8] * kz) * excess
-        loads = _loads(
-            law, azimuth, touch, now if done == steps else none, x, y, z,
-            vx + half * inverse * fx, vy + half * inverse * fy, vz + half * inverse * fz, r,
-            kx * soft + own * r[2], ky * soft + own * r[5], kz * soft + own * r[8],
-            np.cos(angle), np.sin(angle), scale,
-        )  # fmt: skip
-        fx, fy, fz, mx, my, mz = loads[:6]
+        body = Body(
+            (x, y, z),
+            (vx + half * inverse * fx, vy + half * inverse * fy, vz + half * inverse * fz),
+            r,
+            (kx * soft + own * r[2], ky * soft + own * r[5], kz * soft + own * r[8]),
+        )
+        orbit = Orbit(np.cos(angle), np.sin(angle), scale)
+        loads = _loads(law, azimuth, touch, now if done == steps else none, body, orbit)
+        fx, fy, fz = loads.force
+        mx, my, mz = loads.moment
         if done == 0:
             continue
         vx, vy, vz = vx + half * inverse * fx, vy + half * inverse * fy, vz + half * inverse * fz
         lx, ly, lz = lx + half * mx, ly + half * my, lz + half * mz
-        moment += loads[6]
-        slip += loads[7]
-        rubbing += loads[8]
-        damped += loads[9]
-        dragged += loads[10]
-        given += loads[11]
-        pressed += loads[12]
-        largest = max(largest, loads[13])
+        moment += loads.ball_moment
+        slip += loads.slip
+        land += loads.land_slip
+        damping += loads.damping
+        drag += loads.drag
+        given += loads.given
+        pressed += loads.pressed
+        largest = max(largest, loads.largest)
         away = x * x + y * y
         if away > 0.0:
             winding += (x * vy - y * vx) / away
-        far += np.sqrt(away)
+        distance += np.sqrt(away)
         square += away
         place_x += x
         place_y += y
-        if not loads[14] < law.deepest or not vx * vx + vy * vy + vz * vz < np.inf:
+        if not loads.deepest < law.deepest or not vx * vx + vy * vy + vz * vz < np.inf:
             break
-    sums = (moment, slip, rubbing, damped, dragged, given, pressed, winding, far, square, place_x, place_y)
+    sums = (moment, slip, land, damping, drag, given, pressed, winding, distance, square, place_x, place_y)
     for index in range(LARGEST):
         tally[index] += step * sums[index]
     tally[LARGEST] = largest

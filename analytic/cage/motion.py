@@ -1,8 +1,8 @@
-"""The cage in motion: six freedoms, driven by balls whose motion is prescribed, in steps of a compiled loop.
+"""The motion of the cage: six degrees of freedom, driven by balls whose motion is given.
 
-Each ball acts by equations 13 to 17 (`analytic.cage.pocket`), and equations 18 and 19 sum their forces and moments about the
-cage's centre. Everything is in the fixed frame, z the bearing's axis; ball i starts at the azimuth 2 pi i/Z.
-`analytic.cage.kernel` holds the loop and is compiled on the first motion, not before.
+Each ball acts on the cage by equations 13 to 17 (`analytic.cage.pocket`); equations 18 and 19 sum the forces and the
+moments about the centre of the cage. Everything is in the fixed frame, z is the axis of the bearing, and ball i starts
+at the azimuth 2 pi i/Z. `analytic.cage.kernel` integrates in compiled steps; it is compiled for the first motion.
 """
 
 from dataclasses import dataclass
@@ -13,22 +13,25 @@ from numpy.typing import NDArray
 from analytic.cage.pocket import impact_damping
 from analytic.cage.steady import DrivenCage, whirl_speed
 from analytic.errors import ConvergenceError, FembearingError, InputError, require_non_negative, require_positive
-from analytic.scene import Array, CageStart
+from analytic.scene import Array, Cage, CageStart
 
-STEPS_PER_CONTACT = 40  # of the shortest impact to expect
-LEAST_IMPACT = 1e-3  # m/s: a contact that begins slower is damped as if it had begun so fast
-DISTURBANCE = 1e-3  # of the room and of the fastest impact: how far seeds set the beginnings apart
-DEEPEST = 0.5  # of the ball's radius: no elastic contact goes so deep
-RESTING_STEP = 1e-4  # s, where nothing moves that would set one
-SHARPEST = 1 / 400  # of the speed of the balls' surfaces: v0 of the friction is at most so large, else slow balls creep
+LEAST_IMPACT = 1e-3  # m/s: a contact that begins to close more slowly is damped as if it had closed with this speed
+DISTURBANCE = 1e-3  # of the half clearance and of the impact speed: by which seeds change the beginning of a motion
+DEEPEST = 0.5  # of the ball radius: no elastic contact is so deep
+RESTING_STEP = 1e-4  # s, the longest step: no impact limits the step of a cage at rest
+SHARPEST = 1 / 400  # largest v0 of the friction over the speed of the ball surfaces; with more, slow balls would creep
+
+# Parts of the kernel's state
+PLACE, VELOCITY, ORIENTATION, MOMENTUM = slice(3), slice(3, 6), slice(6, 10), slice(10, 13)
+TIME, ORBIT_ANGLE = 13, 14
 
 
 class MotionError(ConvergenceError):
-    """A motion that came apart; nothing of it is a result."""
+    """A motion that diverged; nothing of it is a result."""
 
     def __init__(self, *, time: float, place: Array, speed: float, step: float) -> None:
         self.time, self.place, self.speed, self.step = time, place, speed, step
-        self.iterations, self.residual, self.tolerance = 0, np.inf, 0.0  # no iteration, and nothing of it settled
+        self.iterations, self.residual, self.tolerance = 0, np.inf, 0.0  # no iteration converged
         FembearingError.__init__(
             self,
             f"the cage's motion came apart at {time:.6g} s: centre at ({', '.join(f'{p:.3g}' for p in place)}) m, "
@@ -39,33 +42,33 @@ class MotionError(ConvergenceError):
 
 @dataclass(frozen=True, kw_only=True)
 class Passage:
-    """What happened over a stretch of the motion: means over time, and one largest force."""
+    """A part of a motion: means over its time, and the largest force of one contact."""
 
     duration: float  # s
     slip_power: float  # of friction in the pockets, W
     land_power: float  # of friction at the land, W
-    damping_power: float  # of impacts, W
+    damping_power: float  # lost in impacts, W
     drag_power: float  # of the oil around the cage, W
-    ball_power: float  # that the balls give to the cage, W
+    ball_power: float  # from the balls to the cage, W
     force: float  # sum of the normal forces in the pockets, N
-    max_force: float  # the largest of one ball on a shell, N
+    max_force: float  # largest normal force of one ball on one shell, N
     moment: float  # of the balls on the cage about z, N m
-    circling: float  # speed at which the centre goes round the bearing's axis, rad/s
-    place: tuple[float, float]  # of the centre, x and y, m
-    distance: float  # of the centre from the axis, m
-    unrest: float  # root mean square of the centre's place about its mean, m
-    wobble: float  # root mean square of its distance from the axis about the mean, m
+    circling: float  # angular speed of the cage centre about z, rad/s
+    place: tuple[float, float]  # x and y of the cage centre, m
+    distance: float  # of the cage centre from z, m
+    place_deviation: float  # root mean square distance of the cage centre from its mean place, m
+    distance_deviation: float  # root mean square deviation of the distance from z, m
 
 
 class CageMotion:
-    """A motion that goes on when asked.
+    """A motion that `advance` continues.
 
     cage : what moves
-    begin : `rest`: the cage hangs on its balls and turns with them; `ramp`: the same at standstill, and all speeds rise
-        evenly over the time `ramp`; `sudden`: it hovers at standstill while the balls run at full speed; `whirl`: it
-        rolls round in its pockets
+    begin : `rest`: the cage hangs on its balls and turns with them. `ramp`: it hangs on its balls at standstill, and
+        all speeds rise evenly over the time `ramp`. `sudden`: it is at standstill in the middle of its clearance, and
+        the balls run at full speed. `whirl`: it rolls in its pockets
     seed : of a small disturbance of the beginning; None: undisturbed
-    steps_per_contact : of the shortest impact to expect: the knob for accuracy
+    ramp : s;  steps_per_contact : steps in the shortest impact to expect, which set the accuracy in time
     """
 
     def __init__(
@@ -75,7 +78,7 @@ class CageMotion:
         begin: CageStart,
         seed: int | None = None,
         ramp: float = 0.0,
-        steps_per_contact: float = STEPS_PER_CONTACT,
+        steps_per_contact: float = Cage.steps_per_contact,
     ) -> None:
         from analytic.cage.kernel import STATE, Law, advance
 
@@ -96,7 +99,7 @@ class CageMotion:
             transverse_inertia=transverse,
             pitch_radius=cage.pitch_radius,
             ball_radius=cage.ball_radius,
-            room=cage.room,
+            half_clearance=cage.half_clearance,
             centre_offset=cage.centre_offset,
             axial_pockets=cage.pocket_axis == "axial",
             stiffness=cage.stiffness,
@@ -109,13 +112,13 @@ class CageMotion:
             gravity_z=cage.gravity[2],
             drag=cage.drag,
             orbit_speed=cage.orbit_speed,
-            # The ball rolls against the outer race: backwards, about an axis that leans inward.
+            # Against the orbit, about an axis that leans inward: the ball rolls on the outer race.
             spin_axial=-cage.ball_speed * np.cos(cage.contact_angle),
             spin_radial=cage.ball_speed * np.sin(cage.contact_angle),
             lead=cage.ball_lead / cage.pitch_radius,
             ramp=ramp if begin == "ramp" else 0.0,
             land_radius=0.0 if land is None else land.radius,
-            land_room=0.0 if land is None else land.room,
+            land_half_clearance=0.0 if land is None else land.half_clearance,
             land_side=0.0 if land is None else (1.0 if land.outside else -1.0),
             land_speed=0.0 if land is None else land.speed,
             land_half_width=0.0 if land is None else land.half_width,
@@ -125,18 +128,18 @@ class CageMotion:
         self._azimuth = np.stack([np.cos(azimuth), np.sin(azimuth)], axis=1)
         self._touch = np.zeros((cage.ball_count, 2))
         self._state = np.zeros(STATE)
-        self._state[6] = 1.0
+        self._state[ORIENTATION] = [1.0, 0.0, 0.0, 0.0]
         self._place(begin)
         if seed is not None:
             random = np.random.default_rng(seed)
-            self._state[:3] += DISTURBANCE * cage.room * random.uniform(-1, 1, 3)
-            self._state[3:6] += DISTURBANCE * cage.fastest * random.uniform(-1, 1, 3)
+            self._state[PLACE] += DISTURBANCE * cage.half_clearance * random.uniform(-1, 1, 3)
+            self._state[VELOCITY] += DISTURBANCE * cage.impact_speed * random.uniform(-1, 1, 3)
 
     def advance(self, duration: float) -> Passage:
-        """Go on for so long, at least one step, and tell what happened.
+        """Continue the motion for the duration, at least by one step.
 
         duration : s, > 0
-        Raises MotionError where it comes apart.
+        Raises MotionError if the motion diverges.
         """
         from analytic.cage.kernel import LARGEST, TALLY
 
@@ -145,26 +148,26 @@ class CageMotion:
         steps = max(1, round(duration / self.step))
         self._go(tally, steps, np.empty((0, 3)))
         time = steps * self.step
-        moment, slip, rubbed, damped, dragged, given, force, wound, far, square, x, y = tally[:LARGEST] / time
+        moment, slip, land, damping, drag, balls, force, circling, distance, square, x, y = tally[:LARGEST] / time
         return Passage(
             duration=time,
             slip_power=slip,
-            land_power=rubbed,
-            damping_power=damped,
-            drag_power=dragged,
-            ball_power=given,
+            land_power=land,
+            damping_power=damping,
+            drag_power=drag,
+            ball_power=balls,
             force=force,
             max_force=tally[LARGEST],
             moment=moment,
-            circling=wound,
+            circling=circling,
             place=(x, y),
-            distance=far,
-            unrest=float(np.sqrt(max(square - x**2 - y**2, 0.0))),
-            wobble=float(np.sqrt(max(square - far**2, 0.0))),
+            distance=distance,
+            place_deviation=float(np.sqrt(max(square - x**2 - y**2, 0.0))),
+            distance_deviation=float(np.sqrt(max(square - distance**2, 0.0))),
         )
 
     def forces(self) -> Array:
-        """(Z, 3) N: of each ball on the cage, now."""
+        """(Z, 3) N: the present force of each ball on the cage."""
         from analytic.cage.kernel import TALLY
 
         now = np.zeros((self.cage.ball_count, 3))
@@ -173,81 +176,82 @@ class CageMotion:
 
     @property
     def time(self) -> float:
-        return float(self._state[13])
+        return float(self._state[TIME])
 
     @property
     def centre(self) -> Array:
-        """(3,) m: of the cage, from the bearing's."""
-        return self._state[:3].copy()
+        """(3,) m: from the centre of the bearing to that of the cage."""
+        return self._state[PLACE].copy()
 
     @property
     def velocity(self) -> Array:
-        """(3,) m/s."""
-        return self._state[3:6].copy()
+        """(3,) m/s: of the cage centre."""
+        return self._state[VELOCITY].copy()
 
     @property
     def orientation(self) -> Array:
-        """(3, 3): columns are the cage's own axes in the fixed frame."""
+        """(3, 3): the columns are the axes of the cage in the fixed frame."""
         from scipy.spatial.transform import Rotation  # a tenth of a second to import
 
-        return Rotation.from_quat(self._state[6:10], scalar_first=True).as_matrix()
+        return Rotation.from_quat(self._state[ORIENTATION], scalar_first=True).as_matrix()
 
     @property
     def angular_velocity(self) -> Array:
         """(3,) rad/s, in the fixed frame."""
         axial, transverse = self.cage.inertia
-        axis, momentum = self.orientation[:, 2], self._state[10:13]
+        axis, momentum = self.orientation[:, 2], self._state[MOMENTUM]
         return momentum / transverse + axis * (axis @ momentum) * (1 / axial - 1 / transverse)
 
     @property
     def ball_angle(self) -> float:
-        """rad: how far the balls have gone round."""
-        return float(self._state[14])
+        """Angle through which the balls have orbited, rad."""
+        return float(self._state[ORBIT_ANGLE])
 
     @property
     def offsets(self) -> Array:
-        """(Z, 3) m: of each ball's centre from its pocket's, in the fixed frame."""
+        """(Z, 3) m: from the centre of each pocket to that of its ball, in the fixed frame."""
         pockets = self.centre + self.cage.pocket_places @ self.orientation.T
         return self.cage.ball_places(self.ball_angle) - pockets
 
     @property
     def kinetic_energy(self) -> float:
-        """J."""
-        turning = self._state[10:13] @ self.angular_velocity
+        """Of the cage, J."""
+        turning = self._state[MOMENTUM] @ self.angular_velocity
         return float(self.cage.mass * self.velocity @ self.velocity + turning) / 2
 
     def launch(self, *, velocity: Array, angular_velocity: Array) -> None:
         """Give the cage another velocity, (3,) m/s, and angular velocity, (3,) rad/s."""
         axial, transverse = self.cage.inertia
         axis = self.orientation[:, 2]
-        self._state[3:6] = velocity
+        self._state[VELOCITY] = velocity
         about_axis = axis * (axis @ angular_velocity)
-        self._state[10:13] = axial * about_axis + transverse * (np.asarray(angular_velocity) - about_axis)
+        self._state[MOMENTUM] = axial * about_axis + transverse * (np.asarray(angular_velocity) - about_axis)
 
     def _place(self, begin: CageStart) -> None:
+        """Set the place and the velocities with which the motion begins."""
         from scipy.spatial.transform import Rotation
 
         cage, turning = self.cage, np.array([0.0, 0.0, self.cage.orbit_speed])
         pull = np.linalg.norm(cage.gravity)
-        self._state[:3] = cage.middle
+        self._state[PLACE] = cage.middle
         if begin == "whirl":
             outward = np.array([1.0, 0.0, 0.0])
-            distance = cage.free_way(outward)
-            self._state[:3] += distance * outward
+            distance = cage.free_path(outward)
+            self._state[PLACE] += distance * outward
             circling = cage.orbit_speed + whirl_speed(
                 ball_speed=cage.ball_speed,
                 ball_radius=cage.ball_radius,
                 contact_angle=cage.contact_angle,
-                room=distance,
+                half_clearance=distance,
             )
             self.launch(velocity=np.array([0.0, circling * distance, 0.0]), angular_velocity=turning)
         elif begin != "sudden":
             if pull > 0:
-                # Friction of the turning balls holds it off the vertical; at standstill it swings from there.
+                # Friction of the rotating balls holds the cage off the vertical; at standstill it swings from there.
                 leaning = np.arctan(cage.friction_coefficient) * np.sign(cage.ball_speed)
                 down = Rotation.from_rotvec([0.0, 0.0, leaning]).apply(np.array(cage.gravity) / pull)
                 sag = (cage.mass * pull / cage.ball_count / cage.stiffness) ** (2 / 3)
-                self._state[:3] += down * (cage.free_way(down) + sag)
+                self._state[PLACE] += down * (cage.free_path(down) + sag)
             if begin == "rest":
                 self.launch(velocity=np.zeros(3), angular_velocity=turning)
 

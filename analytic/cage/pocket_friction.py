@@ -1,9 +1,9 @@
 """Friction of a ball in its cage pocket: a given coefficient, or mixed lubrication of a contact of nearly equal radii.
 
-The pocket stands still against the turning ball: rolling, sliding and entrainment are one and the same speed halved.
-Far outside the films that any formula was fitted to: the film between nearly equal radii under a cage's small forces
-comes out thicker than the room there is, and is cut off at it. Then oil shears in the contact of Hertz alone, and that
-it also shears in the rest of the pocket is not in the coefficient.
+The pocket stands still against the rotating ball, so the rolling and entrainment speed is half of the sliding speed.
+This is far outside the range that film formulas were fitted to. Between nearly equal radii and under the small forces
+of a cage the computed film is thicker than the clearance, and it is limited to the clearance. Oil is then taken to
+shear in the contact of Hertz alone; its shear in the rest of the pocket is not in the coefficient.
 """
 
 from dataclasses import dataclass
@@ -26,21 +26,22 @@ from analytic.surface.roughness import gap_roughness
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PocketFriction:
-    """The coefficient of each operating point, (n,), and what is to be known of it."""
+    """The friction coefficient at every operating point, where it comes from, and its warnings."""
 
-    coefficient: Array
-    source: str
+    coefficient: Array  # (n,)
+    source: str  # a key of the scene file, or the model
     warnings: tuple[str, ...] = ()
 
 
 def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLike) -> PocketFriction:
-    """mu of ball on pocket, by what the scene tells: the cage's own coefficient, oil and finish, or that of the races.
+    """mu of ball on pocket: the coefficient of the cage, else that of the races, else by lubricant and surface.
 
     load : of one ball on the pocket, (n,), N, > 0;  surface_speed : w_b r, (n,), m/s, >= 0
+    Raises InputError for a scene without a cage, or without any of these.
     """
     cage, lubricant, surface = scene.cage, scene.lubricant, scene.surface
     if cage is None:
-        raise InputError("the scene has no [cage], so there is no pocket: add an empty [cage] for the catalog's")
+        raise InputError("the scene has no [cage], so there is no pocket: add an empty table [cage] for the catalog's")
     force, speed = np.broadcast_arrays(np.asarray(load, dtype=np.float64), np.asarray(surface_speed, dtype=np.float64))
     given = scene.friction_coefficient if cage.friction_coefficient is None else cage.friction_coefficient
     if given is not None:
@@ -76,9 +77,9 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
     warnings = ()
     if np.any(shared.capped):
         warnings = (
-            "the film in the cage pockets comes out thicker than their room: its formula does not hold between so "
+            "the computed film in the cage pockets is thicker than their clearance: its formula does not hold between "
             "nearly equal radii, and oil that shears outside the contact is not counted; [cage] friction_coefficient "
-            "takes the place of both",
+            "replaces both",
         )
     return PocketFriction(
         coefficient=traction.force(contact)(speed) / force, source="mixed lubrication", warnings=warnings

@@ -1,47 +1,51 @@
-"""A cage's motion as a series in time, for plots and for files."""
+"""The motion of a cage as a time series, for plots and files."""
 
 from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 
-from analytic.cage.motion import STEPS_PER_CONTACT, CageMotion
+from analytic.cage.motion import CageMotion
 from analytic.cage.steady import DrivenCage
 from analytic.errors import require_positive
-from analytic.scene import Array, CageStart
+from analytic.scene import Array, Cage, CageStart
 
 AXES = ("x", "y", "z")  # of the fixed frame; z is the bearing's axis
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CageSeries:
-    """n instants of one motion in the fixed frame, Z balls."""
+    """One motion at n instants in the fixed frame, with Z balls."""
 
     time: Array  # (n,) s
-    ball_angle: Array  # (n,) rad, how far the balls have gone round
+    ball_angle: Array  # (n,) rad, through which the balls have orbited
     centre: Array  # (n, 3) m
     velocity: Array  # (n, 3) m/s
-    axis: Array  # (n, 3) of the cage, of length 1: it tilts
+    axis: Array  # (n, 3) direction of the axis of the cage, of length 1
     angular_velocity: Array  # (n, 3) rad/s
-    offset: Array  # (n, Z, 3) of each ball's centre from its pocket's, m
+    offset: Array  # (n, Z, 3) from the centre of each pocket to that of its ball, m
     force: Array  # (n, Z, 3) of each ball on the cage, N
-    slip_power: Array  # (n,) of friction in the pockets, mean since the instant before, W
-    max_force: Array  # (n,) largest normal force of one contact since then, N
+    slip_power: Array  # (n,) of friction in the pockets, mean since the previous instant, W
+    max_force: Array  # (n,) largest normal force of one contact since the previous instant, N
 
     def to_dataset(self) -> Any:
-        """An xarray.Dataset with units and meanings as attributes; its to_netcdf writes it."""
-        import xarray  # on demand: it takes a second
+        """An xarray.Dataset with units and meanings as attributes."""
+        import xarray  # takes a second to import
 
         described: dict[str, tuple[tuple[str, ...], str, str]] = {
-            "ball_angle": (("time",), "rad", "how far the balls have gone round the bearing"),
-            "centre": (("time", "direction"), "m", "place of the cage's centre, from the bearing's"),
+            "ball_angle": (("time",), "rad", "angle through which the balls have gone round the bearing"),
+            "centre": (("time", "direction"), "m", "place of the cage's centre, from the centre of the bearing"),
             "velocity": (("time", "direction"), "m/s", "velocity of the cage's centre"),
             "axis": (("time", "direction"), "1", "axis of the cage, of length 1: it tilts"),
             "angular_velocity": (("time", "direction"), "rad/s", "angular velocity of the cage"),
-            "offset": (("time", "ball", "direction"), "m", "place of each ball's centre, from its pocket's"),
+            "offset": (
+                ("time", "ball", "direction"),
+                "m",
+                "place of each ball's centre, from the centre of its pocket",
+            ),
             "force": (("time", "ball", "direction"), "N", "force of each ball on the cage, normal force and friction"),
-            "slip_power": (("time",), "W", "power of friction in the pockets, mean since the instant before"),
-            "max_force": (("time",), "N", "largest normal force of one contact since the instant before"),
+            "slip_power": (("time",), "W", "power of friction in the pockets, mean since the previous instant"),
+            "max_force": (("time",), "N", "largest normal force of one contact since the previous instant"),
         }
         return xarray.Dataset(
             {
@@ -68,12 +72,12 @@ def recorded_motion(
     samples: int,
     ramp: float = 0.0,
     seed: int | None = None,
-    steps_per_contact: float = STEPS_PER_CONTACT,
+    steps_per_contact: float = Cage.steps_per_contact,
 ) -> CageSeries:
-    """A motion from its beginning, at equal distances in time.
+    """A motion from its beginning, at n equidistant instants.
 
-    duration : s, > 0;  samples : n, >= 1;  ramp, seed, steps_per_contact : as `CageMotion`
-    Raises MotionError where it comes apart.
+    duration : s, > 0;  samples : n, >= 1;  ramp, seed, steps_per_contact : as in `CageMotion`
+    Raises MotionError if the motion diverges.
     """
     require_positive(duration=duration, samples=samples)
     motion = CageMotion(cage, begin=start, seed=seed, ramp=ramp, steps_per_contact=steps_per_contact)

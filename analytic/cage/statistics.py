@@ -1,12 +1,14 @@
-"""Torque and forces of a cage in motion as distributions: over seeds, with the start of each motion thrown away.
+"""Torque and forces of a moving cage as distributions over seeds.
 
-Every seed disturbs the beginning a little, runs for a start-up that nobody counts, and then for a measured time in
-blocks. The torque is the power lost to sliding and drag over the speed of the ring. The largest force of a contact
-grows with the time: what is told is the median over blocks of the largest force in a block, with the block's length.
+Every seed disturbs the beginning of a motion a little. The motion first runs for a start-up time that is not counted,
+and then for a measured time in blocks. The torque is the power lost by sliding and drag over the speed of the ring. The
+largest force of a contact grows with the measured time, so the result is the median over blocks of the largest force in
+a block, with the length of a block.
 
-The regime, by the cage's centre in the bearing's frame: `rest` where it keeps its place to within a quarter of the
-pocket's room, `whirl` where it goes round at a distance steady to within a tenth of the room, else `irregular`. It is
-that of each block and of all measured time alike: what creeps or swings slower than a block is `irregular`.
+The state follows from the place of the cage centre in the frame of the bearing. `rest`: it stays within a quarter of
+the half clearance. `whirl`: it circles at a distance that is steady within a tenth of the half clearance. Else
+`irregular`. Each block and the whole measured time must agree: a motion that creeps or swings more slowly than a block
+is `irregular`.
 """
 
 from dataclasses import dataclass
@@ -15,52 +17,49 @@ from typing import Literal
 
 import numpy as np
 
-from analytic.cage.motion import STEPS_PER_CONTACT, CageMotion, Passage
-from analytic.cage.steady import DrivenCage
-from analytic.effects.bounds import whirl_number
+from analytic.cage.motion import CageMotion, Passage
+from analytic.cage.steady import DrivenCage, whirl_number
 from analytic.errors import InputError, require_positive
-from analytic.scene import CageStart
+from analytic.scene import Cage, CageStart
 
-Regime = Literal["rest", "whirl", "irregular", "mixed"]
+State = Literal["rest", "whirl", "irregular", "mixed"]
 CONFIDENCE = 0.95
 BLOCKS = 10  # of the measured time of each seed
-STEADY_PLACE = 0.25  # of the room: root mean square of the place about its mean
-STEADY_DISTANCE = 0.1  # of the room, likewise
-DURATION = 0.2  # s: ten swings of a resting cage, a hundred turns of a whirling one
-SEEDS = 4
+STEADY_PLACE = 0.25  # of the half clearance: root mean square distance of the place from its mean
+STEADY_DISTANCE = 0.1  # of the half clearance: root mean square deviation of the distance
 
 
 @dataclass(frozen=True, kw_only=True)
 class OtherStart:
-    """Where the same cage comes to from another beginning."""
+    """The motion of the same cage from another start."""
 
     start: CageStart
-    state: Regime
+    state: State
     torque: float  # N m
 
 
 @dataclass(frozen=True, kw_only=True)
 class CageStatistics:
-    """What the motion of a cage comes to at one operating point; intervals are (low, high) at 95 %."""
+    """The motion of a cage at one operating point; intervals are (low, high) at 95 %."""
 
-    torque: float  # mean power of sliding and of drag over the ring's speed, N m
+    torque: float  # mean power of sliding and drag over the speed of the ring, N m
     torque_interval: tuple[float, float]  # of the mean
-    drag_torque: float  # the part of it that the oil around the cage takes, N m
-    damping_torque: float  # power that impacts lose, likewise; in no torque above
+    drag_torque: float  # the part of it from drag of the oil around the cage, N m
+    damping_torque: float  # power lost in impacts over the speed of the ring, N m; not part of `torque`
     signed_moment: float  # mean moment of the balls on the cage about the axis, N m
-    mean_force: float  # mean of the sum of all normal forces in the pockets, N
+    mean_force: float  # mean sum of all normal forces in the pockets, N
     max_force: float  # of one contact: median over blocks of the largest, N
     max_force_interval: tuple[float, float]  # of that median
-    block_maxima: tuple[float, ...]  # the largest of each block, seed after seed, N
+    block_maxima: tuple[float, ...]  # largest force in each block, seed after seed, N
     block: float  # length of a block, s
-    duration: float  # measured, of all seeds together, s
-    state: Regime  # mixed: seeds came to different ones
+    duration: float  # measured time of all seeds together, s
+    state: State  # mixed: not the same for all seeds
     start: CageStart
-    other: OtherStart | None  # None: the cage cannot whirl, and there is one steady motion
+    other: OtherStart | None  # None: the cage cannot whirl, so there is only one steady motion
 
     @property
     def largest_force(self) -> float:
-        """Seen at all, N."""
+        """Largest force in all blocks, N."""
         return max(self.block_maxima)
 
 
@@ -69,16 +68,16 @@ def measured_motion(
     cage: DrivenCage,
     *,
     start: CageStart,
-    seeds: int = SEEDS,
-    duration: float = DURATION,
-    steps_per_contact: float = STEPS_PER_CONTACT,
+    seeds: int = Cage.seeds,
+    duration: float = Cage.duration,
+    steps_per_contact: float = Cage.steps_per_contact,
 ) -> CageStatistics:
-    """Run the cage from one beginning, once for each seed; kept, so that the same question is answered at once.
+    """Run the motion from one start, once for each seed; the result is cached.
 
-    duration : measured, of each seed, s; as much again goes before it uncounted, and a `ramp` takes that time
-    Where the cage could whirl, one more motion tells whether another beginning leads elsewhere.
+    duration : measured time of each seed, s; a start-up of the same length comes first, during which a `ramp` rises
+    Where the cage could whirl, one more motion shows whether another start leads to another state.
     Raises InputError for a bearing at standstill, fewer than two seeds, or a duration in which the cage does not cross
-    its pockets even once; MotionError where a motion comes apart.
+    its pockets even once; MotionError if a motion diverges.
     """
     require_positive(duration=duration, **{"magnitude of ring_speed": abs(cage.ring_speed)})
     if not duration >= cage.crossing_time:
@@ -87,12 +86,12 @@ def measured_motion(
             f"{cage.crossing_time:.3g} s; measure ten times that or more"
         )
     if not seeds >= 2:
-        raise InputError(f"seeds must be at least 2, got {seeds!r}: one motion tells nothing of its spread")
+        raise InputError(f"seeds must be at least 2, got {seeds!r}: one motion does not show the spread")
     runs = [_blocks(cage, start, seed, duration, steps_per_contact) for seed in range(seeds)]
-    states: list[Regime] = [_state(cage, run) for run in runs]
+    states: list[State] = [_state(cage, run) for run in runs]
     torques = np.array([_torque(cage, run) for run in runs])
     maxima = np.array([block.max_force for run in runs for block in run])
-    state: Regime = states[0] if states.count(states[0]) == seeds else "mixed"
+    state: State = states[0] if states.count(states[0]) == seeds else "mixed"
 
     def mean(name: str) -> float:
         return float(np.mean([getattr(block, name) for run in runs for block in run]))
@@ -117,67 +116,73 @@ def measured_motion(
 
 
 def _blocks(cage: DrivenCage, start: CageStart, seed: int, duration: float, steps_per_contact: float) -> list[Passage]:
+    """The measured time of one seed in blocks."""
     motion = CageMotion(cage, begin=start, seed=seed, ramp=duration, steps_per_contact=steps_per_contact)
     motion.advance(duration)
     return [motion.advance(duration / BLOCKS) for _ in range(BLOCKS)]
 
 
-def _torque(cage: DrivenCage, run: list[Passage]) -> float:
-    return float(np.mean([block.slip_power + block.land_power + block.drag_power for block in run])) / abs(
-        cage.ring_speed
-    )
+def _torque(cage: DrivenCage, blocks: list[Passage]) -> float:
+    power = np.mean([block.slip_power + block.land_power + block.drag_power for block in blocks])
+    return float(power) / abs(cage.ring_speed)
 
 
-def _state(cage: DrivenCage, run: list[Passage]) -> Regime:
-    """Of blocks of one length."""
-    places, distances = np.array([block.place for block in run]), np.array([block.distance for block in run])
-    unrest, wobble = np.array([block.unrest for block in run]), np.array([block.wobble for block in run])
-    whole = _regime(
+def _state(cage: DrivenCage, blocks: list[Passage]) -> State:
+    """The state of the blocks of one seed, all of one length."""
+    places, distances = np.array([block.place for block in blocks]), np.array([block.distance for block in blocks])
+    around_place = np.array([block.place_deviation for block in blocks])
+    around_distance = np.array([block.distance_deviation for block in blocks])
+    whole = _steady_state(
         cage,
-        unrest=float(np.sqrt(np.mean(unrest**2) + np.sum(places.var(axis=0)))),
-        wobble=float(np.sqrt(np.mean(wobble**2) + distances.var())),
+        place_deviation=float(np.sqrt(np.mean(around_place**2) + np.sum(places.var(axis=0)))),
+        distance_deviation=float(np.sqrt(np.mean(around_distance**2) + distances.var())),
     )
-    alike = all(_regime(cage, unrest=block.unrest, wobble=block.wobble) == whole for block in run)
-    return whole if alike else "irregular"
+    of_blocks = {
+        _steady_state(cage, place_deviation=block.place_deviation, distance_deviation=block.distance_deviation)
+        for block in blocks
+    }
+    return whole if of_blocks == {whole} else "irregular"
 
 
-def _regime(cage: DrivenCage, *, unrest: float, wobble: float) -> Regime:
-    room = cage.room if cage.land is None else min(cage.room, cage.land.room)
-    if unrest < STEADY_PLACE * room:
+def _steady_state(cage: DrivenCage, *, place_deviation: float, distance_deviation: float) -> State:
+    free = cage.half_clearance if cage.land is None else min(cage.half_clearance, cage.land.half_clearance)
+    if place_deviation < STEADY_PLACE * free:
         return "rest"
-    return "whirl" if wobble < STEADY_DISTANCE * room else "irregular"
+    return "whirl" if distance_deviation < STEADY_DISTANCE * free else "irregular"
 
 
 def _other(
-    cage: DrivenCage, state: Regime, start: CageStart, duration: float, steps_per_contact: float
+    cage: DrivenCage, state: State, start: CageStart, duration: float, steps_per_contact: float
 ) -> OtherStart | None:
-    """From rest where the cage whirls or tumbles, from whirl where it rests."""
-    pull = float(np.linalg.norm(cage.gravity))
-    could = whirl_number(
-        ball_speed=abs(cage.ball_speed), ball_radius=cage.ball_radius, clearance=2 * cage.room, gravity=pull
+    """A motion from whirl for a cage that rests, else from rest; "sudden" if that is the given start already."""
+    number = whirl_number(
+        ball_speed=abs(cage.ball_speed),
+        ball_radius=cage.ball_radius,
+        half_clearance=cage.half_clearance,
+        gravity=float(np.linalg.norm(cage.gravity)),
     )
-    if could < 1:
+    if number < 1:
         return None
-    begin: CageStart = "whirl" if state == "rest" else "rest"
-    if begin == start:
-        begin = "sudden"
-    run = _blocks(cage, begin, 0, duration, steps_per_contact)
-    return OtherStart(start=begin, state=_state(cage, run), torque=_torque(cage, run))
+    other: CageStart = "whirl" if state == "rest" else "rest"
+    if other == start:
+        other = "sudden"
+    blocks = _blocks(cage, other, 0, duration, steps_per_contact)
+    return OtherStart(start=other, state=_state(cage, blocks), torque=_torque(cage, blocks))
 
 
 def _of_mean(values: np.ndarray) -> tuple[float, float]:
-    """By Student's t, of values that know nothing of each other."""
-    if np.ptp(values) <= 1e-12 * np.abs(values).max():  # nothing to spread
+    """Interval of the mean of independent values, by Student's t."""
+    if np.ptp(values) <= 1e-12 * np.abs(values).max():  # equal values but for round-off
         return float(values.min()), float(values.max())
-    from scipy.stats import ttest_1samp  # half a second to import, which few scenes need
+    from scipy.stats import ttest_1samp  # half a second to import, and few scenes need it
 
-    found = ttest_1samp(values, 0.0).confidence_interval(CONFIDENCE)
-    return float(found.low), float(found.high)
+    interval = ttest_1samp(values, 0.0).confidence_interval(CONFIDENCE)
+    return float(interval.low), float(interval.high)
 
 
 def _of_median(values: np.ndarray) -> tuple[float, float]:
-    """Between order statistics, whatever the distribution."""
+    """Interval of the median between order statistics, for any distribution."""
     from scipy.stats import quantile_test
 
-    found = quantile_test(values, p=0.5).confidence_interval(CONFIDENCE)
-    return float(found.low), float(found.high)
+    interval = quantile_test(values, p=0.5).confidence_interval(CONFIDENCE)
+    return float(interval.low), float(interval.high)

@@ -1,11 +1,12 @@
-"""A cage driven by its balls: what moves and rubs, and the two steady motions that have closed forms.
+"""A cage driven by its balls, and the closed forms of its two steady motions.
 
-z is the axis of the bearing. The balls' motion is prescribed: on the pitch circle with the speed of the orbit, each
-turning about an axis at the contact angle to z. The cage is rigid, a thin ring through the pockets' middles.
-At rest it hangs on its balls with its weight and slides on all of them. Whirling it is thrown outward against all of
-them at once, and rolls round in its pockets like a ring on a peg. Both are stable over a wide range: how the motion
-began decides (`analytic.cage.motion`). Torques are the power of sliding over the speed of the ring: the moment of the
-balls on the cage about its axis averages to nothing in any steady motion that nothing else brakes.
+z is the axis of the bearing. The motion of the balls is given: each runs on the pitch circle with the speed of the
+orbit and turns about an axis at the contact angle to z. The cage is rigid, a thin ring through the middles of the
+pockets. A cage at rest hangs on its balls with its weight, and all balls slide on it. A whirling cage is thrown outward
+against all balls at once and rolls in its pockets like a ring on a peg. Both motions are stable over a wide range of
+speeds, so the start decides between them (`analytic.cage.motion`).
+Torques are the power of sliding over the speed of the ring. The moment of the balls on the cage about z cannot serve:
+it averages to zero in every steady motion that nothing else brakes.
 Source: derived here.
 """
 
@@ -16,23 +17,25 @@ from numpy.typing import ArrayLike
 from scipy.special import ellipe
 
 from analytic.cage.pocket import impact
-from analytic.effects.bounds import STANDARD_GRAVITY
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import Array, PocketAxis
+
+STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
 @dataclass(frozen=True, kw_only=True)
 class LandGuidance:
-    """A ring whose land the cage's rims touch before the pockets do: the contact is as stiff as a pocket's."""
+    """The land of a ring that the rims of the cage touch before the pockets do; as stiff a contact as a pocket's."""
 
     radius: float  # of the land, m
-    room: float  # half of the diametral clearance, m
-    outside: bool  # the outer ring's land; else the inner ring's, in the bore of the cage
+    half_clearance: float  # half of the diametral clearance, m
+    outside: bool  # True: land of the outer ring; False: of the inner ring, in the bore of the cage
     speed: float  # of that ring, rad/s
-    half_width: float  # from the middle of the cage to each of its rims, m
+    half_width: float  # from the middle of the cage to each rim, m
 
     def __post_init__(self) -> None:
-        require_positive(**{"land.radius": self.radius, "land.room": self.room, "land.half_width": self.half_width})
+        lengths = {name: getattr(self, name) for name in ("radius", "half_clearance", "half_width")}
+        require_positive(**{f"land.{name}": length for name, length in lengths.items()})
         require_finite(**{"land.speed": self.speed})
 
 
@@ -44,30 +47,30 @@ class DrivenCage:
     ball_count: int  # Z
     ball_radius: float  # r, m
     pitch_radius: float  # r_m, m
-    room: float  # nabla, half of the pocket's clearance, m
+    half_clearance: float  # nabla, half of the pocket's clearance, m
     centre_offset: float = 0.0  # D_p/2 - k, m
-    pocket_axis: PocketAxis = "axial"  # x of `analytic.cage.pocket`, the line through the centres of both shells
+    pocket_axis: PocketAxis = "axial"  # x in `analytic.cage.pocket`: the line through the centres of both shells
     stiffness: float  # K_pb, N/m^1.5
     restitution: float  # e, of an impact
     friction_coefficient: float  # mu, of ball on pocket
     orbit_speed: float  # w_c, of the balls about the bearing's axis, rad/s
     ball_speed: float  # w_b, of each ball about its own axis relative to the orbit, with the sign of w, rad/s
-    contact_angle: float  # al: the ball's axis leans so far from the bearing's, rad
+    contact_angle: float  # al, between the axis of a ball's rotation and that of the bearing, rad
     ring_speed: float  # w, rad/s
     gravity: tuple[float, float, float] = (0.0, -STANDARD_GRAVITY, 0.0)  # m/s^2
-    drag: float = 0.0  # torque over speed with which the oil brakes the cage, N m s
+    drag: float = 0.0  # c, braking torque of the oil over the speed of the cage, N m s
     ball_lead: float = 0.0  # how far balls lead on one side of the bearing and lag on the other, m
     land: LandGuidance | None = None
-    smoothing: float = 1e-3  # v0 of the friction's direction, m/s; less where the balls turn slowly
-    axial_inertia: float | None = None  # about z, kg m^2; None: of a thin ring of the pitch radius
-    transverse_inertia: float | None = None  # likewise, across z
+    smoothing: float = 1e-3  # v0 of the friction's direction, m/s; reduced where the balls turn slowly
+    axial_inertia: float | None = None  # about z, kg m^2; None: that of a thin ring of the pitch radius
+    transverse_inertia: float | None = None  # about an axis across z, likewise
 
     def __post_init__(self) -> None:
         require_positive(
             mass=self.mass,
             ball_radius=self.ball_radius,
             pitch_radius=self.pitch_radius,
-            room=self.room,
+            half_clearance=self.half_clearance,
             stiffness=self.stiffness,
             smoothing=self.smoothing,
         )
@@ -88,54 +91,56 @@ class DrivenCage:
             gravity=self.gravity,
             ball_lead=self.ball_lead,
         )
-        if not self.centre_offset < self.room:
+        if not self.centre_offset < self.half_clearance:
             raise InputError(
-                f"centre_offset {self.centre_offset!r} m must be below room {self.room!r} m: the shells clamp the ball"
+                f"centre_offset {self.centre_offset!r} m must be below half_clearance {self.half_clearance!r} m: the "
+                "shells clamp the ball"
             )
         require_loose_balls(
             ball_lead=self.ball_lead,
-            room=self.room,
+            half_clearance=self.half_clearance,
             centre_offset=self.centre_offset,
-            land_room=np.inf if self.land is None else self.land.room,
+            land_half_clearance=np.inf if self.land is None else self.land.half_clearance,
         )
 
     @property
     def inertia(self) -> tuple[float, float]:
-        """About the axis and across it, kg m^2: m r_m^2 and m r_m^2/2 where none are given."""
+        """Moments of inertia about z and about an axis across it, kg m^2; m r_m^2 and m r_m^2/2 by default."""
         ring = self.mass * self.pitch_radius**2
         axial, transverse = self.axial_inertia, self.transverse_inertia
         return ring if axial is None else axial, ring / 2 if transverse is None else transverse
 
     @property
-    def fastest(self) -> float:
+    def impact_speed(self) -> float:
         """Speed of the fastest impacts to expect, m/s: of the ball's surface, or of a fall through the pocket."""
-        fall = np.sqrt(4 * np.linalg.norm(self.gravity) * self.room)
+        fall = np.sqrt(4 * np.linalg.norm(self.gravity) * self.half_clearance)
         return float(max(abs(self.ball_speed) * self.ball_radius, fall))
 
     @property
     def middle(self) -> Array:
-        """(3,) m: from where balls that lead and lag are all equally far, or as near to it as a land lets the cage."""
-        aside = self.ball_lead / 2
+        """(3,) m: the place of the cage with equal distances to all balls, or the nearest one that the land allows."""
+        shift = self.ball_lead / 2
         if self.land is not None:
-            aside = float(np.clip(aside, -self.land.room, self.land.room))
-        return np.array([-aside, 0.0, 0.0])
+            shift = float(np.clip(shift, -self.land.half_clearance, self.land.half_clearance))
+        return np.array([-shift, 0.0, 0.0])
 
     @property
     def pocket_places(self) -> Array:
-        """(Z, 3) m: of the pockets' middles in the cage's own frame."""
+        """(Z, 3) m: the middles of the pockets in the cage's own frame."""
         azimuth = 2 * np.pi * np.arange(self.ball_count) / self.ball_count
         return self.pitch_radius * np.stack([np.cos(azimuth), np.sin(azimuth), 0 * azimuth], axis=1)
 
     def ball_places(self, angle: float) -> Array:
-        """(Z, 3) m: of the balls' centres in the fixed frame; angle : how far they have gone round, rad."""
+        """(Z, 3) m: the centres of the balls in the fixed frame; angle : through which they have orbited, rad."""
         azimuth = angle + 2 * np.pi * np.arange(self.ball_count) / self.ball_count
         azimuth += self.ball_lead / self.pitch_radius * np.sin(azimuth)
         return self.pitch_radius * np.stack([np.cos(azimuth), np.sin(azimuth), 0 * azimuth], axis=1)
 
-    def free_way(self, direction: Array) -> float:
-        """How far the cage, level, goes from the middle of its room before a ball stops it, or the land, m.
+    def free_path(self, direction: Array) -> float:
+        """Distance that the level cage can move from `middle` until a ball or the land stops it, m.
 
-        direction : (3,), of length 1;  the balls are where a motion begins, at the azimuths 2 pi i/Z
+        direction : (3,), of length 1
+        The balls are where a motion begins, at the azimuths 2 pi i/Z.
         """
         pockets = self.pocket_places
         axes = np.broadcast_to([0.0, 0.0, 1.0], pockets.shape)
@@ -144,44 +149,63 @@ class DrivenCage:
         offset = self.ball_places(0.0) - pockets - self.middle
         offsets = np.concatenate([offset + side * self.centre_offset * axes for side in (1, -1)])
         ahead = offsets @ direction
-        way = np.min(ahead + np.sqrt(ahead**2 + self.room**2 - np.sum(offsets**2, axis=1)))
+        distance = np.min(ahead + np.sqrt(ahead**2 + self.half_clearance**2 - np.sum(offsets**2, axis=1)))
         sideways = np.hypot(*direction[:2])
         if self.land is not None and sideways > 0:
             outward = self.middle @ direction / sideways
-            reach = np.sqrt(outward**2 + self.land.room**2 - self.middle @ self.middle) - outward
-            way = min(way, reach / sideways)
-        return float(way)
+            reach = np.sqrt(outward**2 + self.land.half_clearance**2 - self.middle @ self.middle) - outward
+            distance = min(distance, reach / sideways)
+        return float(distance)
 
     @property
     def crossing_time(self) -> float:
-        """s, in which the cage once falls through its pockets, or without gravity is carried through by the balls."""
+        """Time in which the cage falls through its pockets, or without gravity is carried through by the balls, s."""
         pull, surface = np.linalg.norm(self.gravity), abs(self.ball_speed) * self.ball_radius
         if pull > 0:
-            return float(np.sqrt(4 * self.room / pull))
-        return 2 * self.room / surface if surface > 0 else 0.0
+            return float(np.sqrt(4 * self.half_clearance / pull))
+        return 2 * self.half_clearance / surface if surface > 0 else 0.0
 
     @property
     def contact_time(self) -> float:
-        """s, of the shortest impact to expect: the fastest, on all balls at once; infinite where nothing moves."""
-        if not self.fastest > 0:
+        """Duration of the shortest impact to expect, the fastest on all balls at once, s; infinite at standstill."""
+        if not self.impact_speed > 0:
             return np.inf
         mass = self.mass / max(self.ball_count, 3)  # a single ball far from the centre meets a third of the mass
-        return float(impact(mass=mass, speed=self.fastest, stiffness=self.stiffness).duration)
+        return float(impact(mass=mass, speed=self.impact_speed, stiffness=self.stiffness).duration)
 
 
-def require_loose_balls(*, ball_lead: float, room: float, centre_offset: float, land_room: float = np.inf) -> None:
+def require_loose_balls(
+    *, ball_lead: float, half_clearance: float, centre_offset: float, land_half_clearance: float = np.inf
+) -> None:
     """Refuse balls that lead and lag so far that no place of the cage clears them all.
 
-    A lead of A sin(phi) takes the cage half along and leaves each ball A/2 off its pocket's middle, in all directions.
-    Where a land holds the cage after a way of land_room < A/2, m, the farthest ball is A - land_room off.
+    ball_lead : A;  half_clearance : nabla of the pocket;  centre_offset : D_p/2 - k;  land_half_clearance : all m
+    A lead of A sin(phi) shifts the cage by A/2 and leaves each ball A/2 off the middle of its pocket, each in another
+    direction. If a land stops the cage after land_half_clearance < A/2, the farthest ball is A - land_half_clearance
+    off.
     """
-    free = room - centre_offset
-    largest = free + min(free, land_room)
+    free = half_clearance - centre_offset
+    largest = free + min(free, land_half_clearance)
     if not abs(ball_lead) < largest:
         raise InputError(
             f"ball_lead {ball_lead!r} m is beyond the clearance: below {largest:.6g} m the cage still goes between "
             "balls that lead on one side and lag on the other; give less, or a wider pocket"
         )
+
+
+def whirl_number(
+    *, ball_speed: ArrayLike, ball_radius: ArrayLike, half_clearance: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY
+) -> Array:
+    """(w_b r)^2/(g nabla): centrifugal over gravitational force of a cage that rolls in its pockets; all broadcast.
+
+    ball_speed : w_b, rad/s, >= 0;  ball_radius : r, m, >= 0;  half_clearance : nabla, m, > 0;  gravity : g, m/s^2, >= 0
+    Below 1 the cage cannot whirl and rests on its balls. Without gravity: infinite, or 0 where the balls stand still.
+    """
+    require_positive(half_clearance=half_clearance)
+    require_non_negative(ball_speed=ball_speed, ball_radius=ball_radius, gravity=gravity)
+    surface = np.asarray(ball_speed) * np.asarray(ball_radius)
+    thrown, weight = np.broadcast_arrays(surface**2, np.asarray(gravity) * np.asarray(half_clearance))
+    return np.divide(thrown, weight, out=np.where(thrown > 0, np.inf, 0.0), where=weight > 0)
 
 
 def rest_torque(
@@ -197,8 +221,8 @@ def rest_torque(
 
     friction_coefficient : mu;  cage_mass : m, kg;  ball_rate : w_b/w;  ball_radius : r, m;  contact_angle : al, rad
     gravity : g, across the axis, m/s^2; all >= 0
-    It hangs off the vertical by atan(mu), where normal forces and friction together carry it; the ball phi round from
-    there slides with w_b r sqrt(1 - sin^2(al) sin^2(phi)), whose mean is a complete elliptic integral.
+    The cage hangs off the vertical by atan(mu), where normal forces and friction together carry it. A ball at the angle
+    phi from there slides with w_b r sqrt(1 - sin^2(al) sin^2(phi)); the mean is a complete elliptic integral.
     """
     require_non_negative(
         friction_coefficient=friction_coefficient,
@@ -224,12 +248,12 @@ def braked_torque(
     ball_speed: ArrayLike,
     ball_radius: ArrayLike,
 ) -> Array:
-    """T = c (w_c/w) (w_c + mu r w_b/r_m), N m: a cage that oil brakes, and balls that push it on; all broadcast.
+    """T = c (w_c/w) (w_c + mu r w_b/r_m), N m: a cage that oil brakes and balls push; all broadcast.
 
     drag : c, torque over speed, N m s;  friction_coefficient : mu;  cage_rate : w_c/w;  orbit_speed : w_c, rad/s
     pitch_radius : r_m, m, > 0;  ball_speed : w_b, rad/s;  ball_radius : r, m; all >= 0
-    The balls press with c w_c/r_m together and slide on that with w_b r. Beside `rest_torque` it is at most so much:
-    the same normal forces then carry and push.
+    The normal forces of the balls add up to c w_c/r_m, and the balls slide under them with w_b r. Added to
+    `rest_torque` this is an upper bound, as the same normal forces may both carry and push the cage.
     """
     require_positive(pitch_radius=pitch_radius)
     require_non_negative(
@@ -245,24 +269,28 @@ def braked_torque(
     return np.asarray(np.asarray(drag) * np.asarray(cage_rate) * (np.asarray(orbit_speed) + slip))
 
 
-def whirl_speed(*, ball_speed: ArrayLike, ball_radius: ArrayLike, contact_angle: ArrayLike, room: ArrayLike) -> Array:
+def whirl_speed(
+    *, ball_speed: ArrayLike, ball_radius: ArrayLike, contact_angle: ArrayLike, half_clearance: ArrayLike
+) -> Array:
     """Omega = w_b r cos(al)/nabla, rad/s, relative to the orbit: a cage that rolls on its balls; all broadcast.
 
-    ball_speed : w_b, rad/s, of any sign;  ball_radius : r, m;  room : nabla, m, > 0
-    contact_angle : al of a cage that cannot tilt, rad; one that is free to follows the balls' leaning axes, as if at 0
-        (to 2 % at 0.18 rad, see the tests)
-    The displacement nabla of the cage goes round so fast that its speed is that of the balls' surfaces.
+    ball_speed : w_b, rad/s, of any sign;  ball_radius : r, m;  half_clearance : nabla, m, > 0
+    contact_angle : al, rad, of a cage that cannot tilt. A cage that can tilt follows the leaning axes of its balls:
+        give 0 for it (good to 2 % at 0.18 rad, see the tests)
+    The cage is displaced by nabla and goes round so fast that it moves with the surfaces of the balls.
     """
-    require_positive(room=room)
-    return np.asarray(np.asarray(ball_speed) * np.asarray(ball_radius) * np.cos(contact_angle) / np.asarray(room))
+    require_positive(half_clearance=half_clearance)
+    surface = np.asarray(ball_speed) * np.asarray(ball_radius) * np.cos(contact_angle)
+    return np.asarray(surface / np.asarray(half_clearance))
 
 
-def whirl_force(*, cage_mass: ArrayLike, whirl: ArrayLike, orbit_speed: ArrayLike, room: ArrayLike) -> Array:
-    """Sum of the normal forces m (Omega + w_c)^2 nabla, N: what holds the whirling cage on its circle; all broadcast.
+def whirl_force(*, cage_mass: ArrayLike, whirl: ArrayLike, orbit_speed: ArrayLike, half_clearance: ArrayLike) -> Array:
+    """m (Omega + w_c)^2 nabla, N: sum of the normal forces that hold a whirling cage on its circle; all broadcast.
 
-    cage_mass : m, kg;  whirl : Omega;  orbit_speed : w_c, rad/s, with one sign;  room : nabla, m
+    cage_mass : m, kg;  whirl : Omega;  orbit_speed : w_c, both rad/s, of one sign;  half_clearance : nabla, m
     """
-    return np.asarray(np.asarray(cage_mass) * (np.asarray(whirl) + np.asarray(orbit_speed)) ** 2 * np.asarray(room))
+    turning = np.asarray(whirl) + np.asarray(orbit_speed)
+    return np.asarray(np.asarray(cage_mass) * turning**2 * np.asarray(half_clearance))
 
 
 def whirl_torque(
@@ -276,16 +304,19 @@ def whirl_torque(
     """T = (2/pi) mu (sum N) r sin(al) (w_b/w), N m: a whirling cage that cannot tilt; all broadcast.
 
     friction_coefficient : mu;  force : sum N, N;  ball_rate : w_b/w;  ball_radius : r, m;  contact_angle : al, rad
-    What rolls in the plane slides along the axis, by the part of each ball's turning that leans out of it. A cage free
-    to tilt follows that, and loses far less: an upper bound.
+    The cage rolls in the plane and slides along z, as the axes of the balls lean out of that direction. A cage that can
+    tilt follows them and loses far less: for it this is an upper bound.
     """
     slip = np.asarray(ball_rate) * np.asarray(ball_radius) * np.sin(contact_angle)
     return np.asarray(2 / np.pi * np.asarray(friction_coefficient) * np.asarray(force) * slip)
 
 
-def whirl_bound(
+def sliding_torque(
     *, friction_coefficient: ArrayLike, force: ArrayLike, ball_rate: ArrayLike, ball_radius: ArrayLike
 ) -> Array:
-    """mu (sum N) r (w_b/w), N m: a cage thrown outward as if it whirled, that slides on its balls instead."""
+    """T = mu (sum N) r (w_b/w), N m: a cage that slides on its balls under the normal forces N; all broadcast.
+
+    With the force of a whirling cage this is a bound on its torque: what it would lose if it slid instead of rolling.
+    """
     slip = np.asarray(ball_rate) * np.asarray(ball_radius)
     return np.asarray(np.asarray(friction_coefficient) * np.asarray(force) * slip)

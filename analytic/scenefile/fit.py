@@ -1,6 +1,6 @@
-"""Whether a bearing's parts fit together: rings, balls, shoulders and cage.
+"""Whether the parts of a bearing fit together: rings, balls, shoulders and cage.
 
-Every check is plain geometry of the unloaded bearing; a preload of the size that elastic contacts can take fits.
+Every check is geometry of the unloaded bearing. A preload that elastic contacts can carry is accepted.
 """
 
 from collections.abc import Iterator
@@ -9,28 +9,28 @@ import numpy as np
 
 from analytic.scene import Bearing, Cage, ContactAngle
 
-# Interference on the diameter, as a share of the ball diameter: several times what yields a steel race (about 0.8 %),
-# and room for plastic balls.
+# Interference on the diameter over the ball diameter: several times that at which a steel race yields (about 0.8 %), so
+# that plastic balls are accepted.
 LARGEST_PRELOAD = 0.05
-LARGEST_MASS_ERROR = 0.05  # a ball heavier or lighter than its volume by more is worth a word (rounded tables: 1 %)
+LARGEST_MASS_ERROR = 0.05  # of the mass of a solid ball, without a warning; rounding in tables gives 1 %
 
 
 def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
-    """(dotted key, what is wrong with its value) for each impossible dimension of the bearing."""
+    """(path of the key, problem) for each impossible dimension of the bearing."""
     ball = bearing.ball_diameter
-    sound = True
+    possible = True
     for name, ring in (("inner", bearing.inner), ("outer", bearing.outer)):
         if not ring.groove_radius > ball / 2:
-            sound = False
+            possible = False
             yield (
                 f"bearing.{name}.groove_radius",
                 f"must exceed the ball radius {_mm(ball / 2)} (equal radii are a line contact); "
                 f"usual are {_mm(0.51 * ball)} to {_mm(0.54 * ball)}",
             )
         if not ring.shoulder_half_width < ring.groove_radius:
-            sound = False
+            possible = False
             yield f"bearing.{name}.shoulder_half_width", f"must be below groove_radius {_mm(ring.groove_radius)}"
-    if not sound:
+    if not possible:
         return
     if not bearing.outer.groove_radius < bearing.outer.bottom_radius:
         yield "bearing.outer.groove_radius", f"must be below bottom_radius {_mm(bearing.outer.bottom_radius)}"
@@ -46,7 +46,7 @@ def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
 
 
 def angle_misfits(bearing: Bearing, angle: ContactAngle) -> Iterator[tuple[str, str]]:
-    """The same for a contact angle that points beyond a shoulder."""
+    """The same for a contact angle beyond a shoulder."""
     shoulder = min(
         float(np.arcsin(ring.shoulder_half_width / ring.groove_radius)) for ring in (bearing.inner, bearing.outer)
     )
@@ -56,7 +56,7 @@ def angle_misfits(bearing: Bearing, angle: ContactAngle) -> Iterator[tuple[str, 
 
 
 def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overlap: bool) -> Iterator[tuple[str, str]]:
-    """The same for the cage around the bearing's balls; pocket is the key that set the pocket's diameter."""
+    """The same for the cage; pocket : the key that gives the diameter of the pocket."""
     diameter, chord = cage.pocket_diameter, pitch_chord(bearing)
     if not diameter > bearing.ball_diameter:
         yield f"cage.{pocket}", f"must exceed ball_diameter {_mm(bearing.ball_diameter)}; usual is 0.1 to 0.3 mm more"
@@ -67,7 +67,7 @@ def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overl
             "cage.pocket_depth",
             f"must exceed the ball radius {_mm(bearing.ball_radius)}, else its halves clamp the ball",
         )
-    # A lead A sin(phi) takes the cage half along, and leaves each ball A/2 off the middle of its pocket.
+    # A lead A sin(phi) shifts the cage by A/2 and leaves each ball A/2 off the middle of its pocket.
     elif not abs(cage.ball_lead) < 2 * (cage.pocket_depth - bearing.ball_radius):
         yield (
             "cage.ball_lead",
@@ -87,8 +87,8 @@ def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overl
             yield "cage.wall_thickness", f"must be at most the web between pockets, {_mm(chord - diameter)}"
 
 
-def doubts(bearing: Bearing, cage: Cage | None) -> Iterator[str]:
-    """Warnings: what is possible and yet unlikely to be meant."""
+def warnings(bearing: Bearing, cage: Cage | None) -> Iterator[str]:
+    """What is possible and yet probably a mistake."""
     expected = bearing.ball_material.density * np.pi / 6 * bearing.ball_diameter**3
     if abs(bearing.ball_mass - expected) > LARGEST_MASS_ERROR * expected:
         yield (
@@ -103,7 +103,7 @@ def doubts(bearing: Bearing, cage: Cage | None) -> Iterator[str]:
 
 
 def pitch_chord(bearing: Bearing) -> float:
-    """d_m sin(pi/Z): from ball centre to ball centre, m; 0 for one ball."""
+    """d_m sin(pi/Z): distance between the centres of neighbouring balls, m; 0 for one ball."""
     return bearing.pitch_diameter * float(np.sin(np.pi / bearing.ball_count))
 
 
@@ -134,7 +134,7 @@ def _ring_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
 
 
 def _boundary_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
-    """What is wrong with the seats and the width, where they are given."""
+    """Problems of the seats and the width, where they are given."""
     bore, outside, width = bearing.bore_diameter, bearing.outside_diameter, bearing.width
     if bore is not None and not bore < 2 * bearing.inner.bottom_radius:
         limit = _mm(2 * bearing.inner.bottom_radius)

@@ -1,6 +1,9 @@
-"""One key of a scene file by its path, `operation.axial_load`: what it takes, and a document that has it."""
+"""The keys of a scene file: what a key takes, a document that has it, and messages about its value.
 
-from collections.abc import Iterator
+A key is named by its path, `operation.axial_load`.
+"""
+
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from types import UnionType
@@ -12,7 +15,7 @@ from pydantic.fields import FieldInfo
 from analytic import catalog
 from analytic.errors import InputError
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.tables import SceneTable, Table
+from analytic.scenefile.tables import SceneTable, Table, table_of
 from analytic.scenefile.text import plain, shown
 
 Value = float | int | str | bool
@@ -24,12 +27,12 @@ class SceneKey:
     """A key that takes one value: a quantity, a number or a word."""
 
     path: str
-    dimension: Dimension | None  # of a quantity; None: a count or a word
+    dimension: Dimension | None  # of a quantity; None: a whole number or a word
     in_series: bool  # whether a list of values makes a series
     field: FieldInfo
 
     def read(self, given: object) -> Value:
-        """The value, a quantity in SI. Raises ValueError, saying what is wrong and what would be accepted."""
+        """The value, a quantity in SI. Raises ValueError that says what is wrong and what is accepted."""
         if self.dimension is not None:
             return self.dimension.read(given)
         if not isinstance(given, Value):
@@ -39,25 +42,21 @@ class SceneKey:
         try:
             TypeAdapter(self.field.rebuild_annotation()).validate_python(given)
         except ValidationError as problem:
-            fault = problem.errors(include_url=False)[0]
-            words = fault.get("ctx", {})
-            raise ValueError(
-                str(words["error"]) if "error" in words else f"is not a word known here; give {words['expected']}"
-            ) from None
+            raise ValueError(_problem(problem.errors(include_url=False)[0])) from None
         return given
 
 
 def scene_key(path: str) -> SceneKey:
-    """The key of that path. Raises InputError for one that is unknown, or that takes a table."""
+    """The key with that path. Raises InputError for an unknown key and for one that takes a table."""
     table: type[Table] | None = SceneTable
     field: FieldInfo | None = None
     for part in path.split("."):
         field = None if table is None else table.model_fields.get(part)
         if field is None:
             raise InputError(f"{plain(path)} is no key of a scene file{_hint(path)}")
-        table = _table_of(field)
+        table = table_of(field)
     assert field is not None
-    if table is not None and not field.metadata:  # a material has a validator too, which takes its name
+    if table is not None and not field.metadata:  # a material may be a table or a name, so it has a validator
         inside = ", ".join(f"{path}.{name}" for name in table.model_fields)
         raise InputError(f"{path} is a table of a scene file; give one of its keys: {inside}")
     return SceneKey(
@@ -69,7 +68,7 @@ def scene_key(path: str) -> SceneKey:
 
 
 def with_key(document: dict[str, Any], path: str, value: object) -> dict[str, Any]:
-    """A copy of the document with that key set. Raises InputError where a word stands in place of a table."""
+    """A copy of the document with that key set. Raises InputError if a part of the path holds a value, not a table."""
     first, _, rest = path.partition(".")
     if not rest:
         return document | {first: value}
@@ -77,6 +76,59 @@ def with_key(document: dict[str, Any], path: str, value: object) -> dict[str, An
     if not isinstance(inside, dict):
         raise InputError(f"{first} = {shown(inside)} is no table in the scene, so {rest} cannot be set; write it out")
     return document | {first: with_key(inside, rest, value)}
+
+
+def fault_at(document: dict[str, Any], path: str, problem: str) -> str:
+    """The key, its value in the scene file or the catalog, and the problem, in one line."""
+    value: Any = document
+    for part in path.split("."):
+        value = value.get(part) if isinstance(value, dict) else None
+    return f"{path} {problem}" if value is None else f"{path} = {shown(value)} {problem}"
+
+
+def fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
+    """The same for an error that pydantic reports."""
+    path, table, field = _address(document, error["loc"])
+    if error["type"] == "missing":
+        return f"{path} is missing; {_accepted(field)}"
+    if error["type"] == "extra_forbidden":
+        known = list(table.model_fields)
+        near = get_close_matches(str(error["loc"][-1]), known, n=1)
+        problem = "is an unknown key; " + (f"did you mean {near[0]}?" if near else f"known: {', '.join(known)}")
+    elif error["type"] in ("value_error", "literal_error"):
+        problem = _problem(error)
+    else:  # the tables allow only one other error: not a table
+        problem = f"is not a table; {_accepted(field)}"
+    return f"{path} = {shown(error['input'])} {problem}"
+
+
+def _problem(error: Mapping[str, Any]) -> str:
+    """What is wrong with a value, by pydantic's error."""
+    context = error["ctx"]
+    return str(context["error"]) if "error" in context else f"is not a word known here; give {context['expected']}"
+
+
+def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple[str, type[Table], FieldInfo | None]:
+    """The path of a place in the document, the table that holds it, and its field (None for an unknown key)."""
+    path, node, inside, table, field = "", document, SceneTable, SceneTable, None
+    for part in location:
+        if isinstance(part, int):
+            if isinstance(node, list):  # pydantic always sees a list; the scene file may have a single quantity
+                path, node = f"{path}[{part}]", node[part]
+            continue
+        table, field = inside, inside.model_fields.get(part)
+        path = f"{path}.{plain(part)}" if path else plain(part)
+        node = node.get(part) if isinstance(node, dict) else None
+        inside = (table_of(field) if field else None) or inside
+    return path, table, field
+
+
+def _accepted(field: FieldInfo | None) -> str:
+    """What the field takes, in words."""
+    for note in field.metadata if field else ():
+        if isinstance(note, Dimension):
+            return note.accepted
+    return (field.description if field else None) or "leave it out"
 
 
 def _hint(path: str) -> str:
@@ -88,23 +140,17 @@ def _hint(path: str) -> str:
 
 
 def _paths(table: type[Table], before: str = "") -> Iterator[str]:
+    """The paths of all keys that take a value."""
     for name, field in table.model_fields.items():
-        inside = _table_of(field)
+        inside = table_of(field)
         if inside is None or field.metadata:
             yield before + name
         if inside is not None:
             yield from _paths(inside, f"{before}{name}.")
 
 
-def _table_of(field: FieldInfo) -> type[Table] | None:
-    for kind in (field.annotation, *get_args(field.annotation)):
-        if isinstance(kind, type) and issubclass(kind, Table):
-            return kind
-    return None
-
-
 def _dimensions(kind: Any) -> Iterator[Dimension]:
-    """Of an annotation: of a float, of a float or nothing, of a list of them."""
+    """The dimensions in an annotation: a quantity, an optional quantity, or a list of quantities."""
     if get_origin(kind) is Annotated:
         yield from (note for note in kind.__metadata__ if isinstance(note, Dimension))
         yield from _dimensions(kind.__origin__)

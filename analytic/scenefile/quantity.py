@@ -1,8 +1,8 @@
-"""A quantity as a person writes it, `"7.94 mm"`, and as the model takes it, 0.00794.
+"""Quantities: `"7.94 mm"` in a scene file is 0.00794 for the model.
 
-Only `number unit` is read: the number by its own grammar, the unit as a product of names with one-digit powers.
-Nothing else reaches pint, which would evaluate an expression. Degrees and revolutions count as angles here, and a
-radian is not a pure number: `"100 Hz"` is no angular speed.
+A quantity is a number and a unit; the unit is a product of names with one-digit powers. Nothing else reaches pint,
+which would evaluate any expression. Degrees and revolutions are angles, and a radian is not a pure number: `"100 Hz"`
+is not an angular speed.
 """
 
 import re
@@ -18,21 +18,21 @@ NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
 FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)-?\d)?"
 UNIT = rf"(?:1 */ *)?{FACTOR}(?: *[*/·] *{FACTOR}| +{FACTOR})*"
 QUANTITY = re.compile(rf" *({NUMBER}) *({UNIT}) *", re.ASCII)
-LONGEST = 80  # characters; keeps every match short
+LONGEST = 80  # characters; limits the time of a match
 
 
 @dataclass(frozen=True, kw_only=True)
 class Dimension:
-    """What a key accepts: a unit in SI, the closed range in that unit, and an example to show."""
+    """What a key accepts: a unit in SI, a closed range in that unit, and an example for messages."""
 
-    unit: str  # SI; "" for a pure number, which is written without a unit (or in percent)
+    unit: str  # SI; "" for a pure number, which has no unit (or percent)
     low: float
     high: float
-    example: str  # as written in the file, quotes included
+    example: str  # as in a scene file, with its quotes
 
     @property
     def accepted(self) -> str:
-        """The sentence that ends every complaint."""
+        """The end of every message: range and example."""
         bounds = f"{self.low:g} to {self.high:g} {self.unit}".strip()
         return f"give {bounds}, for example {self.example}"
 
@@ -41,11 +41,11 @@ class Dimension:
         return f"in a unit like {self.unit}" if self.unit else "a pure number"
 
     def __get_pydantic_core_schema__(self, _source: object, _handler: object) -> CoreSchema:
-        """Lets `Annotated[float, Dimension(...)]` be a field of a table."""
+        """Makes `Annotated[float, Dimension(...)]` a field of a table."""
         return core_schema.no_info_plain_validator_function(self.read)
 
     def read(self, given: object) -> float:
-        """The value in SI. Raises ValueError, saying what is wrong and what would be accepted."""
+        """The value in SI. Raises ValueError that says what is wrong and what is accepted."""
         value = self._in_si(given)
         if not isfinite(value):
             raise ValueError(f"is not finite; {self.accepted}")
@@ -87,13 +87,13 @@ class Dimension:
 
 @cache
 def _registry() -> pint.UnitRegistry:
-    # Decimal: "7.94 mm" is 0.00794 to the last digit. Pint's annotation names float alone, its manual Decimal too.
+    # With Decimal "7.94 mm" is 0.00794 to the last digit. Pint documents Decimal, but its annotation allows only float.
     return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]
 
 
-@lru_cache(maxsize=200)  # pint takes half a millisecond for one, and scene files name the same few again and again
+@lru_cache(maxsize=200)  # pint takes half a millisecond for a unit, and scene files repeat the same few
 def _unit(text: str) -> pint.Unit | None:
-    """The product of the unit's factors, None where a name is unknown."""
+    """The product of the factors of the unit; None if a name is unknown."""
     product = _registry().Unit("dimensionless")
     inverse, known = False, True
     for token in re.findall(rf"{FACTOR}|[/*·]|1", text, re.ASCII):
@@ -113,5 +113,5 @@ def _unit(text: str) -> pint.Unit | None:
 
 @lru_cache(maxsize=200)
 def _roots(unit: pint.Unit) -> pint.Unit:
-    """The unit in roots (metre, gram, second, kelvin, radian ...): equal for equal dimensions, angles kept apart."""
+    """The unit in root units (metre, gram, second, kelvin, radian ...): the same for all units of one dimension."""
     return _registry().get_root_units(unit)[1]

@@ -1,19 +1,17 @@
-"""Scene files: `ball_diameter = "7.94 mm"` in TOML is 0.00794 (m) in Python.
+"""Scene files in TOML: `ball_diameter = "7.94 mm"` is 0.00794 (m) in Python.
 
-`analytic.scenefile.tables` lists the keys. Every complaint is one line that names the key, the value, and what would be accepted.
+`analytic.scenefile.tables` lists the keys. Every message is one line with the key, the value and what is accepted.
 """
 
 import os
 from collections.abc import Iterator
 from dataclasses import replace
-from difflib import get_close_matches
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
-from pydantic.fields import FieldInfo
 
 from analytic import catalog
 from analytic.errors import InputError
@@ -34,30 +32,28 @@ from analytic.scene import (
     Surface,
 )
 from analytic.scenefile import fit
-from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.keys import fault_at, fault_of
 from analytic.scenefile.tables import (
     CageTable,
     FrictionTable,
     GrooveTable,
     LubricantTable,
-    MaterialTable,
     OperationTable,
     SceneTable,
     SurfaceTable,
-    Table,
 )
 from analytic.scenefile.text import parse_text, plain, read_text, shown
 
 HEIGHT_MAPS = (".npy", ".csv")
-AS_PRINTED = "as_printed"  # the variant of a cage that may have overlapping pockets: it is the paper's, and warns
-MOST_FAULTS = 5  # shown at once; the rest are counted
+AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
+MOST_FAULTS = 5  # in one message; the others are counted
 
 
 def load_scene(path: str | os.PathLike[str]) -> Scene:
     """The scene that a TOML file describes.
 
-    Raises InputError, in one line, for a file that cannot be read, is too large or is not TOML, and for every key that
-    is unknown, missing, without its unit, out of range or at odds with the other keys.
+    Raises InputError for a file that cannot be read, is too large or is not TOML, and for every key that is unknown,
+    missing, without its unit, out of range or in conflict with other keys.
     """
     known = ", ".join(catalog.names("scenes"))
     text = read_text(path, kind="scene", remedy=f"give the path of a scene file (built in: {known})")
@@ -65,7 +61,7 @@ def load_scene(path: str | os.PathLike[str]) -> Scene:
 
 
 def builtin_scene(name: str) -> Path:
-    """The path of a scene that ships with the package, for load_scene. Raises InputError for an unknown name."""
+    """The path of a built-in scene, for load_scene. Raises InputError for an unknown name."""
     known = catalog.names("scenes")
     if name not in known:
         raise InputError(
@@ -75,44 +71,45 @@ def builtin_scene(name: str) -> Path:
 
 
 def parse_scene(text: str, *, origin: str, folder: Path = Path()) -> Scene:
-    """The scene that TOML text describes; origin names it in messages, files it names are sought from folder.
+    """The scene that TOML text describes.
 
+    origin : names the text in messages;  folder : that the paths in the text start from
     Raises InputError as load_scene does.
     """
     return scene_of(parse_text(text, origin=origin), origin=origin, folder=folder)
 
 
 def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) -> Scene:
-    """The scene that a parsed TOML document describes; the catalog's entries are put into the document.
+    """The scene that a parsed TOML document describes; the arguments and errors of parse_scene.
 
-    Raises InputError as load_scene does.
+    The entries of the catalog are put into the document.
     """
-    faults = _take_catalog(document)
+    faults = _put_catalog(document)
     if not faults:
         try:
             table = SceneTable.model_validate(document)
         except ValidationError as problem:
-            faults = [_fault(document, dict(fault)) for fault in problem.errors(include_url=False)]
+            faults = [fault_of(document, error) for error in problem.errors(include_url=False)]
         else:
             faults = list(_conflicts(document, table))
             if not faults:
                 scene, misfits = _scene(table, folder)
-                faults = [_complaint(document, key, problem) for key, problem in misfits]
+                faults = [fault_at(document, key, problem) for key, problem in misfits]
                 if not faults:
                     return scene
     more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
     raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
 
 
-def _take_catalog(document: dict[str, Any]) -> list[str]:
-    """Put the catalog's bearing and cage under the document's own keys; return the faults."""
+def _put_catalog(document: dict[str, Any]) -> list[str]:
+    """Put bearing and cage of the catalog into the document, whose own keys take precedence; return the faults."""
     bearing, cage = document.get("bearing"), document.get("cage")
     entry: dict[str, Any] = {}
     if isinstance(bearing, dict) and "catalog" in bearing:
         known = catalog.names("bearings")
         if bearing["catalog"] not in known:
             problem = f"is not in the catalog; give one of {', '.join(known)}, or leave it out and give every dimension"
-            return [_complaint(document, "bearing.catalog", problem)]
+            return [fault_at(document, "bearing.catalog", problem)]
         entry = catalog.entry("bearings", bearing["catalog"])
     catalog_cage = entry.pop("cage", {})
     variants = catalog_cage.pop("variants", {})
@@ -123,9 +120,9 @@ def _take_catalog(document: dict[str, Any]) -> list[str]:
         if "variant" in cage:
             if cage["variant"] not in tuple(variants):
                 known = f"give one of {', '.join(variants)}" if variants else "this bearing has none"
-                return [_complaint(document, "cage.variant", f"is not a variant of the cage; {known}")]
+                return [fault_at(document, "cage.variant", f"is not a variant of the cage; {known}")]
             if own_pocket and any(key.startswith("pocket_") for key in variants[cage["variant"]]):
-                return [_complaint(document, f"cage.{own_pocket[0]}", "comes with cage.variant; leave out one of them")]
+                return [fault_at(document, f"cage.{own_pocket[0]}", "comes with cage.variant; leave out one of them")]
             cage = variants[cage["variant"]] | cage
         if "pocket_clearance" in cage or "pocket_diameter" in cage:
             catalog_cage.pop("pocket_clearance", None)
@@ -134,7 +131,7 @@ def _take_catalog(document: dict[str, Any]) -> list[str]:
 
 
 def _overlaid(entry: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
-    """The entry with the given keys in place of its own; the rings key by key."""
+    """The entry with the given keys, which take precedence; the rings are merged key by key."""
     merged = entry | given
     for ring in ("inner", "outer"):
         if isinstance(entry.get(ring), dict) and isinstance(given.get(ring), dict):
@@ -143,20 +140,20 @@ def _overlaid(entry: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
 
 
 def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
-    """Keys that are right alone and wrong together."""
+    """Keys that are valid on their own and in conflict with each other."""
     angle, cage, operation = table.bearing.contact_angle, table.cage, document["operation"]
     if angle.rule == "given" and not angle.value:
         problem = 'must be above 0 with rule = "given", for example "0.18 rad"'
-        yield _complaint(document, "bearing.contact_angle.value", problem)
+        yield fault_at(document, "bearing.contact_angle.value", problem)
     elif angle.rule == "given" and angle.free is not None:
-        yield _complaint(document, "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out')
+        yield fault_at(document, "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out')
     if angle.rule == "solved" and angle.value is not None:
-        yield _complaint(
+        yield fault_at(
             document, "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
         )
     if table.bearing.diametral_clearance is not None and angle.free is not None:
         problem = "and contact_angle.free both say how far the rings are apart; leave one of them out"
-        yield _complaint(document, "bearing.diametral_clearance", problem)
+        yield fault_at(document, "bearing.diametral_clearance", problem)
     lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list)}
     if len(set(lengths.values())) > 1:
         counts = " and ".join(f"operation.{key} has {count}" for key, count in lengths.items())
@@ -166,7 +163,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         not any(point) for point in np.broadcast(loads.axial_load, loads.radial_load, loads.moment)
     ):
         problem = "leaves a point without any load; give thrust, 1e-15 N at least, or a radial load or a moment with it"
-        yield _complaint(document, "operation.axial_load", problem)
+        yield fault_at(document, "operation.axial_load", problem)
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"
     if table.friction is not None and table.friction.coefficient is None and table.lubricant is None:
@@ -178,33 +175,23 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         elif (surface.rms_roughness is None) != (surface.autocorrelation is None):
             yield "surface.autocorrelation goes with rms_roughness, and with it alone: a height map has its own"
         if surface.height_map is not None and Path(surface.height_map.path).suffix.lower() not in HEIGHT_MAPS:
-            yield _complaint(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
-    for name, asked in (("cage", table.effects.cage), ("cage_dynamics", table.effects.cage_dynamics)):
-        if cage is None and asked == "on":
-            yield _complaint(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
+            yield fault_at(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
+    for name in ("cage", "cage_dynamics"):
+        if cage is None and getattr(table.effects, name) == "on":
+            yield fault_at(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
 
 
 def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]]]:
-    """The nouns, and what does not fit together in them."""
+    """The scene, and (key, problem) for everything in it that does not fit together."""
     given = table.bearing
     inner, outer = _groove(given.inner), _groove(given.outer)
     if given.diametral_clearance is not None:
         opening = given.ball_diameter + given.diametral_clearance / 2 - (outer.bottom_radius - inner.bottom_radius)
         inner = replace(inner, bottom_radius=inner.bottom_radius - opening / 2)
         outer = replace(outer, bottom_radius=outer.bottom_radius + opening / 2)
-    bearing = Bearing(
-        name=given.name,
-        ball_count=given.ball_count,
-        ball_diameter=given.ball_diameter,
-        ball_mass=given.ball_mass,
-        ball_material=_material(given.ball_material),
-        inner=inner,
-        outer=outer,
-        bore_diameter=given.bore_diameter,
-        outside_diameter=given.outside_diameter,
-        width=given.width,
-        static_load_rating=given.static_load_rating,
-    )
+    derived = {"catalog", "diametral_clearance", "contact_angle", "ball_material", "inner", "outer"}
+    ball = Material(**given.ball_material.model_dump())
+    bearing = Bearing(**given.model_dump(exclude=derived), ball_material=ball, inner=inner, outer=outer)
     angle = ContactAngle(**given.contact_angle.model_dump())
     misfits = list(fit.bearing_misfits(bearing))
     cage = None
@@ -213,11 +200,12 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         if table.cage is not None:
             cage = _cage(table.cage, bearing)
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
-            printed = table.cage.variant == AS_PRINTED
-            misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=printed)
+            overlaps = table.cage.variant == AS_PRINTED
+            misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
     surface = None if table.surface is None else _surface(table.surface, folder)
     if surface is not None and surface.height_map is not None and not os.path.isfile(surface.height_map.path):
         misfits.append(("surface.height_map.path", "is not a file; give its path from the scene file's folder"))
+    friction = table.friction or FrictionTable()
     scene = Scene(
         name=table.name,
         tolerance=table.tolerance,
@@ -227,39 +215,30 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         cage=cage,
         lubricant=None if table.lubricant is None else _lubricant(table.lubricant),
         surface=surface,
-        **({} if table.friction is None else _friction(table.friction)),
+        friction_coefficient=friction.coefficient,
+        **friction.model_dump(exclude={"coefficient"}),
         losses=Losses(**table.losses.model_dump()),
         effects=MappingProxyType(table.effects.model_dump()),
         calibration=table.calibration,
-        warnings=tuple(fit.doubts(bearing, cage)),
+        warnings=tuple(fit.warnings(bearing, cage)),
     )
     return scene, misfits
 
 
 def _groove(given: GrooveTable) -> Groove:
-    return Groove(**given.model_dump(exclude={"material"}), material=_material(given.material))
+    return Groove(**given.model_dump(exclude={"material"}), material=Material(**given.material.model_dump()))
 
 
 def _cage(given: CageTable, bearing: Bearing) -> Cage:
     diameter = given.pocket_diameter or bearing.ball_diameter + (given.pocket_clearance or 0.0)
     approach = given.pocket_approach
+    derived = {"variant", "pocket_clearance", "pocket_diameter", "pocket_depth", "pocket_approach", "material", "land"}
     return Cage(
+        **given.model_dump(exclude=derived),
         pocket_diameter=diameter,
         pocket_depth=diameter / 2 if given.pocket_depth is None else given.pocket_depth,
-        wall_thickness=given.wall_thickness,
-        mass=given.mass,
-        material=_material(given.material),
-        pocket_axis=given.pocket_axis,
         pocket_stiffness=None if approach is None else approach.load / approach.approach**1.5,
-        friction_coefficient=given.friction_coefficient,
-        restitution=given.restitution,
-        start=given.start,
-        seeds=given.seeds,
-        duration=given.duration,
-        steps_per_contact=given.steps_per_contact,
-        gravity=given.gravity,
-        drag=given.drag,
-        ball_lead=given.ball_lead,
+        material=Material(**given.material.model_dump()),
         land=None if given.land is None else Land(**given.land.model_dump()),
     )
 
@@ -270,22 +249,12 @@ def _lubricant(given: LubricantTable) -> Lubricant:
 
 
 def _surface(given: SurfaceTable, folder: Path) -> Surface:
-    correlation, found = given.autocorrelation, given.height_map
+    correlation, heights = given.autocorrelation, given.height_map
     return Surface(
         **given.model_dump(exclude={"autocorrelation", "height_map"}),
         autocorrelation=None if correlation is None else Autocorrelation(**correlation.model_dump()),
-        height_map=None if found is None else HeightMapFile(path=str(folder / found.path), spacing=found.spacing),
+        height_map=None if heights is None else HeightMapFile(path=str(folder / heights.path), spacing=heights.spacing),
     )
-
-
-def _friction(given: FrictionTable) -> dict[str, Any]:
-    return {
-        "friction_coefficient": given.coefficient,
-        "hysteresis_loss": given.hysteresis_loss,
-        "spin_rule": given.spin_rule,
-        "sliding": given.sliding,
-        "microslip": given.microslip,
-    }
 
 
 def _operation(given: OperationTable) -> Operation:
@@ -298,61 +267,3 @@ def _frozen(values: Array) -> Array:
     values = values.copy()
     values.flags.writeable = False
     return values
-
-
-def _material(given: MaterialTable) -> Material:
-    return Material(**given.model_dump())
-
-
-def _fault(document: dict[str, Any], fault: dict[str, Any]) -> str:
-    """One of pydantic's complaints in the words of this module."""
-    key, table, field = _address(document, fault["loc"])
-    if fault["type"] == "missing":
-        return f"{key} is missing; {_accepted(field)}"
-    given = f"{key} = {shown(fault['input'])}"
-    match fault["type"]:
-        case "extra_forbidden":
-            known = list(table.model_fields)
-            near = get_close_matches(str(fault["loc"][-1]), known, n=1)
-            return f"{given} is an unknown key; " + (
-                f"did you mean {near[0]}?" if near else f"known: {', '.join(known)}"
-            )
-        case "value_error":
-            return f"{given} {fault['ctx']['error']}"
-        case "literal_error":
-            return f"{given} is not a word known here; give {fault['ctx']['expected']}"
-        case _:  # the tables leave only one other: not a table
-            return f"{given} is not a table; {_accepted(field)}"
-
-
-def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple[str, type[Table], FieldInfo | None]:
-    """The dotted key of a place in the document, the table it stands in, and its field (None for an unknown key)."""
-    key, node, inside, table, field = "", document, SceneTable, SceneTable, None
-    for part in location:
-        if isinstance(part, int):
-            if isinstance(node, list):  # a single quantity is a list to pydantic, but not in the file
-                key, node = f"{key}[{part}]", node[part]
-            continue
-        table, field = inside, inside.model_fields.get(part)
-        key = f"{key}.{plain(part)}" if key else plain(part)
-        node = node.get(part) if isinstance(node, dict) else None
-        for kind in (field.annotation, *get_args(field.annotation)) if field else ():
-            if isinstance(kind, type) and issubclass(kind, Table):
-                inside = kind
-    return key, table, field
-
-
-def _accepted(field: FieldInfo | None) -> str:
-    """What the field takes, in words."""
-    for note in field.metadata if field else ():
-        if isinstance(note, Dimension):
-            return note.accepted
-    return (field.description if field else None) or "leave it out"
-
-
-def _complaint(document: dict[str, Any], key: str, problem: str) -> str:
-    """The key with the value it has in the file or the catalog, and what is wrong with it."""
-    value: Any = document
-    for part in key.split("."):
-        value = value.get(part) if isinstance(value, dict) else None
-    return f"{key} {problem}" if value is None else f"{key} = {shown(value)} {problem}"

@@ -1,14 +1,28 @@
-"""What a scene file may hold: one class a table, one field a key.
+"""The tables of a scene file: one class for each table, one field for each key.
 
-A key that is not here is refused, a key without a default must be given. Values come out in SI.
+Unknown keys are refused. A key without a default must be given. Values are read into SI.
 """
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic.fields import FieldInfo
 
 from analytic import catalog
-from analytic.scene import CageGravity, CageStart, Decision, Microslip, PocketAxis, Sliding, SpinRule, Traction
+from analytic.scene import (
+    Cage,
+    CageGravity,
+    CageStart,
+    Decision,
+    Lubricant,
+    Microslip,
+    PocketAxis,
+    Scene,
+    Sliding,
+    SpinRule,
+    Surface,
+    Traction,
+)
 from analytic.scenefile.quantity import Dimension
 
 
@@ -18,13 +32,13 @@ def _text(given: object) -> str:
     return given
 
 
-def _whole(of: str, *, low: int, high: int, example: int) -> BeforeValidator:
-    """A whole number of so many things, from low to high."""
+def _whole(things: str, *, low: int, high: int, example: int) -> BeforeValidator:
+    """Accepts a whole number of these things, from low to high."""
 
     def read(given: object) -> int:
         if isinstance(given, bool) or not isinstance(given, int) or not low <= given <= high:
             raise ValueError(
-                f"is not a number of {of}; give a whole number from {low} to {high}, for example {example}"
+                f"is not a number of {things}; give a whole number from {low} to {high}, for example {example}"
             )
         return given
 
@@ -72,13 +86,21 @@ class Table(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
+def table_of(field: FieldInfo) -> type[Table] | None:
+    """The class of the table that a field holds; None for a field that holds a value."""
+    for kind in (field.annotation, *get_args(field.annotation)):
+        if isinstance(kind, type) and issubclass(kind, Table):
+            return kind
+    return None
+
+
 class MaterialTable(Table):
     name: Text = "unnamed"
     youngs_modulus: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e13, example='"206 GPa"')]
     poisson_ratio: Annotated[float, Dimension(unit="", low=0, high=0.49999, example="0.3")]
     density: Annotated[float, Dimension(unit="kg/m^3", low=1, high=3e4, example='"7850 kg/m^3"')]
     source: Text = "the scene file"
-    hardness: Pressure | None = None  # of indentation; where it is not given, [surface] hardness has to be
+    hardness: Pressure | None = None  # of indentation; without it, give [surface] hardness
 
 
 MaterialEntry = Annotated[
@@ -100,7 +122,7 @@ class ContactAngleTable(Table):
 
 
 class BearingTable(Table):
-    catalog: Text | None = None  # whose dimensions stand where no other is given
+    catalog: Text | None = None  # a bearing whose dimensions apply where no other is given
     name: Text = Field(description='give a name, or take a bearing of the catalog with catalog = "6205"')
     ball_count: Count
     ball_diameter: Length
@@ -111,8 +133,8 @@ class BearingTable(Table):
     bore_diameter: Length | None = None
     outside_diameter: Length | None = None
     width: Length | None = None
-    static_load_rating: Force | None = None  # C0 of a maker's catalogue, for the catalogue band alone
-    diametral_clearance: Clearance | None = None  # set by both bottom radii, with their mean kept; negative is preload
+    static_load_rating: Force | None = None  # C0 of a maker's catalogue, only for the catalogue band
+    diametral_clearance: Clearance | None = None  # moves both bottom radii and keeps their mean; negative is preload
     contact_angle: ContactAngleTable = Field(
         description='give { rule = "solved" }, { rule = "solved", free = "0.18 rad" } '
         'or { rule = "given", value = "0.18 rad" }'
@@ -131,29 +153,29 @@ class PocketApproachTable(Table):
 
 
 class CageTable(Table):
-    variant: Text | None = None  # of the catalog's cage
+    variant: Text | None = None  # of the cage in the catalog
     pocket_clearance: Gap | None = None  # pocket diameter minus ball diameter
     pocket_diameter: Length | None = None
-    pocket_depth: Length | None = None  # half the pocket diameter where it is not given
+    pocket_depth: Length | None = None  # half of the pocket diameter by default
     wall_thickness: Length
     mass: Mass
     material: MaterialEntry
-    pocket_axis: PocketAxis = "axial"
+    pocket_axis: PocketAxis = Cage.pocket_axis
     pocket_approach: PocketApproachTable | None = Field(
         default=None,
-        description='give what a test or finite elements found, { load = "28 N", approach = "0.883 um" }; it takes the '
-        "place of Hertz's stiffness",
+        description='give what a test or finite elements found, { load = "28 N", approach = "0.883 um" }; it '
+        "replaces Hertz's stiffness",
     )
     friction_coefficient: Friction | None = None
-    restitution: Annotated[float, Dimension(unit="", low=0.05, high=1, example="0.8")] = 0.8
+    restitution: Annotated[float, Dimension(unit="", low=0.05, high=1, example="0.8")] = Cage.restitution
     start: CageStart | None = Field(default=None, description='give "rest", "ramp", "sudden" or "whirl"')
-    seeds: Annotated[int, _whole("seeds", low=2, high=1000, example=4)] = 4
-    duration: Annotated[float, Dimension(unit="s", low=1e-4, high=1e3, example='"0.2 s"')] = 0.2
-    # With fewer, fast cages come out wrong by a half and more (`fembearing cost` shows them); more cost only patience.
-    steps_per_contact: Annotated[int, _whole("steps", low=10, high=1000, example=40)] = 40
-    gravity: CageGravity = "across"
-    drag: Annotated[float, Dimension(unit="N*m*s", low=0, high=1, example='"1e-6 N m s"')] = 0.0
-    ball_lead: Annotated[float, Dimension(unit="m", low=-0.1, high=0.1, example='"0.05 mm"')] = 0.0
+    seeds: Annotated[int, _whole("seeds", low=2, high=1000, example=4)] = Cage.seeds
+    duration: Annotated[float, Dimension(unit="s", low=1e-4, high=1e3, example='"0.2 s"')] = Cage.duration
+    # With fewer steps the error for fast cages is a half and more (`fembearing cost` shows it); more only take longer.
+    steps_per_contact: Annotated[int, _whole("steps", low=10, high=1000, example=40)] = Cage.steps_per_contact
+    gravity: CageGravity = Cage.gravity
+    drag: Annotated[float, Dimension(unit="N*m*s", low=0, high=1, example='"1e-6 N m s"')] = Cage.drag
+    ball_lead: Annotated[float, Dimension(unit="m", low=-0.1, high=0.1, example='"0.05 mm"')] = Cage.ball_lead
     land: LandTable | None = Field(
         default=None, description='give { ring = "outer", clearance = "0.3 mm", width = "10 mm" }'
     )
@@ -171,15 +193,15 @@ class LubricantTable(Table):
     pressure_viscosity: Annotated[float, Dimension(unit="1/Pa", low=0, high=1e-7, example='"2e-8 1/Pa"')]
     eyring_stress: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e9, example='"5 MPa"')]
     traction: Traction = "eyring_sinh"
-    # Of pressure: lubricants have 0.05 to 0.08 (no source seen).
+    # Over the pressure; 0.05 to 0.08 for lubricants (no source seen).
     limiting_shear: Annotated[float, Dimension(unit="", low=0, high=1, example="0.065")] = 0.065
-    reference_temperature: Temperature = 313.15  # of the viscosities above: 40 degC, where oils are graded
-    temperature: Temperature | None = None  # of the oil at the inlet; the reference where it is not given
-    # The next three are typical of mineral oils near 40 degC (no source seen).
+    reference_temperature: Temperature = 313.15  # of viscosity and pressure_viscosity; oils are graded at 40 degC
+    temperature: Temperature | None = None  # of the oil at the inlet; the reference temperature by default
+    # The next three defaults are typical of mineral oils near 40 degC (no source seen).
     viscosity_temperature: Annotated[float, Dimension(unit="1/K", low=0, high=0.2, example='"0.045 1/K"')] = 0.045
     thermal_conductivity: Annotated[float, Dimension(unit="W/m/K", low=1e-3, high=100, example='"0.14 W/m/K"')] = 0.14
     density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] = 870.0
-    supply: Literal["oil_bath", "grease"] = "oil_bath"
+    supply: Literal["oil_bath", "grease"] = Lubricant.supply
 
 
 class AutocorrelationTable(Table):
@@ -194,29 +216,28 @@ class HeightMapTable(Table):
 
 
 class SurfaceTable(Table):
-    rms_roughness: Roughness | None = None  # of each of the two surfaces
-    ball_rms_roughness: Roughness | None = None  # of the ball where it differs
+    rms_roughness: Roughness | None = None  # of each surface
+    ball_rms_roughness: Roughness | None = None  # if it differs from that of the race
     autocorrelation: AutocorrelationTable | None = Field(
         default=None, description='give { kind = "gaussian", length = "60 um", spacing = "2 um" }'
     )
     height_map: HeightMapTable | None = Field(default=None, description='give { path = "race.npy", spacing = "2 um" }')
-    hardness: Pressure | None = None  # of the softer of ball and race where it is not given
-    # Steel on steel under mineral oil has 0.1 to 0.15 (no source seen).
-    boundary_friction: Annotated[float, Dimension(unit="", low=0, high=5, example="0.12")] = 0.12
+    hardness: Pressure | None = None  # that of the softer material of ball and race by default
+    # 0.1 to 0.15 for steel on steel with mineral oil (no source seen).
+    boundary_friction: Annotated[float, Dimension(unit="", low=0, high=5, example="0.12")] = Surface.boundary_friction
 
 
 class FrictionTable(Table):
-    # Of every race contact, in place of the one that lubricant and surface give.
-    coefficient: Friction | None = None
+    coefficient: Friction | None = None  # of every race contact; replaces that of lubricant and surface
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
-    spin_rule: SpinRule = "balanced"
-    sliding: Sliding = "auto"
-    microslip: Microslip = "derived"  # "as_printed" shows what the misprints of the paper's equations 2 to 7 do
+    spin_rule: SpinRule = Scene.spin_rule
+    sliding: Sliding = Scene.sliding
+    microslip: Microslip = Scene.microslip  # "as_printed": equations 2 to 7 with the misprints of the paper
 
 
 class LossesTable(Table):
     seals: Loss | None = None  # of both seals together
-    drag: Loss | None = None  # of the oil that balls and cage stir
+    drag: Loss | None = None  # of the oil that balls and cage move
 
 
 class EffectsTable(Table):

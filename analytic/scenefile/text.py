@@ -1,4 +1,4 @@
-"""TOML text from a person: read within limits, and shown back in one line where something is wrong with it."""
+"""TOML files: read within limits of size and depth; values and texts for messages of one line."""
 
 import os
 import re
@@ -10,12 +10,15 @@ from typing import Any
 from analytic.errors import InputError
 
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
-# Keys of a scene have at most four parts; the TOML parser's memory grows with the square of their number.
+# Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
 
 
 def read_text(path: str | os.PathLike[str], *, kind: str, remedy: str) -> str:
-    """The text of a file of this kind. Raises InputError, with the remedy where there is no such file."""
+    """The text of a file; kind : of file, for messages;  remedy : for a file that cannot be opened.
+
+    Raises InputError for a file that cannot be read, is too large or is not UTF-8.
+    """
     origin = plain(os.fspath(path))
     try:
         with Path(path).open("rb") as file:
@@ -27,12 +30,12 @@ def read_text(path: str | os.PathLike[str], *, kind: str, remedy: str) -> str:
         raise InputError(f"{origin}: {problem.strerror or 'cannot be read'}; {remedy}") from problem
     except UnicodeDecodeError as problem:
         raise InputError(f"{origin}: byte {problem.start} is not UTF-8; save the {kind} file as UTF-8") from problem
-    except ValueError as problem:  # a path with a null character; InputError is one too
+    except ValueError as problem:  # a path with a null character; InputError is a ValueError too
         raise problem if isinstance(problem, InputError) else InputError(f"{origin}: not a path") from problem
 
 
 def parse_text(text: str, *, origin: str) -> dict[str, Any]:
-    """The TOML document. Raises InputError, in one line, for text that is none."""
+    """The TOML document; origin : names the file in messages. Raises InputError for text that is not TOML."""
     long_key = LONG_KEY.search(text)
     if long_key:
         raise InputError(f"{origin}: {shown(long_key[0])} has too many parts; keys of a scene have at most four")
@@ -48,16 +51,16 @@ def parse_text(text: str, *, origin: str) -> dict[str, Any]:
 
 
 def shown(value: object) -> str:
-    """A value from the file on one line of bounded length."""
+    """A value for a message: one line of limited length."""
     brief = reprlib.Repr()
     brief.maxstring = brief.maxother = 60
     brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
     try:
         return brief.repr(value)
-    except ValueError:  # Python refuses to write out integers of thousands of digits
+    except ValueError:  # Python refuses to print integers of thousands of digits
         return "a number of thousands of digits"
 
 
 def plain(text: str) -> str:
-    """Text as it is, quoted where it would break the line."""
+    """The text itself; quoted if it is long or not printable."""
     return text if text.isprintable() and len(text) <= 200 else shown(text)

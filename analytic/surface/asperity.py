@@ -1,12 +1,12 @@
 """Summits of a rough surface pressed against a plane: elastic, elastoplastic and plastic.
 
-Each summit is a sphere of radius R_a that deforms by w on its own: Hertz below w_1, a fully plastic imprint at the
-hardness from w_2 = 54 w_1 on, and between them a pressure and an area that join both without a jump. With z a summit's
-height above the mean of summits and d = h - mean_height, a nominal area carries
+Each summit is a sphere of radius R_a that deforms by w independently of the others: by Hertz below w_1, with a fully
+plastic imprint at the hardness above w_2 = 54 w_1, and in between with a pressure and an area that join both without a
+jump. Let z be the height of a summit above the mean of the summits, Gaussian, and d = h - mean_height. A nominal area
+carries
     p(h) = density * integral from d to infinity of F(z - d) phi(z) dz
-over Gaussian heights, and likewise its real area. h, the film thickness, separates the mean planes of the two surfaces.
-Source: Y. Zhao, D. M. Maietta and L. Chang, J. Tribol. 122 (2000) 86-93 (not seen); in the elastic limit
-J. A. Greenwood and J. B. P. Williamson, Proc. R. Soc. A 295 (1966) 300-319 (not seen).
+and its real area is given by the same integral of A. The film thickness h separates the mean planes of both surfaces.
+Source: [Zhao2000]; in the elastic limit [Greenwood1966].
 """
 
 from dataclasses import dataclass
@@ -22,20 +22,21 @@ from analytic.surface.moments import Summits
 YIELD_SHARE = 0.4  # k: the mean pressure at first yield is k H
 PLASTIC_RATIO = 54.0  # w_2/w_1
 
-# The integrals are over y = w/sigma_s >= 0 with the weight phi(t + y), t = d/sigma_s. They stop BACK standard
-# deviations before the weight's middle and REACH behind it, or for t > 0 where it is exp(-REACH^2/2) of its value at
-# y = 0: what lies beyond is 2e-9 of the whole. In v = sqrt(y) the elastic force is a power and the logarithm between
-# w_1 and w_2 smooth, so that Gauss-Legendre with 30 points in each regime leaves no more (see the tests).
+# The integrals are over y = w/sigma_s >= 0 with the weight phi(t + y), t = d/sigma_s. They start BACK standard
+# deviations before the centre of the weight and end REACH after it; for t > 0 they end where the weight is
+# exp(-REACH^2/2) of its value at y = 0. The rest is 2e-9 of the whole. In v = sqrt(y) the elastic force is a power and
+# the logarithm between w_1 and w_2 is smooth, so Gauss-Legendre with 30 points per regime has no larger error (see the
+# tests).
 BACK, REACH = 6.2, 7.0
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(30)
-BLOCK = 1024  # elements at a time: the tables stay in the processor's cache
+BLOCK = 1024  # elements at a time, so that the tables stay in the cache of the processor
 
-LAST_STEP = 1e-9  # of the separation, in standard deviations: no less than the integrals' own error
+LAST_STEP = 1e-9  # of the separation, in standard deviations: not below the error of the integrals
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Asperity:
-    """One summit; every field has the broadcast shape of the arguments."""
+    """Contact of one summit; every field has the broadcast shape of the arguments."""
 
     load: Array  # F, N
     area: Array  # A, m^2
@@ -43,9 +44,9 @@ class Asperity:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AsperityContact:
-    """A nominal area of summits; every field has the broadcast shape of the arguments."""
+    """Contact of a nominal area; every field has the broadcast shape of the arguments."""
 
-    pressure: Array  # p_a, load over nominal area, Pa
+    pressure: Array  # p_a, load over the nominal area, Pa
     area_fraction: Array  # real over nominal area, at most 1
     pressure_slope: Array  # dp_a/dh, Pa/m, <= 0
 
@@ -79,11 +80,11 @@ def asperity_load(
 def asperity_contact(
     *, film_thickness: ArrayLike, summits: Summits, modulus: ArrayLike, hardness: ArrayLike
 ) -> AsperityContact:
-    """Pressure and real area that the summits take at a film thickness; arguments and the summits' fields broadcast.
+    """Pressure and real area of the summits at a film thickness; the arguments and the fields of summits broadcast.
 
-    film_thickness : h, m, any finite number; far below 0 the summits are flattened without feeling each other
+    film_thickness : h, m, finite, of any sign; far below 0 the summits are flattened independently of each other
     modulus : E*, Pa, > 0;  hardness : H, of the softer body, Pa, > 0
-    Relative errors are below 1e-8, those of the slope below 1e-6. A smooth surface (height_deviation 0) bears nothing
+    Relative errors are below 1e-8, those of the slope below 1e-6. A smooth surface (height_deviation 0) carries nothing
     at h > 0 and is a wall at h <= 0: infinite pressure, area fraction 1, slope 0.
     """
     require_finite(film_thickness=film_thickness)
@@ -103,28 +104,28 @@ def asperity_contact(
 
 
 def separation_at(*, pressure: ArrayLike, summits: Summits, modulus: ArrayLike, hardness: ArrayLike) -> Array:
-    """The film thickness h at which the summits alone carry a nominal pressure, m; the arguments broadcast.
+    """Film thickness h at which the summits alone carry a nominal pressure, m; the arguments broadcast.
 
     pressure : p_a, Pa, >= 0; at 0 nothing holds the surfaces together and h is infinite
-    The inverse of asperity_contact, good to 1e-8 standard deviations of summit height; h < 0 under very large pressure,
-    and 0 for a smooth surface under any pressure.
+    This is the inverse of asperity_contact, with an error below 1e-8 standard deviations of summit height. h < 0 under
+    a very large pressure; h = 0 for a smooth surface under any pressure.
     """
     require_non_negative(pressure=pressure)
     _, yielding, scale, reference = _arguments(pressure, summits, modulus, hardness)
     rough = scale > 0
     carried = np.broadcast_to(np.asarray(pressure, dtype=np.float64), scale.shape)
     target = np.divide(carried, scale * reference, out=np.zeros_like(scale), where=rough)
-    sought = target > 0
+    loaded = target > 0
     t = np.zeros_like(scale)
-    t[sought] = _solved(np.log(target[sought]), yielding[sought])
+    t[loaded] = _solved(np.log(target[loaded]), yielding[loaded])
     height = np.asarray(summits.mean_height) + np.asarray(summits.height_deviation) * t
-    return np.where(sought, height, np.where(rough | (carried == 0), np.inf, 0.0))
+    return np.where(loaded, height, np.where(rough | (carried == 0), np.inf, 0.0))
 
 
 def softer_hardness(surface: Surface, first: Material, second: Material) -> float:
-    """H that the summits of two bodies yield at, Pa: the scene's, or that of the softer material.
+    """Hardness H at which the summits of two bodies yield, Pa: that of the scene, or that of the softer material.
 
-    Raises InputError if the scene gives none and a material has none.
+    Raises InputError if neither the scene nor one of the materials has a hardness.
     """
     if surface.hardness is not None:
         require_positive(**{"surface.hardness": surface.hardness})
@@ -141,7 +142,7 @@ def softer_hardness(surface: Surface, first: Material, second: Material) -> floa
 
 
 def first_yield(radius: ArrayLike, modulus: ArrayLike, hardness: ArrayLike) -> Array:
-    """w_1, m: the interference at which a summit starts to yield; the arguments broadcast.
+    """Interference w_1 at which a summit starts to yield, m; the arguments broadcast.
 
     radius : R_a, m;  modulus : E*, Pa, > 0;  hardness : H, Pa, > 0
     """
@@ -151,7 +152,7 @@ def first_yield(radius: ArrayLike, modulus: ArrayLike, hardness: ArrayLike) -> A
 
 
 def _elastic(ratio: Array) -> tuple[Array | float, Array | float]:
-    """Mean pressure over H and area over pi R_a w, at w/w_1 below 1."""
+    """Mean pressure over H, and area over pi R_a w, at w/w_1 below 1."""
     return YIELD_SHARE * np.sqrt(ratio), 1.0
 
 
@@ -171,19 +172,19 @@ REGIMES = ((0.0, 1.0, _elastic), (1.0, PLASTIC_RATIO, _elastoplastic), (PLASTIC_
 
 
 def _arguments(
-    sized: ArrayLike, summits: Summits, modulus: ArrayLike, hardness: ArrayLike
+    separation: ArrayLike, summits: Summits, modulus: ArrayLike, hardness: ArrayLike
 ) -> tuple[Array, Array, Array, Array]:
-    """t for sized as h, w_1/sigma_s, pi R_a density sigma_s, H, in one shape; scale 0 marks a smooth surface."""
+    """(t at that separation, w_1/sigma_s, pi R_a density sigma_s, H) in one shape; the third is 0 if smooth."""
     require_non_negative(
         density=summits.density, height_deviation=summits.height_deviation, mean_height=summits.mean_height
     )
     deviation = np.asarray(summits.height_deviation, dtype=np.float64)
     rough = (deviation > 0) & (np.asarray(summits.density) > 0)
-    radius = np.where(rough, summits.radius, 1.0)  # a smooth surface has flat tips and enters no integral
+    radius = np.where(rough, summits.radius, 1.0)  # any: a smooth surface has flat tips, and no integral uses them
     require_positive(radius=radius)
     divisor = np.where(rough, deviation, 1.0)
     given = (
-        (np.asarray(sized, dtype=np.float64) - summits.mean_height) / divisor,
+        (np.asarray(separation, dtype=np.float64) - summits.mean_height) / divisor,
         first_yield(radius, modulus, hardness) / divisor,
         np.where(rough, np.pi * radius * np.asarray(summits.density) * deviation, 0.0),
         hardness,
@@ -200,8 +201,8 @@ def _arguments(
 def summit_integrals(t: Array, yielding: Array) -> tuple[Array, Array, Array]:
     """Integrals over y >= 0 of y f g phi, y g phi and x y f g phi at x = t + y, times exp(t^2/2) where t > 0.
 
-    f and g are mean pressure over H and area over pi R_a w, as REGIMES give them. The third is minus the derivative of
-    the first by t, before that factor.
+    f is the mean pressure over H and g the area over pi R_a w, by REGIMES. Without the factor exp(t^2/2) the third
+    integral is minus the derivative of the first by t.
     """
     results = np.empty((3, t.size))
     flat, limits = t.ravel(), yielding.ravel()
@@ -226,7 +227,7 @@ def _block(t: Array, yielding: Array) -> Array:
         v = left[here] + half * (1 + NODES[:, None])
         y = v * v
         x = t[here] + y
-        # phi(x), or phi(x) exp(t^2/2) where t > 0: then neither factor underflows before their product does.
+        # phi(x), or phi(x) exp(t^2/2) where t > 0: neither factor underflows before their product does.
         weight = np.exp(-(x - above[here]) * (x + above[here]) / 2) * (v * y * (half * np.sqrt(2 / np.pi)))
         pressure, growth = law(y / yielding[here])
         weight *= growth
@@ -238,11 +239,11 @@ def _block(t: Array, yielding: Array) -> Array:
 
 
 def _solved(log_target: Array, yielding: Array) -> Array:
-    """t at which ln of the first integral is log_target, by Newton kept in a bracket.
+    """t at which ln of the first integral is log_target, by Newton in a bracket.
 
-    The force is at least k y min(1, sqrt(y/w_1)) and at most 2 y, in units of the integral. Half of all summits stand
-    above the mean, which bounds t from below; with 2 y the integral is at most exp(-t^2/2) sqrt(2/pi) for t > 0 and
-    2 |t| + sqrt(2/pi) for t < 0, which bounds it from above.
+    In units of the integral the force is at least k y min(1, sqrt(y/w_1)) and at most 2 y. Half of all summits are
+    above the mean, which gives the lower bound of t. With 2 y the integral is at most exp(-t^2/2) sqrt(2/pi) for t > 0
+    and 2 |t| + sqrt(2/pi) for t < 0, which gives the upper bound.
     """
     target, tail = np.exp(log_target), np.log(2 / np.pi) / 2
     needed = 2 * target / YIELD_SHARE

@@ -1,8 +1,8 @@
 """The rough contact of `analytic.surface.asperity` as splines, for one surface at very many film thicknesses.
 
-With t the film thickness above the mean of summits in standard deviations, ln of pressure and of area are the ln of the
-share of summits that stand higher than t, which is known, plus a function that is nearly straight in asinh(t) on both
-sides: that is tabulated, and continued as a straight line, which is its limit.
+Let t be the film thickness above the mean of the summits in standard deviations. The logarithms of pressure and area
+are that of the share of summits higher than t, which is known, plus a function that is nearly linear in asinh(t) on
+both sides. This function is tabulated and extrapolated as a straight line, which is its limit.
 """
 
 from dataclasses import dataclass
@@ -18,20 +18,20 @@ from analytic.surface.moments import Summits
 
 REACH = 16.0  # of the table in asinh(t): |t| to 4e6 standard deviations
 STEP = 0.0125  # in asinh(t)
-KINK_REACH, KINK_STEP = 9.0, 0.06  # in t, where the deepest summits begin to yield and to flow
+KINK_REACH, KINK_STEP = 9.0, 0.06  # in t, around where the highest summits reach w_1 and w_2
 
 
 @dataclass(frozen=True, eq=False)
 class Cubic:
-    """A cubic spline for few x at a time: scipy's own call takes longer than all of the sharing that asks it."""
+    """A cubic spline for few x at a time: a call of SciPy's spline would take longer than the rest of the solution."""
 
-    inner: Array  # knots without the ends, beyond which the last pieces go on
+    inner: Array  # knots without the ends; the first and the last piece extrapolate
     left: Array  # left knot of each piece
     coefficients: Array  # (4, pieces), highest power first
 
     @classmethod
     def through(cls, x: Array, y: Array) -> "Cubic":
-        from scipy.interpolate import CubicSpline  # a fifth of a second to import, for rough surfaces alone
+        from scipy.interpolate import CubicSpline  # a fifth of a second to import, only for rough surfaces
 
         spline = CubicSpline(x, y)
         return cls(x[1:-1], x[:-1], np.asarray(spline.c))
@@ -56,12 +56,12 @@ class AsperityTable:
     height_spline: Cubic  # asinh(t) over asinh(ln p - log_scale), which is straight where t is large
 
     def log_pressure(self, film_thickness: Array) -> Array:
-        """ln p_a of p_a in Pa, far beyond where p_a itself is 0; film_thickness in m, any finite number."""
+        """ln of p_a in Pa, also where p_a itself underflows to 0; film_thickness : m, any finite number."""
         t = (film_thickness - self.summits.mean_height) / self.summits.height_deviation
         return self.log_scale + log_ndtr(-t) + self.pressure_spline(np.arcsinh(t))[0]
 
     def separation(self, log_pressure: Array) -> tuple[Array, Array]:
-        """The inverse: h, m, and its derivative by ln p_a."""
+        """The inverse of log_pressure: h, m, and its derivative by ln p_a."""
         q = log_pressure - self.log_scale
         y = np.arcsinh(q)
         v, slope = self.height_spline(y)
@@ -69,17 +69,17 @@ class AsperityTable:
         return self.summits.mean_height + self.summits.height_deviation * np.sinh(v), slope
 
     def area_fraction(self, film_thickness: Array) -> Array:
-        """Real over nominal area, at most 1; film_thickness in m, any finite number."""
+        """Real over nominal area, at most 1; film_thickness : m, any finite number."""
         t = (film_thickness - self.summits.mean_height) / self.summits.height_deviation
         return np.exp(np.minimum(self.log_area_scale + log_ndtr(-t) + self.area_spline(np.arcsinh(t))[0], 0.0))
 
 
 @lru_cache(maxsize=64)
 def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -> AsperityTable:
-    """Splines that give what asperity_contact gives, to 1e-8 relative up to w_1 = 1000 sigma_s.
+    """Splines of asperity_contact with a relative error of 1e-8 up to w_1 = 1000 sigma_s.
 
-    summits : of a rough surface, numbers;  modulus : E*, Pa, > 0;  hardness : H, of the softer body, Pa, > 0
-    Raises InputError for a smooth surface, or one that is all but smooth, which have no such table.
+    summits : of one rough surface, numbers;  modulus : E*, Pa, > 0;  hardness : H, of the softer body, Pa, > 0
+    Raises InputError for a smooth or nearly smooth surface, which has no such table.
     """
     require_positive(
         density=summits.density,
@@ -92,10 +92,10 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     yielding = float(first_yield(summits.radius, modulus, hardness)) / deviation
     kinks = np.array([[-yielding], [-PLASTIC_RATIO * yielding]]) + np.arange(-KINK_REACH, KINK_REACH, KINK_STEP)
     v = np.unique(np.concatenate([np.arange(-REACH, REACH, STEP), np.arcsinh(kinks).ravel()]))
-    v = v[np.diff(v, prepend=-np.inf) > 1e-6]  # of neighbours that all but coincide one is enough
+    v = v[np.diff(v, prepend=-np.inf) > 1e-6]  # one of two knots that nearly coincide
     t = np.sinh(v)
     load, area, _ = summit_integrals(t, np.full_like(t, yielding))
-    if not (np.all(load > 0) and np.all(area > 0)):  # no double holds the loads of summits that are all but flat
+    if not (np.all(load > 0) and np.all(area > 0)):  # the loads of nearly flat summits underflow
         raise InputError(
             f"summits of radius {summits.radius:.3g} m whose heights deviate by {deviation:.3g} m are all but flat: "
             "give a rougher surface, or an rms_roughness of 0"

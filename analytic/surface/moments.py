@@ -1,8 +1,8 @@
-"""Spectral moments of a random rough surface, and its summits as little spheres.
+"""Spectral moments of a random rough surface, and its summits as spheres.
 
-The surface is isotropic and Gaussian, and smooth enough to have a curvature; heights are counted from its mean plane.
-Source: J. I. McCool, J. Tribol. 109 (1987) 264-270, for a theory of P. R. Nayak, J. Lubr. Tech. 93 (1971) 398-407
-(neither seen; density, mean height, spread and mean curvature are checked by counting on generated surfaces).
+The surface is isotropic and Gaussian, and smooth enough to have a curvature. Heights are relative to its mean plane.
+Source: [McCool1987], by the theory of [Nayak1971]; the tests check density, mean height, deviation and mean curvature
+by counting summits on generated surfaces.
 """
 
 from dataclasses import dataclass
@@ -15,14 +15,14 @@ from analytic.scene import Array
 
 @dataclass(frozen=True, kw_only=True)
 class SpectralMoments:
-    """Mean squares of height, slope and curvature along one direction. Of two independent surfaces they add up."""
+    """Mean squares of height, slope and curvature along one direction; those of independent surfaces add up."""
 
     height: float  # m_0 = Sq^2, m^2
     slope: float  # m_2
     curvature: float  # m_4, 1/m^2
 
     def __add__(self, other: "SpectralMoments") -> "SpectralMoments":
-        """Those of the gap between both surfaces."""
+        """The moments of the gap between two surfaces."""
         return SpectralMoments(
             height=self.height + other.height,
             slope=self.slope + other.slope,
@@ -30,7 +30,7 @@ class SpectralMoments:
         )
 
     def scaled(self, factor: float) -> "SpectralMoments":
-        """Those of the same surface with all heights multiplied by factor."""
+        """The moments of the surface with all heights multiplied by the factor."""
         square = factor**2
         return SpectralMoments(
             height=square * self.height, slope=square * self.slope, curvature=square * self.curvature
@@ -49,7 +49,7 @@ class SpectralMoments:
 
 @dataclass(frozen=True, kw_only=True)
 class Summits:
-    """The tops of a rough surface: equal spheres with Gaussian heights; numbers, or arrays that broadcast."""
+    """The summits of a rough surface: equal spheres with Gaussian heights; numbers, or arrays that broadcast."""
 
     density: float | Array  # per area, 1/m^2
     radius: float | Array  # R_a, of their tips, m
@@ -58,12 +58,12 @@ class Summits:
 
 
 def mccool_summits(moments: SpectralMoments) -> Summits:
-    """The summits that belong to the spectral moments.
+    """The summits of a surface with these spectral moments.
 
         density = m_4/(6 pi sqrt(3) m_2),  radius = (3/8) sqrt(pi/m_4)
         height_deviation^2 = (1 - 0.8968/al) m_0,  mean_height = 4 sqrt(m_0/(pi al)),  al = m_0 m_4/m_2^2
-    A smooth surface, all moments 0, has none: density, deviation and mean height 0, radius infinite.
-    Raises InputError for negative moments and for al < 1, which no surface has.
+    A smooth surface (all moments 0) has no summits: density, deviation and mean height are 0, the radius is infinite.
+    Raises InputError for negative moments and for al < 1, which is impossible.
     """
     require_non_negative(height=moments.height, slope=moments.slope, curvature=moments.curvature)
     if moments.height == 0 and moments.slope == 0 and moments.curvature == 0:

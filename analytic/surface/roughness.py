@@ -1,12 +1,13 @@
 """Random rough surfaces with a declared autocorrelation: spectral moments in closed form, and generated height maps.
 
 Heights are Gaussian and isotropic with the mean square Sq^2; rho(r) is exp(-(r/B)^2) (gaussian) or exp(-r/B)
-(exponential).
-A gaussian autocorrelation is smooth. An exponential one has a kink at 0: slope and curvature grow without end as one
-looks closer, so that they are only defined by differences at the declared spacing, which is then part of the input.
-Source: spectral filtering as in Y. Z. Hu and K. Tonder, Int. J. Mach. Tools Manuf. 32 (1992) 83-90 (not seen).
+(exponential). The gaussian autocorrelation is smooth. The exponential one has a kink at 0: slope and curvature grow
+without limit as the spacing decreases. They are defined only by differences at the declared spacing, which is then part
+of the input.
+Source: spectral filtering as in [Hu1992].
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,7 +25,7 @@ class GapRoughness:
 
     ball: SpectralMoments
     race: SpectralMoments
-    summits: Summits  # of the sum
+    summits: Summits  # of the sum of both
     warnings: tuple[str, ...]
 
     @property
@@ -34,7 +35,7 @@ class GapRoughness:
 
 
 def autocorrelation_at(distance: Array, autocorrelation: Autocorrelation) -> Array:
-    """rho(r): 1 at 0, 1/e at the length B; same shape as distance, m."""
+    """rho(r), 1 at r = 0 and 1/e at the length B; distance : r, m, of any shape."""
     ratio = np.abs(distance) / autocorrelation.length
     return np.exp(-(ratio**2) if autocorrelation.kind == "gaussian" else -ratio)
 
@@ -43,10 +44,10 @@ def spectral_moments(*, rms_roughness: float, autocorrelation: Autocorrelation) 
     """m_0, m_2, m_4 in closed form.
 
     rms_roughness : Sq, m, >= 0
-    gaussian: m_2 = 2 m_0/B^2, m_4 = 12 m_0/B^4, whatever the spacing. exponential: the mean squares of first and second
-    differences of neighbours at the spacing d (those that `heightmap.measure` takes),
+    gaussian: m_2 = 2 m_0/B^2, m_4 = 12 m_0/B^4 at any spacing. exponential: the mean squares of first and second
+    differences of neighbours at the spacing d, which `heightmap.measure` takes,
         m_2 = 2 m_0 [1 - rho(d)]/d^2,  m_4 = m_0 [6 - 8 rho(d) + 2 rho(2 d)]/d^4
-    which for d << B are 2 m_0/(B d) and 4 m_0/(B d^3) and diverge with d -> 0.
+    For d << B these are 2 m_0/(B d) and 4 m_0/(B d^3), and diverge for d -> 0.
     """
     _require_sound(autocorrelation)
     require_non_negative(rms_roughness=rms_roughness)
@@ -60,11 +61,11 @@ def spectral_moments(*, rms_roughness: float, autocorrelation: Autocorrelation) 
 
 
 def generated_surface(*, rms_roughness: float, autocorrelation: Autocorrelation, points: int, seed: int) -> HeightMap:
-    """One random surface of points by points heights, which continues periodically; equal seeds give equal surfaces.
+    """A random periodic surface of points by points heights; equal seeds give equal surfaces.
 
-    rms_roughness : Sq of the ensemble, m, >= 0; that of one surface scatters about it, by some length/domain
-    White noise is filtered with the root of the spectrum that belongs to the autocorrelation. Heights are counted from
-    the surface's own mean.
+    rms_roughness : Sq of the ensemble, m, >= 0; single surfaces scatter about it by about length/domain
+    White noise is filtered with the square root of the spectrum of the autocorrelation. Heights are relative to the
+    mean of the surface.
     Raises InputError if the domain is narrower than 10 lengths or the spacing wider than a tenth of one.
     """
     _require_sound(autocorrelation)
@@ -82,9 +83,9 @@ def generated_surface(*, rms_roughness: float, autocorrelation: Autocorrelation,
             f"autocorrelation.length {length:g} m is more than a tenth of {points} points at {spacing:g} m; "
             f"give {int(np.ceil(length / (WIDEST * spacing) - 1e-9))} points or more"
         )
-    steps = np.minimum(np.arange(points), points - np.arange(points)) * spacing  # the shorter way round
+    steps = np.minimum(np.arange(points), points - np.arange(points)) * spacing  # the shorter of both directions
     correlation = autocorrelation_at(np.hypot(steps[:, None], steps), autocorrelation)
-    # Where the correlation has not died out half way round, its spectrum dips below 0 by as little.
+    # The correlation is not quite 0 at half of the period, so its spectrum falls slightly below 0.
     gain = np.sqrt(np.maximum(fft.rfft2(correlation).real, 0.0))
     noise = np.random.default_rng(seed).standard_normal((points, points))
     heights = rms_roughness * fft.irfft2(fft.rfft2(noise) * gain, s=(points, points))
@@ -92,17 +93,17 @@ def generated_surface(*, rms_roughness: float, autocorrelation: Autocorrelation,
 
 
 def gap_roughness(surface: Surface) -> GapRoughness:
-    """The scene's two surfaces, declared or measured, and the summits of both together.
+    """Ball and race of a scene, declared or measured, and the summits of both together.
 
-    Warnings say where the numbers depend on the spacing. Raises InputError as read_height_map does, and if the surface
-    has neither a height map nor a roughness with its autocorrelation.
+    Warnings name numbers that depend on the spacing. Raises InputError as read_height_map does, and if the surface has
+    neither a height map nor a roughness with its autocorrelation.
     """
     if surface.height_map is not None:
         try:
-            found = measure(read_height_map(surface.height_map.path, spacing=surface.height_map.spacing))
+            measured = measure(read_height_map(surface.height_map.path, spacing=surface.height_map.spacing))
         except InputError as problem:
             raise InputError(f"surface.height_map: {problem}") from problem
-        race, warnings = found.moments, found.warnings
+        race, warnings = measured.moments, measured.warnings
         if race.height == 0:
             raise InputError(f"surface.height_map: {surface.height_map.path}: flat; give a map of a rough surface")
         unit = race.scaled(1 / race.rms_roughness)
@@ -124,16 +125,14 @@ def _require_sound(autocorrelation: Autocorrelation) -> None:
         raise InputError(f"autocorrelation.kind must be gaussian or exponential, got {autocorrelation.kind!r}")
 
 
-def _doubts(autocorrelation: Autocorrelation) -> list[str]:
-    found = []
+def _doubts(autocorrelation: Autocorrelation) -> Iterator[str]:
     if autocorrelation.kind == "exponential":
-        found.append(
+        yield (
             "an exponential autocorrelation has no curvature of its own: the summits are those seen at the spacing "
             f"{autocorrelation.spacing:g} m, by finite differences, and change with it"
         )
     if autocorrelation.spacing > WIDEST * autocorrelation.length * (1 + 1e-12):
-        found.append(
+        yield (
             f"surface.autocorrelation.spacing {autocorrelation.spacing:g} m is more than a tenth of the length "
             f"{autocorrelation.length:g} m: a surface generated with it would not be smooth"
         )
-    return found

@@ -1,4 +1,4 @@
-"""What tests of the torque run: an oil, a finish, a thrust, and scenes drawn at random."""
+"""Specimens of the tests: the bearing 6205 with its cage, an oil, a finish, operating points and scenes."""
 
 from dataclasses import replace
 from typing import Any
@@ -7,8 +7,36 @@ import numpy as np
 
 from analytic.effects.table import COMPUTED
 from analytic.result import TorqueParts
-from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Lubricant, Operation, Scene, Surface
+from analytic.scene import (
+    Autocorrelation,
+    Bearing,
+    Cage,
+    ContactAngle,
+    Decision,
+    Groove,
+    Lubricant,
+    Material,
+    Operation,
+    Scene,
+    Surface,
+)
 
+STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
+# Table 1 of the paper, typed in a second time, so that an error in the catalog shows.
+BEARING_6205 = Bearing(
+    name="6205",
+    ball_count=9,
+    ball_diameter=7.94e-3,
+    ball_mass=2.04e-3,
+    ball_material=STEEL,
+    inner=Groove(bottom_radius=15.53e-3, groove_radius=4.13e-3, shoulder_half_width=3.1e-3, material=STEEL),
+    outer=Groove(bottom_radius=23.48e-3, groove_radius=4.21e-3, shoulder_half_width=3.1e-3, material=STEEL),
+    bore_diameter=25e-3,
+    outside_diameter=52e-3,
+)
+STAMPED_CAGE = Cage(  # with 0.2 mm of pocket clearance
+    pocket_diameter=8.14e-3, pocket_depth=4.07e-3, wall_thickness=0.9e-3, mass=6.58e-3, material=STEEL
+)
 OIL = Lubricant(
     viscosity=0.043,
     pressure_viscosity=1.9e-8,
@@ -27,24 +55,25 @@ FINISH = Surface(
     hardness=7.3e9,
     boundary_friction=0.11,
 )
-DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque where there is no oil
-# The closed forms of text books, whatever the tolerance.
+DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque without oil
+# The closed forms of textbooks at any tolerance
 AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
 EVERYTHING: dict[str, Any] = dict.fromkeys(COMPUTED, "on")
 
 
 def thrust(*loads: float, speed: float | list[float] = 31.0) -> Operation:
-    """N and rad/s; a speed for each load, or one for all."""
+    """Axial loads, N, and one speed for each or for all, rad/s."""
     load, speeds = np.broadcast_arrays(np.array(loads), np.array(speed, dtype=float))
     return Operation(axial_load=load, inner_speed=speeds)
 
 
 def without(scene: Scene, *names: str) -> Scene:
+    """The scene with these effects off."""
     return replace(scene, effects={**scene.effects, **dict.fromkeys(names, "off")})
 
 
 def drawn(bearing: Bearing, random: np.random.Generator, points: int) -> Scene:
-    """A plain steel bearing like the 6205, run in one of many ways."""
+    """A random scene of a steel bearing like the 6205."""
     inner, outer = random.uniform(0.508, 0.55, 2) * bearing.ball_diameter
     load = 10 ** random.uniform(1.5, 3.3, points)
     radial = load * 10 ** random.uniform(-3, 0.3, points) * (random.random() < 0.5)
@@ -80,7 +109,7 @@ def drawn(bearing: Bearing, random: np.random.Generator, points: int) -> Scene:
 
 
 def idling(bearing: Bearing) -> Scene:
-    """Light, slow and smooth enough that auto leaves out all that it may."""
+    """Load, speed and roughness so small that auto leaves out every effect that it may."""
     return Scene(
         name="effects",
         tolerance=0.3,
@@ -95,7 +124,7 @@ def idling(bearing: Bearing) -> Scene:
 
 
 def dry(bearing: Bearing) -> Scene:
-    """1000 N at 0.18 rad held fixed, mu = 0.1, alpha' = 0.007."""
+    """1000 N, a given contact angle of 0.18 rad, mu = 0.1, alpha' = 0.007."""
     return Scene(
         name="test",
         tolerance=0.05,
@@ -108,7 +137,7 @@ def dry(bearing: Bearing) -> Scene:
     )
 
 
-def part(found: TorqueParts, name: str) -> np.ndarray:
-    values = getattr(found, name)
+def part(torque: TorqueParts, name: str) -> np.ndarray:
+    values = getattr(torque, name)
     assert values is not None
     return values

@@ -17,12 +17,12 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from analytic.cage.motion import STEPS_PER_CONTACT, CageMotion
+from analytic.cage.motion import CageMotion
 from analytic.cage.statistics import measured_motion
 from analytic.cage.steady import DrivenCage, rest_torque, whirl_force, whirl_speed, whirl_torque
 from analytic.cage.torque import driven_cage
 from analytic.loads.kinematics import ball_kinematics
-from analytic.scene import CageStart
+from analytic.scene import Cage, CageStart
 from analytic.scenefile.read import builtin_scene, load_scene
 from machine import machine, versions
 
@@ -88,7 +88,8 @@ def energy(cage: DrivenCage, *, bounces: int) -> None:
     """Where the cage flies freely, over its energy at the start."""
     free = replace(cage, friction_coefficient=0.0, restitution=1.0, gravity=(0.0, 0.0, 0.0), orbit_speed=0.0)
     table = Table("steps a contact", "largest drift of the energy", title=f"Without losses, {bounces} bounces")
-    for steps_per_contact in (STEPS_PER_CONTACT // 2, STEPS_PER_CONTACT, 2 * STEPS_PER_CONTACT):
+    usual = Cage.steps_per_contact
+    for steps_per_contact in (usual // 2, usual, 2 * usual):
         motion = CageMotion(free, begin="sudden", steps_per_contact=steps_per_contact)
         motion.launch(velocity=np.array([0.31, -0.22, 0.17]), angular_velocity=np.array([6.0, -9.0, 14.0]))
         first, count, touching, drift = motion.kinetic_energy, 0, False, 0.0
@@ -166,9 +167,14 @@ def closed_forms(cage: DrivenCage, *, duration: float) -> None:
         motion.advance(duration)
         found = motion.advance(duration)
         whirl = whirl_speed(
-            ball_speed=cage.ball_speed, ball_radius=cage.ball_radius, contact_angle=leaning, room=cage.room
+            ball_speed=cage.ball_speed,
+            ball_radius=cage.ball_radius,
+            contact_angle=leaning,
+            half_clearance=cage.half_clearance,
         )
-        force = whirl_force(cage_mass=cage.mass, whirl=whirl, orbit_speed=cage.orbit_speed, room=cage.room)
+        force = whirl_force(
+            cage_mass=cage.mass, whirl=whirl, orbit_speed=cage.orbit_speed, half_clearance=cage.half_clearance
+        )
         add(name, "speed, rad/s", float(whirl) + cage.orbit_speed, found.circling)
         add(name, "sum of normal forces, N", float(force), found.force)
         if leaning:

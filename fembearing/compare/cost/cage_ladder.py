@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.cage.statistics import CageStatistics, measured_motion
-from analytic.cage.torque import CagePart, cage_friction, driven_cage
+from analytic.cage.torque import CagePart, cage_drive, cage_friction, driven_cage
 from analytic.effects.ledger import Ledger
 from analytic.effects.loads import chosen_balls
 from analytic.errors import InputError
@@ -37,9 +37,7 @@ def cage_methods(scene: Scene) -> UntimedLadder:
     balls, _ = chosen_balls(resting, operation, Ledger(resting, 1), correction=None)
 
     def closed_form() -> CagePart:
-        part = cage_friction(resting, balls, operation, Ledger(resting, 1), race=np.zeros(1))
-        assert part is not None  # there is a cage, and it is on
-        return part
+        return cage_friction(resting, cage_drive(bearing, cage, balls, operation.inner_speed), moves=False)
 
     driven = driven_cage(
         bearing,

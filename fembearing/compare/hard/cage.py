@@ -7,10 +7,9 @@ from typing import Any
 import numpy as np
 
 from analytic.cage.motion import CageMotion
-from analytic.cage.pocket import friction_force, half_clearance, impact, impact_damping, normal_force, penetration
+from analytic.cage.pocket import friction_force, impact, impact_damping, normal_force, penetration, pocket_shape
 from analytic.cage.statistics import measured_motion
-from analytic.cage.steady import DrivenCage, rest_torque
-from analytic.effects.bounds import STANDARD_GRAVITY
+from analytic.cage.steady import STANDARD_GRAVITY, DrivenCage, rest_torque
 from analytic.scene import Array
 from fembearing.compare.hard.case import HardCase
 
@@ -25,7 +24,7 @@ FREE = DrivenCage(  # without friction, losses and weight; its balls spin withou
     ball_count=9,
     ball_radius=BALL / 2,
     pitch_radius=19.505e-3,
-    room=CLEARANCE,
+    half_clearance=CLEARANCE,
     stiffness=STIFFNESS,
     restitution=1.0,
     friction_coefficient=0.0,
@@ -44,13 +43,13 @@ ONE_BLOW = (1e-3, "the step's error: up to 4e-4 at 200 random speeds")
 
 def pushed(along: float, *, centre_offset: float) -> Array:
     """(3,) force, N, of a ball on its pocket, `along` the axis and OFF_AXIS from it, m."""
-    depth, normal = penetration(np.array([along, OFF_AXIS, 0.0]), room=CLEARANCE, centre_offset=centre_offset)
+    depth, normal = penetration(np.array([along, OFF_AXIS, 0.0]), half_clearance=CLEARANCE, centre_offset=centre_offset)
     force = normal_force(depth, rate=0.0, impact_speed=SPEED, stiffness=STIFFNESS, damping=0.0)
     return np.sum(force[..., None] * normal, axis=-2)
 
 
 def clearance(*, pocket: float = POCKET, depth: float = POCKET / 2) -> tuple[float, float]:
-    return half_clearance(ball_diameter=BALL, pocket_diameter=pocket, pocket_depth=depth)
+    return pocket_shape(ball_diameter=BALL, pocket_diameter=pocket, pocket_depth=depth)
 
 
 def rubbed(speed: float) -> float:

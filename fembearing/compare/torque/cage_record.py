@@ -44,7 +44,7 @@ class CageRecord:
         series, found, after = self.series, self.statistics, self.measured
         angle = np.linspace(0, 2 * np.pi, 1 + DIRECTIONS)
         directions = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
-        way = np.array([self.cage.free_way(direction) for direction in directions])
+        way = np.array([self.cage.free_path(direction) for direction in directions])
         edge = self.cage.middle + way[:, None] * directions
         places = [_evenly(series.centre[part, :2], most) for part in (~after, after)]
         total = np.linalg.norm(series.force, axis=2).sum(axis=1)
@@ -64,7 +64,7 @@ class CageRecord:
             "block_maxima": list(found.block_maxima),
             "gravity": list(self.cage.gravity),
             "room": {
-                "size": self.cage.room,
+                "size": self.cage.half_clearance,
                 "middle": self.cage.middle[:2].tolist(),
                 "edge": edge[:, :2].tolist(),
             },
@@ -94,7 +94,7 @@ class CageRecord:
             "versions": json.dumps(origin["versions"]),
             "units": "SI; each variable has its own",
             "inner_speed_rad_per_s": self.cage.ring_speed,
-            "room_m": self.cage.room,
+            "room_m": self.cage.half_clearance,
             "start": self.statistics.start,
             "seed": SEED,
             "start_up_s": self.start_up,
@@ -115,7 +115,12 @@ def record_cage(scene: Scene, found: FrictionTorque, point: int) -> CageRecord |
     cage, statistics = part.driven[point], part.motion[point]
     if cage is None or statistics is None:
         return None
-    whirl = whirl_speed(ball_speed=cage.ball_speed, ball_radius=cage.ball_radius, contact_angle=0.0, room=cage.room)
+    whirl = whirl_speed(
+        ball_speed=cage.ball_speed,
+        ball_radius=cage.ball_radius,
+        contact_angle=0.0,
+        half_clearance=cage.half_clearance,
+    )
     turns = 2 * noun.duration * abs(float(whirl) + cage.orbit_speed) / (2 * np.pi)
     return CageRecord(
         scene=scene,

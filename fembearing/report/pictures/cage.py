@@ -48,7 +48,7 @@ def view_of(record: CageRecord) -> CageView:
     pressed = np.where(record.measured[:, None], np.linalg.norm(series.force, axis=2), -1.0)
     at = int(np.argmax(pressed.max(axis=1)))
     balls = cage.ball_places(float(series.ball_angle[at]))
-    times = max(1.0, round_length(WIDEST * cage.ball_radius / cage.room))
+    times = max(1.0, round_length(WIDEST * cage.ball_radius / cage.half_clearance))
     return CageView(
         time=float(series.time[at]),
         force=series.force[at],
@@ -77,7 +77,7 @@ def cage_job(record: CageRecord, file: Path) -> dict[str, Any]:
         "axes": AXES.tolist(),
         "ball_radius": cage.ball_radius,
         "pitch_radius": cage.pitch_radius,
-        "pocket_radius": cage.ball_radius + view.exaggeration * cage.room,
+        "pocket_radius": cage.ball_radius + view.exaggeration * cage.half_clearance,
         "wall": WALL * cage.ball_radius,
         "balls": view.balls.tolist(),
         "pockets": view.pockets.tolist(),

@@ -1,17 +1,24 @@
-"""What tests of the moving cage run: the cage of a 6205 at 500 rpm, and pockets."""
+"""Specimens of the cage: that of a 6205 in a scene, and driven at 500 rpm; and the pocket of the paper."""
 
+from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from analytic.cage.steady import DrivenCage
+from analytic.scene import ContactAngle, Operation, Scene
+from tests.analytic.specimens import AS_HERTZ, BEARING_6205, STAMPED_CAGE
+
+RPM = np.pi / 30  # rad/s
 
 W = 52.36  # rad/s: 500 rpm
 RATE = 15.599 * 23.411 / (39.01 * 3.97)  # w_b/w of a 6205 at 0.18 rad
 CAGE = DrivenCage(
-    mass=6.58e-3,
+    mass=STAMPED_CAGE.mass,
     ball_count=9,
     ball_radius=3.97e-3,
     pitch_radius=19.505e-3,
-    room=0.1e-3,
+    half_clearance=0.1e-3,
     stiffness=6.0e10,
     restitution=0.8,
     friction_coefficient=0.1,
@@ -20,5 +27,21 @@ CAGE = DrivenCage(
     contact_angle=0.18,
     ring_speed=W,
 )
-NOWHERE = (0.0, 0.0, 0.0)  # where no gravity pulls
-TABLE_1: dict[str, Any] = {"room": 2.98e-3, "centre_offset": 0.14e-3}  # the paper's pocket
+WEIGHTLESS = (0.0, 0.0, 0.0)  # gravity
+TABLE_1: dict[str, Any] = {"half_clearance": 2.98e-3, "centre_offset": 0.14e-3}  # the paper's pocket
+CAGED = Scene(  # at 20 and 500 rpm
+    name="test",
+    tolerance=0.05,
+    bearing=BEARING_6205,
+    contact_angle=ContactAngle(rule="given", value=0.18),
+    operation=Operation(axial_load=np.array([1000.0, 1000.0]), inner_speed=np.array([20.0, 500.0]) * RPM),
+    cage=replace(STAMPED_CAGE, seeds=2, duration=0.03),
+    friction_coefficient=0.1,
+    effects=AS_HERTZ,
+)
+
+
+def with_cage(scene: Scene, **change: Any) -> Scene:
+    """The scene with another cage."""
+    assert scene.cage is not None
+    return replace(scene, cage=replace(scene.cage, **change))

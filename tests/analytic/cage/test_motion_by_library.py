@@ -1,4 +1,4 @@
-"""The cage in motion, against a library's solver of the same equations and what must be conserved."""
+"""The motion of the cage against a solver of SciPy for the same equations, and against conservation laws."""
 
 from dataclasses import replace
 from typing import Any
@@ -11,13 +11,13 @@ from scipy.spatial.transform import Rotation
 from analytic.cage.motion import CageMotion
 from analytic.cage.pocket import friction_force, normal_force, penetration
 from analytic.cage.steady import DrivenCage, LandGuidance
-from tests.analytic.cage.specimens import CAGE, NOWHERE, RATE, TABLE_1, W
+from tests.analytic.cage.specimens import CAGE, RATE, TABLE_1, WEIGHTLESS, W
 
 
 def ball_forces(cage: DrivenCage, time: float, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(Z, 2, 3) forces of both shells, without losses, and where they act, by the formulas of the pocket in its frame.
+    """(Z, 2, 3) forces of both shells without losses and their lever arms, by the formulas of the pocket in its frame.
 
-    y : place, velocity, quaternion with the scalar last, angular velocity in the cage's own frame
+    y : place, velocity, quaternion with the scalar last, angular velocity in the frame of the cage
     """
     phi = 2 * np.pi * np.arange(cage.ball_count) / cage.ball_count
     home, theta = np.stack([np.cos(phi), np.sin(phi), 0 * phi], axis=1), phi + cage.orbit_speed * time
@@ -30,9 +30,9 @@ def ball_forces(cage: DrivenCage, time: float, y: np.ndarray) -> tuple[np.ndarra
     spin = (spin + rate[:, None] * up)[:, None]
     along = np.cross(up, home)
     first = np.broadcast_to(up, home.shape) if cage.pocket_axis == "axial" else home
-    frames = turn @ np.stack([first, along, np.cross(first, along)], axis=2)  # columns: the pocket's axes
+    frames = turn @ np.stack([first, along, np.cross(first, along)], axis=2)  # columns: axes of the pocket
     offset = np.einsum("ijk,ij->ik", frames, centre - y[:3] - cage.pitch_radius * home @ turn.T)
-    depths, normals = penetration(offset, room=cage.room, centre_offset=cage.centre_offset)
+    depths, normals = penetration(offset, half_clearance=cage.half_clearance, centre_offset=cage.centre_offset)
     normals = np.einsum("ijk,isk->isj", frames, normals)
     arms = centre[:, None] + cage.ball_radius * normals - y[:3]
     surface = np.cross(rate[:, None] * up, centre)[:, None] + cage.ball_radius * np.cross(spin, normals)
@@ -49,7 +49,7 @@ def ball_forces(cage: DrivenCage, time: float, y: np.ndarray) -> tuple[np.ndarra
 
 
 def by_library(cage: DrivenCage, start: CageMotion, duration: float) -> np.ndarray:
-    """Newton's and Euler's equations by LSODA."""
+    """State at the end, by the equations of Newton and Euler with LSODA."""
     axial, transverse = cage.inertia
     inertia = np.array([transverse, transverse, axial])
 
@@ -67,12 +67,12 @@ def by_library(cage: DrivenCage, start: CageMotion, duration: float) -> np.ndarr
 
     turn = Rotation.from_matrix(start.orientation)
     y = np.concatenate([start.centre, start.velocity, turn.as_quat(), turn.inv().apply(start.angular_velocity)])
-    found = solve_ivp(rhs, (0, duration), y, method="LSODA", rtol=1e-9, atol=1e-13, max_step=cage.contact_time / 4)
-    return found.y[:, -1]
+    solution = solve_ivp(rhs, (0, duration), y, method="LSODA", rtol=1e-9, atol=1e-13, max_step=cage.contact_time / 4)
+    return solution.y[:, -1]
 
 
 def thrown(cage: DrivenCage, **kwargs: Any) -> CageMotion:
-    """Towards the balls, with all six freedoms under way."""
+    """A cage that moves towards the balls in all six degrees of freedom."""
     motion = CageMotion(cage, begin="sudden", **kwargs)
     motion.launch(velocity=np.array([0.31, -0.22, 0.17]), angular_velocity=np.array([6.0, -9.0, 14.0]))
     return motion
@@ -87,8 +87,8 @@ def thrown(cage: DrivenCage, **kwargs: Any) -> CageMotion:
         {"ball_lead": 0.06e-3, "ball_speed": -W * RATE, "orbit_speed": -31.0},
     ],
 )
-def test_motion_is_that_of_a_library_solver(change: dict[str, Any]) -> None:
-    """Without impact losses, whose memory of each impact no library's solver has. Some impacts, then they part."""
+def test_motion_agrees_with_a_library_solver(change: dict[str, Any]) -> None:
+    """Without losses in impacts: their force depends on the history of a contact, which the solver cannot have."""
     cage = replace(CAGE, restitution=1.0, **change)
     duration, errors = 0.6e-3, []
     exact = by_library(cage, thrown(cage), duration)
@@ -100,13 +100,13 @@ def test_motion_is_that_of_a_library_solver(change: dict[str, Any]) -> None:
         errors.append(np.abs(motion.velocity - exact[3:6]).max() / np.linalg.norm(exact[3:6]))
         turned = Rotation.from_matrix(motion.orientation).inv().apply(motion.angular_velocity)
         np.testing.assert_allclose(turned, exact[10:13], rtol=0, atol=0.01 * np.abs(exact[10:13]).max())
-    assert errors[0] < 5e-3  # the default step over some impacts, each of which enlarges what differs before it
-    assert errors[1] < 0.4 * errors[0]  # second order, or a little less where friction turns
+    assert errors[0] < 5e-3  # default step; each of the impacts increases the difference
+    assert errors[1] < 0.4 * errors[0]  # second order, or slightly less where friction changes its direction
 
 
-@pytest.mark.parametrize("pocket", [TABLE_1, {"room": 0.1e-3, "centre_offset": 0.4e-6}])
-def test_forces_now_are_those_of_the_formulas(pocket: dict[str, Any]) -> None:
-    """Both shells of some balls at once, in a turned cage; and of one where the far side of both is within reach."""
+@pytest.mark.parametrize("pocket", [TABLE_1, {"half_clearance": 0.1e-3, "centre_offset": 0.4e-6}])
+def test_forces_agree_with_the_formulas(pocket: dict[str, Any]) -> None:
+    """In a rotated cage; some balls touch both shells at once, or are near the far side of both."""
     cage = replace(CAGE, restitution=1.0, **pocket)
     motion = thrown(cage)
     deepest = 0.0
@@ -118,13 +118,13 @@ def test_forces_now_are_those_of_the_formulas(pocket: dict[str, Any]) -> None:
     expected, _ = ball_forces(cage, motion.time, y)
     np.testing.assert_allclose(
         motion.forces(), expected.sum(axis=1), atol=1e-6 * deepest
-    )  # depths of um from places of cm
+    )  # depths of um as differences of places of cm
 
 
-def test_energy_of_a_cage_without_losses_stays_over_fifty_bounces() -> None:
-    """Balls that stand still; the drift is told where the cage flies freely."""
+def test_energy_without_losses_is_conserved_over_fifty_impacts() -> None:
+    """The balls do not orbit; the drift is measured while nothing touches."""
     cage = replace(
-        CAGE, friction_coefficient=0.0, restitution=1.0, gravity=NOWHERE, orbit_speed=0.0, ball_speed=0.4 / 3.97e-3
+        CAGE, friction_coefficient=0.0, restitution=1.0, gravity=WEIGHTLESS, orbit_speed=0.0, ball_speed=0.4 / 3.97e-3
     )
     motion = thrown(cage)
     energy, bounces, touching, drift = motion.kinetic_energy, 0, False, []
@@ -137,24 +137,24 @@ def test_energy_of_a_cage_without_losses_stays_over_fifty_bounces() -> None:
     assert np.abs(drift).max() < 1e-3
 
 
-def test_energy_is_accounted_for() -> None:
-    """What balls and gravity give is what the cage has, and what friction, impacts, drag and land took."""
-    land = LandGuidance(radius=17e-3, room=0.08e-3, outside=False, speed=0.0, half_width=5e-3)
-    cage = replace(CAGE, drag=3e-6, land=land, gravity=NOWHERE, ball_lead=0.03e-3)
+def test_energy_balance() -> None:
+    """The work of the balls is the energy of the cage and the losses by friction, impacts, drag and land."""
+    land = LandGuidance(radius=17e-3, half_clearance=0.08e-3, outside=False, speed=0.0, half_width=5e-3)
+    cage = replace(CAGE, drag=3e-6, land=land, gravity=WEIGHTLESS, ball_lead=0.03e-3)
     motion = thrown(cage)
     before = motion.kinetic_energy
     passed = motion.advance(0.02)
-    while motion.forces().any():  # no energy in springs, but for the land's, of which some 1e-5 may be left
+    while motion.forces().any():  # so that no energy is in the contacts but 1e-5 at the land
         pytest.fail("choose a time at which nothing touches")
     lost = passed.slip_power + passed.land_power + passed.damping_power + passed.drag_power
     given = passed.ball_power * passed.duration
     gained = motion.kinetic_energy - before
     assert min(passed.slip_power, passed.land_power, passed.damping_power, passed.drag_power) > 0
-    np.testing.assert_allclose(gained, given - lost * passed.duration, atol=5e-3 * given)  # the step's error
+    np.testing.assert_allclose(gained, given - lost * passed.duration, atol=5e-3 * given)  # error of the step
 
 
-def test_friction_fades_as_the_pocket_formula_does() -> None:
-    """Forces of a cage that slides past its balls at about v0, where none of them is out of the curve of tanh."""
+def test_friction_near_rest_agrees_with_the_pocket_formula() -> None:
+    """The cage slides on its balls with about v0, where tanh is neither linear nor constant."""
     cage = replace(CAGE, restitution=1.0, gravity=(0.0, 0.0, -9.80665), orbit_speed=0.0, ball_speed=0.0)
     motion = CageMotion(cage, begin="rest")
     for sliding in (0.3e-3, 0.8e-3, 2.9e-3):
@@ -168,7 +168,7 @@ def test_friction_fades_as_the_pocket_formula_does() -> None:
 @pytest.mark.parametrize("axis", ["axial", "radial"])
 @pytest.mark.parametrize("begin", ["rest", "whirl"])
 def test_a_motion_begins_where_the_first_ball_touches(axis: Any, begin: Any) -> None:
-    """Of two half-shells with leading balls, by the formulas of the pocket: just short of a contact, or in one."""
+    """By the formulas of the pocket, with two half-shells and leading balls."""
     cage = replace(CAGE, centre_offset=0.03e-3, pocket_axis=axis, ball_lead=0.06e-3, friction_coefficient=0.0)
     motion = CageMotion(cage, begin=begin)
     still = np.array([0.0, 0.0, 0.0, 1.0])
@@ -178,7 +178,7 @@ def test_a_motion_begins_where_the_first_ball_touches(axis: Any, begin: Any) -> 
         y = np.concatenate([middle + share * (at - middle), np.zeros(3), still, np.zeros(3)])
         return ball_forces(cage, 0.0, y)[0]
 
-    assert not pressed(0.98).any()  # with the sag taken off
+    assert not pressed(0.98).any()  # 2 % is more than the elastic sag
     assert pressed(1.02).any()
     if begin == "whirl":
         distance = at[0] - middle[0]

@@ -1,4 +1,4 @@
-"""A ball in two half-shells, against brute geometry, the impact's equation of motion, and Hertz."""
+"""A ball in two half-shells: against geometry by points, the equation of motion of an impact, and Hertz."""
 
 import mpmath
 import numpy as np
@@ -7,35 +7,35 @@ from scipy.integrate import solve_ivp
 
 from analytic.cage.pocket import (
     friction_force,
-    half_clearance,
     impact,
     impact_damping,
     normal_force,
     penetration,
+    pocket_shape,
     pocket_stiffness,
 )
 from analytic.contact.hertz import hertz_contact
 from analytic.errors import InputError
 
 BALL, POCKET, DEPTH = 7.94e-3, 13.9e-3, 6.81e-3  # m: Table 1 of the paper
-ROOM, OFF = half_clearance(ball_diameter=BALL, pocket_diameter=POCKET, pocket_depth=DEPTH)
+NABLA, OFF = pocket_shape(ball_diameter=BALL, pocket_diameter=POCKET, pocket_depth=DEPTH)
 
 
-def test_room_and_centres() -> None:
-    np.testing.assert_allclose([ROOM, OFF], [2.98e-3, 0.14e-3], rtol=1e-12)  # by hand
+def test_half_clearance_and_centres_of_the_shells() -> None:
+    np.testing.assert_allclose([NABLA, OFF], [2.98e-3, 0.14e-3], rtol=1e-12)  # by hand
 
 
-def test_stiffness_is_hertz_of_a_sphere_in_a_seat() -> None:
+def test_stiffness_is_that_of_hertz() -> None:
     curvature = 2 / 7.94e-3 - 2 / 8.14e-3
     hertz = hertz_contact(curvature_x=curvature, curvature_y=curvature, load=28.0, modulus=1.13e11)
-    found = pocket_stiffness(ball_diameter=7.94e-3, pocket_diameter=8.14e-3, modulus=1.13e11)
-    np.testing.assert_allclose(found, hertz.stiffness, rtol=1e-12)  # round-off
+    computed = pocket_stiffness(ball_diameter=7.94e-3, pocket_diameter=8.14e-3, modulus=1.13e11)
+    np.testing.assert_allclose(computed, hertz.stiffness, rtol=1e-12)  # round-off
 
 
 @pytest.mark.parametrize("offset", [(1.7e-3, 2.1e-3, -1.9e-3), (-0.09e-3, 2.4e-3, 1.8e-3), (0.05e-3, 0.3e-3, 0.2e-3)])
 def test_penetration_is_how_far_the_shell_reaches_into_the_ball(offset: tuple[float, float, float]) -> None:
-    """Each shell as a cloud of points of its half sphere, at least one of which is nearest to the ball's centre."""
-    found, normal = penetration(offset, room=ROOM, centre_offset=OFF)
+    """Each shell is represented by points of its half sphere; the nearest one to the centre of the ball counts."""
+    computed, normal = penetration(offset, half_clearance=NABLA, centre_offset=OFF)
     polar, around = np.meshgrid(np.linspace(0, np.pi / 2, 601), np.linspace(0, 2 * np.pi, 1201))
     for index, side in enumerate((1, -1)):
         cap = [side * np.cos(polar), np.sin(polar) * np.cos(around), np.sin(polar) * np.sin(around)]
@@ -43,42 +43,42 @@ def test_penetration_is_how_far_the_shell_reaches_into_the_ball(offset: tuple[fl
         distance = np.linalg.norm(points - offset, axis=-1)
         reach = BALL / 2 - distance.min()
         nearest = points.reshape(-1, 3)[distance.argmin()] - offset
-        np.testing.assert_allclose(found[index], max(reach, 0.0), atol=4e-8)  # m: the spacing of 18 um, squared
-        if found[index] > 0:
+        np.testing.assert_allclose(computed[index], max(reach, 0.0), atol=4e-8)  # m: the spacing of 18 um, squared
+        if computed[index] > 0:
             np.testing.assert_allclose(normal[index], nearest / np.linalg.norm(nearest), atol=8e-3)  # spacing/radius
 
 
 def test_the_farther_shell_is_equation_13() -> None:
     x, y, z = -0.31e-3, 2.2e-3, 2.4e-3
-    deeper = penetration((x, y, z), room=ROOM, centre_offset=OFF)[0].max()
+    deeper = penetration((x, y, z), half_clearance=NABLA, centre_offset=OFF)[0].max()
     printed = np.sqrt((abs(x) + abs(POCKET / 2 - DEPTH)) ** 2 + y**2 + z**2) - (POCKET / 2 - BALL / 2)
     np.testing.assert_allclose(deeper, printed, rtol=1e-12)
 
 
-def test_both_shells_touch_up_to_the_offset_of_their_centres() -> None:
-    across = np.array([0.0, 2.1e-3, -2.5e-3])  # m: sqrt(2.1^2 + 2.5^2) = 3.26 mm is beyond the room
+def test_both_shells_touch_within_the_offset_of_their_centres() -> None:
+    across = np.array([0.0, 2.1e-3, -2.5e-3])  # m: sqrt(2.1^2 + 2.5^2) = 3.26 mm is beyond the half clearance
     touching = [
-        np.count_nonzero(penetration(across + np.array([x, 0, 0]), room=ROOM, centre_offset=OFF)[0])
+        np.count_nonzero(penetration(across + np.array([x, 0, 0]), half_clearance=NABLA, centre_offset=OFF)[0])
         for x in (0.0, 0.139e-3, 0.141e-3, -0.139e-3, -0.141e-3)
     ]
     assert touching == [2, 2, 1, 2, 1]
-    depths, normal = penetration(across, room=ROOM, centre_offset=OFF)
+    depths, normal = penetration(across, half_clearance=NABLA, centre_offset=OFF)
     assert depths[0] == depths[1]
     np.testing.assert_array_equal(normal[0] * [-1, 1, 1], normal[1])
 
 
-def test_a_whole_sphere_has_one_contact_and_no_jump_in_its_middle() -> None:
+def test_a_whole_sphere_has_one_contact_without_a_jump_at_its_plane() -> None:
     across = np.array([0.0, 0.07e-3, -0.09e-3])
     for x in (0.0, 1e-12, -1e-12):
-        depths, _ = penetration(across + np.array([x, 0, 0]), room=0.1e-3, centre_offset=0.0)
+        depths, _ = penetration(across + np.array([x, 0, 0]), half_clearance=0.1e-3, centre_offset=0.0)
         assert np.count_nonzero(depths) == 1
         assert depths.argmax() == (1 if x < 0 else 0)
         np.testing.assert_allclose(depths.max(), np.hypot(0.07e-3, 0.09e-3) - 0.1e-3, rtol=1e-9)
-    assert not penetration(np.zeros(3), room=0.1e-3, centre_offset=0.0)[0].any()
+    assert not penetration(np.zeros(3), half_clearance=0.1e-3, centre_offset=0.0)[0].any()
 
 
 def bounce(mass: float, speed: float, stiffness: float, damping: float) -> tuple[float, float, float, float]:
-    """Deepest, largest force without damping, duration and speed of leaving, by the equation of motion."""
+    """Indentation, its elastic force, duration and final speed, by the equation of motion."""
 
     def rhs(_: float, y: np.ndarray) -> list[float]:
         force = normal_force(max(y[0], 0.0), rate=y[1], impact_speed=speed, stiffness=stiffness, damping=damping)
@@ -90,34 +90,34 @@ def bounce(mass: float, speed: float, stiffness: float, damping: float) -> tuple
     leaves.terminal, leaves.direction = True, -1  # type: ignore[attr-defined]
     guess = impact(mass=mass, speed=speed, stiffness=stiffness)
     end = 20 * float(guess.duration)
-    found = solve_ivp(
+    computed = solve_ivp(
         rhs, (0, end), [1e-14, speed], events=leaves, method="DOP853", rtol=1e-11, atol=1e-16, max_step=end / 2000
     )
-    deepest = found.y[0].max()
-    return deepest, stiffness * deepest**1.5, found.t_events[0][0], -found.y_events[0][0, 1]
+    deepest = computed.y[0].max()
+    return deepest, stiffness * deepest**1.5, computed.t_events[0][0], -computed.y_events[0][0, 1]
 
 
-def test_impact_is_its_equation_of_motion() -> None:
+def test_impact_agrees_with_its_equation_of_motion() -> None:
     mass, speed, stiffness = 3.1e-3, 0.47, 5.3e10
     deepest, force, duration, leaving = bounce(mass, speed, stiffness, 0.0)
-    found = impact(mass=mass, speed=speed, stiffness=stiffness)
-    np.testing.assert_allclose(found.indentation, deepest, rtol=1e-5)  # the deepest of 100 points of the contact
-    np.testing.assert_allclose(found.force, force, rtol=1e-5)
-    np.testing.assert_allclose(found.duration, duration, rtol=1e-7)
+    computed = impact(mass=mass, speed=speed, stiffness=stiffness)
+    np.testing.assert_allclose(computed.indentation, deepest, rtol=1e-5)  # the largest of 100 points of the contact
+    np.testing.assert_allclose(computed.force, force, rtol=1e-5)
+    np.testing.assert_allclose(computed.duration, duration, rtol=1e-7)
     np.testing.assert_allclose(leaving, speed, rtol=1e-8)
     faster = impact(mass=mass, speed=3.7 * speed, stiffness=stiffness)
-    np.testing.assert_allclose(faster.force / found.force, 3.7**1.2, rtol=1e-12)
+    np.testing.assert_allclose(faster.force / computed.force, 3.7**1.2, rtol=1e-12)
 
 
 @pytest.mark.parametrize("restitution", [0.08, 0.5, 0.8, 0.97, 1.0])
-def test_an_impact_leaves_with_the_restitution_that_was_asked(restitution: float) -> None:
+def test_an_impact_has_the_given_restitution(restitution: float) -> None:
     leaving = bounce(2.3e-3, 0.31, 4.1e10, impact_damping(restitution))[3]
-    np.testing.assert_allclose(leaving, 0.31 * restitution, rtol=1e-6)  # the integrator near its event
+    np.testing.assert_allclose(leaving, 0.31 * restitution, rtol=1e-6)  # error of the integrator at its event
 
 
 @pytest.mark.parametrize("restitution", [0.05, 0.31, 0.9416, 0.9419, 1 - 2.0**-10, 1 - 2.0**-16, 1 - 2.0**-33])
 def test_damping_solves_its_equation(restitution: float) -> None:
-    """In 60 digits, on both sides of the switch to a series; near 1 both sides of the equation all but cancel."""
+    """With 60 digits, on both sides of the switch to a series; near 1 both sides of the equation nearly cancel."""
     with mpmath.workdps(60):
         e = mpmath.mpf(restitution)
 
@@ -129,40 +129,40 @@ def test_damping_solves_its_equation(restitution: float) -> None:
     assert impact_damping(restitution) == pytest.approx(float(exact), rel=1e-12)  # the series' fifth term: 4e-13
 
 
-def test_an_impact_without_loss_is_not_damped() -> None:
+def test_restitution_of_one_means_no_damping() -> None:
     assert impact_damping(1.0) == 0
 
 
-def test_contact_never_pulls() -> None:
+def test_a_contact_never_pulls() -> None:
     assert normal_force(1e-6, rate=-3.0, impact_speed=0.2, stiffness=4e10, damping=0.4) == 0
 
 
-def test_friction_follows_the_sliding_and_fades_at_rest() -> None:
+def test_friction_is_along_the_sliding_and_vanishes_at_rest() -> None:
     sliding = np.array([[0.0, 0.0, 0.0], [3e-4, 0.0, -4e-4], [0.0, -0.7, 2.4]])
-    found = friction_force([5.0, 7.0, 11.0], sliding, friction_coefficient=0.13, smoothing=1e-3)
-    np.testing.assert_array_equal(found[0], 0)
-    np.testing.assert_allclose(found[1], 0.13 * 7 * np.tanh(0.5) * np.array([0.6, 0, -0.8]), rtol=1e-12)
-    np.testing.assert_allclose(found[2], 0.13 * 11 * np.array([0, -0.28, 0.96]), rtol=1e-12)
+    computed = friction_force([5.0, 7.0, 11.0], sliding, friction_coefficient=0.13, smoothing=1e-3)
+    np.testing.assert_array_equal(computed[0], 0)
+    np.testing.assert_allclose(computed[1], 0.13 * 7 * np.tanh(0.5) * np.array([0.6, 0, -0.8]), rtol=1e-12)
+    np.testing.assert_allclose(computed[2], 0.13 * 11 * np.array([0, -0.28, 0.96]), rtol=1e-12)
 
 
 @pytest.mark.parametrize(
     ("call", "words"),
     [
         (
-            lambda: half_clearance(ball_diameter=8e-3, pocket_diameter=7.9e-3, pocket_depth=3.9e-3),
+            lambda: pocket_shape(ball_diameter=8e-3, pocket_diameter=7.9e-3, pocket_depth=3.9e-3),
             "must exceed ball_diameter 0.008 m",
         ),
         (
-            lambda: half_clearance(ball_diameter=7.9e-3, pocket_diameter=8.1e-3, pocket_depth=4.1e-3),
+            lambda: pocket_shape(ball_diameter=7.9e-3, pocket_diameter=8.1e-3, pocket_depth=4.1e-3),
             "at most half of pocket_diameter 0.0081 m",
         ),
-        (lambda: half_clearance(ball_diameter=7.9e-3, pocket_diameter=8.3e-3, pocket_depth=3.9e-3), "clamped"),
-        (lambda: pocket_stiffness(ball_diameter=8e-3, pocket_diameter=8e-3, modulus=1e11), "no room"),
+        (lambda: pocket_shape(ball_diameter=7.9e-3, pocket_diameter=8.3e-3, pocket_depth=3.9e-3), "clamped"),
+        (lambda: pocket_stiffness(ball_diameter=8e-3, pocket_diameter=8e-3, modulus=1e11), "no clearance"),
         (lambda: impact_damping(0.01), "restitution must be 0.05 to 1, got 0.01"),
         (lambda: impact_damping(float("nan")), "restitution"),
         (lambda: impact(mass=2.0, speed=-3.0, stiffness=4.0), "speed must be positive"),
     ],
 )
-def test_what_cannot_be_is_refused(call, words: str) -> None:
+def test_impossible_input_is_refused(call, words: str) -> None:
     with pytest.raises(InputError, match=words):
         call()

@@ -1,4 +1,4 @@
-"""Friction of a ball in its pocket where the film formula holds: a wide pocket, thin oil, a firm load."""
+"""Friction of a ball in its pocket where the film formula holds: a wide pocket, thin oil, a high load."""
 
 from dataclasses import replace
 
@@ -7,8 +7,8 @@ import pytest
 
 from analytic.cage.pocket_friction import friction_in_pocket
 from analytic.oil.film import central_film
-from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene
-from tests.analytic.specimens import FINISH, OIL
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from tests.analytic.specimens import FINISH, OIL, STAMPED_CAGE
 
 BALL, POCKET = 3.97e-3, 6.95e-3  # m, radii: the paper's pocket
 RADIUS = 1 / (1 / BALL - 1 / POCKET)
@@ -24,20 +24,14 @@ def scene(bearing_6205: Bearing) -> Scene:
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="given", value=0.18),
         operation=Operation(axial_load=np.array([900.0]), inner_speed=np.array([31.0])),
-        cage=Cage(
-            pocket_diameter=2 * POCKET,
-            pocket_depth=POCKET,
-            wall_thickness=0.9e-3,
-            mass=6.58e-3,
-            material=bearing_6205.ball_material,
-        ),
+        cage=replace(STAMPED_CAGE, pocket_diameter=2 * POCKET, pocket_depth=POCKET),
         lubricant=THIN,
         surface=replace(FINISH, rms_roughness=0.0),
     )
 
 
 def contact(scene: Scene) -> tuple[float, float]:
-    """E*, Pa, and the area of Hertz's circle, m^2, by the sphere's closed form."""
+    """E*, Pa, and the area of the contact, m^2, by the closed form of Hertz for spheres."""
     softness = sum(
         (1 - body.poisson_ratio**2) / body.youngs_modulus
         for body in (scene.bearing.ball_material, scene.bearing.ball_material)
@@ -46,7 +40,7 @@ def contact(scene: Scene) -> tuple[float, float]:
 
 
 def film(scene: Scene, entrainment_speed: np.ndarray) -> np.ndarray:
-    found = central_film(
+    computed = central_film(
         curvature_x=1 / RADIUS,
         curvature_y=1 / RADIUS,
         load=LOAD,
@@ -55,33 +49,35 @@ def film(scene: Scene, entrainment_speed: np.ndarray) -> np.ndarray:
         viscosity=THIN.viscosity,
         pressure_viscosity=0.0,
     )
-    assert not np.any(found.capped)
-    return found.thickness
+    assert not np.any(computed.capped)
+    return computed.thickness
 
 
-def test_smooth_surfaces_shear_the_oil_of_their_circle(scene: Scene) -> None:
-    """Newton's tau = eta v/h, as thin oil leaves Eyring's stress far away: the ball slides at v, and drags v/2 in."""
-    found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
+def test_smooth_surfaces_shear_the_oil_in_their_contact(scene: Scene) -> None:
+    """Newton's tau = eta v/h, as the stress of thin oil is far below that of Eyring; v slides and v/2 entrains."""
+    computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
     shear = THIN.viscosity * SPEED / film(scene, SPEED / 2)
     assert np.all(shear < 0.005 * THIN.eyring_stress)
-    np.testing.assert_allclose(found.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5)  # asinh x/x leaves x^2/6
-    assert found.warnings == ()
-    assert found.source == "mixed lubrication"
+    np.testing.assert_allclose(
+        computed.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5
+    )  # of asinh(x)/x = 1 - x^2/6
+    assert computed.warnings == ()
+    assert computed.source == "mixed lubrication"
 
 
-def test_constant_stress_knows_no_speed(scene: Scene) -> None:
+def test_constant_stress_does_not_depend_on_speed(scene: Scene) -> None:
     scene = replace(scene, lubricant=replace(THIN, traction="eyring_constant"))
-    found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
-    np.testing.assert_allclose(found.coefficient, THIN.eyring_stress * contact(scene)[1] / LOAD, rtol=1e-9)
+    computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
+    np.testing.assert_allclose(computed.coefficient, THIN.eyring_stress * contact(scene)[1] / LOAD, rtol=1e-9)
 
 
-def test_the_softer_body_sets_the_circle(scene: Scene) -> None:
-    """A cage of a hundredth of the modulus: of both softnesses its own is left, and the area goes as that to 2/3."""
+def test_the_softer_body_determines_the_contact_area(scene: Scene) -> None:
+    """A cage with 1/97 of the modulus: the area is proportional to the sum of both compliances to the power 2/3."""
     cage = scene.cage
     assert cage is not None
     soft = replace(cage.material, youngs_modulus=cage.material.youngs_modulus / 97)
     scene = replace(scene, lubricant=replace(THIN, traction="eyring_constant"))
     steel = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
     scene = replace(scene, cage=replace(cage, material=soft))
-    found = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
-    np.testing.assert_allclose(found / steel, (98 / 2) ** (2 / 3), rtol=1e-9)
+    computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
+    np.testing.assert_allclose(computed / steel, (98 / 2) ** (2 / 3), rtol=1e-9)

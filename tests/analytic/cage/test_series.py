@@ -1,4 +1,4 @@
-"""A motion as a series in time: what it holds agrees with itself, and with the file that is made of it."""
+"""A motion as a time series: its quantities agree with each other and with the file."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -14,41 +14,43 @@ from tests.analytic.cage.specimens import CAGE
 SEVEN = replace(CAGE, ball_count=7, orbit_speed=21.0, ball_speed=123.0)
 
 
-def test_velocities_are_how_places_change() -> None:
-    """Between impacts; the cage whirls with a period of 1.3 ms."""
-    found = recorded_motion(SEVEN, start="whirl", duration=2e-3, samples=400)
-    step = np.diff(found.time)
-    np.testing.assert_allclose(step.sum() + step[0], 2e-3, rtol=0.05)  # whole steps of the motion
-    moved = np.diff(found.centre, axis=0) / step[:, None]
-    mean = (found.velocity[1:] + found.velocity[:-1]) / 2
-    np.testing.assert_allclose(moved, mean, atol=0.01 * np.abs(found.velocity).max())  # the trapezoidal rule
-    np.testing.assert_allclose(found.ball_angle, 21 * found.time, rtol=1e-9)
-    np.testing.assert_allclose(np.linalg.norm(found.axis, axis=1), 1, rtol=1e-12)
-    pushed = np.diff(found.velocity, axis=0) * SEVEN.mass / step[:, None] + [0, SEVEN.mass * 9.80665, 0]
-    forces = found.force.sum(axis=1)
+def test_velocities_are_derivatives_of_places() -> None:
+    """The cage whirls with a period of 1.3 ms."""
+    series = recorded_motion(SEVEN, start="whirl", duration=2e-3, samples=400)
+    step = np.diff(series.time)
+    np.testing.assert_allclose(step.sum() + step[0], 2e-3, rtol=0.05)  # in whole steps of the motion
+    moved = np.diff(series.centre, axis=0) / step[:, None]
+    mean = (series.velocity[1:] + series.velocity[:-1]) / 2
+    np.testing.assert_allclose(moved, mean, atol=0.01 * np.abs(series.velocity).max())  # the trapezoidal rule
+    np.testing.assert_allclose(series.ball_angle, 21 * series.time, rtol=1e-9)
+    np.testing.assert_allclose(np.linalg.norm(series.axis, axis=1), 1, rtol=1e-12)
+    pushed = np.diff(series.velocity, axis=0) * SEVEN.mass / step[:, None] + [0, SEVEN.mass * 9.80665, 0]
+    forces = series.force.sum(axis=1)
     np.testing.assert_allclose(pushed.mean(axis=0), forces.mean(axis=0), atol=0.02 * np.abs(forces).max())
-    assert found.force.shape == (400, 7, 3)
-    assert np.all(found.max_force >= 0)
+    assert series.force.shape == (400, 7, 3)
+    assert np.all(series.max_force >= 0)
 
 
-def test_without_friction_a_ball_pushes_where_it_is_pressed() -> None:
-    """Balls that lead and lag, and a cage that tumbles: forces are along the way from the pocket's middle."""
+def test_without_friction_forces_are_normal() -> None:
+    """Balls lead and lag and the cage tumbles: each force is along the offset of the ball from its pocket."""
     slippery = replace(SEVEN, friction_coefficient=0.0, ball_lead=0.05e-3)
-    found = recorded_motion(slippery, start="sudden", duration=0.02, samples=700, seed=3)
-    force, distance = np.linalg.norm(found.force, axis=2), np.linalg.norm(found.offset, axis=2)
+    series = recorded_motion(slippery, start="sudden", duration=0.02, samples=700, seed=3)
+    force, distance = np.linalg.norm(series.force, axis=2), np.linalg.norm(series.offset, axis=2)
     pressed = force > 0
     assert 20 < pressed.sum() < pressed.size / 2
-    assert distance[pressed].min() > SEVEN.room
-    # The force of an instant is that after the damping has looked at the speed: one that pulls is cut to 0.
-    assert np.mean(distance[~pressed] <= SEVEN.room) > 0.99
-    along = np.sum(found.force * found.offset, axis=2)[pressed]
-    np.testing.assert_allclose(along, (force * distance)[pressed], rtol=1e-9)  # round-off of turns gone by
+    assert distance[pressed].min() > SEVEN.half_clearance
+    # Damping reduces some forces to 0 while the contact opens.
+    assert np.mean(distance[~pressed] <= SEVEN.half_clearance) > 0.99
+    along = np.sum(series.force * series.offset, axis=2)[pressed]
+    np.testing.assert_allclose(
+        along, (force * distance)[pressed], rtol=1e-9
+    )  # round-off that accumulates with the rotation
 
 
-def test_a_file_gives_back_series_and_units(tmp_path: Path) -> None:
+def test_the_file_has_series_and_units(tmp_path: Path) -> None:
     """Written as netCDF and read again."""
-    found = recorded_motion(SEVEN, start="sudden", duration=2e-4, samples=5)
-    found.to_dataset().to_netcdf(tmp_path / "series.nc", engine="netcdf4")
+    series = recorded_motion(SEVEN, start="sudden", duration=2e-4, samples=5)
+    series.to_dataset().to_netcdf(tmp_path / "series.nc", engine="netcdf4")
     read = xarray.load_dataset(tmp_path / "series.nc", engine="netcdf4")
     assert dict(read.sizes) == {"time": 5, "direction": 3, "ball": 7}
     assert read["direction"].values.tolist() == ["x", "y", "z"]
@@ -65,13 +67,13 @@ def test_a_file_gives_back_series_and_units(tmp_path: Path) -> None:
         "max_force": "N",
     }
     assert all(read[name].attrs["long_name"] for name in read.variables)
-    for name, values in vars(found).items():
+    for name, values in vars(series).items():
         np.testing.assert_array_equal(read[name].values, values)
-    falling = read["velocity"].sel(direction="y")  # free fall from the middle; no ball touches yet
+    falling = read["velocity"].sel(direction="y")  # free fall from the middle, before the first contact
     np.testing.assert_allclose(falling, -9.80665 * read["time"], rtol=1e-6)
     assert float(abs(read["velocity"].sel(direction="x")).max()) < 1e-12
 
 
-def test_a_series_needs_a_length() -> None:
+def test_a_series_needs_a_positive_duration() -> None:
     with pytest.raises(InputError, match="duration must be positive"):
         recorded_motion(SEVEN, start="rest", duration=-1.0, samples=3)

@@ -1,4 +1,4 @@
-"""What a moving cage comes to: regimes by their closed forms, intervals by their meaning, the same numbers again."""
+"""Statistics of a moving cage: states against closed forms, intervals against their definition, reproducibility."""
 
 from dataclasses import replace
 from typing import Any
@@ -15,7 +15,7 @@ from tests.analytic.cage.specimens import CAGE, RATE, W
 POWERS = ("slip_power", "land_power", "drag_power", "damping_power")
 
 
-def test_rest_and_whirl_are_both_there_and_the_start_decides() -> None:
+def test_the_start_decides_between_rest_and_whirl() -> None:
     resting = measured_motion(CAGE, start="rest", seeds=2, duration=0.04)
     whirling = measured_motion(CAGE, start="whirl", seeds=2, duration=0.04)
     assert (resting.state, whirling.state) == ("rest", "whirl")
@@ -32,58 +32,65 @@ def test_rest_and_whirl_are_both_there_and_the_start_decides() -> None:
 
 
 def test_a_cage_that_cannot_whirl_has_one_steady_motion() -> None:
-    """A whirl number of 0.5: thrown round, it falls back on its balls."""
-    slow = np.sqrt(0.5 * 9.80665 * CAGE.room) / 3.97e-3
+    """With a whirl number of 0.5 a cage that was thrown falls back on its balls."""
+    slow = np.sqrt(0.5 * 9.80665 * CAGE.half_clearance) / 3.97e-3
     cage = replace(CAGE, ball_speed=slow, orbit_speed=slow / RATE * 0.4, ring_speed=slow / RATE)
-    found = measured_motion(cage, start="sudden", seeds=2, duration=0.3)
-    assert (found.state, found.other) == ("rest", None)
+    statistics = measured_motion(cage, start="sudden", seeds=2, duration=0.3)
+    assert (statistics.state, statistics.other) == ("rest", None)
 
 
 @pytest.mark.parametrize("rpm", [1.0, 500.0])
-def test_a_resting_cage_slides_alike_at_any_speed(rpm: float) -> None:
-    """The speed below which friction fades is small against that of the balls, however slow they are."""
+def test_torque_at_rest_does_not_depend_on_speed(rpm: float) -> None:
+    """The speed that smooths friction is small relative to that of the balls, even of slow balls."""
     slower = rpm * np.pi / 30 / W
     driven = {name: slower * getattr(CAGE, name) for name in ("orbit_speed", "ball_speed", "ring_speed")}
-    found = measured_motion(replace(CAGE, **driven), start="rest", seeds=2, duration=0.02)
+    statistics = measured_motion(replace(CAGE, **driven), start="rest", seeds=2, duration=0.02)
     closed = rest_torque(
         friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
     )
-    np.testing.assert_allclose(found.torque, closed, rtol=0.02)  # it swings a little
-    assert found.state == "rest"
+    np.testing.assert_allclose(statistics.torque, closed, rtol=0.02)  # it swings slightly
+    assert statistics.state == "rest"
 
 
-def test_what_swings_slower_than_a_block_does_not_rest() -> None:
-    """Table 1's pocket: a swing takes 0.11 s, a block 5 ms, and the cage lets itself fall."""
-    found = measured_motion(replace(CAGE, room=2.98e-3, centre_offset=0.14e-3), start="sudden", seeds=2, duration=0.05)
-    assert found.state == "irregular"
-    assert found.largest_force > 10
+def test_a_swing_slower_than_a_block_is_not_rest() -> None:
+    """Pocket of Table 1: a swing takes 0.11 s, a block 5 ms, and the cage falls from the middle."""
+    statistics = measured_motion(
+        replace(CAGE, half_clearance=2.98e-3, centre_offset=0.14e-3), start="sudden", seeds=2, duration=0.05
+    )
+    assert statistics.state == "irregular"
+    assert statistics.largest_force > 10
 
 
-def test_a_cage_that_tumbles_about_its_land_does_not_rest() -> None:
-    """However small the land's room is beside that of the pockets."""
-    land = LandGuidance(radius=17e-3, room=0.05e-3, outside=False, speed=W, half_width=5e-3)
-    found = measured_motion(replace(CAGE, land=land, room=0.5e-3), start="whirl", seeds=2, duration=0.02)
-    assert found.state != "rest"  # of a tumbling motion the seeds may part
+def test_a_tumbling_cage_on_a_land_is_not_at_rest() -> None:
+    """Although the clearance of the land is small next to that of the pockets."""
+    land = LandGuidance(radius=17e-3, half_clearance=0.05e-3, outside=False, speed=W, half_width=5e-3)
+    statistics = measured_motion(replace(CAGE, land=land, half_clearance=0.5e-3), start="whirl", seeds=2, duration=0.02)
+    assert statistics.state != "rest"  # irregular, or mixed as seeds of a tumbling motion may differ
 
 
-def test_balls_that_lead_and_lag_shake_a_whirling_cage() -> None:
-    """Neither rest nor whirl; what it costs, seeds and the step agree on."""
+def test_leading_and_lagging_balls_make_a_whirl_irregular() -> None:
+    """Seeds and steps agree on its torque."""
     cage = replace(CAGE, ball_lead=0.06e-3)
-    found = measured_motion(cage, start="whirl", seeds=3, duration=0.05)
-    assert found.state == "irregular"
-    low, high = found.torque_interval
-    assert low < found.torque < high
-    assert high - low < 0.06 * found.torque  # within 3 % of the mean
-    assert found.max_force_interval[0] <= found.max_force <= found.max_force_interval[1] <= found.largest_force
+    statistics = measured_motion(cage, start="whirl", seeds=3, duration=0.05)
+    assert statistics.state == "irregular"
+    low, high = statistics.torque_interval
+    assert low < statistics.torque < high
+    assert high - low < 0.06 * statistics.torque  # within 3 % of the mean
+    assert (
+        statistics.max_force_interval[0]
+        <= statistics.max_force
+        <= statistics.max_force_interval[1]
+        <= statistics.largest_force
+    )
     finer = measured_motion(cage, start="whirl", seeds=2, duration=0.05, steps_per_contact=80)
-    np.testing.assert_allclose(finer.torque, found.torque, rtol=0.03)
+    np.testing.assert_allclose(finer.torque, statistics.torque, rtol=0.03)
 
 
-def test_what_is_told_is_that_of_the_motions() -> None:
-    """Against the blocks themselves, run again: two seeds of an irregular motion at a land that takes a part."""
-    land = LandGuidance(radius=17e-3, room=0.06e-3, outside=False, speed=W, half_width=5e-3)
+def test_statistics_are_those_of_the_blocks() -> None:
+    """Two seeds of an irregular motion with a land, run again block by block."""
+    land = LandGuidance(radius=17e-3, half_clearance=0.06e-3, outside=False, speed=W, half_width=5e-3)
     cage = replace(CAGE, ball_lead=0.06e-3, land=land, drag=4e-6)
-    found = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
+    statistics = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
     blocks = []
     for seed in range(2):
         motion = CageMotion(cage, begin="whirl", seed=seed)
@@ -91,51 +98,56 @@ def test_what_is_told_is_that_of_the_motions() -> None:
         blocks += [motion.advance(1e-3) for _ in range(10)]
     lost = {name: np.mean([getattr(block, name) for block in blocks]) / W for name in POWERS}
     assert min(lost.values()) > 0
-    np.testing.assert_allclose(found.torque, lost["slip_power"] + lost["land_power"] + lost["drag_power"], rtol=1e-12)
-    np.testing.assert_allclose([found.damping_torque, found.drag_torque], [lost["damping_power"], lost["drag_power"]])
-    np.testing.assert_allclose(found.signed_moment, np.mean([block.moment for block in blocks]), rtol=1e-12)
+    np.testing.assert_allclose(
+        statistics.torque, lost["slip_power"] + lost["land_power"] + lost["drag_power"], rtol=1e-12
+    )
+    np.testing.assert_allclose(
+        [statistics.damping_torque, statistics.drag_torque], [lost["damping_power"], lost["drag_power"]]
+    )
+    np.testing.assert_allclose(statistics.signed_moment, np.mean([block.moment for block in blocks]), rtol=1e-12)
     largest = sorted(block.max_force for block in blocks)
-    np.testing.assert_allclose(found.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)
-    assert found.largest_force == largest[-1]
-    # Order statistics 6 and 15 of 20: 21700 of 2^20 throws of a coin have fewer than 6 heads, 2.07 %.
-    assert found.max_force_interval == (largest[5], largest[14])
-    low, high = found.torque_interval
+    np.testing.assert_allclose(statistics.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)
+    assert statistics.largest_force == largest[-1]
+    # Order statistics 6 and 15 of 20: fewer than 6 values are below the median with the probability 21700/2^20, 2.07 %.
+    assert statistics.max_force_interval == (largest[5], largest[14])
+    low, high = statistics.torque_interval
     seeds = [np.mean([b.slip_power + b.land_power + b.drag_power for b in blocks[k : k + 10]]) / W for k in (0, 10)]
-    np.testing.assert_allclose((high - low) / 2, 12.706 * abs(seeds[0] - seeds[1]) / 2, rtol=1e-4)  # t of one freedom
+    np.testing.assert_allclose(
+        (high - low) / 2, 12.706 * abs(seeds[0] - seeds[1]) / 2, rtol=1e-4
+    )  # t for one degree of freedom
 
 
-def test_whether_it_could_whirl_is_by_half_the_clearance() -> None:
-    """A whirl number of 1.3 asks for another start, one of 0.8 does not."""
+def test_another_start_is_tried_above_a_whirl_number_of_one() -> None:
     for number in (1.3, 0.8):
-        surface = np.sqrt(number * 9.80665 * CAGE.room) / 3.97e-3
+        surface = np.sqrt(number * 9.80665 * CAGE.half_clearance) / 3.97e-3
         cage = replace(CAGE, ball_speed=surface, orbit_speed=surface / RATE * 0.4, ring_speed=surface / RATE)
         assert (measured_motion(cage, start="rest", seeds=2, duration=8e-3).other is None) == (number < 1)
 
 
-def test_seeds_that_part_are_told() -> None:
-    """Balls that lead so far stop some whirling cages and not others."""
-    found = measured_motion(replace(CAGE, ball_lead=0.1e-3), start="sudden", seeds=3, duration=0.05)
-    assert found.state == "mixed"
-    assert found.torque_interval[1] - found.torque_interval[0] > found.torque
+def test_different_states_of_seeds_are_mixed() -> None:
+    """With such a lead of the balls some motions whirl on and others stop."""
+    statistics = measured_motion(replace(CAGE, ball_lead=0.1e-3), start="sudden", seeds=3, duration=0.05)
+    assert statistics.state == "mixed"
+    assert statistics.torque_interval[1] - statistics.torque_interval[0] > statistics.torque
 
 
-def test_the_same_question_has_the_same_answer() -> None:
-    asked: dict[str, Any] = {"start": "sudden", "seeds": 2, "duration": 8e-3}
-    first = measured_motion(CAGE, **asked)
+def test_the_same_motion_has_the_same_statistics() -> None:
+    options: dict[str, Any] = {"start": "sudden", "seeds": 2, "duration": 8e-3}
+    first = measured_motion(CAGE, **options)
     measured_motion.cache_clear()
-    assert measured_motion(CAGE, **asked) == first
+    assert measured_motion(CAGE, **options) == first
     assert first.duration == 0.016
     assert first.block == 8e-4
 
 
-@pytest.mark.parametrize("start", ["rest", "ramp"])  # which has risen to full speed before anything is measured
+@pytest.mark.parametrize("start", ["rest", "ramp"])  # the ramp ends before the measured time
 def test_drag_brakes_the_cage_and_the_balls_push_it(start: Any) -> None:
-    """The moment of the balls about the axis is what the drag takes: it averages to nothing without."""
+    """The mean moment of the balls about the axis balances the drag; without drag it is 0."""
     cage = replace(CAGE, drag=2e-6)
-    found = measured_motion(cage, start=start, seeds=2, duration=0.05)
-    np.testing.assert_allclose(found.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
-    np.testing.assert_allclose(found.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
-    assert found.torque > found.drag_torque
+    statistics = measured_motion(cage, start=start, seeds=2, duration=0.05)
+    np.testing.assert_allclose(statistics.signed_moment, 2e-6 * CAGE.orbit_speed, rtol=0.02)
+    np.testing.assert_allclose(statistics.drag_torque, 2e-6 * CAGE.orbit_speed**2 / W, rtol=0.02)
+    assert statistics.torque > statistics.drag_torque
 
 
 @pytest.mark.parametrize(
@@ -149,6 +161,6 @@ def test_drag_brakes_the_cage_and_the_balls_push_it(start: Any) -> None:
         ({"gravity": (0.0, 0.0, 0.0)}, {"duration": 4.0e-4}, r"crosses its pockets once in 0\.000408 s"),
     ],
 )
-def test_what_cannot_be_is_refused(change: dict[str, Any], options: dict[str, Any], words: str) -> None:
+def test_impossible_input_is_refused(change: dict[str, Any], options: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
         measured_motion(replace(CAGE, **change), start="rest", **options)

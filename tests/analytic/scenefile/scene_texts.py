@@ -1,4 +1,4 @@
-"""Scene files in a few lines, to be read as they are, changed or garbled."""
+"""Short scene files, which the tests read, change or garble; and functions that read them."""
 
 import pytest
 
@@ -85,11 +85,13 @@ def scene(text: str) -> Scene:
 
 
 def refusal(text: str) -> str:
+    """The message that refuses the text."""
     with pytest.raises(InputError) as problem:
         scene(text)
     return str(problem.value)
 
 
 def changed(old: str, new: str, text: str = PLAIN) -> str:
-    assert old in text, "the replacement would test nothing"
+    """The text with the first `old` replaced by `new`."""
+    assert old in text, "nothing to replace: the test would test nothing"
     return text.replace(old, new, 1)

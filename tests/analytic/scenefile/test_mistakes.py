@@ -1,4 +1,4 @@
-"""Scene files: every mistake is one line naming the key, the value and a remedy, whatever the text."""
+"""Mistakes in scene files: every message is one line with the key, the value and a remedy, for any text."""
 
 from pathlib import Path
 
@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 
 from analytic.errors import InputError
-from analytic.scene import Scene
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.scenefile.text import LARGEST_FILE
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
@@ -16,7 +15,7 @@ from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, chan
 BEARING = 'catalog = "6205"'
 MAP = '{ path = "a.npy", spacing = "1 um" }'
 CAGE = PLAIN + "[cage]\n"
-MISTAKES = [  # text, and what the one line must name: key, value, what would be accepted
+MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed('"700 N"', "700"), ("operation.axial_load = 700", "no unit", '"1000 N"')),
     (changed('"700 N"', '"700"'), ("operation.axial_load = '700'", "unit is missing", '"1000 N"')),
     (changed('"700 N"', '"700 mm"'), ("operation.axial_load = '700 mm'", "unit like N")),
@@ -74,6 +73,7 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
     (PLAIN + '[effects]\nspin = "yes"', ("effects.spin = 'yes'", "'auto', 'on' or 'off'")),
     (PLAIN + '[effects]\nfilm = "on"', ("effects.film = 'on'", "unknown key", "hysteresis")),
     (PLAIN + '[effects]\ncage = "on"', ("effects.cage = 'on'", "[cage]")),
+    (PLAIN + '[effects]\ncage_dynamics = "on"', ("effects.cage_dynamics = 'on' needs a table [cage]",)),
     (PLAIN + "[friction]\ncoefficient = -0.1", ("friction.coefficient = -0.1", "0 to 5")),
     (PLAIN + "[friction]", ("friction.coefficient is missing", "0.1")),
     ("bearing = 5\n" + PLAIN.replace("[bearing]", "[spare]"), ("bearing = 5", "not a table", "[bearing]")),
@@ -153,6 +153,19 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
     (CAGE + 'variant = "printed"', ("cage.variant = 'printed'", "as_printed")),
     (CAGE + "variant = [7]", ("cage.variant = [7]", "as_printed")),
     (CAGE + 'variant = "as_printed"\npocket_depth = "5 mm"', ("cage.pocket_depth = '5 mm'", "cage.variant")),
+    (CAGE + 'start = "still"', ("cage.start = 'still'", "'sudden'")),
+    (CAGE + "seeds = 1", ("cage.seeds = 1", "2 to 1000")),
+    (CAGE + "steps_per_contact = 9", ("cage.steps_per_contact = 9", "10 to 1000")),
+    (CAGE + "steps_per_contact = 40.5", ("cage.steps_per_contact = 40.5", "whole number")),
+    (CAGE + 'duration = "0 s"', ("cage.duration", "0.0001 to 1000 s")),
+    (CAGE + "restitution = 1.2", ("cage.restitution = 1.2", "0.05 to 1")),
+    (CAGE + 'ball_lead = "0.21 mm"', ("cage.ball_lead = '0.21 mm'", "beyond the clearance", "0.2 mm or more")),
+    (CAGE + 'pocket_depth = "3.9 mm"', ("cage.pocket_depth = '3.9 mm'", "ball radius 3.97 mm")),
+    (CAGE + 'pocket_approach = { load = "28 N" }', ("cage.pocket_approach.approach is missing",)),
+    (
+        CAGE + 'land = { ring = "middle", clearance = "0.3 mm", width = "9 mm" }',
+        ("cage.land.ring = 'middle'",),
+    ),
     (CAGE + 'pocket_diameter = "9 mm"\npocket_clearance = "1 mm"', ("cage", "exactly one of", "pocket_clearance")),
     (INLINE + '[effects.more]\na = "b"', ("effects.more", "unknown key")),
     (changed('mass = "3 g"', "", INLINE), ("cage.mass is missing", '"2.04 g"')),
@@ -171,13 +184,13 @@ MISTAKES = [  # text, and what the one line must name: key, value, what would be
 def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> None:
     message = refusal(text)
     assert message.startswith("case.toml: ")
-    assert message.isprintable(), "one line, nothing that a terminal would act on"
+    assert message.isprintable(), "one line without control characters"
     assert len(message) < 1500
     missing = [word for word in words if word not in message]
     assert not missing, message
 
 
-def test_several_mistakes_come_together() -> None:
+def test_several_mistakes_are_reported_together() -> None:
     message = refusal(changed('"2 %"', "7", changed('"700 N"', "700")))
     assert "tolerance = 7" in message
     assert "operation.axial_load = 700" in message
@@ -203,7 +216,7 @@ def test_a_file_that_cannot_be_read_is_refused(tmp_path: Path, content: bytes | 
 
 
 @pytest.mark.parametrize("path", ["", ".", "no\0path", "two\nlines", "long" * 3000])
-def test_what_is_no_file_is_refused(path: str) -> None:
+def test_a_path_that_is_no_file_is_refused(path: str) -> None:
     with pytest.raises(InputError) as problem:
         load_scene(path)
     assert str(problem.value).isprintable()
@@ -219,7 +232,7 @@ def test_an_unknown_builtin_scene_is_refused() -> None:
         builtin_scene("6305")
 
 
-# Fuzz: the pieces of a scene file, garbled, give a Scene or a refusal in one line, never another exception.
+# Fuzzing: garbled scene files give a Scene or a message of one line, never another exception.
 PIECES = sorted({*PLAIN.split(), *INLINE.split(), *PLAIN.splitlines(), *INLINE.splitlines()})
 JUNK = st.one_of(
     st.sampled_from(PIECES),
@@ -245,16 +258,12 @@ def test_any_text_is_read_or_refused(text: str) -> None:
 
 
 def read_or_refused(text: str) -> None:
-    found = read(text)
-    if isinstance(found, Scene):
-        assert np.all(found.operation.axial_load > 0)
-        assert found.bearing.groove_centre_distance > 0
-    else:
-        assert found.isprintable()
-
-
-def read(text: str) -> Scene | str:
     try:
-        return scene(text)
+        outcome = scene(text)
     except InputError as problem:
-        return str(problem)
+        outcome = str(problem)
+    if isinstance(outcome, str):
+        assert outcome.isprintable()
+    else:
+        assert np.all(outcome.operation.axial_load > 0)
+        assert outcome.bearing.groove_centre_distance > 0

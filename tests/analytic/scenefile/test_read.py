@@ -1,52 +1,57 @@
-"""Scene files: what is read."""
+"""Reading of scene files: units, defaults, the catalog and optional tables."""
 
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from analytic.scene import Land
 from analytic.scenefile.read import builtin_scene, load_scene
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
 
 
 def test_the_builtin_scene_is_table_1_of_the_paper(bearing_6205) -> None:
-    found = load_scene(builtin_scene("6205"))
-    table = bearing_6205  # typed in a second time beside these tests
+    parsed = load_scene(builtin_scene("6205"))
+    table = bearing_6205  # typed in a second time
     for name in ("ball_count", "ball_diameter", "ball_mass"):
-        assert getattr(found.bearing, name) == getattr(table, name), name
+        assert getattr(parsed.bearing, name) == getattr(table, name), name
     for ring in ("inner", "outer"):
         for name in ("bottom_radius", "groove_radius"):
-            assert getattr(getattr(found.bearing, ring), name) == getattr(getattr(table, ring), name), (ring, name)
-    np.testing.assert_allclose(found.bearing.pitch_diameter, 39.01e-3, rtol=1e-12)  # round-off
-    np.testing.assert_allclose(found.bearing.diametral_clearance, 0.020e-3, rtol=1e-9)  # round-off of a difference
+            assert getattr(getattr(parsed.bearing, ring), name) == getattr(getattr(table, ring), name), (ring, name)
+    np.testing.assert_allclose(parsed.bearing.pitch_diameter, 39.01e-3, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(parsed.bearing.diametral_clearance, 0.020e-3, rtol=1e-9)  # round-off of a difference
     # Boundary dimensions of a 6205 as every maker lists them.
-    assert (found.bearing.bore_diameter, found.bearing.outside_diameter, found.bearing.width) == (25e-3, 52e-3, 15e-3)
-    assert (found.tolerance, found.friction_coefficient) == (0.05, 0.1)
-    assert (found.contact_angle.rule, found.contact_angle.free) == ("solved", 0.18)
-    np.testing.assert_allclose(found.operation.axial_load, [1000.0] * 5)
+    assert (parsed.bearing.bore_diameter, parsed.bearing.outside_diameter, parsed.bearing.width) == (
+        25e-3,
+        52e-3,
+        15e-3,
+    )
+    assert (parsed.tolerance, parsed.friction_coefficient) == (0.05, 0.1)
+    assert (parsed.contact_angle.rule, parsed.contact_angle.free) == ("solved", 0.18)
+    np.testing.assert_allclose(parsed.operation.axial_load, [1000.0] * 5)
     speeds = np.array([100, 200, 300, 400, 500]) * 2 * np.pi / 60
-    np.testing.assert_allclose(found.operation.inner_speed, speeds, rtol=1e-15)  # one rounding
-    assert found.cage is not None
-    assert (found.cage.pocket_diameter, found.cage.pocket_depth, found.cage.mass) == (8.14e-3, 4.07e-3, 6.58e-3)
-    assert found.warnings == ()
+    np.testing.assert_allclose(parsed.operation.inner_speed, speeds, rtol=1e-15)  # one rounding
+    assert parsed.cage is not None
+    assert (parsed.cage.pocket_diameter, parsed.cage.pocket_depth, parsed.cage.mass) == (8.14e-3, 4.07e-3, 6.58e-3)
+    assert parsed.warnings == ()
 
 
 def test_units_become_si() -> None:
-    found = scene(INLINE)
-    assert found.bearing.ball_material.density == 3200.0
-    assert (found.bearing.inner.material.name, found.bearing.outer.material.name) == ("steel", "peek")
-    assert found.bearing.outer.bottom_radius == 18.01e-3
-    np.testing.assert_allclose(found.contact_angle.value or 0.0, np.pi / 12, rtol=1e-15)  # one rounding
-    np.testing.assert_allclose(found.operation.axial_load, [12 * 9.80665, 1e-12], rtol=1e-15)
-    np.testing.assert_allclose(found.operation.inner_speed, [-200 * np.pi / 30, 0], rtol=1e-15)
-    assert found.cage is not None
-    assert (found.cage.pocket_diameter, found.cage.pocket_depth) == (6.3e-3, 3.1e-3)
-    assert found.effects["spin"] == "off"
-    assert found.effects["rolling"] == "auto"
-    assert found.friction_coefficient is None
+    parsed = scene(INLINE)
+    assert parsed.bearing.ball_material.density == 3200.0
+    assert (parsed.bearing.inner.material.name, parsed.bearing.outer.material.name) == ("steel", "peek")
+    assert parsed.bearing.outer.bottom_radius == 18.01e-3
+    np.testing.assert_allclose(parsed.contact_angle.value or 0.0, np.pi / 12, rtol=1e-15)  # one rounding
+    np.testing.assert_allclose(parsed.operation.axial_load, [12 * 9.80665, 1e-12], rtol=1e-15)
+    np.testing.assert_allclose(parsed.operation.inner_speed, [-200 * np.pi / 30, 0], rtol=1e-15)
+    assert parsed.cage is not None
+    assert (parsed.cage.pocket_diameter, parsed.cage.pocket_depth) == (6.3e-3, 3.1e-3)
+    assert parsed.effects["spin"] == "off"
+    assert parsed.effects["rolling"] == "auto"
+    assert parsed.friction_coefficient is None
 
 
-def test_one_quantity_serves_the_whole_series() -> None:
+def test_one_quantity_applies_to_the_whole_series() -> None:
     operation = scene(PLAIN).operation
     np.testing.assert_array_equal(operation.axial_load, [700.0, 700.0])
     np.testing.assert_allclose(operation.inner_speed, [10.471975511965978, np.pi / 6], rtol=1e-15)
@@ -55,34 +60,34 @@ def test_one_quantity_serves_the_whole_series() -> None:
 
 
 def test_a_catalog_entry_is_overridden_key_by_key() -> None:
-    found = scene(
+    parsed = scene(
         changed('catalog = "6205"', 'catalog = "6205"\ninner.groove_radius = "4.2 mm"\nball_count = 8')
     ).bearing
-    assert (found.inner.groove_radius, found.inner.bottom_radius, found.ball_count) == (4.2e-3, 15.53e-3, 8)
+    assert (parsed.inner.groove_radius, parsed.inner.bottom_radius, parsed.ball_count) == (4.2e-3, 15.53e-3, 8)
 
 
 def test_seats_and_width_may_be_left_out() -> None:
-    found = scene(INLINE).bearing
-    assert (found.bore_diameter, found.outside_diameter, found.width) == (None, None, None)
+    parsed = scene(INLINE).bearing
+    assert (parsed.bore_diameter, parsed.outside_diameter, parsed.width) == (None, None, None)
     wide = scene(changed('name = "hybrid"', 'name = "hybrid"\nwidth = "0.9 cm"', INLINE)).bearing
     assert (wide.bore_diameter, wide.width) == (None, 9e-3)
 
 
-def test_radial_load_and_moment_of_a_ring() -> None:
-    found = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
-    np.testing.assert_array_equal(found.operation.radial_load, [-400.0, 0.0])
-    np.testing.assert_allclose(found.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
-    assert found.warnings == ()
+def test_radial_load_and_moment_are_read() -> None:
+    parsed = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
+    np.testing.assert_array_equal(parsed.operation.radial_load, [-400.0, 0.0])
+    np.testing.assert_allclose(parsed.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
+    assert parsed.warnings == ()
     np.testing.assert_array_equal(scene(PLAIN).operation.radial_load, [0.0, 0.0])
 
 
 @pytest.mark.parametrize("clearance", [13e-6, -7e-6])
 def test_a_clearance_moves_both_rings(bearing_6205, clearance: float) -> None:
     key = f'catalog = "6205"\ndiametral_clearance = "{clearance * 1e6} um"'
-    found = scene(changed('catalog = "6205"', key)).bearing
-    np.testing.assert_allclose(found.diametral_clearance, clearance, rtol=1e-9)  # a difference of radii of 20 mm
-    np.testing.assert_allclose(found.pitch_diameter, bearing_6205.pitch_diameter, rtol=1e-15)  # one rounding
-    assert found.inner.bottom_radius != bearing_6205.inner.bottom_radius
+    parsed = scene(changed('catalog = "6205"', key)).bearing
+    np.testing.assert_allclose(parsed.diametral_clearance, clearance, rtol=1e-9)  # a difference of radii of 20 mm
+    np.testing.assert_allclose(parsed.pitch_diameter, bearing_6205.pitch_diameter, rtol=1e-15)  # one rounding
+    assert parsed.inner.bottom_radius != bearing_6205.inner.bottom_radius
 
 
 def test_no_cage_table_is_no_cage() -> None:
@@ -90,7 +95,7 @@ def test_no_cage_table_is_no_cage() -> None:
     wide = scene(PLAIN + '[cage]\npocket_clearance = "0.3 mm"').cage
     assert wide is not None
     np.testing.assert_allclose((wide.pocket_diameter, wide.pocket_depth), (8.24e-3, 4.12e-3), rtol=1e-15)
-    direct = scene(PLAIN + '[cage]\npocket_diameter = "8.3 mm"').cage  # in place of the catalog's clearance
+    direct = scene(PLAIN + '[cage]\npocket_diameter = "8.3 mm"').cage  # replaces the clearance of the catalog
     assert direct is not None
     assert direct.pocket_diameter == 8.3e-3
 
@@ -105,7 +110,7 @@ def test_the_printed_pocket_needs_its_name_and_warns() -> None:
     assert "overlap" in refusal(PLAIN + '[cage]\npocket_diameter = "13.9 mm"\npocket_depth = "6.81 mm"')
 
 
-def test_a_moulded_cage_is_a_variant_that_keeps_the_pocket() -> None:
+def test_a_moulded_cage_is_a_variant_with_its_own_pocket() -> None:
     moulded = scene(PLAIN + '[cage]\nvariant = "peek"\npocket_clearance = "0.3 mm"')
     assert moulded.cage is not None
     assert (moulded.cage.material.name, moulded.cage.wall_thickness) == ("peek", 1.5e-3)
@@ -120,6 +125,24 @@ def test_a_moulded_cage_is_a_variant_that_keeps_the_pocket() -> None:
     assert "overlap" in refusal(PLAIN + '[cage]\nvariant = "peek"\npocket_diameter = "13.9 mm"')
 
 
+def test_the_motion_of_a_cage_is_read() -> None:
+    text = (
+        'start = "sudden"\nseeds = 7\nduration = "0.3 s"\nrestitution = 0.6\ngravity = "along"\ndrag = "2e-6 N m s"\n'
+        "steps_per_contact = 57\n"
+        'pocket_axis = "radial"\nball_lead = "-30 um"\nfriction_coefficient = 0.08\n'
+        'pocket_approach = { load = "28 N", approach = "0.9 um" }\n'
+        'land = { ring = "outer", clearance = "0.3 mm", width = "9 mm" }\n'
+    )
+    cage = scene(PLAIN + "[cage]\n" + text).cage
+    assert cage is not None
+    assert (cage.start, cage.seeds, cage.duration, cage.restitution) == ("sudden", 7, 0.3, 0.6)
+    assert cage.steps_per_contact == 57
+    assert (cage.gravity, cage.drag, cage.pocket_axis, cage.ball_lead) == ("along", 2e-6, "radial", -30e-6)
+    assert cage.friction_coefficient == 0.08
+    assert cage.land == Land(ring="outer", clearance=0.3e-3, width=9e-3)
+    assert cage.pocket_stiffness == pytest.approx(28 / 0.9e-6**1.5, rel=1e-12)
+
+
 def test_no_lubricant_and_no_surface_is_none() -> None:
     assert scene(PLAIN).lubricant is None
     assert scene(PLAIN).surface is None
@@ -129,7 +152,7 @@ def test_a_lubricant_is_read() -> None:
     oil = scene(OIL).lubricant
     assert oil is not None
     assert (oil.viscosity, oil.pressure_viscosity, oil.eyring_stress, oil.traction) == (0.06, 2e-8, 5e6, "eyring_sinh")
-    assert oil.temperature == oil.reference_temperature == 313.15  # 40 degC, where nothing else is said
+    assert oil.temperature == oil.reference_temperature == 313.15  # 40 degC by default
     warm = scene(OIL + 'reference_temperature = "40.5 degC"\nviscosity_temperature = "0.03 1/K"').lubricant
     assert warm is not None
     assert (warm.temperature, warm.reference_temperature, warm.viscosity_temperature) == (313.65, 313.65, 0.03)
@@ -149,25 +172,25 @@ def test_a_surface_is_read(tmp_path: Path) -> None:
     assert declared.autocorrelation.spacing == 2e-6
     (tmp_path / "race.CSV").write_text("0, 1")
     (tmp_path / "case.toml").write_text(PLAIN + '[surface]\nheight_map = { path = "race.CSV", spacing = "0.7 um" }')
-    measured = load_scene(tmp_path / "case.toml").surface  # sought beside the scene file, wherever one works
+    measured = load_scene(tmp_path / "case.toml").surface  # relative to the folder of the scene file
     assert measured is not None
     assert measured.height_map is not None
     assert (measured.height_map.path, measured.height_map.spacing) == (str(tmp_path / "race.CSV"), 7e-7)
     assert measured.rms_roughness is None
 
 
-def test_hardness_is_known_of_steel_alone() -> None:
+def test_only_steel_has_a_hardness_in_the_catalog() -> None:
     assert scene(PLAIN).bearing.ball_material.hardness == 7.8e9
     own = scene(changed("poisson_ratio = 0.27", 'poisson_ratio = 0.27, hardness = "15 GPa"', INLINE)).bearing
     assert (own.ball_material.hardness, own.outer.material.hardness) == (15e9, None)
 
 
-def test_a_ball_of_the_wrong_mass_is_doubted() -> None:
+def test_a_ball_of_the_wrong_mass_gives_a_warning() -> None:
     (warning,) = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.5 mm"')).warnings
     assert "2.04 g" in warning
     assert "1.734 g" in warning  # pi/6 (7.5 mm)^3 7850 kg/m^3
 
 
-def test_an_elastic_preload_fits() -> None:
-    found = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.96 mm"'))
-    assert found.bearing.diametral_clearance < 0
+def test_an_elastic_preload_is_accepted() -> None:
+    parsed = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.96 mm"'))
+    assert parsed.bearing.diametral_clearance < 0

@@ -1,4 +1,4 @@
-"""The scenes beside the paper load, and give what was found for them independently."""
+"""The scenes in validation/scenes load and agree with independent calculations."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -22,55 +22,55 @@ SCENES = Path(__file__).parents[3] / "validation" / "scenes"
     [(150e-6, 1e-6, 17.9, 17.1), (180e-6, 1e-6, 16.1, 15.4), (150e-6, 0.1e-6, 7.8, 7.4)],
 )
 def test_the_calibrated_race_torque(length: float, roughness: float, slow: float, fast: float) -> None:
-    """An independent calculation of the same fit, N mm at 100 and 500 rpm, three digits; 0.1 um at any length."""
+    """Independently computed for the same fit, N mm at 100 and 500 rpm, three digits; for 0.1 um at any length."""
     scene = load_scene(SCENES / "6205_paper_calibrated.toml")
     assert scene.surface is not None
     correlation = Autocorrelation(kind="gaussian", length=length, spacing=length / 20)
     surface = replace(scene.surface, autocorrelation=correlation, rms_roughness=roughness)
     race = 1e3 * friction_torque(replace(scene, surface=surface)).torque.race
-    tolerance = 0.06 if roughness == 1e-6 else 0.11  # half a unit of the last digit; 0.07 lie between both lengths
+    tolerance = 0.06 if roughness == 1e-6 else 0.11  # half a unit of the last digit; both lengths differ by 0.07
     np.testing.assert_allclose(race[[0, -1]], [slow, fast], atol=tolerance)
     assert np.all(np.diff(race) < 0)
 
 
 def test_the_physical_scene() -> None:
-    """Loaded angle of an independent calculation; rolling grows with speed and is as large as what slides."""
+    """Loaded angle by an independent calculation; rolling grows with speed and is as large as sliding."""
     scene = load_scene(SCENES / "6205_physical.toml")
-    found = friction_torque(replace(scene, effects={"finite_geometry": "off"}))
-    np.testing.assert_allclose(found.contact_angle, 0.3031, atol=0.5e-4)
-    assert found.torque.rolling is not None
-    assert np.all(np.diff(found.torque.total) > 0)
-    assert found.torque.rolling[-1] > 0.5 * found.torque.total[-1]
+    result = friction_torque(replace(scene, effects={"finite_geometry": "off"}))
+    np.testing.assert_allclose(result.contact_angle, 0.3031, atol=0.5e-4)
+    assert result.torque.rolling is not None
+    assert np.all(np.diff(result.torque.total) > 0)
+    assert result.torque.rolling[-1] > 0.5 * result.torque.total[-1]
 
 
 def test_the_hybrid_scene() -> None:
-    """Its ball has its material's mass; contacts of a stiffer ball are smaller, as Hertz's law of the modulus says."""
+    """The ball has the mass of its material; contacts of a stiffer ball are smaller by Hertz's power of the modulus."""
     scene = load_scene(SCENES / "6205_hybrid.toml")
-    assert scene.warnings == ()  # a mass left behind would be one
+    assert scene.warnings == ()  # the mass of a steel ball would give one
     ceramic, steel = scene.bearing.ball_material, scene.bearing.inner.material
     np.testing.assert_allclose(scene.bearing.ball_mass / 2.04e-3, ceramic.density / 7850, rtol=0.01)  # Table 1 rounds
-    # so that loads are equal, and contacts Hertz's
+    # so that the loads are equal and the contacts those of Hertz
     scene = replace(scene, contact_angle=ContactAngle(rule="given", value=0.29), effects={"finite_geometry": "off"})
-    found = friction_torque(scene)
+    result = friction_torque(scene)
     of_steel = friction_torque(replace(scene, bearing=replace(scene.bearing, ball_material=steel)))
     stiffer = contact_modulus(ceramic, steel) / contact_modulus(steel, steel)
     assert 1.15 < stiffer < 1.25  # by hand, 2 x 310/(310 + 206) but for Poisson's ratios
     for pair in ("inner", "outer"):
-        ours, theirs = getattr(found, pair), getattr(of_steel, pair)
+        ours, theirs = getattr(result, pair), getattr(of_steel, pair)
         np.testing.assert_allclose(ours.semi_axis_transverse, theirs.semi_axis_transverse * stiffer ** (-1 / 3))
         np.testing.assert_allclose(ours.peak_pressure, theirs.peak_pressure * stiffer ** (2 / 3))
-    assert found.torque.hysteresis is not None
+    assert result.torque.hysteresis is not None
     assert of_steel.torque.hysteresis is not None
-    np.testing.assert_allclose(found.torque.hysteresis, of_steel.torque.hysteresis * stiffer ** (-1 / 3))
+    np.testing.assert_allclose(result.torque.hysteresis, of_steel.torque.hysteresis * stiffer ** (-1 / 3))
 
 
 def test_the_radial_scene() -> None:
-    """The heaviest ball of rings that shift by d: sum of K (d cos psi - P_d/2)^1.5 cos psi over 9 balls is the load.
+    """Load of the most loaded ball when the rings shift by d: the load is the sum of K (d cos psi - P_d/2)^1.5 cos psi.
 
-    The thrust, left out here, tilts the ring and brings the heaviest ball 4 % more.
+    The thrust is left out here. It tilts the ring and adds 4 % to the most loaded ball.
     """
     scene = load_scene(SCENES / "6205_radial.toml")
-    found = friction_torque(scene)
+    result = friction_torque(scene)
     bearing, azimuth = scene.bearing, 2 * np.pi * np.arange(9) / 9
     approach = 0.0  # of both contacts under 1 N
     for race in ("inner", "outer"):
@@ -82,34 +82,36 @@ def test_the_radial_scene() -> None:
         return np.maximum((shift * np.cos(azimuth) - 10e-6) / approach, 0.0) ** 1.5
 
     shift = brentq(lambda shift: loads(shift) @ np.cos(azimuth) - 1500.0, 10e-6, 1e-3)
-    np.testing.assert_allclose(found.ball_load, loads(shift).max(), rtol=0.05)  # thrust adds 4 %: see below
+    np.testing.assert_allclose(result.ball_load, loads(shift).max(), rtol=0.05)  # thrust adds 4 %
     light = replace(scene, operation=replace(scene.operation, axial_load=np.full(3, 1.0)))
     alone = friction_torque(replace(light, effects={"finite_geometry": "off"}))
     np.testing.assert_allclose(alone.ball_load, loads(shift).max(), rtol=2e-3)  # 1 N tilts by sqrt(1/1500)
-    np.testing.assert_allclose(found.inner.load, found.outer.load, rtol=5e-4)  # of that ball: 0.28 N at 1500 rpm
-    decisions = {effect.name: effect.decision for effect in found.effects}
+    np.testing.assert_allclose(result.inner.load, result.outer.load, rtol=5e-4)  # of that ball: 0.28 N at 1500 rpm
+    decisions = {effect.name: effect.decision for effect in result.effects}
     assert (decisions["load_distribution"], decisions["centrifugal"], decisions["seals"]) == ("on", "on", "on")
-    np.testing.assert_allclose(found.torque.total - found.torque.race, 5e-3, rtol=1e-9)
+    np.testing.assert_allclose(result.torque.total - result.torque.race, 5e-3, rtol=1e-9)
     band = scene_band(scene)
-    assert np.all((found.torque.race > band.low / 2) & (found.torque.race < band.high))  # the order of magnitude
+    assert np.all((result.torque.race > band.low / 2) & (result.torque.race < band.high))  # the order of magnitude
 
 
 def test_the_high_speed_scene() -> None:
-    """F_c = m (d_m/2) (w R_i/d_m)^2 by hand at 0.2909 rad, R_i = 19.505 - 3.97 cos(0.2909) = 15.702 mm: 1.767, 7.070,
-    15.907 N; along the mean of both normals the outer race carries its share more."""
+    """Centrifugal force F_c = m (d_m/2) (w R_i/d_m)^2 by hand, with R_i = 19.505 - 3.97 cos(0.2909) = 15.702 mm at the
+    contact angle 0.2909 rad: 1.767, 7.070, 15.907 N. The outer race carries more than the inner race by its component
+    along the mean of both normals.
+    """
     scene = load_scene(SCENES / "6205_high_speed.toml")
-    found = friction_torque(scene)
-    decisions = {effect.name: effect.decision for effect in found.effects}
+    result = friction_torque(scene)
+    decisions = {effect.name: effect.decision for effect in result.effects}
     assert (decisions["load_distribution"], decisions["centrifugal"], decisions["gyroscopic"]) == ("off", "on", "on")
-    more = np.array([1.767, 7.070, 15.907]) * np.cos(found.contact_angle)
-    np.testing.assert_allclose(found.outer.load - found.inner.load, more, rtol=2e-3)  # the angle differs by 0.0015
-    axial = 9 * found.inner.load * np.sin(found.contact_angle)
-    # Below 400 N by the half of F_c that the mean angle leaves, and by what friction of the gyroscopic moment carries.
+    more = np.array([1.767, 7.070, 15.907]) * np.cos(result.contact_angle)
+    np.testing.assert_allclose(result.outer.load - result.inner.load, more, rtol=2e-3)  # the angle differs by 0.0015
+    axial = 9 * result.inner.load * np.sin(result.contact_angle)
+    # Less than 400 N: by the mean angle for half of F_c, and by the friction that carries the gyroscopic moment.
     np.testing.assert_allclose(axial, 400.0, rtol=0.08)
-    assert np.all(np.diff(found.torque.total) > 0)
-    assert not any("gyroscopic moment" in warning for warning in found.warnings)
+    assert np.all(np.diff(result.torque.total) > 0)
+    assert not any("gyroscopic moment" in warning for warning in result.warnings)
     still = friction_torque(replace(scene, effects={"centrifugal": "off", "gyroscopic": "off"}))
-    np.testing.assert_allclose(found.torque.total, still.torque.total, rtol=0.25)  # the bound that called for it
+    np.testing.assert_allclose(result.torque.total, still.torque.total, rtol=0.25)  # the bound that called for it
     assert any("centrifugal is left out and could be" in warning for warning in still.warnings)
     band = scene_band(scene)
-    assert np.all((found.torque.race > band.low / 2) & (found.torque.race < band.high))
+    assert np.all((result.torque.race > band.low / 2) & (result.torque.race < band.high))

@@ -16,7 +16,7 @@ from analytic.surface.moments import Summits
 
 SUMMITS = Summits(density=5e8, radius=50e-6, height_deviation=0.8e-6, mean_height=1.3e-6)
 E, H = 113.187e9, 7.8e9  # Pa
-ACCURACY = 1e-8  # claimed
+ACCURACY = 1e-8  # as documented
 ROUND_OFF = 1e-13
 
 
@@ -30,7 +30,7 @@ def separation(pressure: object, summits: Summits = SUMMITS, **changed: object) 
 
 
 def with_yield_at(ratio: float) -> Summits:
-    """SUMMITS with the tip radius for which w_1 is this many standard deviations."""
+    """SUMMITS with the tip radius for which w_1 = ratio standard deviations."""
     first_yield = (3 * np.pi * 0.4 * H / (4 * E)) ** 2
     return Summits(
         density=5e8, radius=ratio * SUMMITS.height_deviation / first_yield, height_deviation=0.8e-6, mean_height=1.3e-6
@@ -38,7 +38,7 @@ def with_yield_at(ratio: float) -> Summits:
 
 
 def printed_load(w: mpmath.mpf, radius: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
-    """Load and area of one summit as the literature prints them."""
+    """Load and area of one summit by the formulas of the literature."""
     q, e, h = mpmath.mpf, mpmath.mpf(E), mpmath.mpf(H)
     w1 = (3 * mpmath.pi * q("0.4") * h / (4 * e)) ** 2 * radius
     w2 = 54 * w1
@@ -65,7 +65,7 @@ def reference(h: float, radius: float) -> tuple[float, float]:
         steps = [bottom + (top - bottom) * part / 16 for part in (1, 2, 4, 8)]  # the integrand falls from the bottom
         breaks = {bottom, top, *(x for x in (d + w1, d + 54 * w1, -3 * s, 0, 3 * s, *steps) if bottom < x < top)}
 
-        edge = (max(d, 0) / s) ** 2 / 2  # quad stops at an absolute error, so the integrand must not be tiny
+        edge = (max(d, 0) / s) ** 2 / 2  # quad stops at an absolute error, so the integrand is scaled
 
         def gauss(z: mpmath.mpf) -> mpmath.mpf:
             return mpmath.exp(-((z / s) ** 2) / 2 + edge) / (s * mpmath.sqrt(2 * mpmath.pi))
@@ -74,64 +74,64 @@ def reference(h: float, radius: float) -> tuple[float, float]:
         return tuple(float(SUMMITS.density * part * mpmath.exp(-edge)) for part in parts)  # pyright: ignore[reportReturnType]
 
 
-def test_the_check_table() -> None:
-    """Computed elsewhere; every digit given."""
-    found = contact(np.array([0.5, 1.3, 2.1, 2.9]) * 1e-6)
+def test_independently_computed_values() -> None:
+    """All digits of an independent calculation."""
+    computed = contact(np.array([0.5, 1.3, 2.1, 2.9]) * 1e-6)
     last_digit = np.array([1e-2, 1e-2, 1e-3, 1e-4])
-    assert np.all(abs(found.pressure / 1e6 - [370.44, 121.78, 22.904, 2.1260]) < last_digit / 2)
+    assert np.all(abs(computed.pressure / 1e6 - [370.44, 121.78, 22.904, 2.1260]) < last_digit / 2)
     last_digit = np.array([1e-5, 1e-6, 1e-7, 1e-8])
-    assert np.all(abs(found.area_fraction - [0.07079, 0.025564, 0.0052866, 0.00053621]) < last_digit / 2)
+    assert np.all(abs(computed.area_fraction - [0.07079, 0.025564, 0.0052866, 0.00053621]) < last_digit / 2)
 
 
 @pytest.mark.parametrize("ratio", [1e-4, 0.02, 0.26, 3.1, 40.0, 1e5])
 @pytest.mark.parametrize("t", [-7.0, -5.9, -2.3, 0.0, 1.7, 6.1, 24.0])
 def test_the_integrals_in_40_digits(ratio: float, t: float) -> None:
-    """From all plastic to all elastic, from flattened to 24 standard deviations off, where the pressure is 1e-130."""
+    """From plastic to elastic, from flattened to a separation of 24 standard deviations with a pressure of 1e-130."""
     summits, h = with_yield_at(ratio), 1.3e-6 + t * 0.8e-6
     pressure, area = reference(h, float(summits.radius))
-    found = contact(h, summits)
-    np.testing.assert_allclose(found.pressure, pressure, rtol=ACCURACY)
-    np.testing.assert_allclose(found.area_fraction, min(area, 1.0), rtol=ACCURACY)
+    computed = contact(h, summits)
+    np.testing.assert_allclose(computed.pressure, pressure, rtol=ACCURACY)
+    np.testing.assert_allclose(computed.area_fraction, min(area, 1.0), rtol=ACCURACY)
 
 
 @pytest.mark.parametrize("t", [-3.1, -0.4, 0.0, 0.9, 3.3])
-def test_hard_summits_are_greenwoods_and_williamsons(t: float) -> None:
-    """p = (4/3) density E* sqrt(R_a sigma^3) F_{3/2}(t), the integral as a parabolic cylinder function."""
-    found = contact(1.3e-6 + t * 0.8e-6, hardness=1e6 * H)
+def test_hard_summits_have_the_elastic_limit(t: float) -> None:
+    """p = (4/3) density E* sqrt(R_a sigma^3) F_{3/2}(t) of [Greenwood1966], F by a parabolic cylinder function."""
+    computed = contact(1.3e-6 + t * 0.8e-6, hardness=1e6 * H)
     f32 = 3 * np.sqrt(np.pi) / 4 / np.sqrt(2 * np.pi) * np.exp(-(t**2) / 4) * pbdv(-2.5, t)[0]
     s = SUMMITS
     expected = 4 / 3 * s.density * E * np.sqrt(s.radius * s.height_deviation**3) * f32
-    np.testing.assert_allclose(found.pressure, expected, rtol=ACCURACY)
+    np.testing.assert_allclose(computed.pressure, expected, rtol=ACCURACY)
     f1 = np.exp(-(t**2) / 2) / np.sqrt(2 * np.pi) - t * erfc(t / np.sqrt(2)) / 2
     np.testing.assert_allclose(
-        found.area_fraction, np.pi * s.density * s.radius * s.height_deviation * f1, rtol=ACCURACY
+        computed.area_fraction, np.pi * s.density * s.radius * s.height_deviation * f1, rtol=ACCURACY
     )
 
 
 @pytest.mark.parametrize("t", [-3.1, 0.0, 3.3])
-def test_soft_summits_bear_their_hardness(t: float) -> None:
-    found = contact(1.3e-6 + t * 0.8e-6, hardness=1e-4 * H)
+def test_soft_summits_carry_their_hardness(t: float) -> None:
+    computed = contact(1.3e-6 + t * 0.8e-6, hardness=1e-4 * H)
     f1 = np.exp(-(t**2) / 2) / np.sqrt(2 * np.pi) - t * erfc(t / np.sqrt(2)) / 2
     area = 2 * np.pi * SUMMITS.density * SUMMITS.radius * SUMMITS.height_deviation * f1
-    np.testing.assert_allclose(found.area_fraction, area, rtol=2e-6)  # w_1 = 3e-9 standard deviations is not yet 0
-    np.testing.assert_allclose(found.pressure, 1e-4 * H * area, rtol=2e-6)
+    np.testing.assert_allclose(computed.area_fraction, area, rtol=2e-6)  # w_1 is 3e-9 standard deviations, not 0
+    np.testing.assert_allclose(computed.pressure, 1e-4 * H * area, rtol=2e-6)
 
 
-def test_one_summit_as_printed_and_without_jumps() -> None:
+def test_one_summit_follows_the_printed_formulas_without_jumps() -> None:
     radius = 37e-6
     first = (3 * np.pi * 0.4 * H / (4 * E)) ** 2 * radius
     depths = first * np.array([1e-30, 0.3, 0.9999, 1.0, 1.0001, 7.0, 53.99, 54.0, 54.01, 1e6])
-    found = asperity_load(interference=depths, tip_radius=radius, modulus=E, hardness=H)
+    computed = asperity_load(interference=depths, tip_radius=radius, modulus=E, hardness=H)
     with mpmath.workdps(40):
         expected = np.array([[float(x) for x in printed_load(mpmath.mpf(w), mpmath.mpf(radius))] for w in depths])
-    np.testing.assert_allclose(found.load, expected[:, 0], rtol=1e-12)  # round-off: of w - w_1 beside w_1
-    np.testing.assert_allclose(found.area, expected[:, 1], rtol=1e-12)
+    np.testing.assert_allclose(computed.load, expected[:, 0], rtol=1e-12)  # round-off of w - w_1 relative to w_1
+    np.testing.assert_allclose(computed.area, expected[:, 1], rtol=1e-12)
     for edge in (first, 54 * first):
-        beside = asperity_load(
+        around = asperity_load(
             interference=edge * np.array([1 - 1e-9, 1 + 1e-9]), tip_radius=radius, modulus=E, hardness=H
         )
-        np.testing.assert_allclose(beside.load[0], beside.load[1], rtol=5e-9)  # slopes of 1 to 2 per step
-        np.testing.assert_allclose(beside.area[0], beside.area[1], rtol=5e-9)
+        np.testing.assert_allclose(around.load[0], around.load[1], rtol=5e-9)  # slopes of 1 to 2 per step
+        np.testing.assert_allclose(around.area[0], around.area[1], rtol=5e-9)
     free = asperity_load(interference=np.array([-1e-6, 0.0]), tip_radius=radius, modulus=E, hardness=H)
     assert not free.load.any()
     assert not free.area.any()
@@ -141,7 +141,7 @@ def test_one_summit_as_printed_and_without_jumps() -> None:
 
 
 @given(h=st.floats(-8e-6, 30e-6), step=st.floats(1e-9, 1e-6), power=st.floats(-5, 5))
-def test_thicker_films_bear_less(h: float, step: float, power: float) -> None:
+def test_thicker_films_leave_less_to_the_summits(h: float, step: float, power: float) -> None:
     summits = with_yield_at(10.0**power)
     near, far = contact(h, summits), contact(h + step, summits)
     assert far.pressure < near.pressure
@@ -161,26 +161,26 @@ def test_the_slope_is_the_derivative(h: float, ratio: float) -> None:
 @given(power=st.floats(-290, 3), ratio=st.floats(-5, 5))
 def test_the_separation_is_the_inverse(power: float, ratio: float) -> None:
     summits, pressure = with_yield_at(10.0**ratio), 10.0**power * 1e9
-    found = separation(pressure, summits)
+    computed = separation(pressure, summits)
     # An error of 1e-9 in t = 36 or less is 36 times as much in ln p.
-    np.testing.assert_allclose(contact(found, summits).pressure, pressure, rtol=1e-7)
+    np.testing.assert_allclose(contact(computed, summits).pressure, pressure, rtol=1e-7)
 
 
-def test_separation_of_many_at_once_and_of_none() -> None:
+def test_separation_of_an_array_and_at_zero_pressure() -> None:
     pressures = np.geomspace(1e-250, 1e13, 997)
-    found = separation(pressures)
-    assert np.all(np.diff(found) < 0)
-    assert found[0] > 1.3e-6 > 0 > found[-1]
+    computed = separation(pressures)
+    assert np.all(np.diff(computed) < 0)
+    assert computed[0] > 1.3e-6 > 0 > computed[-1]
     assert separation(0.0) == np.inf
-    np.testing.assert_allclose(separation(3e8), found[np.argmin(abs(pressures - 3e8))], atol=0.1e-6)
+    np.testing.assert_allclose(separation(3e8), computed[np.argmin(abs(pressures - 3e8))], atol=0.1e-6)
 
 
-def test_far_off_it_fades_without_a_step() -> None:
-    found = contact(1.3e-6 + 0.8e-6 * np.linspace(0, 60, 6001))
-    assert np.all(np.diff(found.pressure) <= 0)
-    assert found.pressure[-1] == 0
-    assert found.pressure[3700] > 0  # t = 37: subnormal numbers begin at 38.6
-    assert np.all(found.area_fraction[found.pressure > 0] >= 0)
+def test_pressure_vanishes_smoothly_with_separation() -> None:
+    computed = contact(1.3e-6 + 0.8e-6 * np.linspace(0, 60, 6001))
+    assert np.all(np.diff(computed.pressure) <= 0)
+    assert computed.pressure[-1] == 0
+    assert computed.pressure[3700] > 0  # t = 37: subnormal numbers begin at 38.6
+    assert np.all(computed.area_fraction[computed.pressure > 0] >= 0)
     deep = contact(np.array([-1.0, -1e3]))  # metres
     np.testing.assert_allclose(deep.pressure[1] / deep.pressure[0], 1e3, rtol=1e-5)  # plastic: 2 pi R w H
     np.testing.assert_array_equal(deep.area_fraction, 1.0)
@@ -188,12 +188,12 @@ def test_far_off_it_fades_without_a_step() -> None:
 
 def test_a_smooth_surface_is_a_wall() -> None:
     smooth = Summits(density=0.0, radius=np.inf, height_deviation=0.0, mean_height=0.0)
-    found = contact(np.array([-1e-9, 0.0, 1e-12, 3e-6]), smooth)
-    np.testing.assert_array_equal(found.pressure, [np.inf, np.inf, 0, 0])
-    np.testing.assert_array_equal(found.area_fraction, [1, 1, 0, 0])
-    np.testing.assert_array_equal(found.pressure_slope, 0)
+    computed = contact(np.array([-1e-9, 0.0, 1e-12, 3e-6]), smooth)
+    np.testing.assert_array_equal(computed.pressure, [np.inf, np.inf, 0, 0])
+    np.testing.assert_array_equal(computed.area_fraction, [1, 1, 0, 0])
+    np.testing.assert_array_equal(computed.pressure_slope, 0)
     np.testing.assert_array_equal(separation(np.array([0.0, 3e-9, 2e9]), smooth), [np.inf, 0, 0])
-    # What a finish of a thousandth of the roughness tends to: nothing outside, and a wall inside.
+    # A thousandth of the roughness is near this limit.
     almost = Summits(density=5e8, radius=50e-3, height_deviation=0.8e-9, mean_height=1.3e-9)
     assert abs(separation(1e9, almost)) < 2e-7  # 1e9 Pa: elastic at the depth (3 p/(4 density E* sqrt(R_a)))^(2/3)
     assert contact(0.1e-6, almost).pressure == 0
@@ -211,7 +211,7 @@ def test_arguments_broadcast() -> None:
     np.testing.assert_allclose(
         separation(table.pressure, summits, hardness=hard), np.broadcast_to(h, (2, 3, 2)), rtol=1e-7
     )
-    many = np.linspace(-2e-6, 5e-6, 3001)  # more than one block of elements
+    many = np.linspace(-2e-6, 5e-6, 3001)  # more than one block
     np.testing.assert_allclose(contact(many).pressure[2718], contact(float(many[2718])).pressure, rtol=ROUND_OFF)
 
 
@@ -224,11 +224,11 @@ def test_physics_does_not_depend_on_the_units(metre: float, pascal: float) -> No
         height_deviation=s.height_deviation * metre,
         mean_height=s.mean_height * metre,
     )
-    found = contact(1.7e-6 * metre, scaled, modulus=E * pascal, hardness=H * pascal)
+    computed = contact(1.7e-6 * metre, scaled, modulus=E * pascal, hardness=H * pascal)
     base = contact(1.7e-6)
-    np.testing.assert_allclose(found.pressure, base.pressure * pascal, rtol=1e-12)  # round-off, through t
-    np.testing.assert_allclose(found.area_fraction, base.area_fraction, rtol=1e-12)
-    np.testing.assert_allclose(found.pressure_slope, base.pressure_slope * pascal / metre, rtol=1e-12)
+    np.testing.assert_allclose(computed.pressure, base.pressure * pascal, rtol=1e-12)  # round-off, through t
+    np.testing.assert_allclose(computed.area_fraction, base.area_fraction, rtol=1e-12)
+    np.testing.assert_allclose(computed.pressure_slope, base.pressure_slope * pascal / metre, rtol=1e-12)
 
 
 def test_the_softer_body_yields() -> None:

@@ -1,4 +1,4 @@
-"""Height maps: what is read, what is refused, and measurements of surfaces whose moments are exact."""
+"""Height maps: reading, refusals, and statistics of surfaces whose moments are known exactly."""
 
 import contextlib
 from pathlib import Path
@@ -15,38 +15,38 @@ ROUGH = 1e-7 * rng.standard_normal((40, 53))
 
 
 def waves(rows: int, columns: int, *, amplitude: float, along_rows: float, along_columns: float) -> HeightMap:
-    """amplitude cos(k x) cos(q y) with k and q in 1/m; x runs along a row."""
+    """amplitude cos(k x) cos(q y) with k and q in 1/m; x is along a row."""
     x, y = np.arange(columns) * SPACING, np.arange(rows)[:, None] * SPACING
     return HeightMap(heights=amplitude * np.cos(along_rows * x) * np.cos(along_columns * y), spacing=SPACING)
 
 
 def test_moments_of_waves_are_exact() -> None:
-    """Mean squares of a product of cosines: A^2/4, and the differences (2/d) sin(k d/2) in place of k."""
+    """Mean squares of a product of cosines: A^2/4, with (2/d) sin(k d/2) instead of k because of the differences."""
     size, amplitude = 1260, 0.29e-6
     k, q = 2 * np.pi * 15 / (size * SPACING), 2 * np.pi * 18 / (size * SPACING)  # whole periods
-    found = measure(waves(size, size, amplitude=amplitude, along_rows=k, along_columns=q))
-    seen = [2 / SPACING * np.sin(wave * SPACING / 2) for wave in (k, q)]
+    computed = measure(waves(size, size, amplitude=amplitude, along_rows=k, along_columns=q))
+    by_differences = [2 / SPACING * np.sin(wave * SPACING / 2) for wave in (k, q)]
     square = amplitude**2 / 4
-    edge = 2 / size  # of an open row of differences, one or two are missing
-    np.testing.assert_allclose(found.moments.height, square, rtol=1e-12)  # round-off
-    np.testing.assert_allclose(found.moments.slope, square * np.mean(np.square(seen)), rtol=edge)
-    np.testing.assert_allclose(found.moments.curvature, square * np.mean(np.power(seen, 4)), rtol=edge)
-    tops = 15 * 18 + 14 * 17  # crests and, where both waves are deepest, again; those on the rim left out
-    np.testing.assert_allclose(found.summits.density, tops / ((size - 2) * SPACING) ** 2, rtol=1e-12)
-    np.testing.assert_allclose(found.summits.mean_height, amplitude, rtol=1e-12)  # each on a point
-    np.testing.assert_allclose(found.summits.radius, 2 / (amplitude * (k**2 + q**2)), rtol=0.02)
-    assert found.warnings == ()
+    edge = 2 / size  # a row of n points has one or two differences less
+    np.testing.assert_allclose(computed.moments.height, square, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(computed.moments.slope, square * np.mean(np.square(by_differences)), rtol=edge)
+    np.testing.assert_allclose(computed.moments.curvature, square * np.mean(np.power(by_differences, 4)), rtol=edge)
+    tops = 15 * 18 + 14 * 17  # where both cosines are 1 or both -1, without the rim
+    np.testing.assert_allclose(computed.summits.density, tops / ((size - 2) * SPACING) ** 2, rtol=1e-12)
+    np.testing.assert_allclose(computed.summits.mean_height, amplitude, rtol=1e-12)  # every summit is on a point
+    np.testing.assert_allclose(computed.summits.radius, 2 / (amplitude * (k**2 + q**2)), rtol=0.02)
+    assert computed.warnings == ()
 
 
 def test_correlation_length_of_waves() -> None:
     """cos(k r) falls to 1/e at acos(1/e)/k."""
     size = 1200
     k = 2 * np.pi * 20 / (size * SPACING)
-    found = measure(waves(size, size, amplitude=2e-7, along_rows=k, along_columns=k))
-    np.testing.assert_allclose(found.correlation_length, np.arccos(np.exp(-1)) / k, rtol=0.01)  # open ends
+    computed = measure(waves(size, size, amplitude=2e-7, along_rows=k, along_columns=k))
+    np.testing.assert_allclose(computed.correlation_length, np.arccos(np.exp(-1)) / k, rtol=0.01)  # open ends
 
 
-def test_a_lay_and_a_coarse_or_narrow_map_are_doubted() -> None:
+def test_a_lay_and_a_coarse_or_narrow_map_give_warnings() -> None:
     size = 400
     lay = measure(waves(size, size, amplitude=1e-7, along_rows=2e5, along_columns=2e4))
     assert any("has a lay" in warning for warning in lay.warnings)
@@ -57,13 +57,13 @@ def test_a_lay_and_a_coarse_or_narrow_map_are_doubted() -> None:
     assert any("below ten lengths" in warning for warning in long.warnings)
 
 
-def test_tilt_and_offset_are_taken_off() -> None:
+def test_tilt_and_offset_are_removed() -> None:
     rows, columns = np.mgrid[:40, :53]
     tilted = ROUGH + 3e-6 + 2.3e-7 * rows - 1.1e-7 * columns
     straight = levelled(HeightMap(heights=ROUGH, spacing=SPACING)).heights
     np.testing.assert_allclose(levelled(HeightMap(heights=tilted, spacing=SPACING)).heights, straight, atol=1e-19)
     plane = np.linalg.lstsq(np.column_stack([np.ones(ROUGH.size), rows.ravel(), columns.ravel()]), ROUGH.ravel())[0]
-    expected = ROUGH - plane[0] - plane[1] * rows - plane[2] * columns  # least squares, a second way
+    expected = ROUGH - plane[0] - plane[1] * rows - plane[2] * columns  # least squares by another method
     np.testing.assert_allclose(straight, expected, atol=1e-19)  # round-off of 1e-7
 
 
@@ -71,22 +71,22 @@ def test_tilt_and_offset_are_taken_off() -> None:
 def test_a_binary_map_is_read(tmp_path: Path, dtype: type) -> None:
     heights = (ROUGH if dtype is not np.int16 else np.zeros((40, 53))).astype(dtype)
     np.save(tmp_path / "map.npy", np.asfortranarray(heights))
-    found = read_height_map(tmp_path / "map.npy", spacing=SPACING)
+    computed = read_height_map(tmp_path / "map.npy", spacing=SPACING)
     np.testing.assert_allclose(
-        found.heights, levelled(HeightMap(heights=heights.astype(np.float64), spacing=SPACING)).heights, atol=1e-20
+        computed.heights, levelled(HeightMap(heights=heights.astype(np.float64), spacing=SPACING)).heights, atol=1e-20
     )
-    assert found.spacing == SPACING
+    assert computed.spacing == SPACING
 
 
 def test_a_text_map_is_read(tmp_path: Path) -> None:
     np.savetxt(tmp_path / "map.CSV", ROUGH, delimiter=",", header="heights, m")
     expected = levelled(HeightMap(heights=ROUGH, spacing=SPACING)).heights
-    found = read_height_map(tmp_path / "map.CSV", spacing=SPACING).heights
-    np.testing.assert_allclose(found, expected, atol=1e-20)  # savetxt writes 18 digits
+    computed = read_height_map(tmp_path / "map.CSV", spacing=SPACING).heights
+    np.testing.assert_allclose(computed, expected, atol=1e-20)  # savetxt writes 18 digits
 
 
 class Bomb:
-    """Would run on unpickling."""
+    """Runs code when unpickled."""
 
     def __reduce__(self) -> tuple[object, tuple[str]]:
         return (pytest.fail, ("a height map was unpickled",))
@@ -114,7 +114,7 @@ def saved(path: Path, heights: object) -> Path:
         (np.array([[Bomb()] * 40] * 40), "not a matrix of numbers"),
     ],
 )
-def test_a_map_that_is_none_is_refused(tmp_path: Path, heights: object, words: str) -> None:
+def test_an_array_that_is_no_map_is_refused(tmp_path: Path, heights: object, words: str) -> None:
     path = saved(tmp_path / "map.npy", heights)
     assert words in refusal(path)
 
@@ -152,19 +152,19 @@ def test_a_file_that_is_no_map_is_refused(tmp_path: Path, name: str, content: by
     assert words in refusal(tmp_path / name)
 
 
-def test_a_damaged_or_boastful_file_takes_no_memory(tmp_path: Path) -> None:
+def test_a_damaged_file_or_false_header_takes_no_memory(tmp_path: Path) -> None:
     whole = saved(tmp_path / "map.npy", ROUGH).read_bytes()
     short = tmp_path / "short.npy"
     short.write_bytes(whole[:-8])  # the last number is missing
     assert "not a matrix of numbers" in refusal(short)
     for shape in ("(99999999, 99999)", "(40, -53)", "(10**9, 40)", "40", "(40, 1" + "0" * 30 + ")"):
-        boast = tmp_path / "boast.npy"
+        false = tmp_path / "false.npy"
         header = f"{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}".ljust(117) + "\n"
-        boast.write_bytes(b"\x93NUMPY\x01\x00\x76\x00" + header.encode())
-        assert refusal(boast)
-    for cut in range(0, len(whole) - ROUGH.nbytes, 5):  # any damage to the header is one line
+        false.write_bytes(b"\x93NUMPY\x01\x00\x76\x00" + header.encode())
+        assert refusal(false)
+    for cut in range(0, len(whole) - ROUGH.nbytes, 5):  # any damage to the header gives one line
         short.write_bytes(whole[:cut] + b"\x00" + whole[cut + 1 :])
-        with contextlib.suppress(InputError):  # and nothing else; a flipped letter may also leave it whole
+        with contextlib.suppress(InputError):  # no other exception; a changed letter may also do no harm
             read_height_map(short, spacing=SPACING)
 
 

@@ -1,4 +1,4 @@
-"""Summits from spectral moments: published values, the theory they come from, and moments that no surface has."""
+"""Summits from spectral moments: published values, their theory, and impossible moments."""
 
 import numpy as np
 import pytest
@@ -13,19 +13,19 @@ GAUSSIAN = SpectralMoments(height=SQ**2, slope=2 * SQ**2 / B**2, curvature=12 * 
 
 
 def test_published_values_of_a_gaussian_autocorrelation() -> None:
-    found = mccool_summits(GAUSSIAN)
+    computed = mccool_summits(GAUSSIAN)
     np.testing.assert_allclose(GAUSSIAN.bandwidth, 3, rtol=1e-14)  # round-off
-    np.testing.assert_allclose(found.density * B**2, 0.18378, atol=5e-6)  # all to the last digit printed
-    np.testing.assert_allclose(found.radius * SQ / B**2, 0.19187, atol=5e-6)
-    np.testing.assert_allclose(found.height_deviation / SQ, 0.8373, atol=5e-5)
-    np.testing.assert_allclose(found.mean_height / SQ, 1.3029, atol=5e-5)
-    np.testing.assert_allclose(found.density * found.radius * found.height_deviation, 0.0295, atol=5e-5)
+    np.testing.assert_allclose(computed.density * B**2, 0.18378, atol=5e-6)  # all to the last printed digit
+    np.testing.assert_allclose(computed.radius * SQ / B**2, 0.19187, atol=5e-6)
+    np.testing.assert_allclose(computed.height_deviation / SQ, 0.8373, atol=5e-5)
+    np.testing.assert_allclose(computed.mean_height / SQ, 1.3029, atol=5e-5)
+    np.testing.assert_allclose(computed.density * computed.radius * computed.height_deviation, 0.0295, atol=5e-5)
 
 
 @pytest.mark.parametrize("bandwidth", [1.7, 3.0, 9.3])
 def test_nayaks_distribution_of_summit_heights(bandwidth: float) -> None:
-    """Density over u = z/Sq of [Nayak1971]: that it integrates to 1 shows
-    that it is written down rightly, and its mean and spread are McCool's."""
+    """Density over u = z/Sq by [Nayak1971]. Its integral of 1 shows that the formula is right; its mean and deviation
+    are those of [McCool1987]."""
     c1 = bandwidth / (2 * bandwidth - 3)
 
     def density(u: float) -> float:
@@ -41,12 +41,14 @@ def test_nayaks_distribution_of_summit_heights(bandwidth: float) -> None:
     total, mean, square = (quad(lambda u, n=n: u**n * density(u), -12, 12, limit=400)[0] for n in range(3))
     np.testing.assert_allclose(total, 1, rtol=1e-9)  # quadrature
     moments = SpectralMoments(height=SQ**2, slope=0.031, curvature=bandwidth * 0.031**2 / SQ**2)
-    found = mccool_summits(moments)
-    np.testing.assert_allclose(found.mean_height / SQ, mean, rtol=1e-9)
-    np.testing.assert_allclose(found.height_deviation / SQ, np.sqrt(square - mean**2), rtol=1e-4)  # 0.8968 has 4 digits
+    computed = mccool_summits(moments)
+    np.testing.assert_allclose(computed.mean_height / SQ, mean, rtol=1e-9)
+    np.testing.assert_allclose(
+        computed.height_deviation / SQ, np.sqrt(square - mean**2), rtol=1e-4
+    )  # 0.8968 has 4 digits
 
 
-def test_two_surfaces_add_their_moments_and_scale_with_their_heights() -> None:
+def test_moments_of_two_surfaces_add_and_scale_with_the_heights() -> None:
     other = SpectralMoments(height=0.4e-12, slope=3e-4, curvature=7e5)
     both = GAUSSIAN + other
     np.testing.assert_allclose(both.rms_roughness, np.hypot(GAUSSIAN.rms_roughness, other.rms_roughness), rtol=1e-14)
@@ -59,9 +61,9 @@ def test_two_surfaces_add_their_moments_and_scale_with_their_heights() -> None:
 
 
 def test_a_smooth_surface_has_no_summits() -> None:
-    found = mccool_summits(GAUSSIAN.scaled(0.0))
-    assert (found.density, found.height_deviation, found.mean_height) == (0, 0, 0)
-    assert found.radius == np.inf
+    computed = mccool_summits(GAUSSIAN.scaled(0.0))
+    assert (computed.density, computed.height_deviation, computed.mean_height) == (0, 0, 0)
+    assert computed.radius == np.inf
 
 
 @pytest.mark.parametrize(
@@ -74,6 +76,6 @@ def test_a_smooth_surface_has_no_summits() -> None:
         ({"height": 0.0}, "belong to no surface"),
     ],
 )
-def test_moments_of_no_surface_are_refused(changed: dict[str, float], message: str) -> None:
+def test_impossible_moments_are_refused(changed: dict[str, float], message: str) -> None:
     with pytest.raises(InputError, match=message):
         mccool_summits(SpectralMoments(**({"height": SQ**2, "slope": 6e-4, "curvature": 2e6} | changed)))

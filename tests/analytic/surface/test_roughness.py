@@ -1,4 +1,4 @@
-"""Declared surfaces against the derivatives of their autocorrelation, generated ones against both over many seeds."""
+"""Declared surfaces against derivatives of their autocorrelation; generated ones against both, over many seeds."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ SQ = 0.37e-6  # m
 SMOOTH = Autocorrelation(kind="gaussian", length=21e-6, spacing=2.1e-6)
 FRACTAL = Autocorrelation(kind="exponential", length=21e-6, spacing=2.1e-6)
 POINTS, SEEDS = 240, range(24)
-SIGMAS = 4.0  # of the mean over the seeds, which are fixed: a right formula stays within, by 1 in 16 000
+SIGMAS = 4.0  # of the mean over the fixed seeds: a correct formula is outside with a probability of 1 in 16 000
 
 
 @pytest.fixture(scope="module")
@@ -34,11 +34,11 @@ def made(autocorrelation: Autocorrelation, seed: int) -> np.ndarray:
 
 
 def assert_mean(values: list[float], expected: float, systematic: float = 0.0, unit: float | None = None) -> None:
-    """The mean over the seeds is what is expected, within its scatter and a systematic error, relative to the unit."""
+    """The mean is as expected within its standard error and a systematic error relative to the unit."""
     unit = abs(expected) if unit is None else unit
     mean, error = np.mean(values), np.std(values, ddof=1) / np.sqrt(len(values))
     assert abs(mean - expected) <= SIGMAS * error + systematic * unit, (mean, expected, error)
-    assert error < 0.03 * unit, "else the test could not fail"
+    assert error < 0.03 * unit, "else the test cannot fail"
 
 
 def lagged(rows: int, columns: int, autocorrelation: Autocorrelation = SMOOTH) -> float:
@@ -47,66 +47,70 @@ def lagged(rows: int, columns: int, autocorrelation: Autocorrelation = SMOOTH) -
 
 
 def test_gaussian_moments_are_the_derivatives_of_the_autocorrelation() -> None:
-    """m_2 = -rho''(0), m_4 = rho''''(0), taken in 40 digits."""
+    """m_2 = -rho''(0), m_4 = rho''''(0), with 40 digits."""
     with mpmath.workdps(40):
         rho = lambda r: mpmath.exp(-((r / mpmath.mpf(SMOOTH.length)) ** 2))  # noqa: E731
         second = mpmath.diff(rho, 0, 2, h=mpmath.mpf("1e-12"))
         fourth = mpmath.diff(rho, 0, 4, h=mpmath.mpf("1e-12"))
-    found = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
-    np.testing.assert_allclose(found.height, SQ**2, rtol=1e-14)
-    np.testing.assert_allclose(found.slope, -(SQ**2) * float(second), rtol=1e-10)  # the difference quotient's
-    np.testing.assert_allclose(found.curvature, SQ**2 * float(fourth), rtol=1e-10)
+    computed = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
+    np.testing.assert_allclose(computed.height, SQ**2, rtol=1e-14)
+    np.testing.assert_allclose(computed.slope, -(SQ**2) * float(second), rtol=1e-10)  # the difference quotient's
+    np.testing.assert_allclose(computed.curvature, SQ**2 * float(fourth), rtol=1e-10)
 
 
 @pytest.mark.parametrize("spacing", [21e-6 * 1e-9, 0.3e-6, 2.1e-6, 35e-6])
 def test_exponential_moments_are_differences_at_the_spacing(spacing: float) -> None:
     """E[(z1 - z0)^2] and E[(z2 - 2 z1 + z0)^2] from the covariances, in 40 digits."""
-    found = spectral_moments(
+    computed = spectral_moments(
         rms_roughness=SQ, autocorrelation=Autocorrelation(kind="exponential", length=21e-6, spacing=spacing)
     )
     with mpmath.workdps(40):
         d = mpmath.mpf(spacing)
         one, two = mpmath.exp(-d / mpmath.mpf(21e-6)), mpmath.exp(-2 * d / mpmath.mpf(21e-6))
         slope, curvature = (2 - 2 * one) / d**2, (6 - 8 * one + 2 * two) / d**4
-    np.testing.assert_allclose(found.slope, SQ**2 * float(slope), rtol=1e-13)  # round-off
-    np.testing.assert_allclose(found.curvature, SQ**2 * float(curvature), rtol=1e-13)
+    np.testing.assert_allclose(computed.slope, SQ**2 * float(slope), rtol=1e-13)  # round-off
+    np.testing.assert_allclose(computed.curvature, SQ**2 * float(curvature), rtol=1e-13)
 
 
 @pytest.mark.parametrize(("spacing", "radius"), [(0.5e-6, 0.372e-6), (1e-6, 1.053e-6), (2e-6, 2.990e-6)])
 def test_tip_radii_of_an_exponential_surface(spacing: float, radius: float) -> None:
-    """Sq 1 um, length 10 um, computed elsewhere; they grow with the spacing: it is part of the input."""
+    """Sq 1 um, length 10 um, by an independent calculation; they grow with the spacing, which is part of the input."""
     surface = Autocorrelation(kind="exponential", length=10e-6, spacing=spacing)
-    found = mccool_summits(spectral_moments(rms_roughness=1e-6, autocorrelation=surface))
-    np.testing.assert_allclose(found.radius, radius, atol=0.5e-9)  # the last digit given
+    computed = mccool_summits(spectral_moments(rms_roughness=1e-6, autocorrelation=surface))
+    np.testing.assert_allclose(computed.radius, radius, atol=0.5e-9)  # the last digit
 
 
-def test_realised_moments_over_many_seeds(smooth_measurements: list[Measurement]) -> None:
-    """Expected from the covariances at the lags used; the map's own mean takes the mean of rho from Sq^2."""
+def test_moments_of_generated_surfaces_over_many_seeds(smooth_measurements: list[Measurement]) -> None:
+    """Against the covariances at these lags. Subtracting the mean of the map reduces Sq^2 by the mean of rho."""
     d, one, two = SMOOTH.spacing, lagged(0, 1), lagged(0, 2)
     mean_rho = np.pi * SMOOTH.length**2 / (POINTS * d) ** 2
-    assert_mean([found.moments.height for found in smooth_measurements], SQ**2 * (1 - mean_rho))
-    assert_mean([found.moments.slope for found in smooth_measurements], SQ**2 * (2 - 2 * one) / d**2)
-    assert_mean([found.moments.curvature for found in smooth_measurements], SQ**2 * (6 - 8 * one + 2 * two) / d**4)
+    assert_mean([computed.moments.height for computed in smooth_measurements], SQ**2 * (1 - mean_rho))
+    assert_mean([computed.moments.slope for computed in smooth_measurements], SQ**2 * (2 - 2 * one) / d**2)
+    assert_mean(
+        [computed.moments.curvature for computed in smooth_measurements], SQ**2 * (6 - 8 * one + 2 * two) / d**4
+    )
     closed = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
-    # The next terms of the series in d: what differences at a tenth of the length lose.
-    assert_mean([found.moments.slope for found in smooth_measurements], closed.slope, systematic=0.005)
-    assert_mean([found.moments.curvature for found in smooth_measurements], closed.curvature, systematic=0.0166)
-    assert_mean([found.correlation_length for found in smooth_measurements], SMOOTH.length, systematic=0.01)
+    # The systematic errors are the next terms of the series in d, at a tenth of the length.
+    assert_mean([computed.moments.slope for computed in smooth_measurements], closed.slope, systematic=0.005)
+    assert_mean([computed.moments.curvature for computed in smooth_measurements], closed.curvature, systematic=0.0166)
+    assert_mean([computed.correlation_length for computed in smooth_measurements], SMOOTH.length, systematic=0.01)
 
 
-def test_counted_summits_are_mccools(smooth_measurements: list[Measurement]) -> None:
-    """A second method: points above their neighbours."""
+def test_counted_summits_agree_with_mccool(smooth_measurements: list[Measurement]) -> None:
+    """Points above their neighbours against the closed form."""
     expected = mccool_summits(spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH))
-    summits = [found.summits for found in smooth_measurements]
-    assert_mean([float(found.density) for found in summits], float(expected.density), systematic=0.01)
-    assert_mean([float(found.height_deviation) for found in summits], float(expected.height_deviation), systematic=0.02)
-    assert_mean([float(found.mean_height) for found in summits], float(expected.mean_height), systematic=0.02)
-    # 1.6 % of m_4 is 0.8 % of its root, and the tops seen lie beside the true ones, where the curvature is less.
-    assert_mean([float(found.radius) for found in summits], float(expected.radius), systematic=0.02)
+    summits = [computed.summits for computed in smooth_measurements]
+    assert_mean([float(computed.density) for computed in summits], float(expected.density), systematic=0.01)
+    assert_mean(
+        [float(computed.height_deviation) for computed in summits], float(expected.height_deviation), systematic=0.02
+    )
+    assert_mean([float(computed.mean_height) for computed in summits], float(expected.mean_height), systematic=0.02)
+    # 1.6 % of m_4 is 0.8 % of its root. The points are next to the true summits, where the curvature is smaller.
+    assert_mean([float(computed.radius) for computed in summits], float(expected.radius), systematic=0.02)
 
 
 def test_a_generated_surface_has_the_declared_autocorrelation(smooth_maps: list[np.ndarray]) -> None:
-    """At lags of equal length along x, along y and aslant: isotropic, too. Periodic, so the product may wrap round."""
+    """At lags of equal length along x, y and oblique, as it is isotropic; with np.roll, as the surface is periodic."""
     area = (POINTS * SMOOTH.spacing) ** 2
     offset = np.pi * SMOOTH.length**2 / area
     for rows, columns in ((0, 5), (5, 0), (3, 4), (4, -3), (0, 10), (6, -8)):
@@ -116,12 +120,12 @@ def test_a_generated_surface_has_the_declared_autocorrelation(smooth_maps: list[
     offset = 2 * np.pi * FRACTAL.length**2 / area
     for rows, columns in ((0, 1), (1, 0), (3, 4), (0, 5)):
         products = [float(np.mean(z * np.roll(z, (rows, columns), (0, 1)))) for z in exponential]
-        # 3e-3: the spectrum is all but nowhere cut, as half way round, 12 lengths off, next to nothing is left.
+        # 3e-3: hardly any part of the spectrum is cut off, as the correlation at half of the period is nearly 0.
         assert_mean(products, SQ**2 * (lagged(rows, columns, FRACTAL) - offset), systematic=3e-3, unit=SQ**2)
 
 
 def test_spectral_derivatives_have_no_error_of_differences(smooth_maps: list[np.ndarray]) -> None:
-    """Parseval: the spectrum weighted with k^2 and k^4 is the mean square of slope and curvature, in closed form."""
+    """Parseval: the spectrum weighted with k^2 and k^4 gives the closed forms of slope and curvature."""
     k = 2 * np.pi * np.fft.fftfreq(POINTS, SMOOTH.spacing)
     power = [np.abs(np.fft.fft2(z)) ** 2 / POINTS**4 for z in smooth_maps]
     np.testing.assert_allclose([p.sum() for p in power], [np.mean(z**2) for z in smooth_maps], rtol=1e-12)  # round-off
@@ -131,19 +135,19 @@ def test_spectral_derivatives_have_no_error_of_differences(smooth_maps: list[np.
         assert_mean([float(np.sum(wave**4 * p)) for p in power], closed.curvature)
 
 
-def test_heights_are_gaussian_and_the_seed_decides(smooth_maps: list[np.ndarray]) -> None:
+def test_heights_are_gaussian_and_follow_the_seed(smooth_maps: list[np.ndarray]) -> None:
     assert_mean([float(np.mean(z**4) / np.mean(z**2) ** 2) for z in smooth_maps], 3.0, systematic=0.02)  # 130 lengths^2
     skewness = [float(np.mean(z**3)) / SQ**3 for z in smooth_maps]
     assert abs(np.mean(skewness)) < SIGMAS * np.std(skewness) / np.sqrt(len(skewness))
     np.testing.assert_array_equal(made(SMOOTH, 7), smooth_maps[7])
-    assert max(abs(z.mean()) for z in smooth_maps) < 1e-12 * SQ  # counted from the surface's own mean
+    assert max(abs(z.mean()) for z in smooth_maps) < 1e-12 * SQ  # relative to the mean of the surface
     assert np.abs(np.mean(smooth_maps[3] * smooth_maps[4])) < 0.2 * SQ**2
     flat = generated_surface(rms_roughness=0.0, autocorrelation=SMOOTH, points=POINTS, seed=5)
     assert not flat.heights.any()
 
 
 def test_both_surfaces_of_a_scene() -> None:
-    """Moments add; a ball of its own roughness has the same autocorrelation."""
+    """Moments add up; a ball with another roughness has the same autocorrelation."""
     alone = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
     both = gap_roughness(Surface(rms_roughness=SQ, autocorrelation=SMOOTH))
     np.testing.assert_allclose(both.rms_roughness, np.sqrt(2) * SQ, rtol=1e-14)
@@ -162,11 +166,11 @@ def test_a_scene_with_a_height_map(tmp_path: Path) -> None:
     heights = made(SMOOTH, 11)
     np.save(tmp_path / "race.npy", heights)
     given = HeightMapFile(path=str(tmp_path / "race.npy"), spacing=SMOOTH.spacing)
-    found = gap_roughness(Surface(height_map=given, ball_rms_roughness=0.1e-6))
+    computed = gap_roughness(Surface(height_map=given, ball_rms_roughness=0.1e-6))
     straight = levelled(HeightMap(heights=heights, spacing=SMOOTH.spacing)).heights
-    np.testing.assert_allclose(found.race.rms_roughness, straight.std(), rtol=1e-12)  # round-off
-    np.testing.assert_allclose(found.ball.rms_roughness, 0.1e-6, rtol=1e-13)
-    np.testing.assert_allclose(found.ball.bandwidth, found.race.bandwidth, rtol=1e-12)
+    np.testing.assert_allclose(computed.race.rms_roughness, straight.std(), rtol=1e-12)  # round-off
+    np.testing.assert_allclose(computed.ball.rms_roughness, 0.1e-6, rtol=1e-13)
+    np.testing.assert_allclose(computed.ball.bandwidth, computed.race.bandwidth, rtol=1e-12)
     np.save(tmp_path / "flat.npy", np.zeros((50, 60)))
     flat = HeightMapFile(path=str(tmp_path / "flat.npy"), spacing=1e-6)
     for surface, message in (
@@ -181,7 +185,7 @@ def test_a_scene_with_a_height_map(tmp_path: Path) -> None:
             gap_roughness(surface)
 
 
-def test_what_depends_on_the_spacing_is_said() -> None:
+def test_dependence_on_the_spacing_gives_warnings() -> None:
     (warning,) = gap_roughness(Surface(rms_roughness=SQ, autocorrelation=FRACTAL)).warnings
     assert "2.1e-06 m" in warning
     assert "exponential" in warning
@@ -208,7 +212,7 @@ def test_nonsense_is_refused(changed: dict[str, object], points: int, message: s
         generated_surface(rms_roughness=SQ, autocorrelation=Autocorrelation(**fields), points=points, seed=3)  # pyright: ignore
 
 
-def test_the_least_that_is_accepted() -> None:
+def test_the_smallest_surface_is_accepted() -> None:
     assert generated_surface(rms_roughness=SQ, autocorrelation=SMOOTH, points=100, seed=3).heights.shape == (100, 100)
     with pytest.raises(InputError, match="rms_roughness must be at least 0"):
         generated_surface(rms_roughness=-SQ, autocorrelation=SMOOTH, points=100, seed=3)
