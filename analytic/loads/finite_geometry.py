@@ -4,6 +4,8 @@ Not iterated: corrected contacts change loads and angles by less than a hundredt
 the load's power 1/3 to 2/3, and so change by less than 1e-4 more.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -36,7 +38,7 @@ def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
     )
 
 
-def _corrections(bearing: Bearing, *, angles: tuple[Array, Array], loads: tuple[Array, Array]) -> RaceCorrections:
+def _corrections(bearing: Bearing, *, angles: Sequence[Array], loads: Sequence[Array]) -> RaceCorrections:
     inner, outer = (
         finite_geometry_factors(race_shape(bearing, race, contact_angle=angle, ball_load=load))
         for race, angle, load in zip(RACES, angles, loads, strict=True)

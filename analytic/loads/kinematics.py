@@ -1,11 +1,10 @@
 """How a ball rolls and spins between two rings that turn at different speeds.
 
-Assumes no gross slip and a ball that turns about an axis in its axial plane, at the mean of both contact angles: they
+Assumes no gross slip, and a ball that turns about an axis in its axial plane at the mean of both contact angles. These
 differ where something else than the races loads the ball. w is the speed of the inner ring minus that of the outer,
-about the bearing axis; every speed takes its sign from w, except the cage's, which belongs to the fixed frame. Rates of
+about the bearing axis. Every speed takes its sign from w, except the cage's, which belongs to the fixed frame. Rates of
 a contact are those of the ball relative to the race: rolling about the transverse axis, spin about the normal.
-Source: T. A. Harris and M. N. Kotzalas, Advanced Concepts of Bearing Technology, 5th ed. (2007), section 2
-(not seen: the relations here follow from no slip of rigid bodies at both contacts' centres).
+Source: [Harris2007b] section 2; the relations here follow from no slip of rigid bodies at both contacts' centres.
 """
 
 from dataclasses import dataclass
@@ -51,8 +50,9 @@ def ball_kinematics(
         w_roll,i = w_b cos h + (u/R_i) cos(al_i),  w_roll,o = w_b cos h - (u/R_o) cos(al_o)
         w_s,i - w_s,o = (u/R_i) sin(al_i) + (u/R_o) sin(al_o) - 2 w_b sin h
     At equal angles R_i + R_o = d_m, w_roll,i = w R_o/(2 r), w_roll,o = w R_i/(2 r) and the last is w sin(al). A ball
-    that turns about an axis a little off the mean spins faster on both races alike: how the spin is shared is not
-    kinematics. All are linear in w: called with inner_speed 1 it gives the rates per unit w, which exist at standstill.
+    that turns about an axis a little off the mean spins faster on both races by the same amount: kinematics alone do
+    not say how the spin is shared. All are linear in w: inner_speed 1 gives the rates per unit w, which exist at
+    standstill too.
     Raises InputError for a speed that is not finite, an angle outside its range, or a ball no smaller than d_m.
     """
     require_finite(inner_speed=inner_speed, outer_speed=outer_speed, inner_angle=inner_angle, outer_angle=outer_angle)
@@ -73,10 +73,8 @@ def ball_kinematics(
     both = inner_radius + outer_radius
     entrainment = speed * inner_radius * outer_radius / both
     ball_speed = entrainment / radius / np.cos(half)
-    passes_inner, passes_outer = (
-        speed * outer_radius / both,
-        speed * inner_radius / both,
-    )  # race and ball, about the axis
+    # Speed of each race relative to the ball's orbit, about the bearing axis.
+    passes_inner, passes_outer = speed * outer_radius / both, speed * inner_radius / both
     return BallKinematics(
         inner_radius=inner_radius,
         outer_radius=outer_radius,

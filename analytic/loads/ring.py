@@ -56,7 +56,7 @@ class RingEquilibrium:
     centrifugal_force: Array  # (..., Z) F_c, N
     gyroscopic_moment: Array  # (..., Z) M_g, N m, with the sign of the contact angle
     residual: Array  # (...) largest unbalanced force, or moment over R, N
-    iterations: Array  # (...) Newton steps
+    iterations: NDArray[np.intp]  # (...) Newton steps
 
 
 def ring_equilibrium(
@@ -179,7 +179,7 @@ class _State(ConvexState):
 
 
 class _Ring:
-    """The bearing as its inner ring sees it: how far each ball's groove travels, and what pushes back."""
+    """The bearing seen from its inner ring: how far the groove at each ball travels, and which force that takes."""
 
     def __init__(
         self, bearing: Bearing, play: float, correction: ContactCorrection, *, centrifugal: float, gyroscopic: float
@@ -207,8 +207,8 @@ class _Ring:
     ) -> _Held:
         """Contact stiffness, inertia and friction of balls at their angles, (n, Z).
 
-        rows : of all operating points, those at hand
-        shares : Q_i and Q_o over Q_i + Q_o; both 0 where nothing presses and friction cannot be
+        rows : the operating points that these balls belong to
+        shares : Q_i and Q_o over Q_i + Q_o; both 0 where nothing presses, so that there is no friction
         """
         bearing = self.bearing
         inner, outer = unit_contacts(
@@ -251,6 +251,7 @@ class _Ring:
         return np.reshape(force, (len(force), -1)) @ self.travel.reshape(-1, 5)
 
     def at(self, place: Array, held: _Held) -> _State:
+        """The rings at a place, with their balls settled."""
         balls = settled_ball(
             self.bearing,
             play=self.play,
@@ -329,7 +330,7 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
 
 
 def _start(ring: _Ring, load: Array, held: _Held) -> Array:
-    """A place where balls touch: what each part of the load would reach if one ball took it, the largest in full."""
+    """A place where balls touch: the displacement by each part of the load if one ball took it, the largest in full."""
     bearing, play = ring.bearing, ring.play
     parts = np.stack([np.abs(load[:, 0]), np.hypot(load[:, 1], load[:, 2]), np.hypot(load[:, 3], load[:, 4])])
     softness = held.inner.approach[:, 0] + held.outer.approach[:, 0]
@@ -342,7 +343,7 @@ def _start(ring: _Ring, load: Array, held: _Held) -> Array:
 
 
 def _in_groove(angle: Array) -> Array:
-    """The angle whose contact the groove has: its profile is symmetric, and ends at pi/2."""
+    """The magnitude of the angle, at most pi/2: the groove's profile is symmetric and ends there."""
     return np.minimum(np.abs(angle), np.pi / 2)
 
 

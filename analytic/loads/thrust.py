@@ -134,8 +134,8 @@ def thrust_at_speed(
 
     axial_load : Fa, N, > 0;  inner_speed : w, rad/s, any sign;  contact_angle : rule "solved", as thrust_equilibrium
     correction : factors on Hertz's contacts, each a number or (n,); None leaves them as they are
-    On each race friction across the groove is mu = M_g/(r (Q_i + Q_o)) times the load, so that what presses there acts
-    at the angle b = al + p, tan p = mu, as Q/cos p. Along the axis and outward the ball is at rest where
+    On each race friction across the groove is mu = M_g/(r (Q_i + Q_o)) times the load. Load and friction together are a
+    force Q/cos p at the angle b = al + p, tan p = mu. Along the axis and outward the ball is at rest where
         Q_i sin b_i = Q_o sin b_o = (Fa/Z) cos p,  cot b_o = cot b_i + F_c Z/Fa
     and the grooves' centres keep the radial distance of concentric rings,
         (r_gi - r + delta_i) cos al_i + (r_go - r + delta_o) cos al_o = A0 cos al0
@@ -207,7 +207,7 @@ def unit_contacts(
     """A ball on its inner and on its outer race under 1 N by Hertz, corrected; of the angles' shape, which is one.
 
     inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2]
-    analytic.contact.hertz.loaded_contact makes of them contacts under load. Raises InputError as race_curvatures does.
+    analytic.contact.hertz.loaded_contact gives the contacts under load. Raises InputError as race_curvatures does.
     """
     pairs = (
         race_curvatures(bearing, "inner", contact_angle=inner_angle),
@@ -215,7 +215,7 @@ def unit_contacts(
     )
     rolling, transverse = (np.array(curvatures) for curvatures in zip(*pairs, strict=True))
     moduli = [contact_modulus(bearing.ball_material, ring.material) for ring in (bearing.inner, bearing.outer)]
-    # One call for both races: most callers have few balls, and pay by the call.
+    # One call for both races: most callers have few balls, and the time goes with the calls.
     both = hertz_contact(
         curvature_x=rolling,
         curvature_y=transverse,
@@ -228,7 +228,7 @@ def unit_contacts(
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class _Balls:
-    """The balls under thrust, and what they were solved with; races in front."""
+    """The balls under thrust, and the contacts that they were solved with; an axis of both races is in front."""
 
     tangent: Array  # (n,) tan b_i
     angle: Array  # (2, n) al, rad
@@ -244,11 +244,11 @@ class _Thrust:
         self.play, self.free_angle = play_and_free_angle(bearing, contact_angle)
 
     def frozen(self, factors: ContactCorrection) -> _Balls:
-        """At rest, with the contacts of the free angle; of 0 where there is none."""
+        """At rest, with the contacts of the free angle, or of the angle 0 where there is no free angle."""
         angle = np.asarray(self.free_angle or 0.0)
         contacts = unit_contacts(self.bearing, inner_angle=angle, outer_angle=angle, correction=factors)
-        # What opens the angle is added up: the play, the load on a bearing without play (or against its preload), a
-        # load that dwarfs A0.
+        # The start adds up what opens the angle: the play, the load on a bearing without play (or against its preload),
+        # a load that dwarfs A0.
         distance = self.bearing.groove_centre_distance
         approach = (contacts[0].approach + contacts[1].approach) * np.cbrt(self.push) ** 2
         flat = (2 * approach / distance) ** (3 / 8)
@@ -264,7 +264,7 @@ class _Thrust:
         *,
         inertia: Callable[[_Balls], tuple[Array, Array]] | None = None,
     ) -> _Balls:
-        """Rounds from these balls on, each with the contacts and forces of the angles before, until none changes.
+        """Rounds from these balls on, until a round changes nothing; each holds contacts and forces of the last angles.
 
         inertia : balls -> (F_c Z/Fa, p), which a round holds; None at rest
         """
@@ -282,8 +282,7 @@ class _Thrust:
                 np.abs(logarithm - held) / (1 + np.abs(held)), np.abs(balls.angle - last.angle).max(axis=0)
             )
             change = float(np.max(steps, initial=0.0))
-            # The changes fall at least as a geometric series: the next would be below round-off, that of the contacts
-            # too.
+            # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
             if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:
                 return balls
         at_speed = "" if inertia is None else " of balls at speed"
@@ -299,7 +298,7 @@ class _Thrust:
     def balanced(
         self, contacts: tuple[HertzContact, HertzContact], *, start: Array, outward: Array, lean: Array
     ) -> _Balls:
-        """The balls with contacts and forces held, by Newton in ln(tan b_i) kept in a bracket.
+        """The balls with contacts and forces held, by Newton's method in ln(tan b_i), bracketed.
 
         contacts : under 1 N;  start : of tan b_i;  outward : F_c Z/Fa;  lean : p, rad
         Written delta_i cos al_i + delta_o cos al_o + play = L_i (1 - cos al_i) + L_o (1 - cos al_o), L = r_g - r, with
@@ -350,10 +349,13 @@ def _balls(
     tangent: Array,
     contacts: tuple[HertzContact, HertzContact],
     *,
-    outward: ArrayLike = 0.0,
-    lean: ArrayLike = 0.0,
+    outward: Array | float = 0.0,
+    lean: Array | float = 0.0,
 ) -> _Balls:
-    """push : Fa/Z, N;  tangent : tan b_i;  outward : F_c Z/Fa;  lean : p, rad."""
+    """The balls whose forces balance at b_i.
+
+    push : Fa/Z, N;  tangent : tan b_i;  contacts : under 1 N;  outward : F_c Z/Fa;  lean : p, rad
+    """
     both = np.stack([tangent, tangent / (1 + outward * tangent)])  # tan b
     return _Balls(
         tangent=tangent,

@@ -1,7 +1,8 @@
-"""A smooth quantity at many points from a sample of them, when it is dear and follows from a few numbers of the point.
+"""A smooth quantity at many points from a sample of them, where it is costly and depends on a few numbers per point.
 
-Between the points of the sample radial basis functions interpolate. It grows where it may be wrong, far from what is
-known and where the last two interpolations disagree, and anywhere at random. How wrong one is, the next points tell.
+Radial basis functions interpolate between the points of the sample. The sample grows where the interpolation may be
+wrong: far from its points, where the last two interpolations disagree, and anywhere at random. The points that join
+show the error of the interpolation before.
 """
 
 from collections.abc import Callable
@@ -13,8 +14,8 @@ from numpy.typing import NDArray
 from analytic.scene import Array
 
 FIRST, MORE, MOST = 48, 16, 512  # points of a sample: at first, each time it grows by doubt and by chance, in all
-# Of what is missed at the points that join, twice in a row, the bound on what is missed anywhere afterwards: a kink may
-# pass between them (compared in tests/analytic/numerics/test_interpolated.py).
+# The bound on the error anywhere is so many times the largest error at the points that joined, in the last two rounds:
+# a kink may pass between the points (compared in tests/analytic/numerics/test_interpolated.py).
 SAFETY = 4.0
 IN_A_ROW = 2
 SEED = 20
@@ -27,7 +28,7 @@ class SampledSeries:
 
     values: Array  # (n, q)
     at: NDArray[np.intp]  # the points that were computed
-    error: float  # bound on what is missed, as told by the caller's measure
+    error: float  # bound on the error, in the caller's measure
 
 
 def sampled_series(
@@ -40,26 +41,28 @@ def sampled_series(
     """The quantities at all points, or None where no sample is good enough.
 
     evaluate : indices (k,) -> quantities there, (k, q)
-    coordinates : (n, d) what they follow from, in units in which they are about evenly smooth (logarithms, say)
-    missed : (found, true, indices) -> measure of the error at each of them, (k,);  allowed : of that measure
+    coordinates : (n, d) the numbers that they depend on, in units in which they are about equally smooth (logarithms,
+        say)
+    missed : (interpolated, true, indices) -> measure of the error at each of them, (k,)
+    allowed : limit of that measure
     """
     from scipy.interpolate import RBFInterpolator  # 0.1 s to import, which few scenes need
 
     if not np.any(np.ptp(coordinates, axis=0)):
-        return None  # one point, over and over
-    along = _principal(coordinates)
-    at = _spread(along, FIRST, known=np.array([], dtype=np.intp), weight=np.ones(len(along)))
+        return None  # the same point each time
+    points = _principal(coordinates)
+    at = _spread(points, FIRST, known=np.array([], dtype=np.intp), weight=np.ones(len(points)))
     known = evaluate(at)
 
     def interpolated(count: int) -> Array:
-        return RBFInterpolator(along[at[:count]], known[:count], kernel="cubic")(along)
+        return RBFInterpolator(points[at[:count]], known[:count], kernel="cubic")(points)
 
     before, last = interpolated(len(at) - len(at) // 3), interpolated(len(at))
     chance, errors = np.random.default_rng(SEED), [np.inf]
-    while len(at) < min(MOST, len(along)):
+    while len(at) < min(MOST, len(points)):
         doubt = np.max(np.abs(last - before), axis=1)
-        joining = _spread(along, MORE, known=at, weight=doubt + np.mean(doubt))
-        joining = np.setdiff1d(np.concatenate([joining, chance.choice(len(along), MORE, replace=False)]), at)
+        joining = _spread(points, MORE, known=at, weight=doubt + np.mean(doubt))
+        joining = np.setdiff1d(np.concatenate([joining, chance.choice(len(points), MORE, replace=False)]), at)
         if joining.size == 0:
             break
         true = evaluate(joining)
@@ -73,14 +76,17 @@ def sampled_series(
 
 
 def _principal(coordinates: Array) -> Array:
-    """Coordinates along the directions in which the points extend at all: a line in a plane has one."""
+    """Coordinates in the directions in which the points extend at all: points on a line have one."""
     centred = coordinates - coordinates.mean(axis=0)
     _, extent, directions = np.linalg.svd(centred, full_matrices=False)
     return centred @ directions[extent > FLAT * extent[0]].T
 
 
 def _spread(points: Array, count: int, *, known: NDArray[np.intp], weight: Array) -> NDArray[np.intp]:
-    """Indices of points far from those known and from each other, by distance squared times weight; none twice."""
+    """Indices of points that are far from the known ones and from each other; none twice.
+
+    weight : (n,) of each point; the point with the largest distance squared times weight comes next
+    """
     order = list(known[:0])
     nearest = np.full(len(points), np.inf)
     for index in known:

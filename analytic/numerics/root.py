@@ -1,7 +1,7 @@
-"""Roots of many rising functions at once, by Newton's method kept in a bracket.
+"""Roots of many rising functions at once, by Newton's method in a bracket.
 
-scipy.optimize.elementwise.find_root does without slopes, and its bookkeeping costs more than a closed form: on one
-spin balance of `analytic.sliding.long_ellipse` it takes 5 times as long as this, and on 1000 at once still 3 times.
+scipy.optimize.elementwise.find_root needs no slopes, but its bookkeeping costs more than a closed form: on one spin
+balance of `analytic.sliding.long_ellipse` it takes 5 times as long as this, and on 1000 at once still 3 times.
 """
 
 from collections.abc import Callable
@@ -30,10 +30,10 @@ def bracketed_root(
     """x between low and high where each function is 0; arrays of one shape.
 
     rising : x -> (values, slopes); a value that is no more than round-off should be given as 0, which ends the search
-    start : between low and high.  relative, absolute : |last step| <= relative |x| + absolute
-    A slope may be too flat, of the wrong sign, 0 or not finite: the bracket is then halved. One that is far too steep
-    makes a step that looks like the last. Without a change of sign x moves to one end.
-    problem, unit, remedy : words for the ConvergenceError that a function which is not a number raises.
+    start : between low and high;  relative, absolute : tolerances, |last step| <= relative |x| + absolute
+    problem, unit, remedy : words of the ConvergenceError, which is raised where a value is not a number
+    A slope may be too flat, of the wrong sign, 0 or not finite: the bracket is then halved. A slope that is far too
+    steep makes too small a step, which may be taken for the last. Without a change of sign x moves to one end.
     """
     x, last, before = start, high - low, high - low
     settled = np.zeros(np.shape(start), dtype=bool)
@@ -62,9 +62,9 @@ def bracketed_root(
 def with_secant_slopes(
     rising: Callable[[Array], Array], *, first_slope: Array
 ) -> Callable[[Array], tuple[Array, Array]]:
-    """A function without slopes made fit for `bracketed_root`: the slopes are those between it and the call before.
+    """A function for `bracketed_root` from one without slopes: each slope is the secant to the call before.
 
-    first_slope : a guess, for the first call
+    first_slope : a guess for the first call
     """
     slope, x_before, value_before = first_slope, np.full_like(first_slope, np.nan), first_slope
 

@@ -1,4 +1,4 @@
-"""A ball between two grooves: least energy by another method, and forces as its derivatives."""
+"""A ball between two grooves: least energy by another method, and forces as derivatives of the energy."""
 
 import numpy as np
 import pytest
@@ -32,7 +32,7 @@ def stretched(vector: np.ndarray, length: float) -> float:
 @pytest.mark.parametrize("push", [0 * PUSH, PUSH])
 def test_a_ball_settles_where_its_energy_is_least(bearing_6205: Bearing, push: np.ndarray) -> None:
     lengths = [groove.groove_radius - bearing_6205.ball_radius for groove in (bearing_6205.inner, bearing_6205.outer)]
-    found = ball(bearing_6205, PLACES, push)
+    balance = ball(bearing_6205, PLACES, push)
     for index, (place, force) in enumerate(zip(PLACES, push, strict=True)):
         span = place + np.array([bearing_6205.groove_centre_distance - PLAY, 0.0])
 
@@ -43,25 +43,25 @@ def test_a_ball_settles_where_its_energy_is_least(bearing_6205: Bearing, push: n
 
         options = {"xatol": 1e-9, "fatol": 1e-13, "maxiter": 4000, "maxfev": 4000}
         least = minimize(energy, np.array([1.0, span[1] * 0.6e6]), method="Nelder-Mead", options=options)
-        np.testing.assert_allclose(found.energy[index] * 1e6, least.fun, atol=1e-7)  # of 1e3 uJ: a simplex's accuracy
+        np.testing.assert_allclose(balance.energy[index] * 1e6, least.fun, atol=1e-7)  # of 1e3 uJ: a simplex's accuracy
 
 
 @pytest.mark.parametrize("push", [0 * PUSH, PUSH])
 def test_force_and_tangent_are_derivatives_of_the_energy(bearing_6205: Bearing, push: np.ndarray) -> None:
     step = 3e-10  # m, against approaches of 3 um: differences are right to 1e-8
-    found = ball(bearing_6205, PLACES, push)
+    balance = ball(bearing_6205, PLACES, push)
     for direction in (0, 1):
         shift = np.eye(2)[direction] * step
         above, below = (ball(bearing_6205, PLACES + sign * shift, push) for sign in (1, -1))
         force, tangent = (above.energy - below.energy) / (2 * step), (above.force - below.force) / (2 * step)
-        np.testing.assert_allclose(found.force[:, direction], force, atol=1e-5)  # N: round-off of 1 mJ over the step
-        np.testing.assert_allclose(found.tangent[:, :, direction], tangent, rtol=1e-5, atol=1e3)  # of 1e8 N/m
-    assert np.all(found.inner_load[:3] > 0.5)
-    assert found.inner_load[3] == 0
-    np.testing.assert_allclose(np.hypot(*found.force.T), found.inner_load, rtol=1e-12)
-    np.testing.assert_allclose(found.outer_load[3], np.hypot(*push[3]), rtol=1e-12)
+        np.testing.assert_allclose(balance.force[:, direction], force, atol=1e-5)  # N: round-off of 1 mJ over the step
+        np.testing.assert_allclose(balance.tangent[:, :, direction], tangent, rtol=1e-5, atol=1e3)  # of 1e8 N/m
+    assert np.all(balance.inner_load[:3] > 0.5)
+    assert balance.inner_load[3] == 0
+    np.testing.assert_allclose(np.hypot(*balance.force.T), balance.inner_load, rtol=1e-12)
+    np.testing.assert_allclose(balance.outer_load[3], np.hypot(*push[3]), rtol=1e-12)
     if not push.any():
-        np.testing.assert_array_equal(found.inner_angle, found.outer_angle)
+        np.testing.assert_array_equal(balance.inner_angle, balance.outer_angle)
 
 
 def test_a_vanishing_force_changes_nothing(bearing_6205: Bearing) -> None:

@@ -1,4 +1,4 @@
-"""The torque of unequal balls against slip power found another way, balance, symmetry and limits."""
+"""The torque of unequal balls against slip power from a minimum, and balance, symmetry and limits."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -59,10 +59,10 @@ def balls_of(scene: Scene, *, centrifugal: bool = True, gyroscopic: bool = True)
 
 
 def slip_power(load: np.ndarray, b: np.ndarray, radius: np.ndarray, roll: np.ndarray, spin: float) -> float:
-    """Of one ball on both races, least of all creeps and shares of the spin, per mu; N m.
+    """Slip power of one ball on both races per mu, N m: the least over all creeps and shares of the spin.
 
-    A Coulomb contact drags with the derivatives of its power: no net force where it does not change with the creep, and
-    no net spin moment on the ball where it does not change with the share.
+    Force and moment of a Coulomb contact are the derivatives of its power. There is no net force where the power does
+    not change with the creep, and no net spin moment on the ball where it does not change with the share.
     """
     nodes = (np.arange(2000) + 0.5) / 1000 - 1
     pressure = 0.75 * (1 - nodes**2) / 1000  # of a long ellipse
@@ -118,7 +118,7 @@ def motion(bearing: Bearing, inner_angle: float, outer_angle: float) -> tuple[np
 
 @pytest.mark.parametrize(("axial", "radial"), [(310.0, 170.0), (0.7, 700.0)])
 def test_the_torque_is_the_slip_power_of_every_ball(scene: Scene, axial: float, radial: float) -> None:
-    """Loads and angles from the ring; the second leaves balls that only centrifugal force loads, and on one race."""
+    """Loads and angles come from the ring. The second case has balls that only centrifugal force loads, on one race."""
     asked = replace(scene, operation=operation(axial, radial, 900.0), effects={**ALL, "finite_geometry": "off"})
     balls, bearing = balls_of(asked), scene.bearing
     assert np.any(balls.load[0] == 0) == (radial > axial)
@@ -148,7 +148,7 @@ def test_the_balls_forces_balance_load_and_orbit(scene: Scene, centrifugal: bool
 
 
 def test_a_vanishing_radial_load_leaves_the_thrusts_torque(scene: Scene) -> None:
-    """Pressing the other way is turning the bearing: the change goes as the square, but for the balls' pattern."""
+    """A load the other way is the bearing turned: the change goes with the square, but for the pattern of the balls."""
     thrust = torque(replace(scene, effects={**ALL, "load_distribution": "off"}), radial_load=0.0)
     changes = [torque(scene, radial_load=radial) - thrust for radial in (0.0, 1.0, 2.0)]
     np.testing.assert_allclose(changes[0], 0, atol=1e-9 * thrust)  # the ring's iteration
@@ -167,7 +167,7 @@ def test_the_ring_without_side_load_is_the_closed_form(scene: Scene) -> None:
 
 @pytest.mark.parametrize("count", [8, 9])
 def test_turning_the_radial_load_changes_nothing(scene: Scene, count: int) -> None:
-    """Eight balls look alike from both sides; nine do but for their pass."""
+    """Eight balls look the same from both sides; nine differ by the pass of the balls."""
     asked = replace(scene, bearing=replace(scene.bearing, ball_count=count))
     np.testing.assert_allclose(
         torque(asked, radial_load=-210.0, moment=-0.4),
@@ -200,7 +200,7 @@ def oiled(scene: Scene) -> Scene:
 
 @pytest.mark.parametrize("method", ["single_coefficient", "along_axis", "over_ellipse"])
 def test_balls_without_load_add_nothing(oiled: Scene, method: SlidingMethod) -> None:
-    """One ball of nine hangs in the clearance: the torque is that of a bearing whose other balls are not there."""
+    """One ball of nine carries the load in the clearance: the other balls add no torque."""
     still: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off"}
     alone = replace(oiled, sliding=method, effects={**oiled.effects, **still})
     aside = replace(alone, operation=operation(0.0, 30.0, 40.0))
@@ -215,7 +215,7 @@ def test_balls_without_load_add_nothing(oiled: Scene, method: SlidingMethod) -> 
 
 @pytest.mark.parametrize("speed", [0.5, 30.0])
 def test_balls_without_load_have_no_friction_to_move_them(scene: Scene, speed: float) -> None:
-    """A gyroscopic moment alone, of balls that nothing presses: they stay where they are, and the ring settles."""
+    """A gyroscopic moment on balls that nothing presses: they stay where they are, and the ring settles."""
     alone = replace(scene, operation=operation(0.0, 50.0, speed), effects={**ALL, "centrifugal": "off"})
     still = replace(alone, effects={**ALL, "centrifugal": "off", "gyroscopic": "off"})
     np.testing.assert_allclose(torque(alone), torque(still), rtol=1e-6)  # angles, and so moments, are 0
@@ -237,7 +237,7 @@ def test_pure_radial_load_spreads_as_the_cosine(scene: Scene) -> None:
 
 @pytest.mark.parametrize(("metre", "kilogram", "second"), [(3.7, 0.21, 1.9), (0.013, 41.0, 0.3)])
 def test_the_torque_does_not_depend_on_units(oiled: Scene, metre: float, kilogram: float, second: float) -> None:
-    """In units that are so much smaller; what is fitted in millimetres and Pascal (Roelands, inlets) is left out."""
+    """The same scene in smaller units, without formulas that are fitted in mm and Pa (Roelands, inlets)."""
     pressure, newton = kilogram / metre / second**2, kilogram * metre / second**2
 
     def material(noun: Material) -> Material:
@@ -293,7 +293,7 @@ def test_the_torque_does_not_depend_on_units(oiled: Scene, metre: float, kilogra
 
 
 def closes(of: Callable[[float], float], at: float, steps: tuple[float, float]) -> None:
-    """The torque on both sides of a limit, and in it, comes together as the step shrinks."""
+    """The torque on both sides of a limit goes to that at the limit as the step shrinks."""
     wide, near = (max(abs(of(at + sign * step) - of(at)) for sign in (-1, 1)) for step in steps)
     assert near <= 0.3 * wide + 1e-9 * abs(of(at))
     assert near < 1e-3 * abs(of(at))
@@ -331,7 +331,7 @@ def test_the_torque_is_continuous_where_spin_begins_and_is_full(scene: Scene) ->
 
 
 def test_the_torque_is_continuous_as_roughness_and_speed_vanish(oiled: Scene) -> None:
-    """Slow running comes to standstill where asperities then hold the surfaces apart, as these do."""
+    """Slow running goes to standstill where asperities hold the surfaces apart there, as these do."""
     smooth = torque(replace(oiled, surface=replace(FINISH, rms_roughness=0.0)))
     rough = [torque(replace(oiled, surface=replace(FINISH, rms_roughness=height))) for height in (1e-8, 1e-9, 1e-10)]
     assert abs(rough[2] / smooth - 1) <= abs(rough[0] / smooth - 1)

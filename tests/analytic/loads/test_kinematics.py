@@ -26,39 +26,41 @@ def kinematics(inner: float, outer: float, angle: float = ANGLE, outer_angle: fl
 )
 @pytest.mark.parametrize(("inner", "outer"), [(52.4, 0.0), (-31.0, 0.0), (0.0, 17.3), (23.0, -41.0)])
 def test_nothing_slips_at_the_centres(inner: float, outer: float, inner_angle: float, outer_angle: float) -> None:
-    """In the frame of the cage the surfaces at each contact have one velocity, and what is left is roll and spin."""
-    found = kinematics(inner, outer, inner_angle, outer_angle)
+    """In the frame of the cage both surfaces have one velocity at each contact: what is left is roll and spin."""
+    motion = kinematics(inner, outer, inner_angle, outer_angle)
     pitch = (inner_angle + outer_angle) / 2
     axis = np.array([-np.sin(pitch), 0.0, np.cos(pitch)])
-    ball = -np.sign(inner - outer) * np.linalg.norm(found.ball_speed) * axis
+    ball = -np.sign(inner - outer) * np.linalg.norm(motion.ball_speed) * axis
     centre = np.array([PITCH / 2, 0.0, 0.0])
     rolling, spin = [], []
-    rings = [(inner, -1, found.inner_radius, inner_angle), (outer, 1, found.outer_radius, outer_angle)]
+    rings = [(inner, -1, motion.inner_radius, inner_angle), (outer, 1, motion.outer_radius, outer_angle)]
     for speed, side, radius, angle in rings:
         normal = np.array([np.cos(angle), 0.0, np.sin(angle)])  # outwards
         across = np.array([-np.sin(angle), 0.0, np.cos(angle)])
         contact = centre + side * BALL / 2 * normal
         np.testing.assert_allclose(np.hypot(*contact[:2]), radius, rtol=1e-14)  # round-off
-        ring = (speed - found.cage_speed) * AXIS
+        ring = (speed - motion.cage_speed) * AXIS
         velocity = np.cross(ring, contact)
         # round-off of speeds up to 1 m/s that nearly cancel
         np.testing.assert_allclose(velocity, np.cross(ball, contact - centre), atol=1e-14)
-        np.testing.assert_allclose(np.linalg.norm(velocity), np.abs(found.entrainment_speed), rtol=1e-13)
+        np.testing.assert_allclose(np.linalg.norm(velocity), np.abs(motion.entrainment_speed), rtol=1e-13)
         rolling.append(-(ball - ring) @ across * side)
         spin.append((ring - ball) @ normal)
-    expected = found.inner_rolling_rate, found.outer_rolling_rate
+    expected = motion.inner_rolling_rate, motion.outer_rolling_rate
     np.testing.assert_allclose(np.abs(rolling), np.abs(expected), rtol=1e-13)  # round-off
-    np.testing.assert_allclose(spin[0] - spin[1], found.spin_difference, rtol=1e-13, atol=1e-13)
+    np.testing.assert_allclose(spin[0] - spin[1], motion.spin_difference, rtol=1e-13, atol=1e-13)
 
 
 def test_6205_at_500_rpm() -> None:
     """By hand: R_i = 19.505 - 3.97 cos 0.3031 = 15.716, R_o = 23.294 mm."""
-    found = kinematics(52.36, 0.0)
-    np.testing.assert_allclose([found.inner_radius, found.outer_radius], [15.716e-3, 23.294e-3], rtol=5e-5)  # 5 digits
-    np.testing.assert_allclose(found.cage_speed, 52.36 * 15.716 / 39.01, rtol=1e-4)
-    np.testing.assert_allclose(found.entrainment_speed, 52.36 * 15.716e-3 * 23.294 / 39.01, rtol=1e-4)
-    np.testing.assert_allclose(found.inner_rolling_rate, 52.36 * 23.294 / 7.94, rtol=1e-4)
-    np.testing.assert_allclose(found.outer_rolling_rate, 52.36 * 15.716 / 7.94, rtol=1e-4)
+    motion = kinematics(52.36, 0.0)
+    np.testing.assert_allclose(
+        [motion.inner_radius, motion.outer_radius], [15.716e-3, 23.294e-3], rtol=5e-5
+    )  # 5 digits
+    np.testing.assert_allclose(motion.cage_speed, 52.36 * 15.716 / 39.01, rtol=1e-4)
+    np.testing.assert_allclose(motion.entrainment_speed, 52.36 * 15.716e-3 * 23.294 / 39.01, rtol=1e-4)
+    np.testing.assert_allclose(motion.inner_rolling_rate, 52.36 * 23.294 / 7.94, rtol=1e-4)
+    np.testing.assert_allclose(motion.outer_rolling_rate, 52.36 * 15.716 / 7.94, rtol=1e-4)
 
 
 def test_turning_the_other_way_mirrors_every_speed_and_standing_still_stops_them() -> None:

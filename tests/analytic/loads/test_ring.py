@@ -47,8 +47,8 @@ def force_and_moment(bearing: Bearing, angle: np.ndarray, load: np.ndarray) -> n
     return np.array([total[2], total[0], total[1], moment[0], moment[1]])
 
 
-def exact_energy(bearing: Bearing, found: RingEquilibrium, place: list) -> mpmath.mpf:
-    """Elastic energy of the balls at a displacement, J: circles of groove centres moved as vectors, in 40 digits."""
+def exact_energy(bearing: Bearing, equilibrium: RingEquilibrium, place: list) -> mpmath.mpf:
+    """Elastic energy of the balls at a displacement, J, from vectors between the groove centres, in 40 digits."""
     axial, x, y, tilt_x, tilt_y = place
     inner_arm = mpmath.mpf(bearing.inner.bottom_radius) + mpmath.mpf(bearing.inner.groove_radius)
     outer_arm = mpmath.mpf(bearing.outer.bottom_radius) - mpmath.mpf(bearing.outer.groove_radius)
@@ -62,13 +62,15 @@ def exact_energy(bearing: Bearing, found: RingEquilibrium, place: list) -> mpmat
         along = axial + tilt_x * inner_arm * sine - tilt_y * inner_arm * cosine
         approach = mpmath.hypot(radial, along) - (grooves - mpmath.mpf(bearing.ball_diameter))
         if approach > 0:
-            softness = sum(mpmath.mpf(float(race.stiffness[ball])) ** (mpmath.mpf(-2) / 3) for race in contacts(found))
+            softness = sum(
+                mpmath.mpf(float(race.stiffness[ball])) ** (mpmath.mpf(-2) / 3) for race in contacts(equilibrium)
+            )
             total += mpmath.mpf(2) / 5 * softness ** mpmath.mpf(-1.5) * approach ** mpmath.mpf(2.5)
     return total
 
 
-def contacts(found: RingEquilibrium) -> tuple:
-    return found.inner, found.outer
+def contacts(equilibrium: RingEquilibrium) -> tuple:
+    return equilibrium.inner, equilibrium.outer
 
 
 @pytest.mark.parametrize("clearance", [31e-6, 2e-9, 0.0, -14e-6])
@@ -103,14 +105,14 @@ def test_a_free_angle_replaces_the_clearance_and_corrections_reach_the_contacts(
 @pytest.mark.parametrize(("clearance", "count"), [(20e-6, 9), (-14e-6, 7), (3e-6, 4)])
 def test_the_load_is_the_gradient_of_the_elastic_energy(bearing_6205: Bearing, clearance: float, count: int) -> None:
     bearing = with_clearance(bearing_6205, clearance, ball_count=count)
-    found = ring_equilibrium(bearing, SOLVED, **MIXED)
+    equilibrium = ring_equilibrium(bearing, SOLVED, **MIXED)
     with mpmath.workdps(40):
-        place = [mpmath.mpf(float(value)) for value in found.displacement]
+        place = [mpmath.mpf(float(value)) for value in equilibrium.displacement]
 
         def slope(place: list, freedom: int) -> mpmath.mpf:
             step = mpmath.mpf(10) ** -18 * (1 if freedom < 3 else 60)
             ends = [[*place[:freedom], place[freedom] + sign * step, *place[freedom + 1 :]] for sign in (1, -1)]
-            above, below = (exact_energy(bearing, found, end) for end in ends)
+            above, below = (exact_energy(bearing, equilibrium, end) for end in ends)
             return (above - below) / (2 * step)
 
         reaction = [float(slope(place, freedom)) for freedom in range(5)]
@@ -125,32 +127,34 @@ def test_the_load_is_the_gradient_of_the_elastic_energy(bearing_6205: Bearing, c
                 tangent[freedom, other] = float((slope(up, freedom) - slope(down, freedom)) / (2 * far))
     np.testing.assert_allclose(reaction, list(MIXED.values()), rtol=1e-9)  # doubles hold the place to 1e-12 of 10 um
     scale = np.sqrt(np.outer(np.diag(tangent), np.diag(tangent)))
-    np.testing.assert_allclose(found.stiffness / scale, tangent / scale, atol=1e-8)  # the differences' own error
+    np.testing.assert_allclose(equilibrium.stiffness / scale, tangent / scale, atol=1e-8)  # the differences' own error
 
 
 def test_forces_and_moments_balance_as_vectors(bearing_6205: Bearing) -> None:
-    found = ring_equilibrium(bearing_6205, SOLVED, **MIXED)
-    balance = force_and_moment(bearing_6205, found.inner_angle, found.inner_load)
+    equilibrium = ring_equilibrium(bearing_6205, SOLVED, **MIXED)
+    balance = force_and_moment(bearing_6205, equilibrium.inner_angle, equilibrium.inner_load)
     np.testing.assert_allclose(balance, list(MIXED.values()), rtol=1e-9)
-    np.testing.assert_array_equal(found.inner_load, found.outer_load)
-    for race in contacts(found):  # Hertz at each ball's own angle
-        np.testing.assert_allclose(race.stiffness * race.approach**1.5, found.inner_load, rtol=1e-12)
+    np.testing.assert_array_equal(equilibrium.inner_load, equilibrium.outer_load)
+    for race in contacts(equilibrium):  # Hertz at each ball's own angle
+        np.testing.assert_allclose(race.stiffness * race.approach**1.5, equilibrium.inner_load, rtol=1e-12)
     reach = np.hypot(
         *(
             bearing_6205.groove_centre_distance - bearing_6205.diametral_clearance / 2 + offset
             if axis == "radial"
             else offset
-            for axis, offset in travel(bearing_6205, found).items()
+            for axis, offset in travel(bearing_6205, equilibrium).items()
         )
     )
     approach = np.maximum(reach - bearing_6205.groove_centre_distance, 0)
-    np.testing.assert_allclose(found.inner.approach + found.outer.approach, approach, atol=1e-15)  # m: round-off of A0
+    np.testing.assert_allclose(
+        equilibrium.inner.approach + equilibrium.outer.approach, approach, atol=1e-15
+    )  # m: round-off of A0
 
 
-def travel(bearing: Bearing, found: RingEquilibrium) -> dict[str, np.ndarray]:
+def travel(bearing: Bearing, equilibrium: RingEquilibrium) -> dict[str, np.ndarray]:
     """Radial and axial displacement of the inner groove at each ball, m."""
-    axial, x, y, tilt_x, tilt_y = found.displacement
-    cosine, sine = np.cos(found.azimuth), np.sin(found.azimuth)
+    axial, x, y, tilt_x, tilt_y = equilibrium.displacement
+    cosine, sine = np.cos(equilibrium.azimuth), np.sin(equilibrium.azimuth)
     arm = reference_arm(bearing)
     return {"radial": x * cosine + y * sine, "axial": axial + arm * (tilt_x * sine - tilt_y * cosine)}
 
@@ -168,12 +172,12 @@ def test_any_load_is_carried(
     arm = reference_arm(bearing)
     load = np.array(signs) * 10.0 ** np.array(log_loads) * [1, 1, 1, arm, arm]
     given_loads: dict[str, Any] = dict(zip(MIXED, load, strict=True))
-    found = ring_equilibrium(bearing, SOLVED, **given_loads)
-    balance = force_and_moment(bearing, found.inner_angle, found.inner_load) / [1, 1, 1, arm, arm]
-    asked = load / [1, 1, 1, arm, arm]
-    scale = np.abs(asked).max() + found.inner_load.max()
-    rounding = 1e-15 * np.trace(found.stiffness[:3, :3]) * 1e-3  # round-off of a place of up to 1 mm, N
-    np.testing.assert_allclose(balance, asked, rtol=0, atol=1e-11 * scale + rounding)
+    equilibrium = ring_equilibrium(bearing, SOLVED, **given_loads)
+    balance = force_and_moment(bearing, equilibrium.inner_angle, equilibrium.inner_load) / [1, 1, 1, arm, arm]
+    expected = load / [1, 1, 1, arm, arm]
+    scale = np.abs(expected).max() + equilibrium.inner_load.max()
+    rounding = 1e-15 * np.trace(equilibrium.stiffness[:3, :3]) * 1e-3  # round-off of a place of up to 1 mm, N
+    np.testing.assert_allclose(balance, expected, rtol=0, atol=1e-11 * scale + rounding)
 
 
 def test_turning_the_load_by_a_pitch_turns_the_balls(bearing_6205: Bearing) -> None:
@@ -216,7 +220,7 @@ def test_points_of_a_series_are_those_alone(bearing_6205: Bearing) -> None:
     np.testing.assert_allclose(series.inner.semi_axis_y[1, 1], alone.inner.semi_axis_y, rtol=1e-10)
 
 
-def test_no_load_leaves_play_and_a_preload_keeps_its_balls(bearing_6205: Bearing) -> None:
+def test_no_load_leaves_the_play_and_a_preload_holds_its_balls(bearing_6205: Bearing) -> None:
     loose = ring_equilibrium(bearing_6205, SOLVED)
     assert not loose.inner_load.any()
     assert not loose.displacement.any()
@@ -229,32 +233,32 @@ def test_no_load_leaves_play_and_a_preload_keeps_its_balls(bearing_6205: Bearing
 
 
 def test_a_load_on_one_ball_leaves_a_freedom_and_is_carried(bearing_6205: Bearing) -> None:
-    """Clearance and almost no load: only the ball below the load touches, and tangential play is left as it is."""
-    found = ring_equilibrium(bearing_6205, SOLVED, radial_load_x=1e-6)
-    np.testing.assert_allclose(found.inner_load[0], 1e-6, rtol=1e-7)  # round-off of a place of 10 um
-    assert not found.inner_load[1:].any()
+    """Clearance and almost no load: only the ball in the direction of the load touches; the tangential play stays."""
+    equilibrium = ring_equilibrium(bearing_6205, SOLVED, radial_load_x=1e-6)
+    np.testing.assert_allclose(equilibrium.inner_load[0], 1e-6, rtol=1e-7)  # round-off of a place of 10 um
+    assert not equilibrium.inner_load[1:].any()
 
 
 def test_few_balls_carry_thrust_alone(bearing_6205: Bearing) -> None:
     for count in (1, 2):
         bearing = replace(bearing_6205, ball_count=count)
-        found = ring_equilibrium(bearing, SOLVED, axial_load=430.0)
+        equilibrium = ring_equilibrium(bearing, SOLVED, axial_load=430.0)
         expected = thrust_equilibrium(bearing, SOLVED, axial_load=430.0).ball_load
-        np.testing.assert_allclose(found.inner_load, np.full(count, expected), rtol=1e-10)
+        np.testing.assert_allclose(equilibrium.inner_load, np.full(count, expected), rtol=1e-10)
         with pytest.raises(InputError, match=f"ball_count = {count} .* at least 3 balls"):
             ring_equilibrium(bearing, SOLVED, axial_load=430.0, radial_load_x=2.0)
 
 
 @pytest.mark.parametrize("load", [MIXED, {"axial_load": 640.0}, {"radial_load_x": 810.0, "moment_x": 0.3}])
-def test_a_turning_ball_is_in_balance_as_euler_has_it(bearing_6205: Bearing, load: dict) -> None:
+def test_a_turning_ball_is_in_balance_by_newton_and_euler(bearing_6205: Bearing, load: dict) -> None:
     """Newton and Euler for each ball, as vectors: contact forces, shared friction, orbit and precession."""
-    found = ring_equilibrium(bearing_6205, SOLVED, **load, inner_speed=1900.0)
+    equilibrium = ring_equilibrium(bearing_6205, SOLVED, **load, inner_speed=1900.0)
     mass, radius, pitch = bearing_6205.ball_mass, bearing_6205.ball_radius, bearing_6205.pitch_diameter
     ring_total = np.zeros(5)
-    for ball, azimuth in enumerate(found.azimuth):
+    for ball, azimuth in enumerate(equilibrium.azimuth):
         outward = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
         forward, axis = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0]), np.array([0.0, 0.0, 1.0])
-        inner, outer = found.inner_angle[ball], found.outer_angle[ball]
+        inner, outer = equilibrium.inner_angle[ball], equilibrium.outer_angle[ball]
         to_inner = np.cos(inner) * outward + np.sin(inner) * axis  # away from the inner contact
         to_outer = np.cos(outer) * outward + np.sin(outer) * axis  # towards the outer contact
         # No slip at both contacts about an axis halfway between those of pure rolling
@@ -268,42 +272,49 @@ def test_a_turning_ball_is_in_balance_as_euler_has_it(bearing_6205: Bearing, loa
         cage, spin_rate = np.linalg.solve(
             [[inner_radius, inner_speed], [outer_radius, outer_speed]], [1900.0 * inner_radius, 0.0]
         )
-        np.testing.assert_allclose(found.centrifugal_force[ball], mass * pitch / 2 * cage**2, rtol=1e-9)
+        np.testing.assert_allclose(equilibrium.centrifugal_force[ball], mass * pitch / 2 * cage**2, rtol=1e-9)
         momentum_change = np.cross(cage * axis, 0.4 * mass * radius**2 * spin_rate * spin)
-        both = found.inner_load[ball] + found.outer_load[ball]
+        both = equilibrium.inner_load[ball] + equilibrium.outer_load[ball]
         couple = momentum_change @ forward / radius  # what friction at one contact would have to be
-        friction_inner = couple * found.inner_load[ball] / both * np.cross(forward, at_inner) / radius
-        friction_outer = couple * found.outer_load[ball] / both * np.cross(forward, at_outer) / radius
+        friction_inner = couple * equilibrium.inner_load[ball] / both * np.cross(forward, at_inner) / radius
+        friction_outer = couple * equilibrium.outer_load[ball] / both * np.cross(forward, at_outer) / radius
         moment = np.cross(at_inner, friction_inner) + np.cross(at_outer, friction_outer)
         np.testing.assert_allclose(moment, momentum_change, atol=1e-9 * np.abs(momentum_change).max() + 1e-15)
-        total = found.inner_load[ball] * to_inner - found.outer_load[ball] * to_outer + friction_inner + friction_outer
+        total = (
+            equilibrium.inner_load[ball] * to_inner
+            - equilibrium.outer_load[ball] * to_outer
+            + friction_inner
+            + friction_outer
+        )
         np.testing.assert_allclose(total, -mass * pitch / 2 * cage**2 * outward, atol=1e-8 * both)
-        push = found.inner_load[ball] * to_inner + friction_inner  # on the ring it is the other way round
+        push = equilibrium.inner_load[ball] * to_inner + friction_inner  # on the ring it is the other way round
         lever = np.cross(reference_arm(bearing_6205) * outward, push)
         ring_total += [push[2], push[0], push[1], lever[0], lever[1]]
-    asked = np.array([load.get(name, 0.0) for name in MIXED])
-    np.testing.assert_allclose(ring_total, asked, atol=1e-7 * np.abs(asked).max())
+    expected = np.array([load.get(name, 0.0) for name in MIXED])
+    np.testing.assert_allclose(ring_total, expected, atol=1e-7 * np.abs(expected).max())
 
 
 def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bearing) -> None:
     speeds = np.array([0.0, 1e-3, 400.0, 1600.0])
-    found = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=speeds)
-    np.testing.assert_allclose(found.inner_load[1], found.inner_load[0], rtol=1e-9)  # F_c/Q is 1e-13
-    np.testing.assert_allclose(found.outer_angle[1], found.outer_angle[0], rtol=1e-9)
-    assert np.all(np.diff(found.inner_angle[1:, 0]) > 0)
-    assert np.all(np.diff(found.outer_angle[1:, 0]) < 0)
-    assert np.all(np.diff(found.outer_load[1:, 0]) > 0)
+    equilibrium = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=speeds)
+    np.testing.assert_allclose(equilibrium.inner_load[1], equilibrium.inner_load[0], rtol=1e-9)  # F_c/Q is 1e-13
+    np.testing.assert_allclose(equilibrium.outer_angle[1], equilibrium.outer_angle[0], rtol=1e-9)
+    assert np.all(np.diff(equilibrium.inner_angle[1:, 0]) > 0)
+    assert np.all(np.diff(equilibrium.outer_angle[1:, 0]) < 0)
+    assert np.all(np.diff(equilibrium.outer_load[1:, 0]) > 0)
     at_rest = ball_kinematics(
         inner_speed=1e-3,
-        inner_angle=found.inner_angle[1, 0],
-        outer_angle=found.outer_angle[1, 0],
+        inner_angle=equilibrium.inner_angle[1, 0],
+        outer_angle=equilibrium.outer_angle[1, 0],
         pitch_diameter=39.01e-3,
         ball_diameter=7.94e-3,
     )
     orbit = 2.04e-3 * 39.01e-3 / 2 * at_rest.cage_speed**2
-    np.testing.assert_allclose(found.centrifugal_force[1], np.full(9, orbit), rtol=1e-9)  # the angles still agree
+    np.testing.assert_allclose(equilibrium.centrifugal_force[1], np.full(9, orbit), rtol=1e-9)  # the angles still agree
     backwards = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=-speeds)
-    np.testing.assert_allclose(backwards.inner_load, found.inner_load, rtol=1e-12)  # both forces go with the square
+    np.testing.assert_allclose(
+        backwards.inner_load, equilibrium.inner_load, rtol=1e-12
+    )  # both forces go with the square
 
 
 @pytest.mark.parametrize(
@@ -321,7 +332,7 @@ def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bea
         ),
     ],
 )
-def test_what_cannot_be_is_refused(
+def test_impossible_input_is_refused(
     bearing_6205: Bearing, angle: ContactAngle, changed: dict[str, Any], words: tuple
 ) -> None:
     with pytest.raises(InputError) as refusal:

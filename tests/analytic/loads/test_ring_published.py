@@ -1,4 +1,4 @@
-"""The ring's equilibrium beside others: the load-distribution integral, another program, a maker's rigidities."""
+"""The ring's equilibrium against others: the load-distribution integral, another program, a maker's rigidities."""
 
 from pathlib import Path
 

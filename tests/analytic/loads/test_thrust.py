@@ -25,19 +25,19 @@ def with_clearance(bearing: Bearing, clearance: float) -> Bearing:
 
 def order(bearing: Bearing, angle: ContactAngle, quantity: str, load: float) -> float:
     """Local exponent of a quantity of the equilibrium in the load."""
-    found = thrust_equilibrium(bearing, angle, axial_load=[load, 2 * load])
-    low, high = getattr(found, quantity)
+    balls = thrust_equilibrium(bearing, angle, axial_load=[load, 2 * load])
+    low, high = getattr(balls, quantity)
     return float(np.log2(high / low))
 
 
-def assert_balanced(found: ThrustEquilibrium, bearing: Bearing, load: np.ndarray) -> None:
+def assert_balanced(balls: ThrustEquilibrium, bearing: Bearing, load: np.ndarray) -> None:
     """The force along the axis, the springs of both races, and the distance of the groove centres."""
-    al, Q = found.contact_angle, found.ball_load
+    al, Q = balls.contact_angle, balls.ball_load
     np.testing.assert_allclose(bearing.ball_count * Q * np.sin(al), load, rtol=1e-9)  # near pi/2 and 0 al is exact
-    for race in (found.inner, found.outer):
+    for race in (balls.inner, balls.outer):
         np.testing.assert_allclose(race.stiffness * race.approach**1.5, Q, rtol=1e-12)  # round-off
     radial = bearing.groove_centre_distance - bearing.diametral_clearance / 2
-    stretched = bearing.groove_centre_distance + found.approach
+    stretched = bearing.groove_centre_distance + balls.approach
     # Round-off of al near pi/2, times the stretched distance; a nanometre of 0.4 mm is far below any tolerance.
     np.testing.assert_allclose(stretched * np.cos(al), radial, rtol=1e-12, atol=1e-15 * float(stretched.max()))
 
@@ -45,13 +45,13 @@ def assert_balanced(found: ThrustEquilibrium, bearing: Bearing, load: np.ndarray
 @pytest.mark.parametrize("clearance", [31e-6, 20e-6, 2e-9, 0.0, -3e-9, -14e-6, -0.2e-3])
 def test_forces_and_distances_balance_at_any_load(bearing_6205: Bearing, clearance: float) -> None:
     bearing = with_clearance(bearing_6205, clearance)
-    found = thrust_equilibrium(bearing, SOLVED, axial_load=LOADS)
+    balls = thrust_equilibrium(bearing, SOLVED, axial_load=LOADS)
     for index, load in enumerate(LOADS):
         one = thrust_equilibrium(bearing, SOLVED, axial_load=load)
         assert_balanced(one, bearing, load)
-        np.testing.assert_allclose(one.contact_angle, found.contact_angle[index], rtol=1e-13)  # alone or in a series
-    assert np.all(np.diff(found.contact_angle) >= 0)
-    assert np.all(found.contact_angle < np.pi / 2)
+        np.testing.assert_allclose(one.contact_angle, balls.contact_angle[index], rtol=1e-13)  # alone or in a series
+    assert np.all(np.diff(balls.contact_angle) >= 0)
+    assert np.all(balls.contact_angle < np.pi / 2)
 
 
 @given(log_load=st.floats(-6, 5), clearance=st.floats(-30e-6, 60e-6))
@@ -66,32 +66,32 @@ def test_any_load_and_clearance_balance(bearing_6205: Bearing, log_load: float, 
 )
 def test_6205_under_1000_newton(bearing_6205: Bearing, free: float, angle: float, ball_load: float) -> None:
     """Values of an independent calculation, with E = 206 GPa and nu = 0.3; the last digit is rounded."""
-    found = thrust_equilibrium(bearing_6205, ContactAngle(rule="solved", free=free), axial_load=1000.0)
-    np.testing.assert_allclose(found.contact_angle, angle, atol=0.5e-4)
-    np.testing.assert_allclose(found.ball_load, ball_load, atol=0.5)
-    assert found.free_angle == free
+    balls = thrust_equilibrium(bearing_6205, ContactAngle(rule="solved", free=free), axial_load=1000.0)
+    np.testing.assert_allclose(balls.contact_angle, angle, atol=0.5e-4)
+    np.testing.assert_allclose(balls.ball_load, ball_load, atol=0.5)
+    assert balls.free_angle == free
 
 
 def test_6205_at_a_given_angle(bearing_6205: Bearing) -> None:
     """The same calculation at 0.18 rad held fixed; five digits, the last rounded."""
-    found = thrust_equilibrium(bearing_6205, ContactAngle(rule="given", value=0.18), axial_load=[1000.0])
+    balls = thrust_equilibrium(bearing_6205, ContactAngle(rule="given", value=0.18), axial_load=[1000.0])
     expected = {
         "inner": (0.12095e-3, 1.1222e-3, 2.1831e9, 8.449e-6),
         "outer": (0.16209e-3, 0.92500e-3, 1.9764e9, 8.900e-6),
     }
-    np.testing.assert_allclose(found.ball_load, 620.630, rtol=1e-6)
+    np.testing.assert_allclose(balls.ball_load, 620.630, rtol=1e-6)
     for race, values in expected.items():
-        contact = getattr(found, race)
+        contact = getattr(balls, race)
         got = (contact.semi_axis_x, contact.semi_axis_y, contact.peak_pressure, contact.approach)
         np.testing.assert_allclose(np.ravel(got), values, rtol=6e-5)  # half a unit of the fourth digit
-    assert found.free_angle is None
+    assert balls.free_angle is None
 
 
 def test_018_rad_is_no_loaded_angle_of_the_6205(bearing_6205: Bearing) -> None:
     """Held at 0.18 rad under 1000 N the grooves would have to come closer than they can: cos al0 > 1."""
-    found = thrust_equilibrium(bearing_6205, ContactAngle(rule="given", value=0.18), axial_load=1000.0)
+    balls = thrust_equilibrium(bearing_6205, ContactAngle(rule="given", value=0.18), axial_load=1000.0)
     distance = bearing_6205.groove_centre_distance
-    assert np.cos(0.18) * (distance + found.approach) / distance > 1.02
+    assert np.cos(0.18) * (distance + balls.approach) / distance > 1.02
 
 
 def test_the_axial_load_is_the_slope_of_the_elastic_energy(bearing_6205: Bearing) -> None:
@@ -100,10 +100,10 @@ def test_the_axial_load_is_the_slope_of_the_elastic_energy(bearing_6205: Bearing
     The stiffnesses are held: the equilibrium lets the force act along the contact's normal.
     """
     load = 731.0
-    found = thrust_equilibrium(bearing_6205, SOLVED, axial_load=load)
-    springs = float(found.inner.stiffness), float(found.outer.stiffness)
+    balls = thrust_equilibrium(bearing_6205, SOLVED, axial_load=load)
+    springs = float(balls.inner.stiffness), float(balls.outer.stiffness)
     radial = bearing_6205.groove_centre_distance - bearing_6205.diametral_clearance / 2
-    axial = radial * np.tan(float(found.contact_angle))
+    axial = radial * np.tan(float(balls.contact_angle))
 
     def energy(axial: float) -> float:
         approach = np.hypot(radial, axial) - bearing_6205.groove_centre_distance
@@ -131,16 +131,16 @@ def test_small_loads_follow_the_known_powers(bearing_6205: Bearing) -> None:
 
 
 def test_a_small_load_leaves_the_free_angle(bearing_6205: Bearing) -> None:
-    found = thrust_equilibrium(bearing_6205, SOLVED, axial_load=1e-12)
-    assert found.free_angle is not None
-    np.testing.assert_allclose(found.contact_angle, found.free_angle, rtol=1e-9)  # delta/A0 is 2e-11
-    np.testing.assert_allclose(np.cos(found.free_angle), 1 - 20e-6 / (2 * 0.40e-3), rtol=1e-12)
+    balls = thrust_equilibrium(bearing_6205, SOLVED, axial_load=1e-12)
+    assert balls.free_angle is not None
+    np.testing.assert_allclose(balls.contact_angle, balls.free_angle, rtol=1e-9)  # delta/A0 is 2e-11
+    np.testing.assert_allclose(np.cos(balls.free_angle), 1 - 20e-6 / (2 * 0.40e-3), rtol=1e-12)
 
 
 def test_a_preloaded_ball_carries_its_interference(bearing_6205: Bearing) -> None:
-    found = thrust_equilibrium(with_clearance(bearing_6205, -14e-6), SOLVED, axial_load=1e-12)
-    assert found.free_angle is None
-    np.testing.assert_allclose(found.approach, 7e-6, rtol=1e-9)  # one ball: half of the interference on the diameter
+    balls = thrust_equilibrium(with_clearance(bearing_6205, -14e-6), SOLVED, axial_load=1e-12)
+    assert balls.free_angle is None
+    np.testing.assert_allclose(balls.approach, 7e-6, rtol=1e-9)  # one ball: half of the interference on the diameter
 
 
 def test_each_race_has_its_own_material(bearing_6205: Bearing) -> None:
@@ -195,7 +195,7 @@ def test_a_bearing_without_an_angle_is_refused(bearing_6205: Bearing) -> None:
 def test_frozen_contacts_balance_with_the_stiffness_of_the_free_angle(bearing_6205: Bearing, free: float) -> None:
     """One load in each decade; the stiffness by hand, from the curvatures of the races at al0."""
     loads = LOADS[LOADS < 1e6]
-    found = thrust_equilibrium_frozen(bearing_6205, ContactAngle(rule="solved", free=free), axial_load=loads)
+    balls = thrust_equilibrium_frozen(bearing_6205, ContactAngle(rule="solved", free=free), axial_load=loads)
     steel, radius, cosine = bearing_6205.ball_material, bearing_6205.ball_radius, np.cos(free)
     middle = bearing_6205.pitch_diameter / 2
     along = {
@@ -205,13 +205,13 @@ def test_frozen_contacts_balance_with_the_stiffness_of_the_free_angle(bearing_62
     for race, curvature in along.items():
         across = 1 / radius - 1 / getattr(bearing_6205, race).groove_radius
         modulus = contact_modulus(steel, steel)
-        hand = hertz_contact(curvature_x=curvature, curvature_y=across, load=found.ball_load, modulus=modulus)
-        np.testing.assert_allclose(getattr(found, race).approach, hand.approach, rtol=1e-12)  # round-off
-    al, distance = found.contact_angle, bearing_6205.groove_centre_distance
-    np.testing.assert_allclose(bearing_6205.ball_count * found.ball_load * np.sin(al), loads, rtol=1e-12)
-    stretched = (distance + found.approach) * np.cos(al)
+        hand = hertz_contact(curvature_x=curvature, curvature_y=across, load=balls.ball_load, modulus=modulus)
+        np.testing.assert_allclose(getattr(balls, race).approach, hand.approach, rtol=1e-12)  # round-off
+    al, distance = balls.contact_angle, bearing_6205.groove_centre_distance
+    np.testing.assert_allclose(bearing_6205.ball_count * balls.ball_load * np.sin(al), loads, rtol=1e-12)
+    stretched = (distance + balls.approach) * np.cos(al)
     np.testing.assert_allclose(stretched, distance * np.cos(free), rtol=1e-12)
-    assert found.free_angle == free
+    assert balls.free_angle == free
 
 
 def test_the_frozen_stiffness_is_near_and_nearer_under_less_load(bearing_6205: Bearing) -> None:

@@ -1,4 +1,4 @@
-"""Balls alike at speed against the ring's equilibrium, the forces on one ball, and the limits of no speed and much."""
+"""Balls alike at speed against the ring's equilibrium, the forces on one ball, and the limits of low and high speed."""
 
 from dataclasses import replace
 
@@ -23,9 +23,9 @@ def with_clearance(bearing: Bearing, clearance: float) -> Bearing:
     return replace(bearing, outer=replace(bearing.outer, bottom_radius=touching + clearance / 2))
 
 
-def assert_at_rest(found: ThrustAtSpeed, bearing: Bearing, load: float, speed: float) -> None:
-    """One ball: forces along the axis and outward, moment about its middle, springs, and the grooves' distance."""
-    r, al_i, al_o = bearing.ball_radius, float(found.inner_angle), float(found.outer_angle)
+def assert_at_rest(balls: ThrustAtSpeed, bearing: Bearing, load: float, speed: float) -> None:
+    """One ball: forces along the axis and outward, moment about its centre, springs, and the grooves' distance."""
+    r, al_i, al_o = bearing.ball_radius, float(balls.inner_angle), float(balls.outer_angle)
     motion = ball_kinematics(
         inner_speed=speed,
         inner_angle=al_i,
@@ -35,8 +35,8 @@ def assert_at_rest(found: ThrustAtSpeed, bearing: Bearing, load: float, speed: f
     )
     inertia = 2 / 5 * bearing.ball_mass * r**2
     moment = inertia * motion.ball_speed * motion.cage_speed * np.sin((al_i + al_o) / 2)
-    normal = np.array([float(found.inner_load), float(found.outer_load)])
-    friction = moment / r * normal / normal.sum()  # its moment about the middle, r (T_i + T_o), is the gyroscopic one
+    normal = np.array([float(balls.inner_load), float(balls.outer_load)])
+    friction = moment / r * normal / normal.sum()  # its moment about the centre, r (T_i + T_o), is the gyroscopic one
     outward = bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2
     along = normal * np.sin([al_i, al_o]) + friction * np.cos([al_i, al_o])
     across = normal * np.cos([al_i, al_o]) - friction * np.sin([al_i, al_o])
@@ -45,7 +45,7 @@ def assert_at_rest(found: ThrustAtSpeed, bearing: Bearing, load: float, speed: f
     np.testing.assert_allclose(across[1] - across[0], outward, atol=1e-9 * normal.max())
     stretched = 0.0
     for groove, race, al, force in zip(
-        (bearing.inner, bearing.outer), (found.inner, found.outer), (al_i, al_o), normal, strict=True
+        (bearing.inner, bearing.outer), (balls.inner, balls.outer), (al_i, al_o), normal, strict=True
     ):
         assert race.stiffness * race.approach**1.5 == pytest.approx(force, rel=1e-12)  # round-off
         stretched += (groove.groove_radius - r + race.approach) * np.cos(al)
@@ -61,14 +61,14 @@ def test_every_ball_is_at_rest(bearing_6205: Bearing, log_load: float, log_speed
 
 @pytest.mark.parametrize(("centrifugal", "gyroscopic"), [(True, True), (True, False), (False, True)])
 @pytest.mark.parametrize("free", [0.18, None])
-def test_it_is_the_equilibrium_of_the_ring(
+def test_balls_at_speed_are_those_of_the_ring(
     bearing_6205: Bearing, free: float | None, centrifugal: bool, gyroscopic: bool
 ) -> None:
     rule = ContactAngle(rule="solved", free=free)
     load = np.array([41.0, 230.0, 890.0, 2600.0])
     speed = np.array([-740.0, 320.0, 1900.0, 2700.0])
     factors = ContactFactors(approach=np.array([0.93, 0.97, 1.02, 1.01]), semi_axis_rolling=1.03)
-    found = thrust_at_speed(
+    balls = thrust_at_speed(
         bearing_6205,
         rule,
         axial_load=load,
@@ -89,39 +89,39 @@ def test_it_is_the_equilibrium_of_the_ring(
     )
     for name in FIELDS:
         # The ring stops at 1e-11 of its forces, some of which are hundreds of the light ball's.
-        np.testing.assert_allclose(getattr(found, name), getattr(ring, name)[:, 4], rtol=1e-8)
-    np.testing.assert_allclose(found.outer.semi_axis_x, ring.outer.semi_axis_x[:, 4], rtol=1e-8)
-    np.testing.assert_allclose(found.inner.approach, ring.inner.approach[:, 4], rtol=1e-8)
+        np.testing.assert_allclose(getattr(balls, name), getattr(ring, name)[:, 4], rtol=1e-8)
+    np.testing.assert_allclose(balls.outer.semi_axis_x, ring.outer.semi_axis_x[:, 4], rtol=1e-8)
+    np.testing.assert_allclose(balls.inner.approach, ring.inner.approach[:, 4], rtol=1e-8)
 
 
-def test_at_a_crawl_it_is_the_thrust_equilibrium(bearing_6205: Bearing) -> None:
+def test_slow_balls_are_those_of_the_thrust_equilibrium(bearing_6205: Bearing) -> None:
     loads = 10.0 ** np.arange(-3, 7, 3)
     still = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads)
     for speed, centrifugal in ((0.0, True), (1e-7, True), (430.0, False)):
-        found = thrust_at_speed(
+        balls = thrust_at_speed(
             bearing_6205, SOLVED, axial_load=loads, inner_speed=speed, centrifugal=centrifugal, gyroscopic=False
         )
         for name in FIELDS:
             expected = still.ball_load if name.endswith("load") else still.contact_angle
-            np.testing.assert_allclose(getattr(found, name), expected, rtol=1e-9)  # both settle to 1e-10
+            np.testing.assert_allclose(getattr(balls, name), expected, rtol=1e-9)  # both settle to 1e-10
 
 
 def test_a_ball_hangs_in_the_outer_race_at_the_highest_speed(bearing_6205: Bearing) -> None:
     """The outer race carries the centrifugal force alone, and the inner one lifts the ball by the play that is left."""
-    found = thrust_at_speed(bearing_6205, SOLVED, axial_load=5.0, inner_speed=2.4e4, gyroscopic=False)
+    balls = thrust_at_speed(bearing_6205, SOLVED, axial_load=5.0, inner_speed=2.4e4, gyroscopic=False)
     motion = ball_kinematics(
         inner_speed=2.4e4,
-        inner_angle=found.inner_angle,
-        outer_angle=found.outer_angle,
+        inner_angle=balls.inner_angle,
+        outer_angle=balls.outer_angle,
         pitch_diameter=bearing_6205.pitch_diameter,
         ball_diameter=bearing_6205.ball_diameter,
     )
     outward = bearing_6205.ball_mass * bearing_6205.pitch_diameter / 2 * motion.cage_speed**2
-    assert found.outer_load == pytest.approx(outward, rel=1e-3)  # Q_i cos al_i is 4e-4 of it
-    assert found.outer_angle < 1e-3 < 0.3 < found.inner_angle
+    assert balls.outer_load == pytest.approx(outward, rel=1e-3)  # Q_i cos al_i is 4e-4 of it
+    assert balls.outer_angle < 1e-3 < 0.3 < balls.inner_angle
 
 
-def test_what_no_balance_has_is_refused(bearing_6205: Bearing) -> None:
+def test_loads_without_a_balance_are_refused(bearing_6205: Bearing) -> None:
     with pytest.raises(InputError, match="inner_speed"):
         thrust_at_speed(bearing_6205, SOLVED, axial_load=5.0, inner_speed=np.nan)
     with pytest.raises(InputError, match="axial_load"):

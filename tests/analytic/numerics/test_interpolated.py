@@ -25,78 +25,78 @@ def cliff(at: Array) -> Array:
 
 
 def sampled(quantity, coordinates: Array, allowed: float) -> tuple[SampledSeries | None, list[int]]:
-    """With all indices that were asked for."""
-    asked: list[int] = []
+    """The sample, and all indices that were evaluated."""
+    evaluated: list[int] = []
 
     def evaluate(points: NDArray[np.intp]) -> Array:
-        asked.extend(points)
+        evaluated.extend(points)
         return quantity(coordinates[points])
 
-    def missed(found: Array, true: Array, points: NDArray[np.intp]) -> Array:  # noqa: ARG001
-        return np.abs(found - true).max(axis=1)
+    def missed(interpolated: Array, true: Array, points: NDArray[np.intp]) -> Array:  # noqa: ARG001
+        return np.abs(interpolated - true).max(axis=1)
 
-    return sampled_series(evaluate, coordinates, missed=missed, allowed=allowed), asked
+    return sampled_series(evaluate, coordinates, missed=missed, allowed=allowed), evaluated
 
 
 @pytest.mark.parametrize("allowed", [1e-1, 3e-2, 6e-3])
-def test_what_is_missed_is_within_the_bound_everywhere(allowed: float) -> None:
-    found, asked = sampled(smooth, PLANE, allowed)
-    assert found is not None
-    missed = np.abs(found.values - smooth(PLANE)).max()
-    assert missed <= found.error <= allowed
-    assert FIRST < len(asked) == found.at.size <= MOST + 40  # no point twice
-    np.testing.assert_array_equal(found.values[found.at], smooth(PLANE[found.at]))
+def test_the_error_is_within_the_bound_everywhere(allowed: float) -> None:
+    sample, evaluated = sampled(smooth, PLANE, allowed)
+    assert sample is not None
+    missed = np.abs(sample.values - smooth(PLANE)).max()
+    assert missed <= sample.error <= allowed
+    assert FIRST < len(evaluated) == sample.at.size <= MOST + 40  # no point twice
+    np.testing.assert_array_equal(sample.values[sample.at], smooth(PLANE[sample.at]))
 
 
-def test_what_jumps_is_not_interpolated() -> None:
-    found, asked = sampled(cliff, PLANE, 0.02)
-    assert found is None
-    assert len(asked) <= MOST + 40
+def test_a_function_that_jumps_is_not_interpolated() -> None:
+    sample, evaluated = sampled(cliff, PLANE, 0.02)
+    assert sample is None
+    assert len(evaluated) <= MOST + 40
 
 
 @pytest.mark.parametrize("slope", [0.0, -0.7])
 def test_points_on_a_line(slope: float) -> None:
-    """One coordinate is constant, or follows the other: there is one way to go."""
+    """One coordinate is constant, or follows the other: the points extend in one direction."""
     line = np.stack([PLANE[:, 0], 3 + slope * PLANE[:, 0]], axis=1)
-    found, _ = sampled(smooth, line, 1e-4)
-    assert found is not None
-    assert np.abs(found.values - smooth(line)).max() <= found.error
+    sample, _ = sampled(smooth, line, 1e-4)
+    assert sample is not None
+    assert np.abs(sample.values - smooth(line)).max() <= sample.error
 
 
-def test_one_point_over_and_over_has_no_sample() -> None:
+def test_one_point_repeated_has_no_sample() -> None:
     assert sampled(smooth, np.full((POINTS, 2), 1.7), 1e-2)[0] is None
 
 
 @pytest.mark.parametrize("points", [FIRST + 9, 200])
 def test_few_points_are_all_computed_at_most_once(points: int) -> None:
-    found, asked = sampled(smooth, PLANE[:points], 1e-12)
-    assert len(set(asked)) == len(asked) <= points
-    assert found is None or np.abs(found.values - smooth(PLANE[:points])).max() <= 1e-12
+    sample, evaluated = sampled(smooth, PLANE[:points], 1e-12)
+    assert len(set(evaluated)) == len(evaluated) <= points
+    assert sample is None or np.abs(sample.values - smooth(PLANE[:points])).max() <= 1e-12
 
 
 @pytest.fixture(scope="module")
 def series() -> Scene:
-    """A map of load and speed, standstill among it, with oil that asks for the accurate rungs."""
+    """A map of load and speed, with standstill, and an oil that needs the accurate methods of sliding."""
     load, speed = np.meshgrid(np.geomspace(90, 2100, 27), np.linspace(0.0, 290.0, 41))
     scene = load_scene("validation/scenes/6205_physical.toml")
     return replace(scene, operation=Operation(axial_load=load.ravel(), inner_speed=speed.ravel()))
 
 
 @pytest.mark.parametrize("tolerance", [0.05, 0.01])
-def test_a_long_series_is_that_of_its_points(series: Scene, tolerance: float) -> None:
-    found = friction_torque(replace(series, tolerance=tolerance))
-    assert " of 1107 points" in found.provenance["sliding"]
+def test_a_long_series_agrees_with_its_points(series: Scene, tolerance: float) -> None:
+    whole = friction_torque(replace(series, tolerance=tolerance))
+    assert " of 1107 points" in whole.provenance["sliding"]
     some = np.random.default_rng(7).choice(1107, 25, replace=False)
     some[0] = 0  # at standstill, where logarithms end
     few = Operation(axial_load=series.operation.axial_load[some], inner_speed=series.operation.inner_speed[some])
-    alone = friction_torque(replace(found.settled(series), tolerance=tolerance, operation=few))
+    alone = friction_torque(replace(whole.settled(series), tolerance=tolerance, operation=few))
     assert "points" not in alone.provenance["sliding"]
     np.testing.assert_allclose(
-        found.torque.total[some],
+        whole.torque.total[some],
         alone.torque.total,
-        rtol=0.5 * tolerance,  # what the sample may add, beside the rung itself
+        rtol=0.5 * tolerance,  # what the sample may add to the error of the method itself
     )
-    assert np.all(found.numerical_uncertainty <= tolerance)
+    assert np.all(whole.numerical_uncertainty <= tolerance)
     for race in ("inner", "outer"):
-        mine, theirs = (getattr(result.friction_coefficient, race) for result in (found, alone))
+        mine, theirs = (getattr(result.friction_coefficient, race) for result in (whole, alone))
         np.testing.assert_allclose(mine[some], theirs, rtol=tolerance)  # not bounded itself, but as smooth

@@ -27,13 +27,13 @@ def test_roots_whatever_the_slope(factor: float) -> None:
         return value, slope * factor
 
     start, ends = np.full(5, 5.5), (np.full(5, -9.0), np.full(5, 9.0))
-    found = bracketed_root(rising, start=start, low=ends[0], high=ends[1], relative=1e-13, absolute=1e-15, **WORDS)
-    np.testing.assert_allclose(found, ROOTS, rtol=1e-12, atol=1e-14)  # some steps beyond both tolerances
+    roots = bracketed_root(rising, start=start, low=ends[0], high=ends[1], relative=1e-13, absolute=1e-15, **WORDS)
+    np.testing.assert_allclose(roots, ROOTS, rtol=1e-12, atol=1e-14)  # some steps beyond both tolerances
     assert all(np.all((x >= -9) & (x <= 9)) for x in calls)
     assert len(calls) < (25 if factor == 1 else 70)  # steps from afar shrink by 2/3; bisection takes 55
 
 
-def test_secants_stand_in_for_slopes() -> None:
+def test_secants_replace_slopes() -> None:
     calls = []
 
     def rising(x: Array) -> Array:
@@ -42,10 +42,10 @@ def test_secants_stand_in_for_slopes() -> None:
 
     ends = np.full(5, -9.0), np.full(5, 9.0)
     sloped = with_secant_slopes(rising, first_slope=np.full(5, 40.0))
-    found = bracketed_root(
+    roots = bracketed_root(
         sloped, start=ROOTS + 0.4, low=ends[0], high=ends[1], relative=1e-13, absolute=1e-15, **WORDS
     )
-    np.testing.assert_allclose(found, ROOTS, rtol=1e-12, atol=1e-14)
+    np.testing.assert_allclose(roots, ROOTS, rtol=1e-12, atol=1e-14)
     assert len(calls) < 25  # the first guess is wrong on purpose; bisection takes 55
 
 
@@ -55,8 +55,8 @@ def test_values_of_zero_end_the_search_and_ends_without_a_change_of_sign_are_rea
     def step(x: Array) -> tuple[Array, Array]:
         return np.where(np.abs(x - 0.7) < 0.01, 0.0, np.sign(x - 0.7)), np.ones(2)
 
-    found = bracketed_root(step, start=zero + 0.2, low=zero, high=zero + 1, relative=1e-15, **WORDS)
-    np.testing.assert_allclose(found, 0.7, atol=0.01)
+    roots = bracketed_root(step, start=zero + 0.2, low=zero, high=zero + 1, relative=1e-15, **WORDS)
+    np.testing.assert_allclose(roots, 0.7, atol=0.01)
     always = bracketed_root(
         lambda x: (np.array([1.0, -1.0]), np.full_like(x, 1e-3)),
         start=zero + 0.2,
@@ -69,7 +69,7 @@ def test_values_of_zero_end_the_search_and_ends_without_a_change_of_sign_are_rea
     np.testing.assert_allclose(always, [0, 1], atol=1e-11)
 
 
-def test_what_is_not_a_number_is_said() -> None:
+def test_a_value_that_is_not_a_number_is_reported() -> None:
     with pytest.raises(ConvergenceError, match=r"the test did not settle in 200 iterations.*Give a number"):
         bracketed_root(
             lambda x: (x * np.nan, x),
