@@ -1,8 +1,9 @@
 """The motion of the cage: six degrees of freedom, driven by balls whose motion is given.
 
-Each ball acts on the cage by equations 13 to 17 (`analytic.cage.pocket`); equations 18 and 19 sum the forces and the
-moments about the centre of the cage. Everything is in the fixed frame, z is the axis of the bearing, and ball i starts
-at the azimuth 2 pi i/Z. `analytic.cage.kernel` integrates in compiled steps; it is compiled for the first motion.
+Each ball acts on the cage by equations 13 to 17 of [Paper] (`analytic.cage.pocket`); equations 18 and 19 sum the
+forces and the moments about the centre of the cage. Everything is in the fixed frame, z is the axis of the bearing, and
+ball i starts at the azimuth 2 pi i/Z. `analytic.cage.kernel` integrates in compiled steps; it is compiled for the first
+motion.
 """
 
 from dataclasses import dataclass
