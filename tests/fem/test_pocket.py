@@ -106,7 +106,7 @@ def test_a_thick_seat_deviates_from_hertz_in_proportion_to_the_contact() -> None
 
 def test_a_sheet_deflects_as_a_shell() -> None:
     """Beyond the local contact: Reissner's deflection of a shallow spherical cap under a point load,
-    w = sqrt(3 (1 - nu^2)) P R/(4 E t^2) ([Timoshenko1959]).
+    w = sqrt(3 (1 - nu^2)) P R/(4 E t^2) [Timoshenko1959].
     """
     sheet = 0.45e-3
     contact = pocket(load=2.0, wall_thickness=sheet)
