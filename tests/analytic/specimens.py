@@ -1,10 +1,11 @@
-"""What tests of the torque run: an oil, a finish, a thrust, and scenes drawn at random."""
+"""What tests of the torque run: an oil, a finish, contacts, a thrust, and scenes drawn at random."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
+from analytic.contact.rolling_contact import EllipticContact, RollingContact, elliptic_contact
 from analytic.effects.table import COMPUTED
 from analytic.result import TorqueParts
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Lubricant, Operation, Scene, Surface
@@ -31,6 +32,30 @@ DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque where there is
 # The closed forms of text books, whatever the tolerance.
 AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
 EVERYTHING: dict[str, Any] = dict.fromkeys(COMPUTED, "on")
+
+
+def rolling_contact(**changed: Any) -> RollingContact:
+    """A ball that rolls on a race like the inner one of a 6205, with some fields changed."""
+    values = {
+        "load": 613.0,
+        "semi_axis_rolling": 0.12e-3,
+        "semi_axis_transverse": 1.1e-3,
+        "curvature_rolling": 310.0,
+        "curvature_transverse": 14.7,
+        "modulus": 1.13e11,
+        "deformed_radius": 4.05e-3,
+        "rolling_rate": 2.45,
+    }
+    return RollingContact(**(values | changed))
+
+
+def hertzian(values: dict[str, Any]) -> tuple[EllipticContact, dict[str, Any]]:
+    """The contact that some of the values describe, and the others; Hertz gives semi-axes that are not among them."""
+    names = {field.name for field in fields(EllipticContact)}
+    given = {name: value for name, value in values.items() if name in names}
+    axes = {name: given.pop(name) for name in ("semi_axis_rolling", "semi_axis_transverse") if name in given}
+    rest = {name: value for name, value in values.items() if name not in names}
+    return replace(elliptic_contact(**given), **axes), rest
 
 
 def thrust(*loads: float, speed: float | list[float] = 31.0) -> Operation:
