@@ -2,7 +2,7 @@
 
 Hertz assumes that both bodies are half spaces and that the gap is a paraboloid. In a bearing the ball ends at its
 middle plane, the surfaces under the contact are curved, and the groove encloses the ball and ends at its shoulders. In
-linear elasticity the ratio of each quantity to Hertz's depends only on the ratios in a `ContactShape`. It is computed as
+linear elasticity the ratio of each quantity to Hertz's depends only on the ratios in a `ContactShape`. The fit is
     1 + sum of coefficient * (product of powers of the bases below)
 with the coefficients of catalog/corrections/finite_geometry.toml, whose head says how they were obtained. Every term
 vanishes with the size of the contact, so a small contact is Hertz's.

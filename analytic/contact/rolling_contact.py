@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.hertz import hertz_contact
-from analytic.errors import require_non_negative, require_positive
+from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.scene import Array
 
 Numbers = Array | float
@@ -18,7 +18,10 @@ Numbers = Array | float
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class EllipticContact:
-    """Two elastic bodies under load. Raises InputError if a field has the wrong sign or is not finite."""
+    """Two elastic bodies under load.
+
+    Raises InputError if a field has the wrong sign or is not finite, or if the fields do not broadcast.
+    """
 
     load: Numbers  # Q, N, >= 0
     semi_axis_rolling: Numbers  # a, m, >= 0, and not 0 under load
@@ -38,6 +41,13 @@ class EllipticContact:
             curvature_transverse=self.curvature_transverse,
             modulus=self.modulus,
         )
+        shapes = [np.shape(value) for value in vars(self).values()]
+        try:
+            np.broadcast_shapes(*shapes)
+        except ValueError as problem:
+            raise InputError(
+                f"{', '.join(vars(self))} of a contact have shapes {', '.join(map(str, shapes))}: give equal lengths"
+            ) from problem
 
     @property
     def area(self) -> Array:

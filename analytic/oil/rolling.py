@@ -117,21 +117,17 @@ def inlet_factors(bearing: Bearing, lubricant: Lubricant, *, ring_speed: Array) 
     """Both factors of a bearing with the oil at its inlet temperature; ring_speed : w, (n,), rad/s, any sign."""
     viscosity = inlet_viscosity(lubricant).viscosity / lubricant.density
     bore, outside = bearing.bore_diameter, bearing.outside_diameter
-    known = bore is not None and outside is not None
-    heating = inlet_shear_factor(
-        mean_diameter=(bore + outside) / 2 if known else bearing.pitch_diameter,
-        ring_speed=np.abs(ring_speed),
-        kinematic_viscosity=viscosity,
-    )
-    if not known:
-        return InletFactors(heating=heating, starvation=None)
-    starvation = replenishment_factor(
-        bore_diameter=bore,
-        outside_diameter=outside,
-        ring_speed=np.abs(ring_speed),
-        kinematic_viscosity=viscosity,
-        supply=lubricant.supply,
-    )
+    mean, starvation = bearing.pitch_diameter, None
+    if bore is not None and outside is not None:
+        mean = (bore + outside) / 2
+        starvation = replenishment_factor(
+            bore_diameter=bore,
+            outside_diameter=outside,
+            ring_speed=np.abs(ring_speed),
+            kinematic_viscosity=viscosity,
+            supply=lubricant.supply,
+        )
+    heating = inlet_shear_factor(mean_diameter=mean, ring_speed=np.abs(ring_speed), kinematic_viscosity=viscosity)
     return InletFactors(heating=heating, starvation=starvation)
 
 

@@ -73,9 +73,9 @@ def slip_friction(
     require_finite(ring_speed=ring_speed)
     require_non_negative(spin_difference=spin_difference)
     speed, difference = np.abs(np.asarray(ring_speed, dtype=np.float64)), np.asarray(spin_difference, dtype=np.float64)
-    nouns = (*contacts, *traction)
+    numbers = (value for each in (*contacts, *traction) for value in _numbers(each).values())
     try:
-        shape = np.broadcast_shapes(speed.shape, difference.shape, *map(_shape, nouns))
+        shape = np.broadcast_shapes(speed.shape, difference.shape, *map(np.shape, numbers))
     except ValueError as problem:
         raise InputError("both contacts and their speeds have shapes that do not fit: give equal lengths") from problem
     speed, difference = (np.broadcast_to(value, shape) for value in (speed, difference))
@@ -83,14 +83,12 @@ def slip_friction(
         columns = _single_coefficient(contacts, traction, speed, difference, spin_rule)
     elif method in SLIP:
         slip = partial(SLIP[method], nodes=nodes)
-        flat = [with_numbers(noun, lambda value: np.broadcast_to(value, shape).ravel()) for noun in nouns]
+        flat = with_numbers(contacts, traction, lambda value: np.broadcast_to(value, shape).ravel())
         speed, difference = speed.ravel(), difference.ravel()
         blocks = []
         for part in np.array_split(np.arange(speed.size), max(1, -(-speed.size // BLOCK))):
-            inner, outer, *laws = (with_numbers(noun, lambda value, part=part: value[part]) for noun in flat)
-            blocks.append(
-                _integrated((inner, outer), (laws[0], laws[1]), (speed[part], difference[part]), spin_rule, slip)
-            )
+            block = with_numbers(*flat, lambda value, part=part: value[part])
+            blocks.append(_integrated(*block, (speed[part], difference[part]), spin_rule, slip))
         columns = tuple(np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
     else:
         raise InputError(f'method must be "single_coefficient", "along_axis" or "over_ellipse", got {method!r}')
@@ -196,7 +194,7 @@ def _integrated(
     for name in ("semi_axis_rolling", "semi_axis_transverse"):
         both[name] = np.where(loaded, both[name], 1.0)
     contact = RollingContact(**both)
-    laws = [with_numbers(law, lambda value: np.asarray(value)[..., None]) for law in traction]
+    laws = [_changed(law, lambda value: np.asarray(value)[..., None]) for law in traction]
     fast = speed[:, None]
 
     def stress(pressure: Array, slide: Array) -> Array:
@@ -227,18 +225,19 @@ def _over(numerator: Array, denominator: ArrayLike) -> Array:
     return np.divide(top, bottom, out=np.zeros(top.shape), where=bottom > 0)
 
 
-Noun = TypeVar("Noun", RollingContact, Traction)
+def with_numbers(contacts: Pair, traction: Tractions, change: Callable[[Any], Any]) -> tuple[Pair, Tractions]:
+    """Both contacts and both laws of traction, with `change` applied to every number in them."""
+    (inner, outer), (inner_law, outer_law) = contacts, traction
+    pair = _changed(inner, change), _changed(outer, change)
+    return pair, (_changed(inner_law, change), _changed(outer_law, change))
 
 
-def with_numbers(noun: Noun, change: Callable[[Any], Any]) -> Noun:
-    """A contact or a law of traction with every number in it changed."""
-    return replace(noun, **{name: change(value) for name, value in _numbers(noun).items()})
+ContactOrLaw = TypeVar("ContactOrLaw", RollingContact, Traction)
 
 
-def _shape(noun: RollingContact | Traction) -> tuple[int, ...]:
-    """The broadcast shape of all numbers in a contact or a law of traction."""
-    return np.broadcast_shapes(*(np.shape(value) for value in _numbers(noun).values()))
+def _changed(each: ContactOrLaw, change: Callable[[Any], Any]) -> ContactOrLaw:
+    return replace(each, **{name: change(value) for name, value in _numbers(each).items()})
 
 
-def _numbers(noun: RollingContact | Traction) -> dict[str, Any]:
-    return {name: value for name, value in vars(noun).items() if not isinstance(value, Lubricant)}
+def _numbers(each: RollingContact | Traction) -> dict[str, Any]:
+    return {name: value for name, value in vars(each).items() if not isinstance(value, Lubricant)}

@@ -140,13 +140,14 @@ class _Sliders:
     def slide(self, quadrature: Quadrature, points: NDArray[np.intp] | slice = slice(None)) -> SlipFriction:
         shape = self.balls.load.shape[1:]
         difference = np.abs(self.balls.motion.spin_difference) if self.model.spins else np.zeros(shape)
-        inner, outer, inner_law, outer_law = (
-            with_numbers(noun, lambda value: np.broadcast_to(value, shape)[points])
-            for noun in (self.balls.race(0), self.balls.race(1), *self.traction)
+        contacts, traction = with_numbers(
+            (self.balls.race(0), self.balls.race(1)),
+            self.traction,
+            lambda value: np.broadcast_to(value, shape)[points],
         )
         return slip_friction(
-            (inner, outer),
-            (inner_law, outer_law),
+            contacts,
+            traction,
             ring_speed=self.ring_speed[points, None],
             spin_difference=difference[points],
             spin_rule=self.model.spin_rule,
@@ -292,7 +293,7 @@ def largest_error(balls: LoadedBalls, lubricant: Lubricant | None) -> Array:
 
 def _weight(balls: LoadedBalls, result: SlipFriction) -> Array:
     """(2, n, m) share of each contact in the slip power of its operating point."""
-    torque, rate = result.torque, balls.contacts.rolling_rate
+    torque, rate = result.torque, np.asarray(balls.contacts.rolling_rate)
     power = np.stack(
         [
             torque.inner_spin_moment * torque.inner_spin_rate + torque.inner_rolling_moment * rate[0],

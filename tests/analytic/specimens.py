@@ -1,10 +1,11 @@
-"""Specimens of the tests: the bearing 6205 with its cage, an oil, a finish, operating points and scenes."""
+"""Specimens of the tests: the bearing 6205 with its cage, an oil, a finish, contacts, operating points and scenes."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
+from analytic.contact.rolling_contact import EllipticContact, RollingContact, elliptic_contact
 from analytic.effects.table import COMPUTED
 from analytic.result import TorqueParts
 from analytic.scene import (
@@ -59,6 +60,30 @@ DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque without oil
 # The closed forms of textbooks at any tolerance
 AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
 EVERYTHING: dict[str, Any] = dict.fromkeys(COMPUTED, "on")
+
+
+def rolling_contact(**changed: Any) -> RollingContact:
+    """A ball that rolls on a race like the inner one of a 6205, with some fields changed."""
+    values = {
+        "load": 613.0,
+        "semi_axis_rolling": 0.12e-3,
+        "semi_axis_transverse": 1.1e-3,
+        "curvature_rolling": 310.0,
+        "curvature_transverse": 14.7,
+        "modulus": 1.13e11,
+        "deformed_radius": 4.05e-3,
+        "rolling_rate": 2.45,
+    }
+    return RollingContact(**(values | changed))
+
+
+def hertzian(values: dict[str, Any]) -> tuple[EllipticContact, dict[str, Any]]:
+    """The contact that some of the values describe, and the others; Hertz gives semi-axes that are not among them."""
+    names = {field.name for field in fields(EllipticContact)}
+    given = {name: value for name, value in values.items() if name in names}
+    axes = {name: given.pop(name) for name in ("semi_axis_rolling", "semi_axis_transverse") if name in given}
+    rest = {name: value for name, value in values.items() if name not in names}
+    return replace(elliptic_contact(**given), **axes), rest
 
 
 def thrust(*loads: float, speed: float | list[float] = 31.0) -> Operation:

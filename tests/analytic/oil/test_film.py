@@ -1,4 +1,4 @@
-"""The central film against the printed formula in 40 digits, its asymptotes, values computed elsewhere, and units."""
+"""The central film against the printed formula in 40 digits, its asymptotes, values of another program, and units."""
 
 import hypothesis.strategies as st
 import mpmath
@@ -8,10 +8,17 @@ from hypothesis import given
 
 from analytic.errors import InputError
 from analytic.oil.film import CentralFilm, central_film, film_asymptotes, inlet_heating_factor, thermal_loading
+from tests.analytic.specimens import hertzian
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
 OIL = {"viscosity": 0.061, "pressure_viscosity": 2.1e-8}
-CONTACT = {"curvature_x": 310.0, "curvature_y": 14.7, "load": 613.0, "modulus": 1.13e11, "entrainment_speed": 0.37}
+CONTACT = {
+    "curvature_rolling": 310.0,
+    "curvature_transverse": 14.7,
+    "load": 613.0,
+    "modulus": 1.13e11,
+    "entrainment_speed": 0.37,
+}
 loads = st.floats(-12, 6).map(lambda power: 10.0**power)
 speeds = st.floats(-6, 2).map(lambda power: 10.0**power)
 alphas = st.one_of(st.just(0.0), st.floats(1e-12, 5e-8))
@@ -19,16 +26,17 @@ ratios = st.floats(0.01, 3.0)
 
 
 def film(**changed: object) -> CentralFilm:
-    return central_film(**(CONTACT | OIL | changed))  # pyright: ignore[reportArgumentType]
+    contact, rest = hertzian(CONTACT | OIL | changed)
+    return central_film(contact, **rest)
 
 
 def dimensionless(**changed: float) -> tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf, mpmath.mpf]:
     """R_x, lambda, M and L with U, as the literature defines them."""
     given = CONTACT | OIL | changed
-    r_x, stiff = 1 / mpmath.mpf(given["curvature_x"]), 2 * mpmath.mpf(given["modulus"])
+    r_x, stiff = 1 / mpmath.mpf(given["curvature_rolling"]), 2 * mpmath.mpf(given["modulus"])
     speed = 2 * mpmath.mpf(given["viscosity"]) * given["entrainment_speed"] / (stiff * r_x)
     load = mpmath.mpf(given["load"]) / (stiff * r_x**2)
-    ratio = mpmath.mpf(given["curvature_y"]) * r_x
+    ratio = mpmath.mpf(given["curvature_transverse"]) * r_x
     return (
         r_x * mpmath.sqrt(speed),
         ratio,
@@ -80,8 +88,8 @@ def test_the_6205_at_0p18_rad(race: str, speed: float, viscosity: float, microme
     rolling = np.cos(angle) / (pitch / 2 - sign * reach)
     entrainment = speed * 2 * np.pi / 60 * (pitch / 2 - reach) * (pitch / 2 + reach) / pitch
     found = film(
-        curvature_x=1 / ball + sign * rolling,
-        curvature_y=1 / ball - 1 / groove,
+        curvature_rolling=1 / ball + sign * rolling,
+        curvature_transverse=1 / ball - 1 / groove,
         load=620.63,
         modulus=206e9 / (2 * (1 - 0.3**2)),
         entrainment_speed=entrainment,
@@ -99,9 +107,9 @@ def test_the_printed_formula_in_40_digits(load: float, speed: float, alpha: floa
         "load": load,
         "entrainment_speed": speed,
         "pressure_viscosity": alpha,
-        "curvature_y": ratio * CONTACT["curvature_x"],
+        "curvature_transverse": ratio * CONTACT["curvature_rolling"],
     }
-    cap = 1 / (CONTACT["curvature_x"] + changed["curvature_y"])
+    cap = 1 / (CONTACT["curvature_rolling"] + changed["curvature_transverse"])
     found, expected = film(**changed), printed(**changed)
     np.testing.assert_allclose(found.thickness, min(expected, cap), rtol=1e-12)  # round-off of ln h, some 30 at most
     assert found.capped == (expected > cap)
@@ -157,7 +165,12 @@ def test_exponents_of_the_regimes(changed: dict[str, float], powers: dict[str, f
 
 @given(load=loads, speed=speeds, alpha=alphas, ratio=ratios)
 def test_more_speed_and_oil_thicken_and_load_thins(load: float, speed: float, alpha: float, ratio: float) -> None:
-    here = {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha, "curvature_y": ratio * 310.0}
+    here = {
+        "load": load,
+        "entrainment_speed": speed,
+        "pressure_viscosity": alpha,
+        "curvature_transverse": ratio * 310.0,
+    }
     base = film(**here).thickness * (1 - ROUND_OFF)
     assert film(**(here | {"entrainment_speed": 1.3 * speed})).thickness >= base
     assert film(**(here | {"viscosity": 1.3 * OIL["viscosity"]})).thickness >= base
@@ -172,7 +185,8 @@ def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
 ) -> None:
     """What sharing the load iterates by, against differences."""
     here = CONTACT | OIL | {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
-    asymptotes = film_asymptotes(**here)
+    contact, rest = hertzian(here)
+    asymptotes = film_asymptotes(contact, **rest)
     step = 1e-5
     (up, _), (down, _) = (asymptotes.log_film(remaining + sign * step) for sign in (1, -1))
     _, slope = asymptotes.log_film(remaining)
@@ -183,8 +197,8 @@ def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
 def test_physics_does_not_depend_on_the_units(metre: float, newton: float, second: float, alpha: float) -> None:
     pascal = newton / metre**2
     scaled = film(
-        curvature_x=CONTACT["curvature_x"] / metre,
-        curvature_y=CONTACT["curvature_y"] / metre,
+        curvature_rolling=CONTACT["curvature_rolling"] / metre,
+        curvature_transverse=CONTACT["curvature_transverse"] / metre,
         load=CONTACT["load"] * newton,
         modulus=CONTACT["modulus"] * pascal,
         entrainment_speed=CONTACT["entrainment_speed"] * metre / second,
@@ -208,7 +222,7 @@ def test_backwards_is_mirrored() -> None:
 
 def test_no_load_leaves_the_room_there_is() -> None:
     """The rigid film grows as F^-2: 1.5 m in a pocket that leaves 0.1 mm."""
-    pocket = {"curvature_x": 251.9 - 245.7, "curvature_y": 251.9 - 245.7, "largest_gap": 1e-4}
+    pocket = {"curvature_rolling": 251.9 - 245.7, "curvature_transverse": 251.9 - 245.7, "largest_gap": 1e-4}
     found = film(**pocket, load=np.array([0.0, 1e-300, 0.01, 1e4]))
     np.testing.assert_array_equal(found.capped, [True, True, True, False])
     np.testing.assert_allclose(found.thickness[:3], 1e-4, rtol=ROUND_OFF)
@@ -228,7 +242,7 @@ def test_no_piezoviscosity_is_the_limit_of_little() -> None:
 
 @pytest.mark.parametrize(("ratio", "outside"), [(0.029, True), (0.031, False), (0.99, False), (1.01, True)])
 def test_an_ellipse_outside_the_fit_is_marked(ratio: float, outside: bool) -> None:
-    found = film(curvature_y=ratio * CONTACT["curvature_x"])
+    found = film(curvature_transverse=ratio * CONTACT["curvature_rolling"])
     assert bool(found.outside_range) is outside
     np.testing.assert_allclose(found.ellipticity, ratio, rtol=ROUND_OFF)
     assert found.thickness > 0  # the formula still has a value
@@ -254,8 +268,8 @@ def test_arguments_broadcast() -> None:
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"curvature_x": 0.0}, "curvature_x must be positive"),
-        ({"curvature_y": -3.0}, "curvature_y must be positive"),
+        ({"curvature_rolling": 0.0}, "curvature_rolling must be positive"),
+        ({"curvature_transverse": -3.0}, "curvature_transverse must be positive"),
         ({"load": -1.0}, "load must be at least 0"),
         ({"modulus": np.inf}, "modulus must be positive and finite"),
         ({"entrainment_speed": np.nan}, "entrainment_speed must be finite"),

@@ -8,18 +8,24 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from analytic.contact.hertz import hertz_contact
 from analytic.errors import InputError
 from analytic.oil.film import central_film, film_asymptotes
 from analytic.oil.mixed import MixedContact, mixed_contact
-from analytic.scene import Autocorrelation
+from analytic.scene import Array, Autocorrelation
 from analytic.surface.asperity import asperity_contact
 from analytic.surface.asperity_table import AsperityTable, tabulated_asperities
 from analytic.surface.moments import SpectralMoments, mccool_summits
 from analytic.surface.roughness import spectral_moments
+from tests.analytic.specimens import hertzian
 
 E, H = 113.187e9, 7.8e9  # Pa
-CONTACT = {"curvature_x": 310.0, "curvature_y": 14.7, "load": 613.0, "modulus": E, "entrainment_speed": 0.37}
+CONTACT = {
+    "curvature_rolling": 310.0,
+    "curvature_transverse": 14.7,
+    "load": 613.0,
+    "modulus": E,
+    "entrainment_speed": 0.37,
+}
 OIL = {"viscosity": 0.061, "pressure_viscosity": 2.1e-8}
 ACCURACY = 2e-8  # of the share: 1e-8 of the table, twice where both of its splines take part
 
@@ -31,24 +37,27 @@ def rough(sq: float, length: float = 60e-6, *, modulus: float = E, hardness: flo
     return tabulated_asperities(summits=mccool_summits(moments + moments), modulus=modulus, hardness=hardness)
 
 
-def area(given: dict[str, object]) -> object:
-    ellipse = {name: given[name] for name in ("curvature_x", "curvature_y", "load", "modulus")}
-    hertz = hertz_contact(**ellipse)  # pyright: ignore[reportArgumentType]
-    return np.pi * hertz.semi_axis_x * hertz.semi_axis_y
+def area(load: float = 613.0) -> float:
+    return float(hertzian(CONTACT | {"load": load})[0].area)
 
 
 def mixed(asperities: AsperityTable | None, **changed: object) -> MixedContact:
-    given = CONTACT | OIL | changed
-    return mixed_contact(asperities=asperities, **({"contact_area": area(given)} | given))  # pyright: ignore[reportArgumentType]
+    contact, rest = hertzian(CONTACT | OIL | changed)
+    return mixed_contact(contact, asperities=asperities, **rest)
+
+
+def smooth_film(**changed: object) -> Array:
+    contact, rest = hertzian(CONTACT | OIL | changed)
+    return central_film(contact, **rest).thickness
 
 
 def printed_film(share: mpmath.mpf, **changed: float) -> mpmath.mpf:
     """The film formula as printed, of the load F (1 - s) and the modulus E* (1 - s)."""
     q, given = mpmath.mpf, CONTACT | OIL | changed
-    r_x, stiff = 1 / q(given["curvature_x"]), 2 * q(given["modulus"]) * (1 - share)
+    r_x, stiff = 1 / q(given["curvature_rolling"]), 2 * q(given["modulus"]) * (1 - share)
     u = 2 * q(given["viscosity"]) * given["entrainment_speed"] / (stiff * r_x)
     m = q(given["load"]) * (1 - share) / (stiff * r_x**2) * u ** q("-0.75")
-    ell, lam = given["pressure_viscosity"] * stiff * mpmath.root(u, 4), q(given["curvature_y"]) * r_x
+    ell, lam = given["pressure_viscosity"] * stiff * mpmath.root(u, 4), q(given["curvature_transverse"]) * r_x
     elastic = 1 + q("0.006") * mpmath.log(lam) + q("0.63") * lam ** (q(4) / 7)
     ri = 145 * (1 + q("0.796") * lam ** (q(14) / 15)) ** (-q(15) / 7) / lam / m**2
     rp = q("1.29") * (1 + q("0.691") * lam) ** (-q(2) / 3) * ell ** (q(2) / 3)
@@ -100,7 +109,7 @@ def test_the_root_of_the_printed_equations_in_40_digits(sq: float, changed: dict
     table, given = rough(sq), CONTACT | changed
     found = mixed(table, **changed)
     with mpmath.workdps(40):
-        nominal = mpmath.mpf(float(area(given)))  # pyright: ignore[reportArgumentType]
+        nominal = mpmath.mpf(area(given["load"]))
         z0 = mpmath.log(float(found.asperity_share) / (1 - float(found.asperity_share)))
 
         def excess(z: mpmath.mpf) -> mpmath.mpf:
@@ -122,22 +131,22 @@ roughnesses = st.sampled_from([3e-9, 0.04e-6, 0.3e-6, 1.1e-6, 7e-6])  # each cos
 
 @given(load=loads, speed=speeds, sq=roughnesses, alpha=st.sampled_from([0.0, 2.1e-8]), gap=st.floats(-7, 0))
 def test_both_equations_hold(load: float, speed: float, sq: float, alpha: float, gap: float) -> None:
-    table, room = rough(sq), 10.0**gap
+    table, largest_gap = rough(sq), 10.0**gap
     changed = {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
-    found = mixed(table, largest_gap=room, **changed)
+    found = mixed(table, largest_gap=largest_gap, **changed)
     share, h = float(found.asperity_share), float(found.film_thickness)
     assert 0 <= share <= 1
     assert np.isfinite(h)
     assert 0 <= found.area_fraction <= 1
     summits = table.summits
     pressure = float(asperity_contact(film_thickness=h, summits=summits, modulus=E, hardness=H).pressure)
-    carried = pressure * float(area(CONTACT | changed))  # pyright: ignore[reportArgumentType]
+    carried = pressure * area(load)
     if share > 1e-250:  # far below, the pressure of the asperities is no double
         np.testing.assert_allclose(carried, share * load, rtol=1e-7 * (1 + abs(np.log(share)) / 10))  # t in ln p
     if share < 1 - 1e-6:  # 1 - s has lost 6 digits or more beyond
-        film = central_film(**(CONTACT | OIL | changed | {"load": load * (1 - share), "modulus": E * (1 - share)}))
-        limit = min(room, 1 / (310.0 + 14.7))
-        np.testing.assert_allclose(h, min(float(film.thickness), limit), rtol=1e-8)  # round-off of 1 - s
+        film = smooth_film(**(changed | {"load": load * (1 - share), "modulus": E * (1 - share)}))
+        limit = min(largest_gap, 1 / (310.0 + 14.7))
+        np.testing.assert_allclose(h, min(float(film), limit), rtol=1e-8)  # round-off of 1 - s
     assert found.asperity_load == share * load
 
 
@@ -156,14 +165,14 @@ def test_rougher_surfaces_bear_more() -> None:
 
 
 def test_smooth_and_all_but_smooth_surfaces_leave_the_film_alone() -> None:
-    film = central_film(**(CONTACT | OIL))
+    film = smooth_film()
     smooth, almost = mixed(None), mixed(rough(1e-10))
     assert smooth.asperity_share == almost.asperity_share == 0
-    np.testing.assert_allclose([smooth.film_thickness, almost.film_thickness], film.thickness, rtol=1e-15)
+    np.testing.assert_allclose([smooth.film_thickness, almost.film_thickness], film, rtol=1e-15)
     assert smooth.area_fraction == almost.area_fraction == smooth.asperity_load == 0
     slight = mixed(rough(0.03e-6))
     assert 0 < slight.asperity_share < 1e-3
-    np.testing.assert_allclose(slight.film_thickness, film.thickness, rtol=1e-3)  # no more than the share moves it
+    np.testing.assert_allclose(slight.film_thickness, film, rtol=1e-3)  # no more than the share moves it
 
 
 def test_standstill_is_not_the_limit_of_slow_running() -> None:
@@ -171,7 +180,7 @@ def test_standstill_is_not_the_limit_of_slow_running() -> None:
     still = mixed(table, entrainment_speed=0.0)
     assert still.without_film
     assert still.asperity_share == 1
-    pressure = CONTACT["load"] / float(area(CONTACT))  # pyright: ignore[reportArgumentType]
+    pressure = CONTACT["load"] / area()
     borne = asperity_contact(film_thickness=still.film_thickness, summits=table.summits, modulus=E, hardness=H).pressure
     np.testing.assert_allclose(borne, pressure, rtol=ACCURACY)
     assert still.film_thickness < 0
@@ -217,15 +226,20 @@ def test_inlet_heating_thins_the_film() -> None:
     cold, warm = mixed(table), mixed(table, heating_factor=0.7)
     assert warm.asperity_share > cold.asperity_share
     share = float(warm.asperity_share)
-    film = central_film(**(CONTACT | OIL | {"load": 613.0 * (1 - share), "modulus": E * (1 - share)}))
-    np.testing.assert_allclose(warm.film_thickness, 0.7 * film.thickness, rtol=1e-12)
+    film = smooth_film(load=613.0 * (1 - share), modulus=E * (1 - share))
+    np.testing.assert_allclose(warm.film_thickness, 0.7 * film, rtol=1e-12)
 
 
 def test_a_pocket_keeps_the_film_within_its_clearance() -> None:
     """A circular, conformal contact under light load, where the formula gives more than there is room for."""
     ball, pocket, gap = 3.97e-3, 4.07e-3, 0.05e-3
     curvature = 1 / ball - 1 / pocket
-    given = {"curvature_x": curvature, "curvature_y": curvature, "modulus": 2.3e9, "entrainment_speed": 0.6}
+    given = {
+        "curvature_rolling": curvature,
+        "curvature_transverse": curvature,
+        "modulus": 2.3e9,
+        "entrainment_speed": 0.6,
+    }
     found = mixed(rough(0.8e-6, modulus=2.3e9), load=np.array([0.01, 28.0]), largest_gap=gap, **given)
     assert found.capped.tolist() == [True, False]
     np.testing.assert_allclose(found.film_thickness[0], gap, rtol=1e-14)
@@ -247,7 +261,7 @@ def test_one_and_many_agree() -> None:
         grid.asperity_share[1, 2], mixed(table, load=load[2], entrainment_speed=0.7).asperity_share, rtol=1e-9
     )
     assert mixed(table, load=np.zeros(0)).asperity_share.shape == (0,)
-    assert mixed(table, curvature_y=np.array([14.7, 500.0])).outside_range.tolist() == [False, True]
+    assert mixed(table, curvature_transverse=np.array([14.7, 500.0])).outside_range.tolist() == [False, True]
 
 
 @given(metre=st.floats(1e-2, 1e2), pascal=st.floats(1e-2, 1e2), second=st.floats(1e-2, 1e2))
@@ -260,8 +274,8 @@ def test_physics_does_not_depend_on_the_units(metre: float, pascal: float, secon
     )
     found = mixed(
         table,
-        curvature_x=310.0 / metre,
-        curvature_y=14.7 / metre,
+        curvature_rolling=310.0 / metre,
+        curvature_transverse=14.7 / metre,
         load=613.0 * pascal * metre**2,
         modulus=E * pascal,
         entrainment_speed=0.37 * metre / second,
@@ -278,27 +292,29 @@ def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float
     given = CONTACT | OIL | {"load": load, "entrainment_speed": speed}
     left = np.exp(share)
     softer = given | {"load": load * left, "modulus": E * left}
-    # Room without end, or what fills it would hide the rest.
-    reduced, asymptotes = (replace(film_asymptotes(**each), room=np.inf) for each in (softer, given))
+    # Without a limit by the clearance, which would hide the rest.
+    contacts = (hertzian(each) for each in (softer, given))
+    reduced, asymptotes = (replace(film_asymptotes(contact, **rest), clearance=np.inf) for contact, rest in contacts)
     log_h, slope = asymptotes.log_film(share)
     np.testing.assert_allclose(log_h, reduced.log_film(0.0)[0], atol=1e-12)  # round-off of logarithms up to 100
     step = 1e-5
     beyond, before = (asymptotes.log_film(share + d)[0] for d in (step, -step))
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), atol=1e-8)  # round-off of 1e-14 over the step
-    full = replace(asymptotes, room=log_h - 0.1)
-    assert full.log_film(share) == (full.room, 0.0)  # it cannot grow
+    full = replace(asymptotes, clearance=log_h - 0.1)
+    assert full.log_film(share) == (full.clearance, 0.0)  # it cannot grow
 
 
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"contact_area": 0.0}, "contact_area is 0 under load"),
-        ({"contact_area": -1e-7}, "contact_area must be at least 0"),
+        ({"semi_axis_rolling": 0.0}, "is 0 under load"),
+        ({"semi_axis_transverse": 0.0}, "is 0 under load"),
+        ({"semi_axis_transverse": -1e-4}, "semi_axis_transverse must be at least 0"),
         ({"heating_factor": np.nan}, "heating_factor must be at least 0 and finite"),
         ({"largest_gap": 0.0}, "largest_gap must be positive"),
-        ({"load": -3.0, "contact_area": 1e-7}, "load must be at least 0"),
+        ({"load": -3.0}, "load must be at least 0"),
         ({"load": np.ones(3), "heating_factor": np.ones(2)}, "give equal lengths"),
-        ({"load": np.ones(3), "contact_area": np.ones(2)}, "give equal lengths"),
+        ({"load": np.ones(3), "semi_axis_rolling": np.ones(2)}, "give equal lengths"),
     ],
 )
 def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:

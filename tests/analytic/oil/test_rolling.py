@@ -1,22 +1,24 @@
-"""Rolling resistance: values computed elsewhere, the printed formula in 40 digits, its two regimes, units."""
+"""Rolling resistance: the printed formula in 40 digits, values of another program, its regimes, units; hysteresis."""
 
 import hypothesis.strategies as st
 import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
+from scipy.integrate import dblquad
 
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import hertz_contact
 from analytic.errors import InputError
 from analytic.loads.kinematics import ball_kinematics
-from analytic.oil.rolling import RollingResistance, hydrodynamic_rolling, rolling_torque
+from analytic.oil.rolling import RollingResistance, hydrodynamic_rolling, hysteresis_moment, rolling_torque
 from analytic.scene import Bearing
+from tests.analytic.specimens import hertzian, rolling_contact
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
 CASE = {
-    "curvature_x": 310.0,
-    "curvature_y": 14.7,
+    "curvature_rolling": 310.0,
+    "curvature_transverse": 14.7,
     "load": 613.0,
     "modulus": 1.13e11,
     "viscosity": 0.061,
@@ -28,15 +30,16 @@ ratios = st.floats(0.003, 0.9)
 
 
 def rolling(**changed: object) -> RollingResistance:
-    return hydrodynamic_rolling(**(CASE | changed))  # pyright: ignore[reportArgumentType]
+    contact, rest = hertzian(CASE | changed)
+    return hydrodynamic_rolling(contact, **rest)
 
 
 def groups(**changed: float) -> dict[str, mpmath.mpf]:
     """The printed quantities in 40 digits, the semi-axes from the ratio that defines Hertz's ellipse."""
     given = CASE | changed
     with mpmath.workdps(40):
-        r_x, stiff = 1 / mpmath.mpf(given["curvature_x"]), 2 * mpmath.mpf(given["modulus"])
-        ratio = mpmath.mpf(given["curvature_y"]) * r_x  # R_x/R_y, below 1 here
+        r_x, stiff = 1 / mpmath.mpf(given["curvature_rolling"]), 2 * mpmath.mpf(given["modulus"])
+        ratio = mpmath.mpf(given["curvature_transverse"]) * r_x  # R_x/R_y, below 1 here
 
         def curvature_ratio(k: mpmath.mpf) -> mpmath.mpf:
             m = 1 - 1 / k**2
@@ -46,13 +49,15 @@ def groups(**changed: float) -> dict[str, mpmath.mpf]:
         k = mpmath.findroot(lambda k: curvature_ratio(k) - 1 / ratio, start)
         integral = mpmath.ellipe(1 - 1 / k**2)
         radius = r_x / (1 + ratio)
-        across = mpmath.cbrt(3 * k**2 * integral * given["load"] * radius / (mpmath.pi * mpmath.mpf(given["modulus"])))
+        semi_axis = mpmath.cbrt(
+            3 * k**2 * integral * given["load"] * radius / (mpmath.pi * mpmath.mpf(given["modulus"]))
+        )
         u = 2 * mpmath.mpf(given["viscosity"]) * abs(given["entrainment_speed"]) / (stiff * r_x)
         w = given["load"] / (stiff * r_x**2)
         beta = 4 / mpmath.pi * integral / (1 + ratio)
         rigid = mpmath.mpf("0.77") * beta ** (-mpmath.mpf(1) / 3) * (1 / k) ** mpmath.mpf("0.12")
         return {
-            "scale": stiff * r_x**2 * 2 * across / r_x,
+            "scale": stiff * r_x**2 * 2 * semi_axis / r_x,
             "u": u,
             "m": mpmath.root(beta, 4) / k * w / u ** mpmath.mpf("0.75"),
             "rigid": rigid * u ** (-mpmath.mpf(1) / 12),
@@ -77,20 +82,21 @@ def both(bearing: Bearing, *, viscosity: float, speed: float) -> tuple[RollingRe
         pitch_diameter=bearing.pitch_diameter,
         ball_diameter=bearing.ball_diameter,
     )
-    found = []
-    for race in ("inner", "outer"):
-        along, across = race_curvatures(bearing, race, contact_angle=angle)
-        found.append(
-            rolling(
-                curvature_x=along,
-                curvature_y=across,
-                load=1000 / (9 * np.sin(angle)),
-                modulus=206e9 / (2 * (1 - 0.3**2)),
-                viscosity=viscosity,
-                entrainment_speed=speed * motion.entrainment_speed,
-            )
+    inner, outer = (
+        rolling(
+            curvature_rolling=curvature_rolling,
+            curvature_transverse=curvature_transverse,
+            load=1000 / (9 * np.sin(angle)),
+            modulus=206e9 / (2 * (1 - 0.3**2)),
+            viscosity=viscosity,
+            entrainment_speed=speed * motion.entrainment_speed,
         )
-    return found[0], found[1], float(motion.entrainment_speed)
+        for curvature_rolling, curvature_transverse in (
+            race_curvatures(bearing, "inner", contact_angle=angle),
+            race_curvatures(bearing, "outer", contact_angle=angle),
+        )
+    )
+    return inner, outer, float(motion.entrainment_speed)
 
 
 @pytest.mark.parametrize(
@@ -104,7 +110,7 @@ def both(bearing: Bearing, *, viscosity: float, speed: float) -> tuple[RollingRe
         (0.0585, 500, 23.81),
     ],
 )
-def test_a_6205_computed_elsewhere(
+def test_a_6205_by_another_program(
     bearing_6205: Bearing, viscosity: float, rpm: float, newton_millimetres: float
 ) -> None:
     speed = rpm * 2 * np.pi / 60
@@ -117,7 +123,7 @@ def test_a_6205_computed_elsewhere(
 
 @given(load=loads, speed=speeds, ratio=ratios)
 def test_the_printed_formula_in_40_digits(load: float, speed: float, ratio: float) -> None:
-    changed = {"load": load, "entrainment_speed": speed, "curvature_y": ratio * CASE["curvature_x"]}
+    changed = {"load": load, "entrainment_speed": speed, "curvature_transverse": ratio * CASE["curvature_rolling"]}
     found = rolling(**changed)
     # round-off, of the semi-axes too
     np.testing.assert_allclose(found.force, printed(**changed), rtol=ROUND_OFF)
@@ -133,8 +139,8 @@ def test_light_load_is_that_of_rigid_bodies_and_heavy_of_elastic_ones() -> None:
         np.testing.assert_allclose(np.log(more / less) / (2 * np.log(1.1)), power, atol=1e-4)
 
 
-def test_the_heavy_limit_does_not_know_the_load_but_for_the_width() -> None:
-    """1.8 beta^-1/4 U^3/4 over the width 2 a: force per width is the same at 10 times the load."""
+def test_the_heavy_limit_depends_on_the_load_only_by_the_width() -> None:
+    """1.8 beta^-1/4 U^3/4 times the width 2 b: the force per width is the same at 10 times the load."""
     light, heavy = (
         rolling(load=load).force
         / hertz_contact(curvature_x=310.0, curvature_y=14.7, load=load, modulus=1.13e11).semi_axis_y
@@ -145,7 +151,7 @@ def test_the_heavy_limit_does_not_know_the_load_but_for_the_width() -> None:
 
 @given(load=loads, speed=speeds, ratio=ratios)
 def test_more_speed_oil_and_load_resist_more(load: float, speed: float, ratio: float) -> None:
-    here = {"load": load, "entrainment_speed": speed, "curvature_y": ratio * CASE["curvature_x"]}
+    here = {"load": load, "entrainment_speed": speed, "curvature_transverse": ratio * CASE["curvature_rolling"]}
     base = rolling(**here)
     assert not base.outside_range
     assert rolling(**(here | {"entrainment_speed": 1.3 * speed})).force > base.force
@@ -157,7 +163,7 @@ def test_more_speed_oil_and_load_resist_more(load: float, speed: float, ratio: f
 
 def test_a_thin_film_on_a_circle_falls_with_load_between_its_regimes() -> None:
     """Where the first term is more than four times the last, as the docstring says."""
-    circle = {"curvature_y": 0.999 * 310.0, "entrainment_speed": 1e-6}
+    circle = {"curvature_transverse": 0.999 * 310.0, "entrainment_speed": 1e-6}
     g = groups(**circle, load=1e-9)
     assert g["rigid"] > 4.5 * g["elastic"]
     load = np.geomspace(1e-9, 1e3, 200)
@@ -168,8 +174,8 @@ def test_a_thin_film_on_a_circle_falls_with_load_between_its_regimes() -> None:
 def test_physics_does_not_depend_on_the_units(metre: float, newton: float, second: float) -> None:
     pascal = newton / metre**2
     scaled = rolling(
-        curvature_x=CASE["curvature_x"] / metre,
-        curvature_y=CASE["curvature_y"] / metre,
+        curvature_rolling=CASE["curvature_rolling"] / metre,
+        curvature_transverse=CASE["curvature_transverse"] / metre,
         load=CASE["load"] * newton,
         modulus=CASE["modulus"] * pascal,
         viscosity=CASE["viscosity"] * pascal * second,
@@ -196,11 +202,11 @@ def test_standstill_no_load_and_backwards() -> None:
     assert np.all(np.diff(unloaded) > 0)
 
 
-def test_what_the_formula_was_not_made_for_is_marked() -> None:
-    assert rolling(curvature_y=311.0).outside_range  # longer along rolling
-    assert not rolling(curvature_y=310.0).outside_range
+def test_contacts_outside_the_range_of_the_formula_are_marked() -> None:
+    assert rolling(curvature_transverse=311.0).outside_range  # longer in the direction of rolling
+    assert not rolling(curvature_transverse=310.0).outside_range
     assert rolling(entrainment_speed=1e8).outside_range  # U = 2e-2: rigid bodies would resist less than elastic ones
-    assert rolling(curvature_y=311.0).force > 0
+    assert rolling(curvature_transverse=311.0).force > 0
 
 
 def test_arguments_broadcast() -> None:
@@ -215,7 +221,7 @@ def test_arguments_broadcast() -> None:
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"curvature_x": 0.0}, "curvature_x must be positive"),
+        ({"curvature_rolling": 0.0}, "curvature_rolling must be positive"),
         ({"load": -1.0}, "load must be at least 0"),
         ({"modulus": np.inf}, "modulus must be positive and finite"),
         ({"entrainment_speed": np.nan}, "entrainment_speed must be finite"),
@@ -231,3 +237,15 @@ def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:
 def test_a_negative_rate_is_refused() -> None:
     with pytest.raises(InputError, match="entrainment_rate must be at least 0"):
         rolling_torque(rolling(), entrainment_rate=-0.01)
+
+
+def test_hysteresis_takes_its_share_of_the_work_of_the_front_half() -> None:
+    """Pressing down the surface ahead of the centre takes the moment of the pressure there, 3/16 Q a."""
+    load, a, loss = 470.0, 0.12e-3, 0.0063
+
+    def pressure_times_arm(x: float, y: float) -> float:
+        return 3 * load / (2 * np.pi) * np.sqrt(max(0.0, 1 - x**2 - y**2)) * a * x  # unit disc: dA = a b dx dy
+
+    moment, _ = dblquad(pressure_times_arm, -1, 1, 0, lambda y: np.sqrt(1 - y**2), epsabs=1e-12)
+    found = hysteresis_moment(rolling_contact(load=load, semi_axis_rolling=a), hysteresis_loss=loss)
+    np.testing.assert_allclose(found, loss * moment, rtol=1e-6)  # quadrature across the square-root edge

@@ -11,6 +11,7 @@ from hypothesis import given
 from analytic.errors import InputError
 from analytic.oil.traction import CoulombTraction, MixedTraction, oil_shear_stress
 from analytic.scene import Lubricant
+from tests.analytic.specimens import rolling_contact
 
 OIL = Lubricant(
     viscosity=0.061,
@@ -82,17 +83,18 @@ def test_a_mixed_contact_adds_boundary_friction_and_oil() -> None:
         lubricant=OIL, boundary_friction=0.13, asperity_share=0.3, area_fraction=0.02, film_thickness=60e-9
     )
     p, v = np.array([0.4e9, 0.9e9]), 2.1e-4
-    oil = shear(0.7 * p, v, 60e-9)  # what asperities bear does not press on the oil
+    oil = shear(0.7 * p, v, 60e-9)  # the load on the asperities does not press on the oil
     np.testing.assert_allclose(law.stress(p, np.asarray(v)), 0.13 * 0.3 * p + 0.98 * oil, rtol=1e-14)
-    load, area = np.asarray(310.0), np.asarray(4.1e-7)
-    expected = 0.13 * 0.3 * 310 + shear(0.7 * 310 / 4.1e-7, v, 60e-9) * 0.98 * 4.1e-7
-    np.testing.assert_allclose(law.force(load=load, area=area)(np.asarray(v)), expected, rtol=1e-13)
-    assert law.force(load=0.0, area=0.0)(np.asarray(v)) == 0
+    contact, area = rolling_contact(load=310.0), np.pi * 0.12e-3 * 1.1e-3
+    expected = 0.13 * 0.3 * 310 + shear(0.7 * 310 / area, v, 60e-9) * 0.98 * area
+    np.testing.assert_allclose(law.force(contact)(np.asarray(v)), expected, rtol=1e-13)
+    unloaded = rolling_contact(load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
+    assert law.force(unloaded)(np.asarray(v)) == 0
     dry = replace(law, asperity_share=1.0, film_thickness=-1e-7)
     np.testing.assert_allclose(dry.stress(p, np.asarray(v)), 0.13 * p, rtol=1e-15)
     coulomb = CoulombTraction(friction_coefficient=0.08)
     np.testing.assert_array_equal(coulomb.stress(p, np.asarray(v)), 0.08 * p)
-    assert coulomb.force(load=load, area=area)(np.asarray(v)) == 0.08 * 310
+    assert coulomb.force(contact)(np.asarray(v)) == 0.08 * 310
 
 
 def test_nonsense_is_refused() -> None:

@@ -1,29 +1,30 @@
-"""Micro-slip and hysteresis against quadrature of the sliding itself, and of the pressure."""
+"""Micro-slip against quadrature of the sliding itself."""
 
+from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 import hypothesis.strategies as st
 import numpy as np
 import pytest
 from hypothesis import example, given
-from scipy.integrate import dblquad, quad
+from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 
+from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import InputError
+from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.kinematics import ball_kinematics
-from analytic.loads.thrust import thrust_equilibrium
+from analytic.oil.rolling import hysteresis_moment
 from analytic.scene import Bearing, ContactAngle, SpinRule
 from analytic.sliding.long_ellipse import (
     MicroslipTorque,
-    SlidingContact,
-    deformed_radius,
-    hysteresis_moment,
-    hysteresis_torque,
     microslip_moments,
     microslip_torque,
     pure_rolling_lines,
     sliding_number,
 )
+from tests.analytic.specimens import rolling_contact, thrust
 
 MU, Q, B, R, ROLL = 0.083, 470.0, 1.27e-3, 4.05e-3, 37.0  # friction, N, m, m, rad/s
 RATIOS = [0.0, 0.05, -0.2, 0.31, 0.45, -0.4999, 0.5, 0.63, -1.7]  # eps
@@ -32,7 +33,7 @@ RULES: list[SpinRule] = ["balanced", "inner_control", "outer_control"]
 
 def moments(eps: float) -> np.ndarray:
     return np.array(
-        microslip_moments(friction_coefficient=MU, load=Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps)
+        microslip_moments(friction_force=MU * Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps)
     )
 
 
@@ -49,7 +50,7 @@ def integral(weight: np.polynomial.Polynomial, slip: np.polynomial.Polynomial, h
     return float(sum(parts))
 
 
-def slid(*, mu: float, load: float, b: float, radius: float, roll: float, spin: float) -> tuple[float, float, float]:
+def slid(*, force: float, b: float, radius: float, roll: float, spin: float) -> tuple[float, float, float]:
     """(spin moment, rolling moment, slip power) by quadrature, c by bisection on the net force; for roll > 0."""
     curved = np.polynomial.Polynomial([0.0, spin * b, roll * b**2 / (2 * radius)])  # v + c over y/b
     one, arm, sag = (np.polynomial.Polynomial(c) for c in ([1.0], [0.0, 1.0], [0.0, 0.0, 1 / (2 * radius)]))
@@ -57,13 +58,14 @@ def slid(*, mu: float, load: float, b: float, radius: float, roll: float, spin: 
     c = brentq(lambda c: integral(one, curved - c, b), heights.min() - 1e-9, heights.max(), xtol=1e-20, rtol=1e-15)
     slip = curved - c
     in_metres = np.polynomial.Polynomial([-c, spin, roll / (2 * radius)])
-    return tuple(mu * load * integral(weight, slip, b) for weight in (arm, sag, in_metres))  # pyright: ignore[reportReturnType]
+    spin_moment, rolling_moment, power = (force * integral(weight, slip, b) for weight in (arm, sag, in_metres))
+    return spin_moment, rolling_moment, power
 
 
 @pytest.mark.parametrize("eps", RATIOS)
 def test_moments_are_those_of_the_sliding(eps: float) -> None:
     spin = eps * ROLL * B / R
-    expected = slid(mu=MU, load=Q, b=B, radius=R, roll=ROLL, spin=spin)
+    expected = slid(force=MU * Q, b=B, radius=R, roll=ROLL, spin=spin)
     found = moments(eps)
     # The line of slip comes from bisection to round-off of c; its share of the moments is of that order.
     np.testing.assert_allclose(found, expected[:2], rtol=1e-9, atol=1e-12 * MU * Q * B)
@@ -72,8 +74,8 @@ def test_moments_are_those_of_the_sliding(eps: float) -> None:
 
 @pytest.mark.parametrize("eps", [0.05, -0.2, 0.31, 0.63])
 def test_the_moments_exchanged_as_printed_are_not(eps: float) -> None:
-    """Negative control: with equations 4 and 5 under each other's names the quadrature says so."""
-    expected = slid(mu=MU, load=Q, b=B, radius=R, roll=ROLL, spin=eps * ROLL * B / R)
+    """Negative control: the quadrature contradicts equations 4 and 5 with exchanged names."""
+    expected = slid(force=MU * Q, b=B, radius=R, roll=ROLL, spin=eps * ROLL * B / R)
     spin, rolling = moments(eps)
     assert not np.isclose(rolling, expected[0], rtol=0.05)
     assert not np.isclose(spin, expected[1], rtol=0.05)
@@ -122,11 +124,11 @@ def test_the_lines_of_pure_rolling_leave_no_force(eps: float) -> None:
 
 
 def test_the_closed_forms_are_those_of_the_lines() -> None:
-    """Equations 4 and 5 in g1 and g2, which the code has in factors."""
+    """Equations 4 and 5 in g1 and g2; the code has them in factors."""
     eps = np.linspace(-0.5, 0.5, 23)
     g1, g2 = pure_rolling_lines(eps)
     spin, rolling = microslip_moments(
-        friction_coefficient=MU, load=Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps
+        friction_force=MU * Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps
     )
     bracket = g1**2 * (1 - g1**2 / 2) - g2**2 * (1 - g2**2 / 2)
     np.testing.assert_allclose(spin, 0.75 * MU * Q * B * bracket, atol=1e-15 * MU * Q * B)  # round-off
@@ -144,57 +146,31 @@ def test_moments_are_continuous_with_their_slopes(edge: float) -> None:
     np.testing.assert_allclose((right - 2 * at + left) / scale, 0.0, atol=1e-10)
 
 
-def test_the_contact_surface_lies_halfway_between_ball_and_groove() -> None:
-    found = deformed_radius(groove_radius=[4.13e-3, 4.21e-3], ball_diameter=7.94e-3)
-    halfway = [(1 / 3.97e-3 + 1 / groove) / 2 for groove in (4.13e-3, 4.21e-3)]
-    np.testing.assert_allclose(found, 1 / np.array(halfway), rtol=1e-14)  # round-off
-
-
-def test_hysteresis_takes_its_share_of_the_work_of_the_front_half() -> None:
-    """Pressing the surface down ahead of the centre takes the pressure's moment there: 3/16 Q a [Johnson1985]."""
-    a, lost = 0.12e-3, 0.0063
-
-    def pressure_times_arm(x: float, y: float) -> float:
-        return 3 * Q / (2 * np.pi) * np.sqrt(max(0.0, 1 - x**2 - y**2)) * a * x  # over the unit disc: dA = a b dx dy
-
-    moment, _ = dblquad(pressure_times_arm, -1, 1, 0, lambda y: np.sqrt(1 - y**2), epsabs=1e-12)
-    found = hysteresis_moment(hysteresis_loss=lost, load=Q, semi_axis_rolling=a)
-    np.testing.assert_allclose(found, lost * moment, rtol=1e-6)  # quadrature across the square-root edge
-
-
-def both_contacts(bearing: Bearing, *, angle: float, mu: tuple[float, float]) -> tuple[SlidingContact, SlidingContact]:
-    """The 6205 at a given angle under 1000 N."""
-    balls = thrust_equilibrium(bearing, ContactAngle(rule="given", value=angle), axial_load=1000.0)
-    motion = ball_kinematics(
-        inner_speed=1.0,
-        inner_angle=angle,
-        outer_angle=angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
+def both_contacts(bearing: Bearing, *, angle: float) -> tuple[RollingContact, RollingContact]:
+    """Inner and outer race of the 6205 at a given angle under 1000 N."""
+    still = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
+    balls = thrust_balls(bearing, ContactAngle(rule="given", value=angle), thrust(1000.0), still)
+    return tuple(  # pyright: ignore[reportReturnType]
+        RollingContact(**{name: np.asarray(value).item() for name, value in vars(balls.race(race)).items()})
+        for race in (0, 1)
     )
 
-    def contact(race: str, mu: float) -> SlidingContact:
-        hertz = getattr(balls, race)
-        return SlidingContact(
-            friction_coefficient=mu,
-            load=balls.ball_load,
-            semi_axis_rolling=hertz.semi_axis_x,
-            semi_axis_transverse=hertz.semi_axis_y,
-            deformed_radius=deformed_radius(
-                groove_radius=getattr(bearing, race).groove_radius, ball_diameter=bearing.ball_diameter
-            ),
-            rolling_rate=getattr(motion, f"{race}_rolling_rate"),
-        )
 
-    return contact("inner", mu[0]), contact("outer", mu[1])
+def torque(
+    contacts: tuple[RollingContact, RollingContact],
+    mu: tuple[Any, Any],
+    spin: Any,
+    rule: SpinRule = "balanced",
+) -> MicroslipTorque:
+    forces = mu[0] * contacts[0].load, mu[1] * contacts[1].load
+    return microslip_torque(contacts, friction_force=forces, spin_difference=spin, spin_rule=rule)
 
 
-def slip_power(contact: SlidingContact, *, roll: float, spin: float) -> float:
-    """By quadrature, W; a contact that rolls and spins the other way round loses the same."""
+def slip_power(contact: RollingContact, mu: float, *, roll: float, spin: float) -> float:
+    """By quadrature, W; a contact that rolls and spins in the opposite direction loses the same."""
     direction = np.sign(roll)
     _, _, power = slid(
-        mu=float(contact.friction_coefficient),
-        load=float(contact.load),
+        force=mu * float(contact.load),
         b=float(contact.semi_axis_transverse),
         radius=float(contact.deformed_radius),
         roll=direction * roll,
@@ -209,9 +185,9 @@ def slip_power(contact: SlidingContact, *, roll: float, spin: float) -> float:
 def test_torque_times_speed_is_the_slip_power(
     bearing_6205: Bearing, rule: SpinRule, inner_speed: float, outer_speed: float, angle: float, mu: tuple[float, float]
 ) -> None:
-    """Whichever ring turns, and whichever way: at the rates of the true speeds, from the sliding itself."""
-    inner, outer = both_contacts(bearing_6205, angle=angle, mu=mu)
-    found = microslip_torque(inner, outer, spin_difference=np.sin(angle), spin_rule=rule)
+    """For either ring and either direction: at the rates of the true speeds, from the sliding itself."""
+    inner, outer = both_contacts(bearing_6205, angle=angle)
+    found = torque((inner, outer), mu, np.sin(angle), rule)
     motion = ball_kinematics(
         inner_speed=inner_speed,
         outer_speed=outer_speed,
@@ -223,8 +199,8 @@ def test_torque_times_speed_is_the_slip_power(
     speed = inner_speed - outer_speed
     spins = found.inner_spin_rate * speed, found.outer_spin_rate * speed
     np.testing.assert_allclose(spins[0] - spins[1], motion.spin_difference, rtol=1e-14)  # round-off
-    power = slip_power(inner, roll=float(motion.inner_rolling_rate), spin=float(spins[0]))
-    power += slip_power(outer, roll=float(motion.outer_rolling_rate), spin=float(spins[1]))
+    power = slip_power(inner, mu[0], roll=float(motion.inner_rolling_rate), spin=float(spins[0]))
+    power += slip_power(outer, mu[1], roll=float(motion.outer_rolling_rate), spin=float(spins[1]))
     np.testing.assert_allclose((found.spin + found.conformity) * abs(speed), power, rtol=1e-9)  # quadrature
 
 
@@ -232,18 +208,18 @@ def test_torque_times_speed_is_the_slip_power(
 def test_the_balanced_spin_leaves_no_moment_and_loses_least(
     bearing_6205: Bearing, angle: float, mu: tuple[float, float]
 ) -> None:
-    inner, outer = both_contacts(bearing_6205, angle=angle, mu=mu)
-    found = microslip_torque(inner, outer, spin_difference=np.sin(angle), spin_rule="balanced")
+    inner, outer = both_contacts(bearing_6205, angle=angle)
+    found = torque((inner, outer), mu, np.sin(angle))
     np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-12)  # round-off of the share
     np.testing.assert_allclose(found.spin, found.inner_spin_moment * np.sin(angle), rtol=1e-12)  # equation 10
 
     def power(share: float) -> float:
         spin = np.sin(angle)
-        lost = slip_power(inner, roll=float(inner.rolling_rate), spin=share * spin)
-        return lost + slip_power(outer, roll=float(outer.rolling_rate), spin=(share - 1) * spin)
+        lost = slip_power(inner, mu[0], roll=float(inner.rolling_rate), spin=share * spin)
+        return lost + slip_power(outer, mu[1], roll=float(outer.rolling_rate), spin=(share - 1) * spin)
 
     least = minimize_scalar(power, bounds=(0, 1), method="bounded", options={"xatol": 1e-6})
-    # the search stops within 1e-6 of the minimum, where the power is flat to 1e-12
+    # The search stops within 1e-6 of the minimum, where the power is flat to 1e-12.
     np.testing.assert_allclose(found.spin + found.conformity, least.fun, rtol=1e-9)
     share = found.inner_spin_rate / np.sin(angle)
     np.testing.assert_allclose(share, least.x, atol=1e-4)  # a flat minimum is found to the root of its value
@@ -251,8 +227,7 @@ def test_the_balanced_spin_leaves_no_moment_and_loses_least(
 
 @pytest.mark.parametrize(("rule", "spinning"), [("outer_control", "inner"), ("inner_control", "outer")])
 def test_under_control_only_the_other_race_spins(bearing_6205: Bearing, rule: SpinRule, spinning: str) -> None:
-    inner, outer = both_contacts(bearing_6205, angle=0.18, mu=(0.1, 0.07))
-    found = microslip_torque(inner, outer, spin_difference=np.sin(0.18), spin_rule=rule)
+    found = torque(both_contacts(bearing_6205, angle=0.18), (0.1, 0.07), np.sin(0.18), rule)
     still = "outer" if spinning == "inner" else "inner"
     assert getattr(found, f"{still}_spin_rate") == 0
     assert getattr(found, f"{still}_spin_moment") == 0
@@ -261,38 +236,34 @@ def test_under_control_only_the_other_race_spins(bearing_6205: Bearing, rule: Sp
 
 
 def test_conformity_and_hysteresis_are_equations_11_and_12(bearing_6205: Bearing) -> None:
-    inner, outer = both_contacts(bearing_6205, angle=0.18, mu=(0.1, 0.07))
-    found = microslip_torque(inner, outer, spin_difference=np.sin(0.18), spin_rule="balanced")
+    contacts = both_contacts(bearing_6205, angle=0.18)
+    found = torque(contacts, (0.1, 0.07), np.sin(0.18))
     half_pitch, reach = bearing_6205.pitch_diameter / 2, bearing_6205.ball_radius * np.cos(0.18)
     inner_radius, outer_radius = half_pitch - reach, half_pitch + reach
     lever = found.inner_rolling_moment * outer_radius + found.outer_rolling_moment * inner_radius
     np.testing.assert_allclose(found.conformity, lever / bearing_6205.ball_diameter, rtol=1e-14)  # round-off
-    lost = [
-        hysteresis_moment(hysteresis_loss=0.007, load=c.load, semi_axis_rolling=c.semi_axis_rolling)
-        for c in (inner, outer)
-    ]
+    lost = [hysteresis_moment(contact, hysteresis_loss=0.007) for contact in contacts]
     lever = lost[0] * outer_radius + lost[1] * inner_radius
-    found = hysteresis_torque(inner, outer, hysteresis_loss=0.007)
-    np.testing.assert_allclose(found, lever / bearing_6205.ball_diameter, rtol=1e-14)
+    hysteresis = sum(moment * contact.rolling_rate for moment, contact in zip(lost, contacts, strict=True))
+    np.testing.assert_allclose(hysteresis, lever / bearing_6205.ball_diameter, rtol=1e-14)
 
 
 def test_the_sliding_number_of_the_6205(bearing_6205: Bearing) -> None:
     """Of an independent calculation: 13 inner, 6.5 outer at mu = 0.1; two digits."""
-    inner, outer = both_contacts(bearing_6205, angle=0.18, mu=(0.1, 0.1))
+    inner, outer = both_contacts(bearing_6205, angle=0.18)
     motion = ball_kinematics(
         inner_speed=1.0, inner_angle=0.18, outer_angle=0.18, pitch_diameter=39.01e-3, ball_diameter=7.94e-3
     )
     for contact, side, expected, last in ((inner, 1, 13.0, 0.5), (outer, -1, 6.5, 0.05)):
         curvature = 1 / 3.97e-3 + side * np.cos(0.18) / (19.505e-3 - side * 3.97e-3 * np.cos(0.18))
-        found = sliding_number(contact, entrainment_speed=motion.entrainment_speed, curvature_rolling=curvature)
+        typed = replace(contact, curvature_rolling=curvature)
+        found = sliding_number(typed, friction_coefficient=0.1, entrainment_speed=motion.entrainment_speed)
         np.testing.assert_allclose(found, expected, atol=last)
-        half = sliding_number(contact, entrainment_speed=3.0, curvature_rolling=curvature)
-        np.testing.assert_allclose(half * 3.0, found * motion.entrainment_speed, rtol=1e-14)  # round-off
-    dry = both_contacts(bearing_6205, angle=0.18, mu=(0.0, 0.1))[0]
-    assert sliding_number(dry, entrainment_speed=0.3, curvature_rolling=170.0) == np.inf
+        slow = sliding_number(typed, friction_coefficient=0.1, entrainment_speed=3.0)
+        np.testing.assert_allclose(slow * 3.0, found * motion.entrainment_speed, rtol=1e-14)  # round-off
+    assert sliding_number(inner, friction_coefficient=0.0, entrainment_speed=0.3) == np.inf
 
 
-PLAIN = {"semi_axis_rolling": 0.12e-3, "deformed_radius": R, "rolling_rate": 2.9}
 SIZES = st.one_of(st.just(0.0), st.floats(1e-9, 10.0))
 
 
@@ -308,19 +279,16 @@ SIZES = st.one_of(st.just(0.0), st.floats(1e-9, 10.0))
 def test_every_limit_is_finite_and_balanced_loses_least(
     mu: tuple[float, float], load: tuple[float, float], b: tuple[float, float], spin: float
 ) -> None:
-    inner, outer = (
-        SlidingContact(friction_coefficient=m, load=q, semi_axis_transverse=half, **PLAIN)
-        for m, q, half in zip(mu, load, b, strict=True)
-    )
-    found = {rule: microslip_torque(inner, outer, spin_difference=spin, spin_rule=rule) for rule in RULES}
-    for torque in found.values():
-        for values in vars(torque).values():
+    inner, outer = (rolling_contact(load=q, semi_axis_transverse=half) for q, half in zip(load, b, strict=True))
+    found = {rule: torque((inner, outer), mu, spin, rule) for rule in RULES}
+    for each in found.values():
+        for values in vars(each).values():
             assert np.all(np.isfinite(values))
-        assert torque.spin >= 0
-        assert torque.conformity >= 0
+        assert each.spin >= 0
+        assert each.conformity >= 0
 
-    def power(torque: MicroslipTorque) -> float:
-        return float(torque.spin + torque.conformity)
+    def power(each: MicroslipTorque) -> float:
+        return float(each.spin + each.conformity)
 
     for rule in RULES[1:]:
         assert power(found["balanced"]) <= power(found[rule]) * (1 + 1e-12)  # round-off
@@ -329,62 +297,42 @@ def test_every_limit_is_finite_and_balanced_loses_least(
         assert found["balanced"].spin == 0
 
 
-def test_contacts_as_unlike_as_they_come_balance() -> None:
-    """From both rolling to both spinning in full, and one of each; a step outside the bracket would warn or be NaN."""
+def test_very_unlike_contacts_balance() -> None:
+    """Both roll, both spin in full, or one of each; a step outside the bracket would warn or be NaN."""
     draw = np.random.default_rng(20)
     count = 30_000
 
-    def contact() -> SlidingContact:
+    def contact() -> tuple[np.ndarray, RollingContact]:
         mu, load, half = (10 ** draw.uniform(low, high, count) for low, high in ((-2, 0), (0, 3), (-7, -2)))
-        return SlidingContact(friction_coefficient=mu, load=load, semi_axis_transverse=half, **PLAIN)
+        return mu * load, rolling_contact(load=load, semi_axis_transverse=half)
 
-    inner, outer = contact(), contact()
-    found = microslip_torque(inner, outer, spin_difference=draw.uniform(0.01, 1, count), spin_rule="balanced")
+    forces, contacts = zip(contact(), contact(), strict=True)
+    spin = draw.uniform(0.01, 1, count)
+    found = microslip_torque(contacts, friction_force=forces, spin_difference=spin, spin_rule="balanced")
     # Round-off of the share, times the ratio of the lengths: up to 1e5.
     np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-11)
 
 
 def test_a_series_is_its_points() -> None:
-    """Points that settle early stay where they are while others go on."""
+    """Points that converge early keep their values while others go on."""
     angle, mu_inner, mu_outer = np.meshgrid([0.05, 0.6, 1.3], [0.0, 1e-9, 0.1], [0.0, 0.02, 0.1], indexing="ij")
-    inner, outer = (
-        SlidingContact(friction_coefficient=mu, load=Q, semi_axis_transverse=half, **PLAIN)
-        for mu, half in ((mu_inner, 1.1e-3), (mu_outer, 0.9e-3))
-    )
-    series = microslip_torque(inner, outer, spin_difference=np.sin(angle), spin_rule="balanced")
+    contacts = rolling_contact(load=Q), rolling_contact(load=Q, semi_axis_transverse=0.9e-3)
+    series = torque(contacts, (mu_inner, mu_outer), np.sin(angle))
     assert series.spin.shape == angle.shape
     for index in np.ndindex(angle.shape):
-        alone = microslip_torque(
-            SlidingContact(friction_coefficient=mu_inner[index], load=Q, semi_axis_transverse=1.1e-3, **PLAIN),
-            SlidingContact(friction_coefficient=mu_outer[index], load=Q, semi_axis_transverse=0.9e-3, **PLAIN),
-            spin_difference=np.sin(angle[index]),
-            spin_rule="balanced",
-        )
+        alone = torque(contacts, (mu_inner[index], mu_outer[index]), np.sin(angle[index]))
         for name, values in vars(series).items():
             # vector and scalar sines may differ in the last bit
             np.testing.assert_allclose(values[index], getattr(alone, name), rtol=1e-12, atol=1e-18)
 
 
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        ({"friction_coefficient": -0.1}, "friction_coefficient must be at least 0"),
-        ({"load": float("nan")}, "load must be at least 0"),
-        ({"deformed_radius": 0.0}, "deformed_radius must be positive"),
-        ({"rolling_rate": -2.0}, "rolling_rate must be positive"),
-    ],
-)
-def test_a_bad_contact_is_refused(change: dict[str, float], words: str) -> None:
-    good = {"friction_coefficient": MU, "load": Q, "semi_axis_transverse": B, **PLAIN}
-    with pytest.raises(InputError, match=words):
-        SlidingContact(**(good | change))
-
-
-def test_a_bad_spin_is_refused(bearing_6205: Bearing) -> None:
-    inner, outer = both_contacts(bearing_6205, angle=0.18, mu=(0.1, 0.07))
+def test_a_bad_spin_is_refused() -> None:
+    contacts = rolling_contact(), rolling_contact()
     with pytest.raises(InputError, match="spin_difference must be at least 0"):
-        microslip_torque(inner, outer, spin_difference=-0.2, spin_rule="balanced")
+        torque(contacts, (0.1, 0.07), -0.2)
+    with pytest.raises(InputError, match="friction_force must be at least 0"):
+        torque(contacts, (0.1, -0.07), 0.2)
     with pytest.raises(InputError, match='must be "balanced"'):
-        microslip_torque(inner, outer, spin_difference=0.2, spin_rule="race_control")  # pyright: ignore[reportArgumentType]
+        torque(contacts, (0.1, 0.07), 0.2, "race_control")  # pyright: ignore[reportArgumentType]
     with pytest.raises(InputError, match="spin_to_roll must be finite"):
         pure_rolling_lines(float("inf"))
