@@ -110,15 +110,17 @@ def validate(
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
     given = _scene(scene)
     asked = _tolerance(tolerance, given)
+    from fembearing.report.document.build import report_of
     from fembearing.report.folder import validate as run
-    from fembearing.report.terminal.contacts import print_validation
+    from fembearing.report.terminal.validation import print_validation
 
     with shown_progress() as report:
         result = run(given, out=folder, tolerance=asked, hard=hard, cost=with_cost, progress=report)
+    document = report_of(result)
     if as_json:
-        print_json(result.to_json())
+        print_json(document.to_json())
     else:
-        print_validation(out, result)
+        print_validation(out, document)
         print_warnings(result.warnings)
         if folder is not None:
             out.print(f"report: {folder / 'report.html'}", highlight=False, soft_wrap=True, markup=False)
@@ -179,6 +181,7 @@ def _one_contact(given: Scene, load: float | None, *, accuracy: float, as_json: 
     from fembearing.compare.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
     from fembearing.compare.contact.reference import COMPARED
     from fembearing.compare.contact.subsurface import compare_subsurface
+    from fembearing.report.document.build import contact_table
     from fembearing.report.terminal.contacts import print_contact, print_subsurface
 
     with shown_progress() as report:
@@ -193,7 +196,7 @@ def _one_contact(given: Scene, load: float | None, *, accuracy: float, as_json: 
         added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
         print_json(result.to_json() | added)
     else:
-        print_contact(out, result)
+        print_contact(out, contact_table(result), result.verdicts)
         if below is not None:
             print_subsurface(out, below)
         if result.judged:
@@ -230,7 +233,7 @@ def cost(
     from fembearing.compare.cost.scene_cost import measure_cost
     from fembearing.report.folder import write_cost
     from fembearing.report.new_folder import whole_folder
-    from fembearing.report.terminal.contacts import print_cost
+    from fembearing.report.terminal.cost import print_cost
 
     with shown_progress() as report, nullcontext() if folder is None else whole_folder(folder) as place:
         result = measure_cost(given, tolerance=asked, progress=report)

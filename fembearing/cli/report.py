@@ -22,7 +22,7 @@ def report(
     as_json: AsJson = False,
 ) -> None:
     """Make the page of a report again from its numbers, with the pictures that lie beside them."""
-    from fembearing.report.page.again import rebuild_page
+    from fembearing.report.page.rebuild import rebuild_page
 
     found = rebuild_page(numbers, out=page)
     if as_json:

@@ -12,22 +12,13 @@ from numpy.typing import NDArray
 from analytic.numerics.interpolated import SEED
 from fembearing.compare.contact.columns import VERDICT
 from fembearing.provenance import provenance_of
+from fembearing.quantities import QUANTITIES
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import Part, Piece, column_notes
 
 REASON = "failure"
 WORDS = {REASON: "why a point failed; empty where not", VERDICT: "verdict on Hertz by the scene's tolerance"}
-MEANINGS = {
-    "operation.axial_load": "axial load",
-    "operation.inner_speed": "speed of the inner ring",
-    "operation.radial_load": "radial load",
-    "operation.moment": "moment",
-    "lubricant.viscosity": "viscosity",
-    "surface.rms_roughness": "rms roughness",
-    "bearing.catalog": "bearing",
-    "conformity": "conformity, groove radius over ball diameter",
-    "ball_load": "load of the ball",
-}
+QUANTITY = {"bearing.catalog": "bearing", "ball_load": "load"}  # of an axis, where its key does not end in its name
 MOST_WARNINGS = 50
 BYTES_TOGETHER = 8_000_000
 
@@ -100,7 +91,8 @@ def _short(key: str) -> str:
 
 
 def _axis_notes(axis: Axis) -> dict[str, str]:
-    notes = {"long_name": MEANINGS.get(axis.key, _short(axis.key).replace("_", " ")), "key": axis.key}
+    name = QUANTITY.get(axis.key, _short(axis.key))
+    notes = {"long_name": QUANTITIES[name].meaning if name in QUANTITIES else name.replace("_", " "), "key": axis.key}
     return notes | ({} if axis.unit is None else {"units": axis.unit or "1"})
 
 

@@ -1,7 +1,6 @@
 """Hertz corrected for finite geometry: the production model's next rung, on a contact that its fit has not seen."""
 
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors
 from analytic.scene import Contact
@@ -14,9 +13,6 @@ class CorrectedHertz:
 
     quantities: Quantities
     uncertainty: dict[str, float]  # keyed by quantity, relative half-width, 95 %
-
-    def to_json(self) -> dict[str, Any]:
-        return {"values": asdict(self.quantities), "uncertainty": self.uncertainty}
 
 
 def corrected_hertz(contact: Contact, *, hertz: Quantities) -> tuple[CorrectedHertz | None, tuple[str, ...]]:

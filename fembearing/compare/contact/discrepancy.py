@@ -14,10 +14,10 @@ from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.errors import InputError, require_non_negative
 from analytic.scene import Contact, Pair, Scene
-from fembearing.compare.contact.approach_curve import approach_over_load
-from fembearing.compare.contact.columns import contact_dataset, contact_html
+from fembearing.compare.contact.approach_curve import ApproachCurve, approach_over_load
+from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact_html
 from fembearing.compare.contact.corrected import CorrectedHertz, corrected_hertz
-from fembearing.compare.contact.pressure_profile import profiles_json
+from fembearing.compare.contact.pressure_profile import Profiles, profiles_of
 from fembearing.compare.contact.reference import COMPARED, FORMAL_ORDERS, Estimates, solve_reference
 from fembearing.compare.contact.ring import RingStructure, structure_of_ring
 from fembearing.compare.contact.uncertainty import Estimate
@@ -30,6 +30,7 @@ from fembearing.memory import peak_memory
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 from fembearing.mesh.ring import known_ring
+from fembearing.plain import plain
 from fembearing.progress import Progress, silent
 
 Shape = Geometry | Literal["ring"]  # "ring": the contact as it is really, and apart from it what the ring adds
@@ -58,6 +59,9 @@ class ContactSolution:
     valid: bool
     ring: RingStructure | None = None  # apart from the contact: in no quantity, not judged; None where not computed
     corrected: CorrectedHertz | None = None  # None where the correction's fit does not reach
+    approach_curve: ApproachCurve
+    pressure_profile: Profiles
+    peak_memory: int | None  # of the process when the contact was solved, bytes
 
     @property
     def reference(self) -> Quantities:
@@ -93,6 +97,11 @@ class ContactSolution:
     def judged(self) -> bool:
         """A sheet is shown beside the thick seat, not judged: Hertz's half space is not made for it."""
         return self.geometry != "wall"
+
+    @property
+    def shown_verdict(self) -> str:
+        """The verdict; "shown" of a contact that is not judged."""
+        return self.verdict if self.judged else "shown"
 
     @property
     def rung(self) -> str:
@@ -145,8 +154,12 @@ class ContactSolution:
             "hertz": asdict(self.hertz),
             "discrepancy": self.discrepancy,
             "corrected": self.corrected
-            and {**self.corrected.to_json(), "interpolation_error": self.interpolation_error},
-            "verdict": self.verdict if self.judged else "shown",
+            and {
+                "values": asdict(self.corrected.quantities),
+                "uncertainty": self.corrected.uncertainty,
+                "interpolation_error": self.interpolation_error,
+            },
+            "verdict": self.shown_verdict,
             "judged": self.judged,
             "rung": self.rung,
             "meshes": [
@@ -166,22 +179,41 @@ class ContactSolution:
                 }
                 for name, part in self.estimates.items()
             },
-            "pressure_profile": profiles_json(self.meshes[-1], self.hertz),
-            "approach_curve": approach_over_load(
-                self.contact, hertz=self.hertz, correctable=is_correctable(self.contact, self.geometry)
-            ).to_json(),
+            "pressure_profile": plain(self.pressure_profile),
+            "approach_curve": plain(self.approach_curve),
             "shoulder": self._shoulder_to_json(),
-            "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": peak_memory()},
+            "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": self.peak_memory},
             "warnings": list(self.warnings),
+        }
+
+    def columns(self) -> dict[str, float]:
+        """The values of `fembearing.compare.contact.columns.COLUMNS`."""
+        return {
+            "load": self.contact.load,
+            "contact_angle": self.contact.contact_angle,
+            **vars(self.reference),
+            **{f"uncertainty_{name}": part.total for name, part in self.estimates.items()},
+            **{f"hertz_{name}": value for name, value in vars(self.hertz).items()},
+            **{f"discrepancy_{name}": value for name, value in self.discrepancy.items()},
+            "unknowns": float(self.meshes[-1].unknowns),
         }
 
     def to_xarray(self) -> Any:
         """An xarray.Dataset of what is compared, with units."""
-        return contact_dataset(self)
+        attributes = {
+            "pair": self.contact.pair,
+            "geometry": self.geometry,
+            "rung": self.rung,
+            "tolerance": self.tolerance,
+            VERDICT: self.shown_verdict,
+            "warnings": "\n".join(self.warnings),
+        }
+        return contact_dataset(self.columns(), attributes)
 
     def _repr_html_(self) -> str:
         """A table in a notebook."""
-        return contact_html(self)
+        caption = f"{self.contact.pair}, {self.geometry}, {self.contact.load:.4g} N: {self.shown_verdict}"
+        return contact_html(self.columns(), caption)
 
     def _shoulder_to_json(self) -> dict[str, Any] | None:
         """What the contact does at the nearer shoulder that cuts it off, above y = 0; uncertainties relative."""
@@ -322,7 +354,8 @@ def compare_contact(
         *solve_warnings([(meshes[-1], estimates)], accuracy=asked, watched=watched, thin=thin),
     )
     corrected, beyond = None, ()
-    if is_correctable(contact, recipe.geometry):
+    correctable = is_correctable(contact, recipe.geometry)
+    if correctable:
         corrected, beyond = corrected_hertz(contact, hertz=hertz)
     return ContactSolution(
         contact=contact,
@@ -335,6 +368,9 @@ def compare_contact(
         seconds=time.perf_counter() - start,
         warnings=(*warnings, *beyond),
         corrected=corrected,
+        approach_curve=approach_over_load(contact, hertz=hertz, correctable=correctable),
+        pressure_profile=profiles_of(meshes[-1], hertz),
+        peak_memory=peak_memory(),
         valid=not thin and not overrun,
     )
 

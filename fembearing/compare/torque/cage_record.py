@@ -16,7 +16,7 @@ from fembearing.provenance import provenance_of
 INSTANTS_A_TURN = 40  # of a cage that whirls: a circle is drawn round
 FEWEST, MOST = 1000, 20000  # instants
 SEED = 0
-DIRECTIONS = 180  # in which the edge of the room is told
+DIRECTIONS = 180  # in which the edge of the cage's room is computed
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -35,8 +35,8 @@ class CageRecord:
         """(n,) instants after the start-up."""
         return self.series.time > self.start_up
 
-    def to_json(self, *, most: int | None = None) -> dict[str, Any]:
-        """Orbit and forces of this motion, and the statistics of all, as plain types, SI.
+    def drawn(self, *, most: int | None = None) -> dict[str, Any]:
+        """Orbit and forces of this motion, and the statistics of all seeds, as plain types for a figure, SI.
 
         most : instants of the orbit and of the forces; a force is then the greatest of those that it stands for. None:
             all of them
@@ -82,7 +82,7 @@ class CageRecord:
         }
 
     def to_dataset(self) -> Any:
-        """The series as an xarray.Dataset that tells where it comes from."""
+        """The series as an xarray.Dataset with its provenance."""
         found = self.series.to_dataset()
         origin = provenance_of(self.scene)
         found.attrs = {

@@ -1,4 +1,4 @@
-"""What the contact discrepancies do to the race torque: the number an engineer acts on."""
+"""What finite-element contacts change in the friction torque: Hertz's contacts against those of finite elements."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -13,18 +13,17 @@ from analytic.effects.loads import corrections_of
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.torque import friction_torque
-from analytic.uncertainty import with_model_uncertainty
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.verdict import Verdict, worst
 from fembearing.compare.torque.heaviest_ball import balls_of
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
-# Effects that this check leaves out of the torque, with the reason.
-BESIDE = {
-    "finite_geometry": "left out here: finite elements take its place, and its fit is shown beside them",
-    "cage_dynamics": "left out here: no contact on a race changes it; it is shown by itself",
-}
+LEFT_OUT = ("finite_geometry", "cage_dynamics")  # in both torques: see NOTE
+NOTE = (
+    "Both torques show what the contacts of the races change: the motion of the cage and the fit for finite geometry "
+    "are left out of them, so that neither need be the total above."
+)
 PARTS = ("total", "race", "spin", "conformity", "hysteresis", "rolling")
 
 
@@ -49,7 +48,10 @@ class FittedChange:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TorqueChange:
-    """The production torque with Hertz's contacts, and again with finite-element semi-axes and approach."""
+    """The torque with Hertz's contacts, and again with finite-element semi-axes and approach.
+
+    Both leave out the effects of LEFT_OUT, so that neither is the total that the production model gives.
+    """
 
     hertz: FrictionTorque
     corrected: FrictionTorque
@@ -99,19 +101,20 @@ class TorqueChange:
             "uncertainties": self.uncertainties,
             "finite_geometry": self.fitted.to_json(),
             "verdict": self.verdict,
+            "note": NOTE,
         }
 
 
 def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolution) -> TorqueChange:
-    """Race torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
+    """Torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
 
     The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone. Where
     balls are loaded unequally those of the heaviest stand for all, too much for the lighter ones. The correction for
     finite geometry knows every load and every ball, and shows the change at each operating point.
     Raises InputError as friction_torque does.
     """
-    plain = replace(scene, effects={**scene.effects, **dict.fromkeys(BESIDE, "off")})
-    hertz = _with_reasons(scene, with_model_uncertainty(plain, friction_torque(plain)))
+    plain = replace(scene, effects={**scene.effects, **dict.fromkeys(LEFT_OUT, "off")})
+    hertz = friction_torque(plain)
     scene = replace(
         scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in COMPUTED + OF_CAGE}
     )
@@ -134,23 +137,6 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
         fitted=_fitted(scene, hertz),
         verdict=worst((inner.verdict, outer.verdict)),
     )
-
-
-def _with_reasons(scene: Scene, found: FrictionTorque) -> FrictionTorque:
-    """What this check leaves out of both torques is not put down to the scene, nor warned of: it is shown beside."""
-    by_scene = "the scene says off"
-    beside = {
-        each.name: BESIDE[each.name]
-        for each in found.effects
-        if each.name in BESIDE and scene.effects.get(each.name) != "off" and each.reason.startswith(by_scene)
-    }
-    effects = (replace(each, reason=beside.get(each.name, each.reason)) for each in found.effects)
-    warnings = (
-        words
-        for words in found.warnings
-        if not any(words.startswith(f"{name} is left out") and by_scene in words for name in beside)
-    )
-    return replace(found, effects=tuple(effects), warnings=tuple(warnings))
 
 
 def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:

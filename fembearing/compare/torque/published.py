@@ -7,7 +7,6 @@ paper's numbers came out (its `calibration`), agreement in those is a fit, and n
 import csv
 from dataclasses import asdict, dataclass
 from importlib.resources import files
-from typing import Any
 
 import numpy as np
 
@@ -40,30 +39,32 @@ class Printed:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Compared(Printed):
+    """A number of the paper with that of the scene."""
+
+    ours: float | None  # None where the scene has no such number
+    deviation: float | None  # from the paper's, relative
+
+
+@dataclass(frozen=True, kw_only=True)
+class Chosen:
+    """An input that the paper does not give, as the scene has it."""
+
+    value: float
+    unit: str  # SI
+
+
+@dataclass(frozen=True, kw_only=True)
 class BesidePaper:
     """The paper's numbers, and the scene's where it is the same case."""
 
+    paper: str
     same_bearing: bool  # as the paper's
     same_load: bool  # likewise
-    absent: str | None  # why nothing of the scene stands beside them
+    absent: str | None  # why no number of the scene is compared
     calibration: str | None  # what was chosen until it came out, in the scene's words
-    chosen: dict[str, tuple[float, str]]  # what the paper does not give, as the scene has it: SI, with its unit
-    rows: tuple[tuple[Printed, float | None], ...]  # with the scene's own; None where it has no such number
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI; deviations relative to the paper."""
-        return {
-            "paper": PAPER,
-            "same_bearing": self.same_bearing,
-            "same_load": self.same_load,
-            "absent": self.absent,
-            "calibration": self.calibration,
-            "chosen": {name: {"value": value, "unit": unit} for name, (value, unit) in self.chosen.items()},
-            "rows": [
-                asdict(printed) | {"ours": ours, "deviation": None if ours is None else ours / printed.value - 1}
-                for printed, ours in self.rows
-            ],
-        }
+    chosen: dict[str, Chosen]
+    rows: tuple[Compared, ...]
 
 
 def printed_numbers() -> tuple[Printed, ...]:
@@ -89,12 +90,16 @@ def beside_paper(scene: Scene, found: FrictionTorque | None) -> BesidePaper:
     """
     absent = _other_case(scene, found)
     return BesidePaper(
+        paper=PAPER,
         same_bearing=is_papers_bearing(scene.bearing),
         same_load=is_papers_load(scene.operation),
         absent=absent,
         calibration=scene.calibration,
         chosen={} if absent else _chosen(scene),
-        rows=tuple((one, None if absent or found is None else _ours(one, scene, found)) for one in printed_numbers()),
+        rows=tuple(
+            _compared(printed, None if absent or found is None else _ours(printed, scene, found))
+            for printed in printed_numbers()
+        ),
     )
 
 
@@ -124,7 +129,7 @@ def is_papers_load(operation: Operation) -> bool:
     return not sideways and bool(np.allclose(operation.axial_load, THRUST, rtol=SAME))
 
 
-def _chosen(scene: Scene) -> dict[str, tuple[float, str]]:
+def _chosen(scene: Scene) -> dict[str, Chosen]:
     surface = scene.surface
     groups = {
         "lubricant": scene.lubricant,
@@ -136,7 +141,11 @@ def _chosen(scene: Scene) -> dict[str, tuple[float, str]]:
         for group, name, unit in NOT_GIVEN
     }
     values["hysteresis loss"] = (scene.hysteresis_loss, "")
-    return {name: (float(value), unit) for name, (value, unit) in values.items() if value is not None}
+    return {name: Chosen(value=float(value), unit=unit) for name, (value, unit) in values.items() if value is not None}
+
+
+def _compared(printed: Printed, ours: float | None) -> Compared:
+    return Compared(**asdict(printed), ours=ours, deviation=None if ours is None else ours / printed.value - 1)
 
 
 def _ours(printed: Printed, scene: Scene, found: FrictionTorque) -> float | None:

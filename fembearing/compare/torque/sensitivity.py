@@ -7,12 +7,13 @@ in motion is left out: its closed form stands in.
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal
+from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
 from analytic.errors import FembearingError
+from analytic.result import COORDINATES
 from analytic.scene import Array, Bearing, Material, Scene
 from analytic.torque import friction_torque
 from fembearing.compare.contact.discrepancy import hertz_quantities
@@ -24,12 +25,14 @@ RACES: tuple[Literal["inner", "outer"], ...] = ("inner", "outer")
 
 @dataclass(frozen=True, kw_only=True)
 class Output:
-    """What is watched."""
+    """What the inputs change."""
 
     quantity: Literal["total_torque", "peak_pressure"]
     pair: Literal["inner", "outer"] | None  # None of a torque
     inner_speed: float | None  # rad/s, None of a pressure, which is the heaviest ball's at any point
     axial_load: float | None  # N, likewise
+    radial_load: float | None  # N, likewise
+    moment: float | None  # N m, likewise
     value: float  # N m or Pa
 
 
@@ -60,25 +63,6 @@ class Sensitivity:
 
     outputs: tuple[Output, ...]
     inputs: tuple[Input, ...]
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI; changes relative."""
-
-        def listed(changes: tuple[float, ...] | None) -> list[float] | None:
-            return None if changes is None else list(changes)
-
-        return {
-            "outputs": [asdict(output) for output in self.outputs],
-            "inputs": [
-                {
-                    **asdict(each),
-                    "change_low": listed(each.change_low),
-                    "change_high": listed(each.change_high),
-                    "refused": list(each.refused),
-                }
-                for each in self.inputs
-            ],
-        }
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -143,8 +127,7 @@ def _torques(scene: Scene) -> Watched:
         Output(
             quantity="total_torque",
             pair=None,
-            inner_speed=float(watched.operation.inner_speed[point]),
-            axial_load=float(watched.operation.axial_load[point]),
+            **{name: float(getattr(found, name)[point]) for name in COORDINATES},
             value=float(value[point]),
         )
         for point in range(value.size)
@@ -157,7 +140,7 @@ def _pressures(scene: Scene) -> Watched:
         return np.array([hertz_quantities(heaviest_contact(moved, race)).peak_pressure for race in RACES])
 
     outputs = [
-        Output(quantity="peak_pressure", pair=race, inner_speed=None, axial_load=None, value=float(value))
+        Output(quantity="peak_pressure", pair=race, value=float(value), **dict.fromkeys(COORDINATES))
         for race, value in zip(RACES, peaks(scene), strict=True)
     ]
     return scene, peaks, outputs

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from fembearing.compare.torque.cage_record import CageRecord
+from fembearing.quantities import PER_MINUTE
 from fembearing.report.pictures.framing import round_length
-from fembearing.report.words import PER_MINUTE
 
 SIDE, HEAD, FOOT = 900, 130, 90  # pixels of the cage, and of the words above and below
 AROUND = 2.3  # ball radii beyond the pitch circle that are in the picture: room for an arrow

@@ -1,7 +1,7 @@
 """A contact's meshes as they are drawn: whole from their quarter or half, in mm, with their loaded faces and edges.
 
-Part of the process of `fembearing.report.pictures.render`. Frame of the meshes: z along the load into the ball, x along rolling,
-y transverse.
+It runs in the process of `fembearing.report.pictures.render`. Frame of the meshes: z along the load into the ball, x
+along rolling, y transverse.
 """
 
 from typing import Any

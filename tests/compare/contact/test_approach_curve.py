@@ -8,6 +8,7 @@ from analytic.scene import Contact
 from fembearing.compare.contact.approach_curve import approach_over_load
 from fembearing.compare.contact.corrected import corrected_hertz
 from fembearing.compare.contact.discrepancy import hertz_quantities
+from fembearing.plain import plain
 
 
 def test_hertz_is_solved_at_every_load(contacts: dict[str, Contact]) -> None:
@@ -17,7 +18,7 @@ def test_hertz_is_solved_at_every_load(contacts: dict[str, Contact]) -> None:
     np.testing.assert_allclose(curve.hertz, solved, rtol=1e-12)
     np.testing.assert_allclose(curve.load[[0, -1]], (0.05 * 372, 1.5 * 372), rtol=1e-12)
     assert np.isnan(curve.corrected).all()
-    assert curve.to_json()["corrected"] == [None] * curve.load.size
+    assert plain(curve)["corrected"] == [None] * curve.load.size
 
 
 def test_the_correction_is_that_of_a_contact_of_its_own(contacts: dict[str, Contact]) -> None:
@@ -40,5 +41,5 @@ def test_where_the_fit_ends_the_curve_ends(contacts: dict[str, Contact]) -> None
     semi_axis = hertz_quantities(narrow).semi_axis_transverse * (curve.load / 3000) ** (1 / 3)
     np.testing.assert_array_equal(np.isfinite(curve.corrected), 1.15 * semi_axis <= 1.7e-3)
     assert 0 < np.isfinite(curve.corrected).sum() < curve.load.size
-    told = curve.to_json()
+    told = plain(curve)
     assert [value is None for value in told["corrected"]] == np.isnan(curve.corrected).tolist()
