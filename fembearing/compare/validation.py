@@ -78,7 +78,7 @@ class Validation:
     def warnings(self) -> tuple[str, ...]:
         """Those of the scene, of all contacts, of the torque and of the report, each once."""
         contacts = (warning for contact in self.contacts for warning in contact.warnings)
-        torque = () if self.torque is None else self.torque.found.warnings
+        torque = () if self.torque is None else self.torque.friction.warnings
         fitted = () if self.torque_change is None else self.torque_change.fitted.warnings
         return tuple(dict.fromkeys([*contacts, *torque, *fitted, *self.trouble]))
 
@@ -95,7 +95,7 @@ def check_scene(
 
     tolerance : relative; the scene's unless given
     hard : run the table of hard cases too
-    cost : measure every rung of every ladder too
+    cost : measure every method of every ladder too
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """
@@ -125,42 +125,42 @@ def check_scene(
             )
         )
     inner, outer = (_with_ring_if_known(contact) for contact in contacts[:2])
-    found = None if torque is None else torque.found
+    friction = None if torque is None else torque.friction
     return Validation(
         scene=scene,
         contacts=(inner, outer, *contacts[2:]),
         torque=torque,
         torque_change=None if torque is None else change_of_torque(scene, inner=inner, outer=outer),
-        published=beside_paper(scene, found),
+        published=beside_paper(scene, friction),
         hard=run_hard_cases(progress=part_of(progress, extra[0], extra[1])) if hard else (),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, extra[1], 1.0)).ladders
         if cost
         else tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
         measured=cost,
         sensitivity=sensitivity_of(scene),
-        cage_records=() if found is None else _recorded(scene, found),
+        cage_records=() if friction is None else _recorded(scene, friction),
         seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
-        provenance=provenance_of(scene, seeds=_seeds(scene, found, cost=cost)),
+        provenance=provenance_of(scene, seeds=_seeds(scene, friction, cost=cost)),
     )
 
 
-def _seeds(scene: Scene, found: FrictionTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:
+def _seeds(scene: Scene, friction: FrictionTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:
     """The seeds of all that is random in a check."""
     cage, surface = scene.cage, scene.surface
     seeds: dict[str, Sequence[int]] = {}
-    if cage is not None and found is not None and found.cage is not None and any(found.cage.motion):
+    if cage is not None and friction is not None and friction.cage is not None and any(friction.cage.motion):
         seeds["motion of the cage"] = range(cage.seeds)
     if cost and surface is not None and surface.autocorrelation is not None:
         seeds["generated surface"] = (SEED,)
     return seeds
 
 
-def _recorded(scene: Scene, found: FrictionTorque) -> tuple[CageRecord, ...]:
+def _recorded(scene: Scene, friction: FrictionTorque) -> tuple[CageRecord, ...]:
     """The motion at the slowest and the fastest point whose cage moved; the torque holds its statistics alone."""
-    moved = [] if found.cage is None else [point for point, motion in enumerate(found.cage.motion) if motion]
-    by_speed = sorted(moved, key=lambda point: abs(found.inner_speed[point]))
-    records = (record_cage(scene, found, point) for point in dict.fromkeys(by_speed[:1] + by_speed[-1:]))
+    moved = [] if friction.cage is None else [point for point, motion in enumerate(friction.cage.motion) if motion]
+    by_speed = sorted(moved, key=lambda point: abs(friction.inner_speed[point]))
+    records = (record_cage(scene, friction, point) for point in dict.fromkeys(by_speed[:1] + by_speed[-1:]))
     return tuple(record for record in records if record is not None)
 
 

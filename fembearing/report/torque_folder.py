@@ -45,10 +45,10 @@ def write_torque(
     Gives what the folder lacks, as `torque_with_folder`.
     """
     records = []
-    points = result.found.inner_speed.size
+    points = result.friction.inner_speed.size
     for point in range(points):
         progress(COMPUTED + (RECORDED - COMPUTED) * point / points, f"cage, point {point + 1}")
-        record = record_cage(result.scene, result.found, point)
+        record = record_cage(result.scene, result.friction, point)
         if record is not None:
             records.append(record)
     if records:
@@ -98,7 +98,7 @@ def _write_motions(
 
 def _why_at_rest(result: SceneTorque) -> str:
     """Why no cage moved."""
-    reason = next(effect.reason for effect in result.found.effects if effect.name == "cage_dynamics")
-    if result.found.cage is not None and not np.any(result.found.inner_speed):
+    reason = next(effect.reason for effect in result.friction.effects if effect.name == "cage_dynamics")
+    if result.friction.cage is not None and not np.any(result.friction.inner_speed):
         reason = "nothing turns"
     return f"the cage did not move, so that there is no series, plot or picture of it: {reason}"

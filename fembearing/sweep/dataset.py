@@ -1,4 +1,4 @@
-"""What a sweep found as one dataset, netCDF: axes are coordinates; units, meanings and provenance are attributes."""
+"""The result of a sweep as one dataset, netCDF: axes are coordinates; units, meanings and provenance are attributes."""
 
 import json
 from collections import Counter
@@ -38,8 +38,8 @@ def write_dataset(
     shape = tuple(len(axis.values) for axis in grid.order)
 
     def variable(values: NDArray[Any], **notes: str) -> Any:
-        found = xarray.Variable(dimensions, values.reshape(shape), notes)
-        return found.transpose(*(names[axis.key] for axis in grid.axes))
+        whole = xarray.Variable(dimensions, values.reshape(shape), notes)
+        return whole.transpose(*(names[axis.key] for axis in grid.axes))
 
     words: dict[str, Any] = {REASON: np.full(grid.size, "", dtype=object)}
     warnings: Counter[str] = Counter()
@@ -98,15 +98,15 @@ def _axis_notes(axis: Axis) -> dict[str, str]:
 
 def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
     scene = grid.first_scene()
-    told = provenance_of(scene)
-    content = told.pop("scene_content")
+    origin = provenance_of(scene)
+    content = origin.pop("scene_content")
     most = [warning for warning, _ in warnings.most_common(MOST_WARNINGS)]
     return {
         "title": f"{grid.what} of {scene.name}",
-        "fembearing": told["versions"]["fembearing"],
+        "fembearing": origin["versions"]["fembearing"],
         "grid": grid.text,
         "first_scene": json.dumps(content),
         "seed": SEED,  # of the points at which a long series is sampled; a cage's seeds are numbered in the scene
         "warnings": "\n".join(most),
-        **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in told.items()},
+        **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in origin.items()},
     }

@@ -195,14 +195,14 @@ def made(checked: Validation) -> Validation:
         contact_made(seat, SEAT, load=28.5, unknowns=(1400, 9900, 41000), seconds=(0.43, 2.1, 8.0)),
         contact_made(sheet, SHEET, load=28.5, unknowns=(1600, 9100, 43000), seconds=(0.51, 2.6, 9.0)),
     )
-    production = torque_made(torque.found, angle=[0.282, 0.3013, 0.3032], total=[34e-3, 42e-3, 53e-3])
+    production = torque_made(torque.friction, angle=[0.282, 0.3013, 0.3032], total=[34e-3, 42e-3, 53e-3])
     return replace(
         checked,
         scene=scene,
         provenance=provenance_of(scene),
         contacts=contacts,
         ladders=tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
-        torque=replace(torque, scene=scene, found=production),
+        torque=replace(torque, scene=scene, friction=production),
         torque_change=TorqueChange(
             hertz=hertz,
             corrected=torque_made(change.corrected, angle=[0.279, 0.2998, 0.3019], total=[33e-3, 41e-3, 48.5e-3]),

@@ -139,35 +139,35 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     )
 
 
-def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:
+def _outcome(torque: FrictionTorque, point: int) -> dict[str, float]:
     """What depends on the contacts, at one operating point: N m, and the angle in rad."""
-    parts = {name: getattr(found.torque, name) for name in PARTS}
+    parts = {name: getattr(torque.torque, name) for name in PARTS}
     known = {name: float(part[point]) for name, part in parts.items() if part is not None}
-    return known | {"contact_angle": float(found.contact_angle[point])}
+    return known | {"contact_angle": float(torque.contact_angle[point])}
 
 
 def _fitted(scene: Scene, hertz: FrictionTorque) -> FittedChange:
     balls = balls_of(scene)
-    found = corrections_of(scene.bearing, balls)
-    torque = friction_torque(scene, correction=found.correction)
+    corrections = corrections_of(scene.bearing, balls)
+    torque = friction_torque(scene, correction=corrections.correction)
     spread = np.zeros_like(hertz.ball_load)
     for name in FACTORS:
-        for correction in _moved(found, name):
+        for correction in _moved(corrections, name):
             moved = friction_torque(scene, correction=correction)
             spread += np.abs(_change(moved.torque.total, torque.torque.total))
-    covered = np.reshape(found.inner.covered & found.outer.covered, (hertz.ball_load.size, -1)).all(axis=1)
+    covered = np.reshape(corrections.inner.covered & corrections.outer.covered, (hertz.ball_load.size, -1)).all(axis=1)
     return FittedChange(
         torque=torque,
         relative=np.where(covered, _change(torque.torque.total, hertz.torque.total), np.nan),
         uncertainty=np.where(covered, spread, np.nan),
-        warnings=found.warnings,
+        warnings=corrections.warnings,
     )
 
 
-def _moved(found: RaceCorrections, name: str) -> Iterator[ContactCorrection]:
+def _moved(corrections: RaceCorrections, name: str) -> Iterator[ContactCorrection]:
     """With one factor of one race moved up by its uncertainty."""
-    plain = found.correction
-    for race, side in (("inner", found.inner), ("outer", found.outer)):
+    plain = corrections.correction
+    for race, side in (("inner", corrections.inner), ("outer", corrections.outer)):
         up = getattr(side.factors, name) * (1 + np.nan_to_num(side.uncertainty[name]))
         yield replace(plain, **{race: replace(side.factors, **{name: up})})
 

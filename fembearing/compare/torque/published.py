@@ -1,4 +1,4 @@
-"""What the paper behind the production model prints, beside what a scene gives.
+"""What the paper behind the production model prints, next to what a scene gives.
 
 The paper's numbers are computed too: this is a cross-check. Where a scene says that inputs of it were chosen until the
 paper's numbers came out (its `calibration`), agreement in those is a fit, and no evidence for either.
@@ -83,12 +83,12 @@ def printed_numbers() -> tuple[Printed, ...]:
     )
 
 
-def beside_paper(scene: Scene, found: FrictionTorque | None) -> BesidePaper:
-    """The paper's numbers beside a scene's.
+def beside_paper(scene: Scene, friction: FrictionTorque | None) -> BesidePaper:
+    """The paper's numbers next to a scene's.
 
-    found : torque of the scene as it asks for it; None where it has none
+    friction : torque of the scene, by its own effects; None where it has none
     """
-    absent = _other_case(scene, found)
+    absent = _other_case(scene, friction)
     return BesidePaper(
         paper=PAPER,
         same_bearing=is_papers_bearing(scene.bearing),
@@ -97,13 +97,13 @@ def beside_paper(scene: Scene, found: FrictionTorque | None) -> BesidePaper:
         calibration=scene.calibration,
         chosen={} if absent else _chosen(scene),
         rows=tuple(
-            _compared(printed, None if absent or found is None else _ours(printed, scene, found))
+            _compared(printed, None if absent or friction is None else _ours(printed, scene, friction))
             for printed in printed_numbers()
         ),
     )
 
 
-def _other_case(scene: Scene, found: FrictionTorque | None) -> str | None:
+def _other_case(scene: Scene, friction: FrictionTorque | None) -> str | None:
     """In what the scene is not the paper's case."""
     if not is_papers_bearing(scene.bearing):
         return "the scene has another bearing"
@@ -114,13 +114,13 @@ def _other_case(scene: Scene, found: FrictionTorque | None) -> str | None:
             "the paper's friction coefficient comes from mixed lubrication; the scene gives a coefficient, or lacks a "
             "lubricant or a surface"
         )
-    return "the scene has no torque" if found is None else None
+    return "the scene has no torque" if friction is None else None
 
 
 def is_papers_bearing(bearing: Bearing) -> bool:
     """Whether balls and pitch are those of the paper's 6205."""
-    found = bearing.ball_count, bearing.ball_diameter, bearing.pitch_diameter
-    return bool(np.allclose(found, (BALLS, BALL_DIAMETER, PITCH_DIAMETER), rtol=SAME))
+    own = bearing.ball_count, bearing.ball_diameter, bearing.pitch_diameter
+    return bool(np.allclose(own, (BALLS, BALL_DIAMETER, PITCH_DIAMETER), rtol=SAME))
 
 
 def is_papers_load(operation: Operation) -> bool:
@@ -148,19 +148,19 @@ def _compared(printed: Printed, ours: float | None) -> Compared:
     return Compared(**asdict(printed), ours=ours, deviation=None if ours is None else ours / printed.value - 1)
 
 
-def _ours(printed: Printed, scene: Scene, found: FrictionTorque) -> float | None:
+def _ours(printed: Printed, scene: Scene, friction: FrictionTorque) -> float | None:
     """The scene's number at the same speed and roughness."""
     roughness = None if scene.surface is None else scene.surface.rms_roughness
     if roughness is None or not np.isclose(roughness, printed.rms_roughness, rtol=SAME):
         return None
-    (at,) = np.nonzero(np.isclose(np.abs(found.inner_speed), printed.inner_speed, rtol=SAME))
+    (at,) = np.nonzero(np.isclose(np.abs(friction.inner_speed), printed.inner_speed, rtol=SAME))
     if not at.size:
         return None
     point = int(at[0])
     if printed.quantity == "cage_max_force":
-        motion = None if found.cage is None else found.cage.motion[point]
+        motion = None if friction.cage is None else friction.cage.motion[point]
         return None if motion is None else motion.max_force
-    if printed.quantity == "total_torque" and found.torque.cage is None:
+    if printed.quantity == "total_torque" and friction.torque.cage is None:
         return None  # the paper's has the cage in it
-    part = getattr(found.torque, printed.quantity.removesuffix("_torque"))
+    part = getattr(friction.torque, printed.quantity.removesuffix("_torque"))
     return None if part is None else float(part[point])

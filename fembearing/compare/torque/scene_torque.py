@@ -19,13 +19,13 @@ class SceneTorque:
     """Torque, uncertainties and catalogue band of one scene."""
 
     scene: Scene
-    found: FrictionTorque
+    friction: FrictionTorque
     catalogue: BesideCatalogue
 
     @property
     def within_tolerance(self) -> bool:
         """Whether the numerical uncertainty is, at every operating point."""
-        return bool(np.all(self.found.numerical_uncertainty <= self.scene.tolerance))
+        return bool(np.all(self.friction.numerical_uncertainty <= self.scene.tolerance))
 
     @property
     def doubts(self) -> tuple[str, ...]:
@@ -34,14 +34,14 @@ class SceneTorque:
 
     def _doubts(self) -> Iterator[str]:
         for race in ("inner", "outer"):
-            yield from static_doubt(race, getattr(self.found, race).peak_pressure)
-        band, total = self.catalogue.band, self.found.torque.total
+            yield from static_doubt(race, getattr(self.friction, race).peak_pressure)
+        band, total = self.catalogue.band, self.friction.torque.total
         if band is not None and (outside := np.count_nonzero((total < band.low) | (total > band.high))):
             yield f"The torque is outside the catalogue band at {outside} of {total.size} operating points."
 
     def to_json(self) -> dict[str, Any]:
         """The torque as plain types, SI, with the catalogue band, None where there is none."""
-        return self.found.to_json() | {
+        return self.friction.to_json() | {
             "tolerance": self.scene.tolerance,
             "catalogue_band": self.catalogue.to_json(),
             "doubts": list(self.doubts),
@@ -60,5 +60,5 @@ def static_doubt(race: str, peak_pressure: Any) -> Iterator[str]:
 
 def torque_of_scene(scene: Scene) -> SceneTorque:
     """The torque of a scene. Raises InputError as friction_torque does."""
-    found = with_model_uncertainty(scene, friction_torque(scene))
-    return SceneTorque(scene=scene, found=found, catalogue=beside_catalogue(scene))
+    friction = with_model_uncertainty(scene, friction_torque(scene))
+    return SceneTorque(scene=scene, friction=friction, catalogue=beside_catalogue(scene))

@@ -77,12 +77,12 @@ def _verdicts(contact: ContactSolution) -> Iterator[dict[str, Any]]:
 
 def _cage_motion(torque: SceneTorque) -> list[dict[str, Any]] | None:
     """Each operating point, None where no cage moved; torque, start and block are None at a point where it rests."""
-    part = torque.found.cage
+    part = torque.friction.cage
     if part is None or not any(part.motion):
         return None
     return [
         part.at(point)
-        | {"inner_speed": float(torque.found.inner_speed[point])}
+        | {"inner_speed": float(torque.friction.inner_speed[point])}
         | {name: None if motion is None else getattr(motion, name) for name in ("torque", "start", "block")}
         | {"other": None if motion is None else plain(motion.other)}
         for point, motion in enumerate(part.motion)

@@ -42,11 +42,11 @@ def draw_map(contact: ContactSolution, *, title: str, frame: Frame, shown: Press
         part = Triangulation(horizontal, vertical, triangles)
         axes.tricontourf(part, np.clip(pressure, 0, peak), levels=levels, cmap=scale.cmap, norm=scale.norm)
     angle = np.linspace(0, 2 * np.pi, 721)
-    for found, centre, colour, width in (
+    for quantities, centre, colour, width in (
         (contact.reference, contact.centroid, "black", 1.0),
         (contact.hertz, 0.0, "red", 1.5),
     ):
-        along = found.semi_axis_rolling * np.cos(angle), centre + found.semi_axis_transverse * np.sin(angle)
+        along = quantities.semi_axis_rolling * np.cos(angle), centre + quantities.semi_axis_transverse * np.sin(angle)
         axes.plot(*(along if frame.rolling_is_horizontal else along[::-1]), color=colour, linewidth=width)
     for shoulder in contact.shoulders:
         mark = axes.axhline if frame.rolling_is_horizontal else axes.axvline

@@ -46,6 +46,7 @@ def across(job: dict[str, Any]) -> tuple[int, ...]:
 
 
 def mirrored(mesh: pv.DataSet, axes: tuple[int, ...]) -> pv.DataSet:
+    """A mesh with its mirror images across the planes normal to these axes."""
     for axis in axes:
         mesh = mesh.merge(mesh.reflect(np.eye(3)[axis], point=(0, 0, 0)))
     return mesh

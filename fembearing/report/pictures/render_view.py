@@ -104,4 +104,8 @@ def normals(corners: np.ndarray) -> np.ndarray:
 
 
 def packed(values: Any, kind: str) -> str:
+    """Numbers as the page's script unpacks them.
+
+    kind : of each number, as numpy writes it
+    """
     return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode()

@@ -25,13 +25,13 @@ HEADS = {
 
 def print_torque(out: Console, result: SceneTorque) -> None:
     """Print a friction torque: parts, contacts, cage and effects, and in the last line whether it is certain enough."""
-    found, count = result.found, result.found.inner_speed.size
+    friction, count = result.friction, result.friction.inner_speed.size
     points = shown_points(count)
     _print_parts(out, result, points)
     if len(points) < count:
         out.print(f"{len(points)} of {count} operating points; --json has all of them.", highlight=False)
     scene = result.scene
-    model = None if found.model_uncertainty is None else float(found.model_uncertainty.max())
+    model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
     out.print(
         f"In N mm about the bearing axis; +-: numerical uncertainty. {uncertainty_of(model)}\n"
         f"{capital(result.catalogue.note)}.\n",
@@ -39,19 +39,19 @@ def print_torque(out: Console, result: SceneTorque) -> None:
         highlight=False,
         markup=False,
     )
-    _print_contacts(out, found, points)
-    _print_cage(out, found, points)
-    _print_effects(out, found)
-    names = ("loads", "contacts", "sliding", *(() if found.cage is None else ("cage",)))
-    methods = [f"{name} by {found.provenance[name]}".replace("_", " ") for name in names]
-    friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
-    out.print(f"Methods: {'; '.join(methods)}. Friction: {friction}.\n", highlight=False, markup=False)
+    _print_contacts(out, friction, points)
+    _print_cage(out, friction, points)
+    _print_effects(out, friction)
+    names = ("loads", "contacts", "sliding", *(() if friction.cage is None else ("cage",)))
+    methods = [f"{name} by {friction.provenance[name]}".replace("_", " ") for name in names]
+    source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
+    out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.\n", highlight=False, markup=False)
     for doubt in result.doubts:
         out.print(doubt, highlight=False)
-    reached = float(np.max(found.numerical_uncertainty, initial=0.0))
+    reached = float(np.max(friction.numerical_uncertainty, initial=0.0))
     out.print(
         f"{'within' if result.within_tolerance else 'beyond'} the tolerance {result.scene.tolerance:g}: numerical "
-        f"uncertainty {percent(reached)}, {found.seconds:.2g} s",
+        f"uncertainty {percent(reached)}, {friction.seconds:.2g} s",
         highlight=False,
     )
 
@@ -78,12 +78,12 @@ def point_columns(series: Mapping[str, Sequence[float]]) -> tuple[dict[str, list
 
 
 def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> None:
-    found, band = result.found, result.catalogue.band
-    columns, fixed = point_columns({name: getattr(found, name).tolist() for name in COORDINATES})
+    friction, band = result.friction, result.catalogue.band
+    columns, fixed = point_columns({name: getattr(friction, name).tolist() for name in COORDINATES})
     words = ", ".join([f"Friction torque of {result.scene.bearing.name}", *fixed])
     out.print(words, style="italic", highlight=False, markup=False)
     table = Table(**PLAIN)
-    parts = {name: values for name in HEADS if (values := getattr(found.torque, name)) is not None}
+    parts = {name: values for name in HEADS if (values := getattr(friction.torque, name)) is not None}
     for head in ("#", *columns, *(HEADS[name] for name in parts)):
         table.add_column(head, justify="right")
     for head in ("total", "+-", *(("catalogue",) if band is not None else ())):
@@ -93,18 +93,18 @@ def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> No
             str(point + 1),
             *(values[point] for values in columns.values()),
             *(f"{values[point] * 1e3:.3g}" for values in parts.values()),
-            f"{found.torque.total[point] * 1e3:.4g}",
-            percent(float(found.numerical_uncertainty[point])),
+            f"{friction.torque.total[point] * 1e3:.4g}",
+            percent(float(friction.numerical_uncertainty[point])),
             *(() if band is None else (f"{band.low[point] * 1e3:.3g}-{band.high[point] * 1e3:.3g}",)),
         )
     out.print(table)
 
 
-def _print_contacts(out: Console, found: FrictionTorque, points: Sequence[int]) -> None:
+def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int]) -> None:
     """The ball that presses hardest, on both races."""
     quantities = {name: CONTACT[name] for name in ("peak_pressure", "semi_axis_rolling", "semi_axis_transverse")}
     heads = ["#", "race", "load, N", *(f"{each.symbol}, {each.shown.name}" for each in quantities.values())]
-    coefficients, films, shares = found.friction_coefficient, found.film, found.asperity_share
+    coefficients, films, shares = friction.friction_coefficient, friction.film, friction.asperity_share
     optional = {
         "mu": (coefficients, 1.0),
         QUANTITIES["film"].heading: (films, QUANTITIES["film"].shown.factor),
@@ -116,7 +116,7 @@ def _print_contacts(out: Console, found: FrictionTorque, points: Sequence[int]) 
         table.add_column(head, justify="left" if head == "race" else "right")
     for point in points:
         for race in ("inner", "outer"):
-            contact = getattr(found, race)
+            contact = getattr(friction, race)
             table.add_row(
                 str(point + 1),
                 race,
@@ -125,7 +125,7 @@ def _print_contacts(out: Console, found: FrictionTorque, points: Sequence[int]) 
                 *(f"{getattr(group, race)[point] * factor:.3g}" for group, factor in known.values()),
             )
     out.print(table)
-    low, high = found.contact_angle[list(points)].min(), found.contact_angle[list(points)].max()
+    low, high = friction.contact_angle[list(points)].min(), friction.contact_angle[list(points)].max()
     angle = f"{low:.4f}" if low == high else f"{low:.4f} to {high:.4f}"
     out.print(
         f"Contact angle {angle} rad, mean of both races. a along rolling, b transverse"
@@ -136,16 +136,16 @@ def _print_contacts(out: Console, found: FrictionTorque, points: Sequence[int]) 
     )
 
 
-def _print_cage(out: Console, found: FrictionTorque, points: Sequence[int]) -> None:
+def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -> None:
     """The cage at the points where it moved."""
-    if found.cage is None or not any(found.cage.motion):
+    if friction.cage is None or not any(friction.cage.motion):
         return
     table = Table(title="Cage in motion", **PLAIN)
     for head in ("#", "state", "all forces, N", "largest, N", "95 %", "torque, N mm", "95 %"):
         table.add_column(head, justify="left" if head == "state" else "right")
     blocks = 0.0
     for point in points:
-        motion = found.cage.motion[point]
+        motion = friction.cage.motion[point]
         if motion is None:
             continue
         blocks = motion.block
@@ -166,12 +166,12 @@ def _print_cage(out: Console, found: FrictionTorque, points: Sequence[int]) -> N
     )
 
 
-def _print_effects(out: Console, found: FrictionTorque) -> None:
+def _print_effects(out: Console, friction: FrictionTorque) -> None:
     table = Table(title="Effects", **PLAIN)
     for head in ("effect", "", "share"):
         table.add_column(head, justify="right" if head == "share" else "left", no_wrap=True)
     table.add_column("reason")
-    for effect in found.effects_to_json():
+    for effect in friction.effects_to_json():
         table.add_row(
             effect["name"], effect["decision"], share_of(effect["share_is"], effect["share"]), escape(effect["reason"])
         )

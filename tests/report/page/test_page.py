@@ -109,7 +109,7 @@ def test_the_numbers_are_those_of_the_result(checked: Validation, page: Page) ->
         assert f"{1e-9 * stiffness:.4g}" in page.text
     assert checked.torque is not None
     assert checked.torque_change is not None
-    for torque in (checked.torque.found, checked.torque_change.hertz, checked.torque_change.corrected):
+    for torque in (checked.torque.friction, checked.torque_change.hertz, checked.torque_change.corrected):
         assert f"{1e3 * torque.torque.total[0]:.4g}" in page.text
     assert f"{checked.torque_change.uncertainty:.2%}".replace("%", " %") in page.text
 
@@ -192,8 +192,8 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
         MOVING.replace("500 rpm", "400 rpm").replace('start = "rest"', 'start = "whirl"'), origin="here"
     )
     production = torque_of_scene(scene)
-    assert production.found.cage is not None
-    motion = production.found.cage.motion[0]
+    assert production.friction.cage is not None
+    motion = production.friction.cage.motion[0]
     assert motion is not None
     assert motion.other is not None
     one = change_of_torque(scene, inner=checked.contacts[0], outer=checked.contacts[1])

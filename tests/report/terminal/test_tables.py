@@ -96,8 +96,8 @@ def test_every_operating_point_has_its_total_with_the_loads_that_vary(printed: s
 
 def test_a_radial_load_and_a_moment_stand_with_their_point(made: Validation) -> None:
     assert made.torque is not None
-    found = replace(made.torque.found, radial_load=np.array([0.0, 310.0, 320.0]), moment=np.full(3, 1.5))
-    result = replace(made, torque=replace(made.torque, found=found))
+    friction = replace(made.torque.friction, radial_load=np.array([0.0, 310.0, 320.0]), moment=np.full(3, 1.5))
+    result = replace(made, torque=replace(made.torque, friction=friction))
     rows = rows_of(text_of(result))
     assert ["3", "600", "910", "320", "53", "1.3 %"] in rows
     assert "Friction torque, moment 1.5 N m" in text_of(result)
@@ -109,9 +109,9 @@ def test_a_pass_past_the_static_limit_or_outside_the_band_says_so(made: Validati
     """Each doubt stands on the terminal right above the verdict, and in the JSON."""
     assert made.torque is not None
     band = CatalogueBand(low=np.full(3, 30e-3), high=np.full(3, 45e-3), values={})
-    found = made.torque.found
-    found = replace(found, inner=replace(found.inner, peak_pressure=np.array([1e9, 6.3e9, 2e9])))
-    torque = replace(made.torque, found=found, catalogue=BesideCatalogue(band=band, note="a band"))
+    friction = made.torque.friction
+    friction = replace(friction, inner=replace(friction.inner, peak_pressure=np.array([1e9, 6.3e9, 2e9])))
+    torque = replace(made.torque, friction=friction, catalogue=BesideCatalogue(band=band, note="a band"))
     result = replace(made, torque=torque)
     lines = " ".join(text_of(result).split())
     limit = "The peak pressure on the inner race, 6.30 GPa, is past the static limit of 4.2 GPa"
