@@ -1,8 +1,9 @@
-"""What the friction torque of a scene is told with: parts, contacts, effects, warnings, and their JSON."""
+"""The result of a friction torque: its parts, contacts, effects and warnings, as arrays, JSON and named columns."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal
+from html import escape
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -10,7 +11,56 @@ from analytic.cage.torque import CAGE_KEYS, CagePart
 from analytic.effects.ledger import Effect
 from analytic.effects.table import CHOSEN, DECLARED
 from analytic.scene import Array, Scene, Sliding
-from analytic.torque_columns import torque_dataset, torque_html
+
+POINT = "point"  # the dimension of a dataset
+MOST_ROWS = 12  # of the table in a notebook
+
+
+class Column(NamedTuple):
+    """What the numbers of a column are."""
+
+    unit: str  # SI; "1" of a pure number
+    meaning: str
+    symbol: str = ""
+
+
+# An operating point, as it is given.
+COORDINATES: dict[str, Column] = {
+    "inner_speed": Column("rad/s", "speed of the inner ring"),
+    "axial_load": Column("N", "axial load", "Fa"),
+    "radial_load": Column("N", "radial load", "Fr"),
+    "moment": Column("N m", "moment", "M"),
+}
+# What is computed there.
+COLUMNS: dict[str, Column] = {
+    "torque_total": Column("N m", "friction torque"),
+    "torque_race": Column("N m", "friction torque of balls on races"),
+    "torque_spin": Column("N m", "part of the friction torque by spin"),
+    "torque_conformity": Column("N m", "part of the friction torque by conformity"),
+    "torque_hysteresis": Column("N m", "part of the friction torque by elastic hysteresis"),
+    "torque_rolling": Column("N m", "part of the friction torque by hydrodynamic rolling"),
+    "torque_cage": Column("N m", "part of the friction torque by the cage"),
+    "torque_declared": Column("N m", "part of the friction torque that the scene declares for seals and drag"),
+    "uncertainty_numerical": Column("1", "numerical uncertainty of the friction torque, relative"),
+    "uncertainty_model": Column("1", "uncertainty of the friction torque by the film formula, relative, 95 %"),
+    "contact_angle": Column("rad", "contact angle of the heaviest ball", "al"),
+    "ball_load": Column("N", "load of the heaviest ball on the race where it is larger", "Q"),
+    **{
+        f"{name}_{race}": Column(unit, f"{meaning}, {race} race", symbol)
+        for name, unit, meaning, symbol in (
+            ("friction_coefficient", "1", "friction coefficient", "mu"),
+            ("film", "m", "film thickness between the mean planes", "h"),
+            ("asperity_share", "1", "share of the load on asperities", "s"),
+            ("load", "N", "load of the heaviest ball", "Q"),
+            ("semi_axis_rolling", "m", "semi-axis of the contact along rolling", "a"),
+            ("semi_axis_transverse", "m", "semi-axis of the contact across rolling", "b"),
+            ("peak_pressure", "Pa", "peak pressure", "p0"),
+            ("approach", "m", "approach of ball and race", "delta"),
+        )
+        for race in ("inner", "outer")
+    },
+    "friction_coefficient_pocket": Column("1", "friction coefficient of ball on cage pocket", "mu"),
+}
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -24,12 +74,12 @@ class TorqueParts:
     hysteresis: Array | None
     rolling: Array | None = None
     cage: Array | None = None  # sliding on balls and land, and drag
-    declared: Array | None = None  # seals and drag, as the scene tells them
+    declared: Array | None = None  # seals and drag, as the scene gives them
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FrictionCoefficients:
-    """Of each contact, (n,); None where there is no such contact, or nothing that slides was asked for."""
+    """Of each contact, (n,); None where there is no such contact, or where nothing that slides was computed."""
 
     inner: Array | None = None
     outer: Array | None = None
@@ -61,10 +111,12 @@ class FrictionTorque:
 
     inner_speed: Array  # rad/s
     axial_load: Array  # N
+    radial_load: Array  # N
+    moment: Array  # N m
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts
-    # Of the total, relative: bounds on what auto left out and on the rung of sliding; infinite where none is known.
+    # Of the total, relative: bounds on what auto left out and on the method of sliding; infinite where none is known.
     numerical_uncertainty: Array
     friction_coefficient: FrictionCoefficients
     film: OnRaces  # h, between the mean planes, m; None without a lubrication model
@@ -72,7 +124,7 @@ class FrictionTorque:
     inner: LoadedContact
     outer: LoadedContact
     effects: tuple[Effect, ...]
-    sliding: Sliding  # the rung that integrated it; auto: nothing slides
+    sliding: Sliding  # the method that integrated it; auto: nothing slides
     warnings: tuple[str, ...]
     provenance: Mapping[str, str]
     seconds: float  # that the computation took
@@ -81,7 +133,7 @@ class FrictionTorque:
     gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
 
     def settled(self, scene: Scene) -> Scene:
-        """The scene with every effect and rung decided as here, whatever bounds would say of a change of it."""
+        """The scene with every effect and method fixed as it was decided here, so that a change of it keeps them."""
         decisions = {effect.name: effect.decision for effect in self.effects if effect.name in CHOSEN}
         return replace(scene, effects={**scene.effects, **decisions}, sliding=self.sliding)
 
@@ -97,12 +149,71 @@ class FrictionTorque:
         }
 
     def effects_to_json(self) -> list[dict[str, Any]]:
-        """Each effect with what its share is: of a part of its own, a bound, unbounded or unknown (both None)."""
+        """Each effect, and what its share is: that of its own part, a bound, unbounded or unknown (both None)."""
         return [
             asdict(effect)
             | {"share": None if effect.share is None else _finite(effect.share), "share_is": self._kind_of(effect)}
             for effect in self.effects
         ]
+
+    def columns(self) -> dict[str, Array]:
+        """The values of COLUMNS, each (n,); NaN where a part was left out or is not modelled."""
+        values = {f"torque_{name}": part for name, part in vars(self.torque).items()}
+        values |= {
+            "uncertainty_numerical": self.numerical_uncertainty,
+            "uncertainty_model": self.model_uncertainty,
+            "contact_angle": self.contact_angle,
+            "ball_load": self.ball_load,
+        }
+        for name in ("friction_coefficient", "film", "asperity_share"):
+            values |= {f"{name}_{place}": part for place, part in vars(getattr(self, name)).items()}
+        for race in ("inner", "outer"):
+            values |= {f"{name}_{race}": part for name, part in vars(getattr(self, race)).items()}
+        nothing = np.full(self.inner_speed.shape, np.nan)
+        return {name: nothing if values[name] is None else np.asarray(values[name]) for name in COLUMNS}
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset over the operating points, with units and meanings as attributes.
+
+        It lacks the columns that hold nothing, because their part was left out or is not modelled.
+        """
+        import xarray  # on demand: it takes a second
+
+        def variable(values: Array, column: Column) -> tuple[str, Array, dict[str, str]]:
+            return POINT, values, {"units": column.unit, "long_name": column.meaning}
+
+        return xarray.Dataset(
+            {
+                name: variable(values, COLUMNS[name])
+                for name, values in self.columns().items()
+                if not np.all(np.isnan(values))
+            },
+            coords={name: variable(getattr(self, name), column) for name, column in COORDINATES.items()},
+            attrs={**self.provenance, "warnings": "\n".join(self.warnings)},
+        )
+
+    def _repr_html_(self) -> str:
+        """A table for a notebook: a row for each operating point, the torque in N mm by effect."""
+        parts = {name: part for name, part in vars(self.torque).items() if part is not None}
+        sideways = {
+            f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}": values
+            for name in ("radial_load", "moment")
+            if np.any(values := getattr(self, name))
+        }
+        head = ["speed, rpm", "axial load, N", *sideways, *(f"{name}, N mm" for name in parts), "uncertainty, %"]
+        shown = min(self.inner_speed.size, MOST_ROWS)
+        rows = [
+            [
+                f"{self.inner_speed[i] * 30 / np.pi:.4g}",
+                f"{self.axial_load[i]:.4g}",
+                *(f"{values[i]:.4g}" for values in sideways.values()),
+                *(f"{1e3 * part[i]:.4g}" for part in parts.values()),
+                f"{100 * self.numerical_uncertainty[i]:.2g}",
+            ]
+            for i in range(shown)
+        ]
+        more = self.inner_speed.size - shown
+        return html_table(head, rows, f"friction torque, {more} more points" if more else "friction torque")
 
     def _kind_of(self, effect: Effect) -> Literal["part", "bound", "unbounded", "unknown"]:
         if effect.share is None:
@@ -111,22 +222,13 @@ class FrictionTorque:
             return "unbounded"
         return "part" if getattr(self.torque, effect.name, None) is not None or effect.name in DECLARED else "bound"
 
-    def to_xarray(self) -> Any:
-        """An xarray.Dataset over the operating points, with units."""
-        return torque_dataset(self)
-
-    def _repr_html_(self) -> str:
-        """A table in a notebook."""
-        return torque_html(self)
-
     def _point(self, index: int) -> dict[str, Any]:
         def here(group: object) -> dict[str, float | None]:
             return {name: None if values is None else float(values[index]) for name, values in vars(group).items()}
 
         model = None if self.model_uncertainty is None else float(self.model_uncertainty[index])
         return {
-            "inner_speed": float(self.inner_speed[index]),
-            "axial_load": float(self.axial_load[index]),
+            **{name: float(getattr(self, name)[index]) for name in COORDINATES},
             "contact_angle": float(self.contact_angle[index]),
             "torque": here(self.torque),
             "friction_coefficient": here(self.friction_coefficient),
@@ -136,6 +238,16 @@ class FrictionTorque:
             "uncertainty": {"numerical": _finite(self.numerical_uncertainty[index]), "model": model},
             "cage": dict.fromkeys(CAGE_KEYS) if self.cage is None else self.cage.at(index),
         }
+
+
+def html_table(head: list[str], rows: list[list[str]], caption: str) -> str:
+    """Rows of text as an HTML table."""
+
+    def row(cells: list[str], tag: str) -> str:
+        return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
+
+    body = "".join(row(cells, "td") for cells in rows)
+    return f"<table><caption>{escape(caption)}</caption><thead>{row(head, 'th')}</thead><tbody>{body}</tbody></table>"
 
 
 def _finite(value: float) -> float | None:

@@ -6,15 +6,13 @@ import os
 import platform
 import sys
 from collections.abc import Mapping, Sequence
-from dataclasses import fields, is_dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from types import MappingProxyType
 from typing import Any
 
-import numpy as np
-
 from analytic.scene import Scene
+from fembearing.plain import plain
 
 PACKAGES = (
     "fembearing",
@@ -42,7 +40,7 @@ def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingP
 
     seeds : of each random quantity, by its name; without them nothing is random
     """
-    content = _plain(scene)
+    content = plain(scene)
     return {
         "scene": scene.name,
         "scene_content": content,
@@ -63,15 +61,6 @@ def repeatable(content: Any) -> Any:
     if isinstance(content, dict):
         return {key: repeatable(value) for key, value in content.items() if key not in VARYING}
     return [repeatable(value) for value in content] if isinstance(content, list) else content
-
-
-def _plain(value: Any) -> Any:
-    """A dataclass, array or mapping as plain types."""
-    if is_dataclass(value):
-        return {part.name: _plain(getattr(value, part.name)) for part in fields(value)}
-    if isinstance(value, np.ndarray):
-        return value.tolist()
-    return dict(value) if isinstance(value, Mapping) else value
 
 
 def _version(package: str) -> str | None:

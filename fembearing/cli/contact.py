@@ -49,6 +49,7 @@ def _one_contact(
     from fembearing.compare.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
     from fembearing.compare.contact.mesh_refinement import COMPARED
     from fembearing.compare.contact.subsurface import compare_subsurface
+    from fembearing.report.document.build import contact_table
     from fembearing.report.terminal.contacts import print_contact, print_subsurface
 
     with shown_progress() as progress:
@@ -63,7 +64,7 @@ def _one_contact(
         added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
         print_json(result.to_json() | added)
     else:
-        print_contact(out, result)
+        print_contact(out, contact_table(result), result.verdicts)
         if below is not None:
             print_subsurface(out, below)
         if result.judged:

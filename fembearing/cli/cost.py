@@ -18,7 +18,7 @@ def cost(
     from fembearing.compare.cost.scene_cost import measure_cost
     from fembearing.report.folder import write_cost
     from fembearing.report.new_folder import whole_folder
-    from fembearing.report.terminal.contacts import print_cost
+    from fembearing.report.terminal.cost import print_cost
 
     with shown_progress() as progress, nullcontext() if folder is None else whole_folder(folder) as place:
         result = measure_cost(given, tolerance=limit, progress=progress)

@@ -20,7 +20,7 @@ def report(
     as_json: AsJson = False,
 ) -> None:
     """Make the page of a report again from its numbers and the pictures in the same folder."""
-    from fembearing.report.page.again import rebuild_page
+    from fembearing.report.page.rebuild import rebuild_page
 
     result = rebuild_page(numbers, out=page)
     if as_json:

@@ -26,7 +26,7 @@ def torque(
         print_json(result.to_json())
     else:
         print_torque(out, result)
-        print_warnings(result.found.warnings)
+        print_warnings(result.friction.warnings)
         if folder is not None:
             out.print(f"folder: {folder}", highlight=False, soft_wrap=True, markup=False)
     if lacking is not None:

@@ -23,15 +23,17 @@ def validate(
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
     given = read_scene(scene)
     limit = read_tolerance(tolerance, given)
+    from fembearing.report.document.build import report_of
     from fembearing.report.folder import validate as run
-    from fembearing.report.terminal.contacts import print_validation
+    from fembearing.report.terminal.validation import print_validation
 
     with shown_progress() as progress:
         result = run(given, out=folder, tolerance=limit, hard=hard, cost=with_cost, progress=progress)
+    document = report_of(result)
     if as_json:
-        print_json(result.to_json())
+        print_json(document.to_json())
     else:
-        print_validation(out, result)
+        print_validation(out, document)
         print_warnings(result.warnings)
         if folder is not None:
             out.print(f"report: {folder / 'report.html'}", highlight=False, soft_wrap=True, markup=False)

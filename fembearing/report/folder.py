@@ -44,28 +44,29 @@ def validate(
 
 def write_report(result: Validation, folder: Path) -> Validation:
     """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
+    from fembearing.report.document.build import report_of
     from fembearing.report.figures.cost import cost_table
-    from fembearing.report.page.html import write_page  # with matplotlib: half a second that only a report pays for
+    from fembearing.report.page.write import write_page  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures.draw import draw_pictures
 
     pictures, trouble = draw_pictures(result.contacts, folder)
     if trouble:
         result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
-    content = result.to_json() | {"pictures": [picture.to_json() for picture in pictures], "renderer": trouble or "VTK"}
-    numbers = json.dumps(content, indent=1, allow_nan=False)
+    document = report_of(result, pictures=[picture.to_json() for picture in pictures], renderer=trouble)
+    numbers = json.dumps(document.to_json(), indent=1, allow_nan=False)
     (folder / "report.json").write_text(numbers, "utf-8")
-    document = json.loads(numbers)  # as who reads the file has it
     write_page(document, folder=folder, file=folder / "report.html")
-    (folder / "cost.csv").write_text(cost_table(document["cost"]["ladders"]), "utf-8")
+    (folder / "cost.csv").write_text(cost_table(document.cost.ladders), "utf-8")
     return result
 
 
 def write_cost(cost: Cost, folder: Path) -> None:
     """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
+    from fembearing.report.document.report import Ladder
     from fembearing.report.figures.cost import cost_figure, cost_table
-    from fembearing.report.figures.file import png
+    from fembearing.report.figures.style import png
 
-    ladders = [ladder.to_json() for ladder in cost.ladders]
+    ladders = [Ladder.model_validate(ladder.to_json()) for ladder in cost.ladders]
     (folder / "cost.png").write_bytes(png(cost_figure(ladders, tolerance=cost.tolerance)))
     (folder / "cost.csv").write_text(cost_table(ladders), "utf-8")
     (folder / "cost.json").write_text(json.dumps(cost.to_json(), indent=1, allow_nan=False), "utf-8")

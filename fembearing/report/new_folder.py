@@ -20,27 +20,27 @@ def whole_folder(target: Path) -> Iterator[Path]:
     if os.path.lexists(target):
         raise InputError(f"{place} exists already: give a new name, or remove it first")
     parent = target.absolute().parent
-    apart = parent / f".{target.name}-{secrets.token_hex(4)}"
+    temporary = parent / f".{target.name}-{secrets.token_hex(4)}"
     try:
         try:
-            apart.mkdir(mode=0o700)  # nobody but its owner looks in before it is whole
+            temporary.mkdir(mode=0o700)  # nobody but its owner looks in before it is whole
         except OSError as problem:
             raise InputError(
                 f"{place} cannot be made in {str(parent)!r}: {problem.strerror}; give a name in a folder that you may "
                 "write"
             ) from problem
-        yield apart
-        apart.chmod(0o777 & ~_umask())
+        yield temporary
+        temporary.chmod(0o777 & ~_umask())
         try:
-            apart.rename(target)
+            temporary.rename(target)
         except OSError as problem:  # somebody made it meanwhile
             raise InputError(f"{place} cannot be written: {problem.strerror}; nothing is left of it") from problem
     finally:
-        shutil.rmtree(apart, ignore_errors=True)
+        shutil.rmtree(temporary, ignore_errors=True)
 
 
 def _umask() -> int:
-    """Of this process; the system tells it only by setting it."""
-    found = os.umask(0)
-    os.umask(found)
-    return found
+    """The mask of this process: the system gives it only when it is set."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -1,4 +1,4 @@
-"""The folder of a torque: its numbers, and of each point whose cage moved its series in time, a plot and a picture."""
+"""The folder of a torque: its numbers, and for each point whose cage moved a series in time, a plot and a picture."""
 
 import json
 from collections.abc import Sequence
@@ -45,19 +45,19 @@ def write_torque(
     Gives what the folder lacks, as `torque_with_folder`.
     """
     records = []
-    points = result.found.inner_speed.size
+    points = result.friction.inner_speed.size
     for point in range(points):
         progress(COMPUTED + (RECORDED - COMPUTED) * point / points, f"cage, point {point + 1}")
-        record = record_cage(result.scene, result.found, point)
+        record = record_cage(result.scene, result.friction, point)
         if record is not None:
             records.append(record)
     if records:
         progress(RECORDED, "plots and pictures")
-        told, lacking = _write_motions(records, folder, renderer)
+        written, lacking = _write_motions(records, folder, renderer)
     else:
-        told, lacking = [], _why_at_rest(result)
+        written, lacking = [], _why_at_rest(result)
     content = result.to_json() | {
-        "cage_motion": {"points": told, "lacking": lacking},
+        "cage_motion": {"points": written, "lacking": lacking},
         "run": provenance_of(result.scene),
     }
     (folder / "torque.json").write_text(json.dumps(content, indent=1, allow_nan=False), "utf-8")
@@ -67,23 +67,24 @@ def write_torque(
 def _write_motions(
     records: list[CageRecord], folder: Path, renderer: Sequence[str] | None
 ) -> tuple[list[dict[str, Any]], str | None]:
+    from fembearing.report.document.torque import CageRecord as Motion
     from fembearing.report.figures.cage import cage_caption, orbit_figure  # with matplotlib: only a folder pays for it
-    from fembearing.report.figures.file import png
+    from fembearing.report.figures.style import png
     from fembearing.report.pictures.cage import cage_job, picture_caption
     from fembearing.report.pictures.draw import RENDERER, rendered
 
     pictures = [folder / f"{record.point}-cage.png" for record in records]
     jobs = [cage_job(record, file) for record, file in zip(records, pictures, strict=True)]
     trouble = rendered(jobs, RENDERER if renderer is None else renderer)
-    told = []
+    written = []
     for record, picture in zip(records, pictures, strict=True):
         series, plot = folder / f"{record.point}-cage.nc", folder / f"{record.point}-cage-forces.png"
         dataset = record.to_dataset()
         packed = {name: {"zlib": True, "complevel": 1} for name in dataset.data_vars}  # most forces are 0
         dataset.to_netcdf(series, engine="netcdf4", encoding=packed)
-        motion = record.to_json()
+        motion = Motion.model_validate(record.drawn())
         plot.write_bytes(png(orbit_figure([motion])))
-        told.append(
+        written.append(
             {
                 "point": record.point,
                 "state": record.statistics.state,
@@ -92,12 +93,12 @@ def _write_motions(
                 "picture": None if trouble else {"file": picture.name, "caption": picture_caption(record)},
             }
         )
-    return told, None if trouble is None else f"there is no picture of the cage: {trouble}"
+    return written, None if trouble is None else f"there is no picture of the cage: {trouble}"
 
 
 def _why_at_rest(result: SceneTorque) -> str:
     """Why no cage moved."""
-    reason = next(effect.reason for effect in result.found.effects if effect.name == "cage_dynamics")
-    if result.found.cage is not None and not np.any(result.found.inner_speed):
+    reason = next(effect.reason for effect in result.friction.effects if effect.name == "cage_dynamics")
+    if result.friction.cage is not None and not np.any(result.friction.inner_speed):
         reason = "nothing turns"
     return f"the cage did not move, so that there is no series, plot or picture of it: {reason}"

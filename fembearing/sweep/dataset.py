@@ -1,4 +1,4 @@
-"""What a sweep found as one dataset, netCDF: axes are coordinates; units, meanings and provenance are attributes."""
+"""The result of a sweep as one dataset, netCDF: axes are coordinates; units, meanings and provenance are attributes."""
 
 import json
 from collections import Counter
@@ -12,22 +12,13 @@ from numpy.typing import NDArray
 from analytic.numerics.interpolated import SEED
 from fembearing.compare.contact.columns import VERDICT
 from fembearing.provenance import provenance_of
+from fembearing.quantities import QUANTITIES
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import Part, Piece, column_notes
 
 REASON = "failure"
 WORDS = {REASON: "why a point failed; empty where not", VERDICT: "verdict on Hertz by the scene's tolerance"}
-MEANINGS = {
-    "operation.axial_load": "axial load",
-    "operation.inner_speed": "speed of the inner ring",
-    "operation.radial_load": "radial load",
-    "operation.moment": "moment",
-    "lubricant.viscosity": "viscosity",
-    "surface.rms_roughness": "rms roughness",
-    "bearing.catalog": "bearing",
-    "conformity": "conformity, groove radius over ball diameter",
-    "ball_load": "load of the ball",
-}
+QUANTITY = {"bearing.catalog": "bearing", "ball_load": "load"}  # of an axis, where its key does not end in its name
 MOST_WARNINGS = 50
 BYTES_TOGETHER = 8_000_000
 
@@ -47,8 +38,8 @@ def write_dataset(
     shape = tuple(len(axis.values) for axis in grid.order)
 
     def variable(values: NDArray[Any], **notes: str) -> Any:
-        found = xarray.Variable(dimensions, values.reshape(shape), notes)
-        return found.transpose(*(names[axis.key] for axis in grid.axes))
+        whole = xarray.Variable(dimensions, values.reshape(shape), notes)
+        return whole.transpose(*(names[axis.key] for axis in grid.axes))
 
     words: dict[str, Any] = {REASON: np.full(grid.size, "", dtype=object)}
     warnings: Counter[str] = Counter()
@@ -100,21 +91,22 @@ def _short(key: str) -> str:
 
 
 def _axis_notes(axis: Axis) -> dict[str, str]:
-    notes = {"long_name": MEANINGS.get(axis.key, _short(axis.key).replace("_", " ")), "key": axis.key}
+    name = QUANTITY.get(axis.key, _short(axis.key))
+    notes = {"long_name": QUANTITIES[name].meaning if name in QUANTITIES else name.replace("_", " "), "key": axis.key}
     return notes | ({} if axis.unit is None else {"units": axis.unit or "1"})
 
 
 def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
     scene = grid.first_scene()
-    told = provenance_of(scene)
-    content = told.pop("scene_content")
+    origin = provenance_of(scene)
+    content = origin.pop("scene_content")
     most = [warning for warning, _ in warnings.most_common(MOST_WARNINGS)]
     return {
         "title": f"{grid.what} of {scene.name}",
-        "fembearing": told["versions"]["fembearing"],
+        "fembearing": origin["versions"]["fembearing"],
         "grid": grid.text,
         "first_scene": json.dumps(content),
         "seed": SEED,  # of the points at which a long series is sampled; a cage's seeds are numbered in the scene
         "warnings": "\n".join(most),
-        **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in told.items()},
+        **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in origin.items()},
     }

@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.errors import FembearingError
+from analytic.result import COLUMNS
 from analytic.scene import Array, Scene
 from analytic.sliding.methods import SERIES
 from analytic.torque import friction_torque, with_model_uncertainty
-from analytic.torque_columns import COLUMNS, torque_values
 from fembearing.compare.contact import columns as of_contact
 from fembearing.sweep.grid import Grid
 
@@ -114,9 +114,9 @@ def _contact(
     except Exception as problem:
         part.reasons[int(at[0])] = _reason(problem)
         return ()
-    for name, value in of_contact.contact_values(solution).items():
+    for name, value in solution.columns().items():
         part.columns[name][at] = value
-    part.words[of_contact.VERDICT][at] = of_contact.shown_verdict(solution)
+    part.words[of_contact.VERDICT][at] = solution.shown_verdict
     return solution.warnings
 
 
@@ -136,7 +136,7 @@ def _torque(
         return tuple(
             warning for half in halves for warning in _torque(grid, scene, variant, places[half], at[half], part)
         )
-    for name, values in torque_values(result).items():
+    for name, values in result.columns().items():
         part.columns[name][at] = values
     return result.warnings
 

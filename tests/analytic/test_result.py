@@ -48,6 +48,8 @@ def test_shares_are_the_largest_of_the_series(scene: Scene) -> None:
 DESIGN = {
     "inner_speed": None,
     "axial_load": None,
+    "radial_load": None,
+    "moment": None,
     "contact_angle": None,
     "torque": ["total", "race", "spin", "conformity", "hysteresis", "rolling", "cage", "declared"],
     "friction_coefficient": ["inner", "outer", "pocket"],

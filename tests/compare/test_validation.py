@@ -86,9 +86,11 @@ def test_each_race_takes_its_own_contact_to_the_torque(monkeypatch: pytest.Monke
 
     def note(_: Scene, *, inner: str, outer: str) -> None:
         taken.update(inner=inner, outer=outer)
+        raise AskedError
 
     monkeypatch.setattr(module, "with_ring", lambda found: found)
     monkeypatch.setattr(module, "solve_contact", lambda _, *, pair, geometry, **__: f"{pair} {geometry}")
     monkeypatch.setattr(module, "change_of_torque", note)
-    check_scene(load_scene(builtin_scene("6205")))
+    with pytest.raises(AskedError):
+        check_scene(load_scene(builtin_scene("6205")))
     assert taken == {"inner": "inner real", "outer": "outer real"}

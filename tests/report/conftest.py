@@ -11,13 +11,18 @@ import pytest
 
 from analytic.scene import Operation
 from analytic.scenefile.read import builtin_scene, load_scene
-from analytic.torque import Effect, FrictionTorque, TorqueParts
+from analytic.effects.ledger import Effect
+from analytic.result import FrictionTorque, TorqueParts
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import CorrectedHertz
+from fembearing.compare.cost.contact_ladder import contact_ladder_of
 from fembearing.compare.torque.change import FittedChange, TorqueChange
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.fem.measure import Quantities
+from fembearing.provenance import provenance_of
+from fembearing.report.document.build import report_of
+from fembearing.report.document.report import Report
 from fembearing.report.pictures.draw import Picture, draw_pictures
 
 pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its checks tell what they found
@@ -148,6 +153,11 @@ def torque_made(found: FrictionTorque, *, angle: list[float], total: list[float]
         axial_load=np.array([700.0, 900.0, 910.0]),
         contact_angle=np.array(angle),
         ball_load=np.array([250.0, 371.0, 372.0]),
+        inner=replace(found.inner, load=np.array([249.0, 370.0, 371.0])),
+        outer=replace(found.outer, load=np.array([250.0, 371.0, 372.0])),
+        numerical_uncertainty=np.array([0.011, 0.012, 0.013]),
+        radial_load=np.zeros(3),
+        moment=np.zeros(3),
         torque=TorqueParts(
             total=np.array(total),
             race=np.array(total),
@@ -166,25 +176,35 @@ def torque_made(found: FrictionTorque, *, angle: list[float], total: list[float]
 def made(checked: Validation) -> Validation:
     """Every verdict occurs; nothing in it is a result of the solver."""
     inner, outer, seat, sheet = checked.contacts
-    change = checked.torque
+    torque, change = checked.torque, checked.torque_change
+    assert torque is not None
     assert change is not None
     hertz = torque_made(change.hertz, angle=[0.281, 0.3012, 0.3031], total=[31e-3, 40e-3, 50e-3])
+    scene = replace(
+        checked.scene,
+        operation=Operation(axial_load=hertz.axial_load, inner_speed=hertz.inner_speed),
+        tolerance=0.05,
+    )
+    contacts = (
+        contact_made(
+            inner, INNER, load=371.5, unknowns=(1200, 9500, 31000), seconds=(0.25, 1.5, 7.0), corrected=CORRECTED
+        ),
+        replace(
+            contact_made(outer, OUTER, load=368.5, unknowns=(1300, 8700, 29000), seconds=(0.32, 1.7, 6.0)),
+            valid=False,
+        ),
+        contact_made(seat, SEAT, load=28.5, unknowns=(1400, 9900, 41000), seconds=(0.43, 2.1, 8.0)),
+        contact_made(sheet, SHEET, load=28.5, unknowns=(1600, 9100, 43000), seconds=(0.51, 2.6, 9.0)),
+    )
+    production = torque_made(torque.friction, angle=[0.282, 0.3013, 0.3032], total=[34e-3, 42e-3, 53e-3])
     return replace(
         checked,
-        scene=replace(checked.scene, operation=Operation(axial_load=hertz.axial_load, inner_speed=hertz.inner_speed)),
-        tolerance=0.05,
-        contacts=(
-            contact_made(
-                inner, INNER, load=371.5, unknowns=(1200, 9500, 31000), seconds=(0.25, 1.5, 7.0), corrected=CORRECTED
-            ),
-            replace(
-                contact_made(outer, OUTER, load=368.5, unknowns=(1300, 8700, 29000), seconds=(0.32, 1.7, 6.0)),
-                valid=False,
-            ),
-            contact_made(seat, SEAT, load=28.5, unknowns=(1400, 9900, 41000), seconds=(0.43, 2.1, 8.0)),
-            contact_made(sheet, SHEET, load=28.5, unknowns=(1600, 9100, 43000), seconds=(0.51, 2.6, 9.0)),
-        ),
-        torque=TorqueChange(
+        scene=scene,
+        provenance=provenance_of(scene),
+        contacts=contacts,
+        ladders=tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
+        torque=replace(torque, scene=scene, friction=production),
+        torque_change=TorqueChange(
             hertz=hertz,
             corrected=torque_made(change.corrected, angle=[0.279, 0.2998, 0.3019], total=[33e-3, 41e-3, 48.5e-3]),
             uncertainties={"total": 0.0137, "spin": 0.021, "contact_angle": 0.0019},
@@ -198,3 +218,9 @@ def made(checked: Validation) -> Validation:
         ),
         seconds=43.21,
     )
+
+
+@pytest.fixture(scope="session")
+def document(made: Validation) -> Report:
+    """The document of `made`."""
+    return report_of(made)

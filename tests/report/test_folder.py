@@ -18,9 +18,10 @@ from analytic.scenefile.read import builtin_scene, load_scene
 from fembearing import cli
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
+from fembearing.report.document.build import report_of
 from fembearing.report.folder import validate
 from fembearing.report.new_folder import whole_folder
-from fembearing.report.page import html as page
+from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
 
 
@@ -43,7 +44,7 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     assert names == made | {"report.html", "report.json", "cost.csv"}
     assert [path.name for path in tmp_path.iterdir()] == ["report"]  # nothing beside it
     content = json.loads((out / "report.json").read_text("utf-8"))
-    expected = json.loads(json.dumps(solved.to_json()["verdicts"]))
+    expected = report_of(solved).to_json()["verdicts"]
     assert content["verdicts"] == expected
     assert {picture["file"] for picture in content["pictures"]} <= names
     assert content["renderer"] == "VTK"

@@ -62,7 +62,7 @@ def test_each_point_has_series_plot_and_picture(made: Made) -> None:
 
 
 def test_a_series_tells_where_it_comes_from_and_agrees_with_the_torque(made: Made) -> None:
-    torque = made.result.found.torque.cage
+    torque = made.result.friction.torque.cage
     assert torque is not None
     for point, rpm in enumerate((500, 200)):
         read = xarray.load_dataset(made.folder / f"{point + 1}-cage.nc")

@@ -1,7 +1,6 @@
 """Approach of ball and race over the load: by Hertz, and by Hertz corrected for finite geometry."""
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -21,15 +20,6 @@ class ApproachCurve:
     hertz: Array  # (n,) m
     corrected: Array  # (n,) m
     uncertainty: Array  # (n,) of the corrected approach, relative half-width, 95 %
-
-    def to_json(self) -> dict[str, Any]:
-        """As lists, with None in place of NaN."""
-        known = {"corrected": self.corrected, "uncertainty": self.uncertainty}
-        return {
-            "load": self.load.tolist(),
-            "hertz": self.hertz.tolist(),
-            **{name: [v if np.isfinite(v) else None for v in values.tolist()] for name, values in known.items()},
-        }
 
 
 def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from analytic.scene import Contact, Pair, Scene
-from fembearing.compare.contact.approach_curve import approach_over_load
-from fembearing.compare.contact.columns import contact_dataset, contact_html
+from fembearing.compare.contact.approach_curve import ApproachCurve, approach_over_load
+from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact_html
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
 from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, solve_reference
-from fembearing.compare.contact.pressure_profile import profiles_json
+from fembearing.compare.contact.pressure_profile import Profiles, profiles_of
 from fembearing.compare.contact.ring import RingStructure, structure_of_ring
 from fembearing.compare.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.compare.contact.verdict import Verdict, could_be_decided, verdict_on, worst
@@ -25,6 +25,7 @@ from fembearing.memory import peak_memory
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
+from fembearing.plain import plain
 from fembearing.progress import Progress, silent
 
 SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes; the stiffness follows from it
@@ -50,6 +51,9 @@ class ContactSolution:
     valid: bool
     ring: RingStructure | None = None  # part of no quantity and not judged; None where not computed
     corrected: CorrectedHertz | None = None  # None outside the range of the correction's fit
+    approach_curve: ApproachCurve
+    pressure_profile: Profiles
+    peak_memory: int | None  # of the process when the contact was solved, bytes
 
     @property
     def reference(self) -> Quantities:
@@ -85,6 +89,11 @@ class ContactSolution:
     def judged(self) -> bool:
         """False for a sheet, which Hertz's half space does not describe: it is shown with the thick seat only."""
         return self.geometry != "wall"
+
+    @property
+    def shown_verdict(self) -> str:
+        """The verdict; "shown" for a contact that is not judged."""
+        return self.verdict if self.judged else "shown"
 
     @property
     def method(self) -> str:
@@ -138,8 +147,12 @@ class ContactSolution:
             "hertz": asdict(self.hertz),
             "discrepancy": self.discrepancy,
             "corrected": self.corrected
-            and {**self.corrected.to_json(), "interpolation_error": self.interpolation_error},
-            "verdict": self.verdict if self.judged else "shown",
+            and {
+                "values": asdict(self.corrected.quantities),
+                "uncertainty": self.corrected.uncertainty,
+                "interpolation_error": self.interpolation_error,
+            },
+            "verdict": self.shown_verdict,
             "judged": self.judged,
             "rung": self.method,
             "meshes": [
@@ -159,22 +172,41 @@ class ContactSolution:
                 }
                 for name, part in self.estimates.items()
             },
-            "pressure_profile": profiles_json(self.meshes[-1], self.hertz),
-            "approach_curve": approach_over_load(
-                self.contact, hertz=self.hertz, correctable=is_correctable(self.contact, self.geometry)
-            ).to_json(),
+            "pressure_profile": plain(self.pressure_profile),
+            "approach_curve": plain(self.approach_curve),
             "shoulder": self._shoulder_to_json(),
-            "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": peak_memory()},
+            "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": self.peak_memory},
             "warnings": list(self.warnings),
+        }
+
+    def columns(self) -> dict[str, float]:
+        """The values of `fembearing.compare.contact.columns.COLUMNS`."""
+        return {
+            "load": self.contact.load,
+            "contact_angle": self.contact.contact_angle,
+            **vars(self.reference),
+            **{f"uncertainty_{name}": part.total for name, part in self.estimates.items()},
+            **{f"hertz_{name}": value for name, value in vars(self.hertz).items()},
+            **{f"discrepancy_{name}": value for name, value in self.discrepancy.items()},
+            "unknowns": float(self.meshes[-1].unknowns),
         }
 
     def to_xarray(self) -> Any:
         """An xarray.Dataset of what is compared, with units."""
-        return contact_dataset(self)
+        attributes = {
+            "pair": self.contact.pair,
+            "geometry": self.geometry,
+            "rung": self.method,
+            "tolerance": self.tolerance,
+            VERDICT: self.shown_verdict,
+            "warnings": "\n".join(self.warnings),
+        }
+        return contact_dataset(self.columns(), attributes)
 
     def _repr_html_(self) -> str:
         """A table in a notebook."""
-        return contact_html(self)
+        caption = f"{self.contact.pair}, {self.geometry}, {self.contact.load:.4g} N: {self.shown_verdict}"
+        return contact_html(self.columns(), caption)
 
     def _shoulder_to_json(self) -> dict[str, Any] | None:
         """The contact at the nearer shoulder that cuts it off, above y = 0; uncertainties relative."""
@@ -272,7 +304,8 @@ def compare_contact(
         *solve_warnings([(meshes[-1], estimates)], accuracy=accuracy, quantities=quantities, thin=thin),
     )
     corrected, beyond = None, ()
-    if is_correctable(contact, recipe.geometry):
+    correctable = is_correctable(contact, recipe.geometry)
+    if correctable:
         corrected, beyond = corrected_hertz(contact, hertz=hertz)
     return ContactSolution(
         contact=contact,
@@ -285,6 +318,9 @@ def compare_contact(
         seconds=time.perf_counter() - start,
         warnings=(*warnings, *beyond),
         corrected=corrected,
+        approach_curve=approach_over_load(contact, hertz=hertz, correctable=correctable),
+        pressure_profile=profiles_of(meshes[-1], hertz),
+        peak_memory=peak_memory(),
         valid=not thin and not overrun,
     )
 

@@ -1,7 +1,6 @@
 """The production model of a contact: Hertz, and Hertz corrected for finite geometry."""
 
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
@@ -15,9 +14,6 @@ class CorrectedHertz:
 
     quantities: Quantities
     uncertainty: dict[str, float]  # keyed by quantity, relative half-width, 95 %
-
-    def to_json(self) -> dict[str, Any]:
-        return {"values": asdict(self.quantities), "uncertainty": self.uncertainty}
 
 
 def hertz_quantities(contact: Contact) -> Quantities:

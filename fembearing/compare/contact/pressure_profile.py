@@ -5,7 +5,7 @@ shoulder cuts it off a half is meshed, and transverse positions run from one sid
 """
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
@@ -27,8 +27,8 @@ class PressureProfile:
     position: Array  # (n,) m from the contact's centre, ascending
     pressure: Array  # (n,) Pa
 
-    def to_json(self) -> dict[str, list[float]]:
-        return {"position": self.position.tolist(), "pressure": self.pressure.tolist()}
+
+Profiles = dict[Axis, dict[Literal["fe", "hertz"], PressureProfile]]
 
 
 def nodal_profile(mesh: MeshSolution, axis: Axis) -> PressureProfile:
@@ -57,9 +57,6 @@ def hertz_profile(hertz: Quantities, axis: Axis) -> PressureProfile:
     return PressureProfile(position=semi_axis * np.sin(angle), pressure=pressure)
 
 
-def profiles_json(mesh: MeshSolution, hertz: Quantities) -> dict[str, Any]:
-    """Both axes by finite elements and by Hertz, SI."""
-    return {
-        axis: {"fe": nodal_profile(mesh, axis).to_json(), "hertz": hertz_profile(hertz, axis).to_json()}
-        for axis in AXES
-    }
+def profiles_of(mesh: MeshSolution, hertz: Quantities) -> Profiles:
+    """Both axes, by finite elements and by Hertz."""
+    return {axis: {"fe": nodal_profile(mesh, axis), "hertz": hertz_profile(hertz, axis)} for axis in AXES}

@@ -16,7 +16,7 @@ from fembearing.provenance import provenance_of
 INSTANTS_A_TURN = 40  # of a cage that whirls: a circle is drawn round
 FEWEST, MOST = 1000, 20000  # instants
 SEED = 0
-DIRECTIONS = 180  # in which the edge of the room is told
+DIRECTIONS = 180  # in which the edge of the cage's room is computed
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -35,13 +35,13 @@ class CageRecord:
         """(n,) instants after the start-up."""
         return self.series.time > self.start_up
 
-    def to_json(self, *, most: int | None = None) -> dict[str, Any]:
-        """Orbit and forces of this motion, and the statistics of all, as plain types, SI.
+    def drawn(self, *, most: int | None = None) -> dict[str, Any]:
+        """Orbit and forces of this motion, and the statistics of all seeds, as plain types for a figure, SI.
 
         most : instants of the orbit and of the forces; a force is then the greatest of those that it stands for. None:
             all of them
         """
-        series, found, after = self.series, self.statistics, self.measured
+        series, statistics, after = self.series, self.statistics, self.measured
         angle = np.linspace(0, 2 * np.pi, 1 + DIRECTIONS)
         directions = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
         way = np.array([self.cage.free_path(direction) for direction in directions])
@@ -53,15 +53,15 @@ class CageRecord:
             "point": self.point,
             "inner_speed": self.cage.ring_speed,
             "bearing": self.scene.bearing.name,
-            "state": found.state,
-            "start": found.start,
+            "state": statistics.state,
+            "start": statistics.start,
             "start_up": self.start_up,
-            "torque": found.torque,
-            "torque_interval": list(found.torque_interval),
-            "max_force": found.max_force,
-            "max_force_interval": list(found.max_force_interval),
-            "block": found.block,
-            "block_maxima": list(found.block_maxima),
+            "torque": statistics.torque,
+            "torque_interval": list(statistics.torque_interval),
+            "max_force": statistics.max_force,
+            "max_force_interval": list(statistics.max_force_interval),
+            "block": statistics.block,
+            "block_maxima": list(statistics.block_maxima),
             "gravity": list(self.cage.gravity),
             "room": {
                 "size": self.cage.half_clearance,
@@ -82,10 +82,10 @@ class CageRecord:
         }
 
     def to_dataset(self) -> Any:
-        """The series as an xarray.Dataset that tells where it comes from."""
-        found = self.series.to_dataset()
+        """The series as an xarray.Dataset with its provenance."""
+        dataset = self.series.to_dataset()
         origin = provenance_of(self.scene)
-        found.attrs = {
+        dataset.attrs = {
             "title": f"motion of the cage of {self.scene.bearing.name}, operating point {self.point}",
             "scene": self.scene.name,
             "scene_content": json.dumps(origin["scene_content"]),
@@ -100,16 +100,16 @@ class CageRecord:
             "start_up_s": self.start_up,
             "state_of_all_seeds": self.statistics.state,
         }
-        return found
+        return dataset
 
 
-def record_cage(scene: Scene, found: FrictionTorque, point: int) -> CageRecord | None:
+def record_cage(scene: Scene, friction: FrictionTorque, point: int) -> CageRecord | None:
     """Run the motion of one operating point, from 0, once more; None where the cage did not move.
 
-    found : friction_torque(scene)
-    Raises MotionError where it comes apart.
+    friction : friction_torque(scene)
+    Raises MotionError for a motion that comes apart.
     """
-    part, noun = found.cage, scene.cage
+    part, noun = friction.cage, scene.cage
     if part is None or noun is None:
         return None
     cage, statistics = part.driven[point], part.motion[point]

@@ -1,4 +1,4 @@
-"""What bearing catalogues say of a scene's torque, or why they say nothing: shown beside it, never as truth."""
+"""What bearing catalogues say of a scene's torque, or why they say nothing: shown with it, never as truth."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -1,4 +1,4 @@
-"""What the contact discrepancies do to the race torque: the number an engineer acts on."""
+"""What finite-element contacts change in the friction torque: Hertz's contacts against those of finite elements."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -12,18 +12,18 @@ from analytic.effects.table import CHOSEN
 from analytic.loads.finite_geometry import corrections_of
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
-from analytic.torque import friction_torque, with_model_uncertainty
+from analytic.torque import friction_torque
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.scene_contact import balls_of
 from fembearing.compare.contact.verdict import Verdict, worst
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
-# Effects that this check leaves out of the torque, with the reason.
-BESIDE = {
-    "finite_geometry": "left out here: finite elements take its place, and its fit is shown beside them",
-    "cage_dynamics": "left out here: no contact on a race changes it; it is shown by itself",
-}
+LEFT_OUT = ("finite_geometry", "cage_dynamics")  # in both torques: see NOTE
+NOTE = (
+    "Both torques show what the contacts of the races change: the motion of the cage and the fit for finite geometry "
+    "are left out of them, so that neither need be the total above."
+)
 PARTS = ("total", "race", "spin", "conformity", "hysteresis", "rolling")
 
 
@@ -48,7 +48,10 @@ class FittedChange:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TorqueChange:
-    """The production torque with Hertz's contacts, and again with finite-element semi-axes and approach."""
+    """The torque with Hertz's contacts, and again with finite-element semi-axes and approach.
+
+    Both leave out the effects of LEFT_OUT, so that neither is the total that the production model gives.
+    """
 
     hertz: FrictionTorque
     corrected: FrictionTorque
@@ -98,19 +101,20 @@ class TorqueChange:
             "uncertainties": self.uncertainties,
             "finite_geometry": self.fitted.to_json(),
             "verdict": self.verdict,
+            "note": NOTE,
         }
 
 
 def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolution) -> TorqueChange:
-    """Race torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
+    """Torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
 
     The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone. Where
     balls are loaded unequally those of the heaviest stand for all, too much for the lighter ones. The correction for
     finite geometry knows every load and every ball, and shows the change at each operating point.
     Raises InputError as friction_torque does.
     """
-    plain = replace(scene, effects={**scene.effects, **dict.fromkeys(BESIDE, "off")})
-    hertz = _with_reasons(scene, with_model_uncertainty(plain, friction_torque(plain)))
+    plain = replace(scene, effects={**scene.effects, **dict.fromkeys(LEFT_OUT, "off")})
+    hertz = friction_torque(plain)
     scene = replace(scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in CHOSEN})
     corrected = _corrected(scene, factors(inner), factors(outer))
     solved = int(np.argmax(hertz.ball_load))
@@ -133,52 +137,35 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     )
 
 
-def _with_reasons(scene: Scene, found: FrictionTorque) -> FrictionTorque:
-    """What this check leaves out of both torques is not put down to the scene, nor warned of: it is shown beside."""
-    by_scene = "the scene says off"
-    beside = {
-        each.name: BESIDE[each.name]
-        for each in found.effects
-        if each.name in BESIDE and scene.effects.get(each.name) != "off" and each.reason.startswith(by_scene)
-    }
-    effects = (replace(each, reason=beside.get(each.name, each.reason)) for each in found.effects)
-    warnings = (
-        words
-        for words in found.warnings
-        if not any(words.startswith(f"{name} is left out") and by_scene in words for name in beside)
-    )
-    return replace(found, effects=tuple(effects), warnings=tuple(warnings))
-
-
-def _outcome(found: FrictionTorque, point: int) -> dict[str, float]:
+def _outcome(torque: FrictionTorque, point: int) -> dict[str, float]:
     """What depends on the contacts, at one operating point: N m, and the angle in rad."""
-    parts = {name: getattr(found.torque, name) for name in PARTS}
+    parts = {name: getattr(torque.torque, name) for name in PARTS}
     known = {name: float(part[point]) for name, part in parts.items() if part is not None}
-    return known | {"contact_angle": float(found.contact_angle[point])}
+    return known | {"contact_angle": float(torque.contact_angle[point])}
 
 
 def _fitted(scene: Scene, hertz: FrictionTorque) -> FittedChange:
     balls = balls_of(scene)
-    found = corrections_of(scene.bearing, balls)
-    torque = friction_torque(scene, correction=found.correction)
+    corrections = corrections_of(scene.bearing, balls)
+    torque = friction_torque(scene, correction=corrections.correction)
     spread = np.zeros_like(hertz.ball_load)
     for name in FACTORS:
-        for correction in _moved(found, name):
+        for correction in _moved(corrections, name):
             moved = friction_torque(scene, correction=correction)
             spread += np.abs(_change(moved.torque.total, torque.torque.total))
-    covered = np.reshape(found.inner.covered & found.outer.covered, (hertz.ball_load.size, -1)).all(axis=1)
+    covered = np.reshape(corrections.inner.covered & corrections.outer.covered, (hertz.ball_load.size, -1)).all(axis=1)
     return FittedChange(
         torque=torque,
         relative=np.where(covered, _change(torque.torque.total, hertz.torque.total), np.nan),
         uncertainty=np.where(covered, spread, np.nan),
-        warnings=found.warnings,
+        warnings=corrections.warnings,
     )
 
 
-def _moved(found: RaceCorrections, name: str) -> Iterator[ContactCorrection]:
+def _moved(corrections: RaceCorrections, name: str) -> Iterator[ContactCorrection]:
     """With one factor of one race moved up by its uncertainty."""
-    plain = found.correction
-    for race, side in (("inner", found.inner), ("outer", found.outer)):
+    plain = corrections.correction
+    for race, side in (("inner", corrections.inner), ("outer", corrections.outer)):
         up = getattr(side.factors, name) * (1 + np.nan_to_num(side.uncertainty[name]))
         yield replace(plain, **{race: replace(side.factors, **{name: up})})
 

@@ -1,4 +1,4 @@
-"""What the paper behind the production model prints, beside what a scene gives.
+"""What the paper behind the production model prints, next to what a scene gives.
 
 The paper's numbers are computed too: this is a cross-check. Where a scene says that inputs of it were chosen until the
 paper's numbers came out (its `calibration`), agreement in those is a fit, and no evidence for either.
@@ -7,7 +7,6 @@ paper's numbers came out (its `calibration`), agreement in those is a fit, and n
 import csv
 from dataclasses import asdict, dataclass
 from importlib.resources import files
-from typing import Any
 
 import numpy as np
 
@@ -40,30 +39,32 @@ class Printed:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Compared(Printed):
+    """A number of the paper with that of the scene."""
+
+    ours: float | None  # None where the scene has no such number
+    deviation: float | None  # from the paper's, relative
+
+
+@dataclass(frozen=True, kw_only=True)
+class Chosen:
+    """An input that the paper does not give, as the scene has it."""
+
+    value: float
+    unit: str  # SI
+
+
+@dataclass(frozen=True, kw_only=True)
 class BesidePaper:
     """The paper's numbers, and the scene's where it is the same case."""
 
+    paper: str
     same_bearing: bool  # as the paper's
     same_load: bool  # likewise
-    absent: str | None  # why nothing of the scene stands beside them
+    absent: str | None  # why no number of the scene is compared
     calibration: str | None  # what was chosen until it came out, in the scene's words
-    chosen: dict[str, tuple[float, str]]  # what the paper does not give, as the scene has it: SI, with its unit
-    rows: tuple[tuple[Printed, float | None], ...]  # with the scene's own; None where it has no such number
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI; deviations relative to the paper."""
-        return {
-            "paper": PAPER,
-            "same_bearing": self.same_bearing,
-            "same_load": self.same_load,
-            "absent": self.absent,
-            "calibration": self.calibration,
-            "chosen": {name: {"value": value, "unit": unit} for name, (value, unit) in self.chosen.items()},
-            "rows": [
-                asdict(printed) | {"ours": ours, "deviation": None if ours is None else ours / printed.value - 1}
-                for printed, ours in self.rows
-            ],
-        }
+    chosen: dict[str, Chosen]
+    rows: tuple[Compared, ...]
 
 
 def printed_numbers() -> tuple[Printed, ...]:
@@ -82,23 +83,27 @@ def printed_numbers() -> tuple[Printed, ...]:
     )
 
 
-def beside_paper(scene: Scene, found: FrictionTorque | None) -> BesidePaper:
-    """The paper's numbers beside a scene's.
+def beside_paper(scene: Scene, friction: FrictionTorque | None) -> BesidePaper:
+    """The paper's numbers next to a scene's.
 
-    found : torque of the scene as it asks for it; None where it has none
+    friction : torque of the scene, by its own effects; None where it has none
     """
-    absent = _other_case(scene, found)
+    absent = _other_case(scene, friction)
     return BesidePaper(
+        paper=PAPER,
         same_bearing=is_papers_bearing(scene.bearing),
         same_load=is_papers_load(scene.operation),
         absent=absent,
         calibration=scene.calibration,
         chosen={} if absent else _chosen(scene),
-        rows=tuple((one, None if absent or found is None else _ours(one, scene, found)) for one in printed_numbers()),
+        rows=tuple(
+            _compared(printed, None if absent or friction is None else _ours(printed, scene, friction))
+            for printed in printed_numbers()
+        ),
     )
 
 
-def _other_case(scene: Scene, found: FrictionTorque | None) -> str | None:
+def _other_case(scene: Scene, friction: FrictionTorque | None) -> str | None:
     """In what the scene is not the paper's case."""
     if not is_papers_bearing(scene.bearing):
         return "the scene has another bearing"
@@ -109,13 +114,13 @@ def _other_case(scene: Scene, found: FrictionTorque | None) -> str | None:
             "the paper's friction coefficient comes from mixed lubrication; the scene gives a coefficient, or lacks a "
             "lubricant or a surface"
         )
-    return "the scene has no torque" if found is None else None
+    return "the scene has no torque" if friction is None else None
 
 
 def is_papers_bearing(bearing: Bearing) -> bool:
     """Whether balls and pitch are those of the paper's 6205."""
-    found = bearing.ball_count, bearing.ball_diameter, bearing.pitch_diameter
-    return bool(np.allclose(found, (BALLS, BALL_DIAMETER, PITCH_DIAMETER), rtol=SAME))
+    own = bearing.ball_count, bearing.ball_diameter, bearing.pitch_diameter
+    return bool(np.allclose(own, (BALLS, BALL_DIAMETER, PITCH_DIAMETER), rtol=SAME))
 
 
 def is_papers_load(operation: Operation) -> bool:
@@ -124,7 +129,7 @@ def is_papers_load(operation: Operation) -> bool:
     return not sideways and bool(np.allclose(operation.axial_load, THRUST, rtol=SAME))
 
 
-def _chosen(scene: Scene) -> dict[str, tuple[float, str]]:
+def _chosen(scene: Scene) -> dict[str, Chosen]:
     surface = scene.surface
     groups = {
         "lubricant": scene.lubricant,
@@ -136,22 +141,26 @@ def _chosen(scene: Scene) -> dict[str, tuple[float, str]]:
         for group, name, unit in NOT_GIVEN
     }
     values["hysteresis loss"] = (scene.hysteresis_loss, "")
-    return {name: (float(value), unit) for name, (value, unit) in values.items() if value is not None}
+    return {name: Chosen(value=float(value), unit=unit) for name, (value, unit) in values.items() if value is not None}
 
 
-def _ours(printed: Printed, scene: Scene, found: FrictionTorque) -> float | None:
+def _compared(printed: Printed, ours: float | None) -> Compared:
+    return Compared(**asdict(printed), ours=ours, deviation=None if ours is None else ours / printed.value - 1)
+
+
+def _ours(printed: Printed, scene: Scene, friction: FrictionTorque) -> float | None:
     """The scene's number at the same speed and roughness."""
     roughness = None if scene.surface is None else scene.surface.rms_roughness
     if roughness is None or not np.isclose(roughness, printed.rms_roughness, rtol=SAME):
         return None
-    (at,) = np.nonzero(np.isclose(np.abs(found.inner_speed), printed.inner_speed, rtol=SAME))
+    (at,) = np.nonzero(np.isclose(np.abs(friction.inner_speed), printed.inner_speed, rtol=SAME))
     if not at.size:
         return None
     point = int(at[0])
     if printed.quantity == "cage_max_force":
-        motion = None if found.cage is None else found.cage.motion[point]
+        motion = None if friction.cage is None else friction.cage.motion[point]
         return None if motion is None else motion.max_force
-    if printed.quantity == "total_torque" and found.torque.cage is None:
+    if printed.quantity == "total_torque" and friction.torque.cage is None:
         return None  # the paper's has the cage in it
-    part = getattr(found.torque, printed.quantity.removesuffix("_torque"))
+    part = getattr(friction.torque, printed.quantity.removesuffix("_torque"))
     return None if part is None else float(part[point])

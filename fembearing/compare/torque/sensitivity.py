@@ -7,12 +7,13 @@ in motion is left out: its closed form stands in.
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal
+from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
 from analytic.errors import FembearingError
+from analytic.result import COORDINATES
 from analytic.scene import Array, Bearing, Material, Scene
 from analytic.torque import friction_torque
 from fembearing.compare.contact.hertz import hertz_quantities
@@ -24,12 +25,14 @@ RACES: tuple[Literal["inner", "outer"], ...] = ("inner", "outer")
 
 @dataclass(frozen=True, kw_only=True)
 class Output:
-    """What is watched."""
+    """What the inputs change."""
 
     quantity: Literal["total_torque", "peak_pressure"]
     pair: Literal["inner", "outer"] | None  # None of a torque
     inner_speed: float | None  # rad/s, None of a pressure, which is the heaviest ball's at any point
     axial_load: float | None  # N, likewise
+    radial_load: float | None  # N, likewise
+    moment: float | None  # N m, likewise
     value: float  # N m or Pa
 
 
@@ -61,25 +64,6 @@ class Sensitivity:
     outputs: tuple[Output, ...]
     inputs: tuple[Input, ...]
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI; changes relative."""
-
-        def listed(changes: tuple[float, ...] | None) -> list[float] | None:
-            return None if changes is None else list(changes)
-
-        return {
-            "outputs": [asdict(output) for output in self.outputs],
-            "inputs": [
-                {
-                    **asdict(each),
-                    "change_low": listed(each.change_low),
-                    "change_high": listed(each.change_high),
-                    "refused": list(each.refused),
-                }
-                for each in self.inputs
-            ],
-        }
-
 
 @dataclass(frozen=True, kw_only=True)
 class Variation:
@@ -99,18 +83,18 @@ def sensitivity_of(scene: Scene) -> Sensitivity:
 
     Where the torque is the same at both, one stands for them.
 
-    Effects and rungs stay as they are decided there. Raises InputError as friction_torque and heaviest_contact
-    do for the scene itself; an end of a range that they refuse is left open, and tells why.
+    Effects and methods stay as they were decided there. Raises InputError as friction_torque and heaviest_contact
+    do for the scene itself; an end of a range that they refuse has no change, but the reason.
     """
-    watched, outputs_at, outputs = _torques(scene) if scene.has_friction else _pressures(scene)
+    varied, outputs_at, outputs = _torques(scene) if scene.has_friction else _pressures(scene)
     base = np.array([output.value for output in outputs])
 
     def change(moved: Scene) -> tuple[float, ...]:
         after = outputs_at(moved)
         return tuple(np.divide(after, base, out=np.ones_like(base), where=base != 0) - 1)
 
-    found = []
-    for variation in variations(watched):
+    inputs = []
+    for variation in variations(varied):
         ends, refused = [], []
         for value in (variation.low, variation.high):
             try:
@@ -119,45 +103,44 @@ def sensitivity_of(scene: Scene) -> Sensitivity:
                 ends.append(None)
                 refused.append(f"{value:.4g} {variation.unit}: {problem}")
         described = {name: part for name, part in vars(variation).items() if name != "scene_at"}
-        found.append(Input(**described, change_low=ends[0], change_high=ends[1], refused=tuple(refused)))
-    return Sensitivity(outputs=tuple(outputs), inputs=tuple(sorted(found, key=lambda each: each.swing, reverse=True)))
+        inputs.append(Input(**described, change_low=ends[0], change_high=ends[1], refused=tuple(refused)))
+    return Sensitivity(outputs=tuple(outputs), inputs=tuple(sorted(inputs, key=lambda each: each.swing, reverse=True)))
 
 
-Watched = tuple[Scene, Callable[[Scene], Array], list[Output]]  # what is varied, its outputs, and their names
+Varied = tuple[Scene, Callable[[Scene], Array], list[Output]]  # what is varied, its outputs, and their names
 
 
-def _torques(scene: Scene) -> Watched:
+def _torques(scene: Scene) -> Varied:
     order = np.lexsort((scene.operation.axial_load, np.abs(scene.operation.inner_speed)))
     ends = list(dict.fromkeys([int(order[0]), int(order[-1])]))
-    watched = at_points(replace(scene, effects={**scene.effects, "cage_dynamics": "off"}), ends)
-    found = friction_torque(watched)
-    watched = found.settled(watched)
+    varied = at_points(replace(scene, effects={**scene.effects, "cage_dynamics": "off"}), ends)
+    friction = friction_torque(varied)
+    varied = friction.settled(varied)
 
     def total(moved: Scene) -> Array:
         return friction_torque(moved).torque.total
 
-    value = total(watched)
+    value = total(varied)
     if np.ptp(value) <= SAME * value.max():
-        watched, value = at_points(watched, [0]), value[:1]
+        varied, value = at_points(varied, [0]), value[:1]
     outputs = [
         Output(
             quantity="total_torque",
             pair=None,
-            inner_speed=float(watched.operation.inner_speed[point]),
-            axial_load=float(watched.operation.axial_load[point]),
+            **{name: float(getattr(friction, name)[point]) for name in COORDINATES},
             value=float(value[point]),
         )
         for point in range(value.size)
     ]
-    return watched, total, outputs
+    return varied, total, outputs
 
 
-def _pressures(scene: Scene) -> Watched:
+def _pressures(scene: Scene) -> Varied:
     def peaks(moved: Scene) -> Array:
         return np.array([hertz_quantities(heaviest_contact(moved, race)).peak_pressure for race in RACES])
 
     outputs = [
-        Output(quantity="peak_pressure", pair=race, inner_speed=None, axial_load=None, value=float(value))
+        Output(quantity="peak_pressure", pair=race, value=float(value), **dict.fromkeys(COORDINATES))
         for race, value in zip(RACES, peaks(scene), strict=True)
     ]
     return scene, peaks, outputs

@@ -1,4 +1,4 @@
-"""A report.json read and found whole, or one line on what is amiss."""
+"""Reading a report.json: the document, or one line on what is wrong with the file."""
 
 import json
 from importlib.metadata import version
@@ -8,9 +8,7 @@ from typing import Any, NoReturn
 from pydantic import ValidationError
 
 from analytic.errors import InputError
-from fembearing.compare.validation import FORMAT, KIND
-from fembearing.report.document.document import Report
-from fembearing.report.figures.plot import Document
+from fembearing.report.document.report import FORMAT, KIND, Report
 
 SHOWN = 60  # characters of a value in a message
 FAULTS = {
@@ -28,8 +26,8 @@ FAULTS = {
 }
 
 
-def read_document(path: Path) -> Document:
-    """What a report.json holds. Raises InputError, in one line, for what is none or does not hold together."""
+def read_report(path: Path) -> Report:
+    """The document in a report.json. Raises InputError, in one line, for a file that is none or is damaged."""
     try:
         content = json.loads(path.read_text("utf-8"), parse_constant=_no_number)
         json.dumps(content, ensure_ascii=False).encode()  # half a character, as an escape lets it in, is refused here
@@ -49,10 +47,9 @@ def read_document(path: Path) -> Document:
             "take the version that wrote it, or run `fembearing validate` again"
         )
     try:
-        Report.model_validate(content)
+        return Report.model_validate(content)
     except ValidationError as problem:
         raise InputError(f"{str(path)!r}: {_fault(problem)}; {_remedy(content)}") from problem
-    return content
 
 
 def _no_number(name: str) -> NoReturn:
@@ -60,7 +57,7 @@ def _no_number(name: str) -> NoReturn:
 
 
 def _fault(problem: ValidationError) -> str:
-    """The first, in words."""
+    """The first fault, in words."""
     first, *others = problem.errors(include_url=False)
     where = ".".join(map(str, first["loc"])) or "it"
     words = FAULTS.get(first["type"], first["msg"].removeprefix("Value error, "))

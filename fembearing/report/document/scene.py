@@ -1,32 +1,39 @@
-"""What report.json must hold of the scene for the page to be made from it, SI; see `fembearing.report.document.document`."""
+"""The scene in the document, SI: the keys that the page reads, and all others of `analytic.scene.Scene` as they are."""
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
-Positive = Annotated[float, Field(gt=0)]
-Two = Annotated[list[float], Field(min_length=2, max_length=2)]  # JSON has no tuples
-
-
-class Shape(BaseModel):
-    model_config = ConfigDict(strict=True, allow_inf_nan=False)
+from fembearing.report.document.table import Positive, Table
 
 
-class Material(Shape):
+class Noun(Table):
+    """A noun of the scene."""
+
+    model_config = ConfigDict(extra="allow")  # the scene is kept whole
+
+
+class Material(Noun):
+    """A material."""
+
     name: str
     youngs_modulus: float
     poisson_ratio: float
     source: str
 
 
-class Groove(Shape):
+class Groove(Noun):
+    """The groove of a ring."""
+
     bottom_radius: float
     groove_radius: float
     shoulder_half_width: float
     material: Material
 
 
-class Bearing(Shape):
+class Bearing(Noun):
+    """The bearing."""
+
     name: str
     ball_count: int
     ball_diameter: Positive
@@ -35,31 +42,41 @@ class Bearing(Shape):
     outer: Groove
 
 
-class Cage(Shape):
+class Cage(Noun):
+    """The cage."""
+
     pocket_diameter: float
     pocket_depth: float
     wall_thickness: float
     material: Material
 
 
-class GivenAngle(Shape):
+class GivenAngle(Noun):
+    """A contact angle that the scene gives."""
+
     rule: Literal["given"]
     value: float
 
 
-class SolvedAngle(Shape):
+class SolvedAngle(Noun):
+    """A contact angle that follows from the load."""
+
     rule: Literal["solved"]
     free: float | None
 
 
-class Operation(Shape):
+class Operation(Noun):
+    """The operating points."""
+
     axial_load: list[float]
     inner_speed: list[float]
     radial_load: list[float] | float
     moment: list[float] | float
 
 
-class Lubricant(Shape):
+class Lubricant(Noun):
+    """The oil."""
+
     viscosity: float
     reference_temperature: float
     temperature: float
@@ -68,28 +85,38 @@ class Lubricant(Shape):
     traction: str
 
 
-class Autocorrelation(Shape):
+class Autocorrelation(Noun):
+    """How heights of a surface hang together."""
+
     kind: str
     length: float
 
 
-class HeightMap(Shape):
+class HeightMap(Noun):
+    """A measured surface."""
+
     path: str
 
 
-class Declared(Shape):
+class Declared(Noun):
+    """A surface by its numbers."""
+
     height_map: None
     rms_roughness: float
     autocorrelation: Autocorrelation
     boundary_friction: float
 
 
-class Mapped(Shape):
+class Mapped(Noun):
+    """A surface by a height map."""
+
     height_map: HeightMap
     boundary_friction: float
 
 
-class Scene(Shape):
+class Scene(Noun):
+    """The scene."""
+
     name: str
     bearing: Bearing
     contact_angle: Annotated[GivenAngle | SolvedAngle, Field(discriminator="rule")]

@@ -1,16 +1,17 @@
 """The stiffness of each contact: load over approach, and how far each model is from Hertz."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.report.figures.plot import Document
+from fembearing.quantities import CONTACT
+from fembearing.report.document.contact import Contact
+from fembearing.report.document.report import Report
 from fembearing.report.figures.style import BLACK, BLUE, RED, column_width
-from fembearing.report.words import place_of
+from fembearing.report.phrases import capital, place_of
 
-MICRO = 1e6
+APPROACH = CONTACT["approach"]
+MICRO = APPROACH.shown.factor
 CAPTION = (
     "Above: load of the ball over its approach, by Hertz, by Hertz corrected for finite geometry as far as its fit "
     "reaches, and by finite elements at the load that was solved. Below: approach over Hertz's, less one, with the "
@@ -18,9 +19,9 @@ CAPTION = (
 )
 
 
-def approach_plot(document: Document) -> tuple[Figure | None, str]:
+def approach_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
-    contacts = document["contacts"]
+    contacts = document.contacts
     figure = Figure(figsize=(column_width(len(contacts)) * max(len(contacts), 2), 6.2), layout="constrained")
     above, below = figure.subplots(2, len(contacts), squeeze=False, height_ratios=(1.3, 1))
     for panel, contact in zip(above, contacts, strict=True):
@@ -34,41 +35,40 @@ def approach_plot(document: Document) -> tuple[Figure | None, str]:
     return figure, CAPTION
 
 
-def _curve(panel: Axes, contact: dict[str, Any]) -> None:
-    curve, found = contact["approach_curve"], contact["fe"]["approach"]
-    load = np.array(curve["load"])
-    panel.plot(MICRO * np.array(curve["hertz"]), load, color=BLACK, label="Hertz")
-    panel.plot(MICRO * _known(curve["corrected"]), load, "--", color=BLUE, label="Hertz, corrected for finite geometry")
+def _curve(panel: Axes, contact: Contact) -> None:
+    curve, solved = contact.approach_curve, contact.fe.approach
+    load = np.array(curve.load)
+    panel.plot(MICRO * np.array(curve.hertz), load, color=BLACK, label="Hertz")
+    panel.plot(MICRO * _known(curve.corrected), load, "--", color=BLUE, label="Hertz, corrected for finite geometry")
     panel.errorbar(
-        MICRO * found,
-        contact["load"],
-        xerr=MICRO * found * contact["uncertainty"]["approach"],
+        MICRO * solved,
+        contact.load,
+        xerr=MICRO * solved * contact.uncertainty.approach,
         fmt="o",
         color=RED,
         markersize=5,
         label="finite elements",
     )
-    place = place_of(contact).replace(", ", ",\n")
-    panel.set_title(f"{place[0].upper()}{place[1:]}", fontsize=9)
-    panel.set(xlabel="approach, µm", xlim=(0, None), ylim=(0, None))
+    panel.set_title(capital(place_of(contact.pair, contact.geometry)).replace(", ", ",\n"), fontsize=9)
+    panel.set(xlabel=APPROACH.heading, xlim=(0, None), ylim=(0, None))
     panel.tick_params(labelsize=8)
     panel.grid(alpha=0.3)
 
 
-def _apart(panel: Axes, contact: dict[str, Any]) -> None:
-    curve, found = contact["approach_curve"], contact["fe"]["approach"]
-    load, hertz = np.array(curve["load"]), np.array(curve["hertz"])
-    corrected, half = _known(curve["corrected"]), _known(curve["uncertainty"])
+def _apart(panel: Axes, contact: Contact) -> None:
+    curve, solved = contact.approach_curve, contact.fe.approach
+    load, hertz = np.array(curve.load), np.array(curve.hertz)
+    corrected, half = _known(curve.corrected), _known(curve.uncertainty)
     panel.axhline(0, color=BLACK)
     if np.isfinite(corrected).any():
         low, high = (100 * (corrected * (1 + side * half) / hertz - 1) for side in (-1, 1))
         panel.fill_between(load, low, high, color=BLUE, alpha=0.2, linewidth=0)
         panel.plot(load, 100 * (corrected / hertz - 1), "--", color=BLUE)
-    ratio = found / contact["hertz"]["approach"]
+    ratio = solved / contact.hertz.approach
     panel.errorbar(
-        contact["load"],
+        contact.load,
         100 * (ratio - 1),
-        yerr=100 * ratio * contact["uncertainty"]["approach"],
+        yerr=100 * ratio * contact.uncertainty.approach,
         fmt="o",
         color=RED,
         markersize=5,

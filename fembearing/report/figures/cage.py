@@ -1,4 +1,4 @@
-"""Orbit and forces of cages in motion, side by side: drawn from what `CageRecord.to_json` tells."""
+"""Orbit and forces of cages in motion, side by side."""
 
 import textwrap
 from collections.abc import Sequence
@@ -8,9 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.report.figures.plot import Document
+from fembearing.quantities import PER_MINUTE
+from fembearing.report.document.report import Report
+from fembearing.report.document.torque import CageRecord
 from fembearing.report.figures.style import BLACK, BLUE, ORANGE, RED
-from fembearing.report.words import PER_MINUTE
 
 MICRO, MILLI = 1e6, 1e3
 STARTING, MEASURED, BLOCKS, LIMIT = "silver", BLUE, RED, BLACK
@@ -21,23 +22,23 @@ WHAT_TO_SEE = {
     "turning balls, and forces come to its weight.",
     "whirl": "The cage whirls: its centre runs round at the edge of its room, rolling on its balls; forces are nearly "
     "steady, and hold it on its circle.",
-    "irregular": "The cage moves irregularly, from impact to impact. The largest force grows with the time watched: "
+    "irregular": "The cage moves irregularly, from impact to impact. The largest force grows with the duration: "
     "trust the median of blocks with its interval, not the largest seen.",
     "mixed": "Seeds came to different regimes: this is one of them, and others look different.",
 }
 
 
-def cage_plot(document: Document) -> tuple[Figure | None, str]:
+def cage_plot(document: Report) -> tuple[Figure | None, str]:
     """A row for each motion that was kept: of the slowest and the fastest point whose cage moved."""
-    motions = document["cage_records"]
+    motions = document.cage_records
     if not motions:
         return None, _why_at_rest(document)
     captions = list(dict.fromkeys(cage_caption(motion) for motion in motions))
     return orbit_figure(motions, captioned=False), " ".join(captions)
 
 
-def _why_at_rest(document: Document) -> str:
-    if document["torque"] is None:
+def _why_at_rest(document: Report) -> str:
+    if document.torque is None:
         return "No cage moved: the scene has no torque."
     return (
         "No cage moved: the torque has the closed form of a cage that rests on its balls, or none. Where the scene "
@@ -45,19 +46,19 @@ def _why_at_rest(document: Document) -> str:
     )
 
 
-def cage_caption(motion: dict[str, Any]) -> str:
+def cage_caption(motion: CageRecord) -> str:
     """What is drawn, and what to see in it."""
     return (
-        f"{WHAT_TO_SEE[motion['state']]} Left: grey the start-up of {motion['start_up']:g} s, which no statistics "
+        f"{WHAT_TO_SEE[motion.state]} Left: grey the start-up of {motion.start_up:g} s, which no statistics "
         "count, blue after it; dashed the edge of the room, where the balls stop a level cage. Middle: the largest "
         "force of one ball on its pocket since the instant before, and the sum over all balls. Right: how often a "
-        f"force is exceeded, of instants of this motion and of {len(motion['block_maxima'])} blocks of "
-        f"{motion['block']:.3g} s of all seeds; band: 95 % interval of their median. The motion is run anew: after "
+        f"force is exceeded, of instants of this motion and of {len(motion.block_maxima)} blocks of "
+        f"{motion.block:.3g} s of all seeds; band: 95 % interval of their median. The motion is run anew: after "
         "an irregular start-up it need not be one of those of the statistics."
     )
 
 
-def orbit_figure(motions: Sequence[dict[str, Any]], *, captioned: bool = True) -> Figure:
+def orbit_figure(motions: Sequence[CageRecord], *, captioned: bool = True) -> Figure:
     """Orbit of the cage's centre, forces over time, and how often each force is exceeded; a row for each motion."""
     figure = Figure(figsize=(14, 5.6 * len(motions)), layout="constrained")
     for part, motion in zip(figure.subfigures(len(motions), 1, squeeze=False).ravel(), motions, strict=True):
@@ -65,10 +66,10 @@ def orbit_figure(motions: Sequence[dict[str, Any]], *, captioned: bool = True) -
         _orbit(orbit, motion)
         _forces(forces, motion)
         _excess(excess, motion)
-        low, high = (MILLI * end for end in motion["torque_interval"])
+        low, high = (MILLI * end for end in motion.torque_interval)
         part.suptitle(
-            f'{motion["bearing"]} at {motion["inner_speed"] * PER_MINUTE:.5g} rpm: regime "{motion["state"]}", started '
-            f'"{motion["start"]}"; cage torque {motion["torque"] * MILLI:.3g} N mm, {low:.3g} to {high:.3g} at 95 %',
+            f'{motion.bearing} at {motion.inner_speed * PER_MINUTE:.5g} rpm: regime "{motion.state}", started '
+            f'"{motion.start}"; cage torque {motion.torque * MILLI:.3g} N mm, {low:.3g} to {high:.3g} at 95 %',
             parse_math=False,  # a bearing's name is a person's
         )
     if captioned:
@@ -76,34 +77,34 @@ def orbit_figure(motions: Sequence[dict[str, Any]], *, captioned: bool = True) -
     return figure
 
 
-def _orbit(panel: Axes, motion: dict[str, Any]) -> None:
-    orbit, room = motion["orbit"], motion["room"]
-    look: dict[str, Any] = {"lw": 0.6} if orbit["joined"] else {"linestyle": "none", "marker": ".", "ms": 2.5}
+def _orbit(panel: Axes, motion: CageRecord) -> None:
+    orbit, room = motion.orbit, motion.room
+    look: dict[str, Any] = {"lw": 0.6} if orbit.joined else {"linestyle": "none", "marker": ".", "ms": 2.5}
     for part, colour, label in (("start_up", STARTING, "start-up"), ("measured", MEASURED, "measured")):
-        panel.plot(*(MICRO * np.array(orbit[part])).T, color=colour, label=label, **look)
-    panel.plot(*(MICRO * np.array(room["edge"])).T, "--", color=LIMIT, lw=1, label="edge of its room")
-    panel.plot(*(MICRO * np.array(orbit["measured"][-1])), "o", color=MEASURED, mec="black", ms=6, label="end")
-    pull = np.array(motion["gravity"][:2])
+        panel.plot(*(MICRO * np.array(getattr(orbit, part))).T, color=colour, label=label, **look)
+    panel.plot(*(MICRO * np.array(room.edge)).T, "--", color=LIMIT, lw=1, label="edge of its room")
+    panel.plot(*(MICRO * np.array(orbit.measured[-1])), "o", color=MEASURED, mec="black", ms=6, label="end")
+    pull = np.array(motion.gravity[:2])
     if pull.any():
-        middle = MICRO * np.array(room["middle"])
-        head = middle + 0.35 * MICRO * room["size"] * pull / np.linalg.norm(pull)
+        middle = MICRO * np.array(room.middle)
+        head = middle + 0.35 * MICRO * room.size * pull / np.linalg.norm(pull)
         panel.annotate("", xy=tuple(head), xytext=tuple(middle), arrowprops={"arrowstyle": "->"})
         panel.annotate("gravity", xy=tuple(head), xytext=(0, -12), textcoords="offset points", ha="center", fontsize=9)
-    panel.set(xlabel="x, µm", ylabel="y, µm", title="Orbit of the cage's centre")
+    panel.set(xlabel="x, um", ylabel="y, um", title="Orbit of the cage's centre")
     panel.set_aspect("equal", adjustable="datalim")
     panel.margins(0.12)
     panel.grid(alpha=0.3)
     panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8, frameon=False)
 
 
-def _forces(panel: Axes, motion: dict[str, Any]) -> None:
-    forces, median, start_up = motion["forces"], motion["max_force"], MILLI * motion["start_up"]
+def _forces(panel: Axes, motion: CageRecord) -> None:
+    forces, median, start_up = motion.forces, motion.max_force, MILLI * motion.start_up
     least = np.inf
     for name, colour, label in (("sum", ORANGE, "sum over all balls"), ("largest", MEASURED, "largest of one ball")):
-        values = np.array(forces[name])
+        values = np.array(getattr(forces, name))
         shown = np.where(values > 0, values, np.nan)
         least = min(least, values[values > 0].min(initial=np.inf))
-        panel.plot(MILLI * np.array(forces["time"]), shown, color=colour, lw=0.6, label=label)
+        panel.plot(MILLI * np.array(forces.time), shown, color=colour, lw=0.6, label=label)
     panel.axvspan(0, start_up, color=STARTING, alpha=0.35, lw=0, label="start-up")
     panel.axhline(median, color=BLOCKS, ls="--", lw=1, label=f"median of blocks, {median:.3g} N")
     panel.set(xlabel="time, ms", ylabel="force of balls on the cage, N", title="Forces")
@@ -114,22 +115,22 @@ def _forces(panel: Axes, motion: dict[str, Any]) -> None:
     panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8, frameon=False)
 
 
-def _excess(panel: Axes, motion: dict[str, Any]) -> None:
-    instants, blocks = motion["exceedance"], np.sort(motion["block_maxima"])
+def _excess(panel: Axes, motion: CageRecord) -> None:
+    instants, blocks = motion.exceedance, np.sort(motion.block_maxima)
     of_blocks = np.arange(blocks.size, 0, -1) / blocks.size  # no smaller one lies above it
     for force, share, colour, label in (
-        (np.array(instants["force"]), np.array(instants["share"]), MEASURED, "instants of this motion"),
+        (np.array(instants.force), np.array(instants.share), MEASURED, "instants of this motion"),
         (blocks, of_blocks, BLOCKS, "blocks of all seeds"),
     ):
         panel.step(force, 100 * share, where="pre", color=colour, label=label)
-    panel.axvspan(*motion["max_force_interval"], color=BLOCKS, alpha=0.2, lw=0)
-    panel.axvline(motion["max_force"], color=BLOCKS, ls="--", lw=1, label="median of blocks, 95 %")
+    panel.axvspan(*motion.max_force_interval, color=BLOCKS, alpha=0.2, lw=0)
+    panel.axvline(motion.max_force, color=BLOCKS, ls="--", lw=1, label="median of blocks, 95 %")
     panel.set(xlabel="largest force of one ball, N", ylabel="exceeded in, %", title="How often a force is exceeded")
     panel.set(yscale="log", ylim=(None, 150))
     panel.yaxis.set_major_formatter("{x:g}")
     least, most = panel.get_xlim()
-    if most > WIDE * max(least, LEAST_SHOWN * motion["max_force"]):
-        panel.set(xscale="log", xlim=(max(least, LEAST_SHOWN * motion["max_force"]), 1.3 * most))
+    if most > WIDE * max(least, LEAST_SHOWN * motion.max_force):
+        panel.set(xscale="log", xlim=(max(least, LEAST_SHOWN * motion.max_force), 1.3 * most))
         panel.xaxis.set_major_formatter("{x:g}")
     panel.grid(alpha=0.3, which="both")
     panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8, frameon=False)

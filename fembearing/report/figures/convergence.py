@@ -1,15 +1,17 @@
 """How the meshes of each contact converge, with the formal order as a slope to compare with."""
 
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from fembearing.report.figures.plot import Document
+from fembearing.quantities import CONTACT
+from fembearing.report.document.contact import Contact
+from fembearing.report.document.report import Report
 from fembearing.report.figures.style import GREY, legend_below, look_of
-from fembearing.report.words import QUANTITIES, place_of
+from fembearing.report.phrases import place_of
 
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 BELOW = 0.4  # of the least point of a panel: where the slope to compare with ends
@@ -22,17 +24,17 @@ CAPTION = (
 )
 
 
-def convergence_plot(document: Document) -> tuple[Figure | None, str]:
+def convergence_plot(document: Report) -> tuple[Figure | None, str]:
     """A panel for each quantity."""
-    contacts = document["contacts"]
+    contacts = document.contacts
     figure = Figure(figsize=(11, 8.6), layout="constrained")
     panels = figure.subplots(2, 3).ravel()
-    for panel, (name, shown) in zip(panels, QUANTITIES.items(), strict=False):
+    for panel, (name, quantity) in zip(panels, CONTACT.items(), strict=False):
         for contact in contacts:
             _convergence(panel, contact, name)
         _formal_slope(panel, contacts, name)
-        cut = name == "peak_pressure" and any(contact["shoulder"] for contact in contacts)
-        panel.set(title=f"{shown.name}{', cut off: at y = 0' if cut else ''}", xscale="log", yscale="log")
+        cut = name == "peak_pressure" and any(contact.shoulder for contact in contacts)
+        panel.set(title=f"{quantity.name}{', cut off: at y = 0' if cut else ''}", xscale="log", yscale="log")
         panel.set_xlabel("unknowns")
         panel.grid(alpha=0.3, which="both")
         for axis, numbers in ((panel.xaxis, "{x:,.0f}"), (panel.yaxis, "{x:g}")):
@@ -46,35 +48,36 @@ def convergence_plot(document: Document) -> tuple[Figure | None, str]:
     return figure, CAPTION
 
 
-def _convergence(panel: Axes, contact: dict[str, Any], name: str) -> None:
-    colour, mark = look_of(contact)
+def _convergence(panel: Axes, contact: Contact, name: str) -> None:
+    colour, mark = look_of(contact.pair, contact.geometry)
     unknowns, distance = _distances(contact, name)
-    order = contact["convergence"][name]["order"]
+    study = contact.convergence[name]
+    order = "no order" if study.order is None else f"order {study.order:.1f}"
     panel.plot(
         *(unknowns, distance, mark),
-        linestyle="--" if contact["convergence"][name]["richardson"] is None else "-",
+        linestyle="--" if study.richardson is None else "-",
         color=colour,
         markersize=5,
-        label=f"{place_of(contact)}: {'no order' if order is None else f'order {order:.1f}'}",
+        label=f"{place_of(contact.pair, contact.geometry)}: {order}",
     )
 
 
-def _distances(contact: dict[str, Any], name: str) -> tuple[np.ndarray, np.ndarray]:
+def _distances(contact: Contact, name: str) -> tuple[np.ndarray, np.ndarray]:
     """Unknowns and distance from the limit, %, mesh by mesh."""
-    part = contact["convergence"][name]
-    values, limit = np.array(part["values"]), part["richardson"]
-    unknowns = np.array([mesh["unknowns"] for mesh in contact["meshes"]])
+    study = contact.convergence[name]
+    values, limit = np.array(study.values), study.richardson
+    unknowns = np.array([mesh.unknowns for mesh in contact.meshes])
     if limit is None:  # its own finest mesh is the limit
         values, limit, unknowns = values[:-1], values[-1], unknowns[:-1]
     return unknowns, 100 * np.maximum(np.abs(values / limit - 1), SAME)
 
 
-def _formal_slope(panel: Axes, contacts: list[dict[str, Any]], name: str) -> None:
+def _formal_slope(panel: Axes, contacts: Sequence[Contact], name: str) -> None:
     """Below all points of the contacts that have a formal order in this quantity."""
-    ordered = [contact for contact in contacts if contact["convergence"][name]["formal_order"] is not None]
-    if not ordered:
+    ordered = [contact for contact in contacts if contact.convergence[name].formal_order is not None]
+    order = ordered[0].convergence[name].formal_order if ordered else None  # one for all contacts
+    if order is None:
         return
-    order = ordered[0]["convergence"][name]["formal_order"]  # one for all contacts
     unknowns, distance = (np.concatenate(parts) for parts in zip(*(_distances(c, name) for c in ordered), strict=True))
     ends = np.array([unknowns.min(), unknowns.max()])
     slope = (ends / ends[0]) ** (-order / DIMENSIONS)

@@ -5,7 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.scene import Array
-from fembearing.report.figures.plot import Document
+from fembearing.report.document.report import Report
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLUE, GREEN, GREY, RED, legend_below, scaled
 from fembearing.report.figures.torque import NO_TORQUE
@@ -15,11 +15,11 @@ PARTED = 3.0  # film over roughness, from which hardly a summit touches: a rule 
 NOTHING_SLIDES = "Nothing that slides was computed: there is no friction coefficient."
 
 
-def friction_plot(document: Document) -> tuple[Figure | None, str]:
+def friction_plot(document: Report) -> tuple[Figure | None, str]:
     """Coefficients; where a film was computed, its thickness over the roughness, and the load on asperities."""
-    if document["torque"] is None:
+    if document.torque is None:
         return None, NO_TORQUE
-    axis, gap = axis_of(document["torque"]["points"]), document["torque"]["gap_roughness"]
+    axis, gap = axis_of(document.torque.points), document.torque.gap_roughness
     coefficients = {name: values for name in LOOKS if (values := axis.of("friction_coefficient", name)) is not None}
     if not coefficients:
         return None, NOTHING_SLIDES

@@ -1,23 +1,23 @@
 """Contact pressure along both axes through the centre: finite elements as points, Hertz as a line."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.scene import Array
-from fembearing.report.figures.plot import Document
+from fembearing.report.document.contact import Contact
+from fembearing.report.document.report import Report
+from fembearing.report.document.table import OfQuantities
 from fembearing.report.figures.style import BLACK, BLUE, RED, column_width
-from fembearing.report.words import place_of
+from fembearing.report.phrases import capital, place_of
 
 GIGA, MILLI = 1e-9, 1e3
 ALONG = {  # axis of the profile -> semi-axis, words, colour, mark, line
     "rolling": ("semi_axis_rolling", "along rolling, x/a", BLUE, "o", "-"),
     "transverse": ("semi_axis_transverse", "across rolling, y/b", RED, "s", "--"),
 }
-EDGE = 0.9  # of the way to the edge: up to there differences set the scale, beyond they are those of two edges
-HIGHEST = 1.5  # of Hertz's peak: beside a shoulder the pressure has no bound
+EDGE = 0.9  # of the distance to the edge: differences up to there set the scale; beyond, two edges are compared
+HIGHEST = 1.5  # of Hertz's peak: at a shoulder the pressure has no bound
 CAPTION = (
     "Above: pressure at the nodes of the finest mesh on both axes through the contact's centre, and Hertz's "
     "semi-ellipse; positions in Hertz's semi-axes a along and b across rolling. Below: the nodes less Hertz; lines: "
@@ -30,9 +30,9 @@ CUT = (
 )
 
 
-def pressure_plot(document: Document) -> tuple[Figure | None, str]:
+def pressure_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
-    contacts = document["contacts"]
+    contacts = document.contacts
     figure = Figure(figsize=(column_width(len(contacts)) * max(len(contacts), 2), 6.4), layout="constrained")
     above, below = figure.subplots(2, len(contacts), squeeze=False, sharex="col", height_ratios=(1.3, 1))
     for panel, contact in zip(above, contacts, strict=True):
@@ -43,48 +43,48 @@ def pressure_plot(document: Document) -> tuple[Figure | None, str]:
     below[0].set_ylabel("finite elements less Hertz,\n% of Hertz's peak")
     handles, labels = above[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False, fontsize=9)
-    cut = any(contact["shoulder"] for contact in contacts)
+    cut = any(contact.shoulder for contact in contacts)
     return figure, CAPTION + (CUT if cut else "")
 
 
-def _profile(panel: Axes, contact: dict[str, Any]) -> None:
-    hertz = contact["hertz"]
+def _profile(panel: Axes, contact: Contact) -> None:
+    hertz = contact.hertz
     for axis, (name, words, colour, mark, _) in ALONG.items():
-        nodes = contact["pressure_profile"][axis]["fe"]
-        position = np.array(nodes["position"]) / hertz[name]
-        pressure = GIGA * np.array(nodes["pressure"])
+        nodes = getattr(contact.pressure_profile, axis).fe
+        position = np.array(nodes.position) / hertz[name]
+        pressure = GIGA * np.array(nodes.pressure)
         panel.plot(position, pressure, mark, color=colour, markersize=4, markerfacecolor="white", label=words)
-    line = contact["pressure_profile"]["rolling"]["hertz"]  # both axes are one line in semi-axes
-    position = np.array(line["position"]) / hertz["semi_axis_rolling"]
-    pressure = GIGA * np.array(line["pressure"])
+    line = contact.pressure_profile.rolling.hertz  # both axes are one line in semi-axes
+    position = np.array(line.position) / hertz.semi_axis_rolling
+    pressure = GIGA * np.array(line.pressure)
     if _is_whole(contact):
         panel.plot(-position[::-1], pressure[::-1], color=BLACK, linewidth=1)
     panel.plot(position, pressure, color=BLACK, linewidth=1, label="Hertz")
     for y in _shoulders(contact):
-        panel.axvline(y / hertz["semi_axis_transverse"], color=RED, linewidth=1, linestyle=":")
-    place = place_of(contact).replace(", ", ",\n")
-    axes = f"a {hertz['semi_axis_rolling'] * MILLI:.4g}, b {hertz['semi_axis_transverse'] * MILLI:.4g} mm"
-    panel.set_title(f"{place[0].upper()}{place[1:]}\n{contact['load']:.4g} N; {axes}", fontsize=9)
-    panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * GIGA * hertz["peak_pressure"]))
+        panel.axvline(y / hertz.semi_axis_transverse, color=RED, linewidth=1, linestyle=":")
+    place = capital(place_of(contact.pair, contact.geometry)).replace(", ", ",\n")
+    axes = f"a {hertz.semi_axis_rolling * MILLI:.4g}, b {hertz.semi_axis_transverse * MILLI:.4g} mm"
+    panel.set_title(f"{place}\n{contact.load:.4g} N; {axes}", fontsize=9)
+    panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * GIGA * hertz.peak_pressure))
     panel.tick_params(labelsize=8)
     panel.grid(alpha=0.3)
 
 
-def _difference(panel: Axes, contact: dict[str, Any]) -> None:
-    hertz, found, largest = contact["hertz"], contact["fe"], 0.0
+def _difference(panel: Axes, contact: Contact) -> None:
+    hertz, computed, largest = contact.hertz, contact.fe, 0.0
     for axis, (name, _, colour, mark, line) in ALONG.items():
-        nodes = contact["pressure_profile"][axis]["fe"]
-        position = np.array(nodes["position"])
-        apart = 100 * (np.array(nodes["pressure"]) - _semi_ellipse(position, hertz, name)) / hertz["peak_pressure"]
-        room = min(map(abs, _shoulders(contact)), default=np.inf) if axis == "transverse" else np.inf
-        inside = np.abs(position) <= EDGE * min(hertz[name], room)
+        nodes = getattr(contact.pressure_profile, axis).fe
+        position = np.array(nodes.position)
+        apart = 100 * (np.array(nodes.pressure) - _semi_ellipse(position, hertz, name)) / hertz.peak_pressure
+        edge = min(map(abs, _shoulders(contact)), default=np.inf) if axis == "transverse" else np.inf
+        inside = np.abs(position) <= EDGE * min(hertz[name], edge)
         largest = max(largest, float(np.abs(apart[inside]).max(initial=0.0)))
         panel.plot(position / hertz[name], apart, mark, color=colour, markersize=4, markerfacecolor="white")
-        if contact["shoulder"]:  # a cut contact is no semi-ellipse
+        if contact.shoulder:  # a cut contact is no semi-ellipse
             continue
         fine = np.linspace(position.min(), position.max(), 400)
-        expected = _semi_ellipse(fine, found, name) - _semi_ellipse(fine, hertz, name)
-        panel.plot(fine / hertz[name], 100 * expected / hertz["peak_pressure"], line, color=colour, linewidth=1)
+        expected = _semi_ellipse(fine, computed, name) - _semi_ellipse(fine, hertz, name)
+        panel.plot(fine / hertz[name], 100 * expected / hertz.peak_pressure, line, color=colour, linewidth=1)
     panel.axhline(0, color=BLACK, linewidth=1)
     panel.set_ylim(-2.5 * max(largest, 0.4), 2.5 * max(largest, 0.4))
     panel.set_xlabel("position in Hertz's semi-axes")
@@ -92,18 +92,17 @@ def _difference(panel: Axes, contact: dict[str, Any]) -> None:
     panel.grid(alpha=0.3)
 
 
-def _semi_ellipse(position: Array, quantities: dict[str, float], semi_axis: str) -> Array:
+def _semi_ellipse(position: Array, quantities: OfQuantities[float], semi_axis: str) -> Array:
     inside = 1 - (position / quantities[semi_axis]) ** 2
-    return quantities["peak_pressure"] * np.sqrt(np.maximum(inside, 0.0))
+    return quantities.peak_pressure * np.sqrt(np.maximum(inside, 0.0))
 
 
-def _is_whole(contact: dict[str, Any]) -> bool:
+def _is_whole(contact: Contact) -> bool:
     """Whether both sides of the centre are meshed: across rolling, where a shoulder cuts the contact off."""
-    return bool(contact["shoulder"]) and contact["shoulder"]["half"]
+    return contact.shoulder is not None and contact.shoulder.half
 
 
-def _shoulders(contact: dict[str, Any]) -> list[float]:
-    """y of those that cut it off, m, as far as that side is drawn."""
-    sides = (contact["shoulder"] or {"sides": {}})["sides"]
-    found = [{"above": 1, "below": -1}[side] * distance for side, distance in sides.items()]
-    return [y for y in found if y > 0 or _is_whole(contact)]
+def _shoulders(contact: Contact) -> list[float]:
+    """y of the shoulders that cut it off, m, on the sides that are drawn."""
+    cuts = [] if contact.shoulder is None else contact.shoulder.cuts
+    return [y for y in cuts if y > 0 or _is_whole(contact)]

@@ -1,9 +1,10 @@
-"""How plots look alike: colours that a colour-blind reader tells apart, legends beside the data, scales that fit."""
+"""What all figures share: colours that a colour-blind reader tells apart, legends below the data, scales, the file."""
 
-from typing import Any
+from io import BytesIO
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"  # the palette of M. Okabe and K. Ito
@@ -17,16 +18,24 @@ CONTACTS = {  # pair and geometry -> colour and mark
 }
 DECADE = 10.0  # what spans more is drawn on a logarithmic scale
 PAGE, WIDEST_COLUMN = 11.0, 3.4  # inches
+DOTS = 110  # per inch
 MANY = 25  # points on a line: more have no marks
 
 
-def look_of(contact: dict[str, Any]) -> tuple[str, str]:
-    """Colour and mark of a contact of the document."""
-    return CONTACTS.get((contact["pair"], contact["geometry"]), (BLACK, "x"))
+def png(figure: Figure) -> bytes:
+    """The figure as a file."""
+    content = BytesIO()
+    figure.savefig(content, dpi=DOTS, format="png")
+    return content.getvalue()
+
+
+def look_of(pair: str, geometry: str) -> tuple[str, str]:
+    """Colour and mark of a contact."""
+    return CONTACTS.get((pair, geometry), (BLACK, "x"))
 
 
 def column_width(columns: int) -> float:
-    """Inches, of panels side by side: together no wider than the page, whose letters then stay as large as drawn."""
+    """Inches, of panels side by side, together no wider than the page: letters then stay as large as drawn."""
     return min(WIDEST_COLUMN, PAGE / columns)
 
 

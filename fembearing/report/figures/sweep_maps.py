@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from itertools import product
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from matplotlib import colormaps
@@ -16,28 +16,14 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from analytic.scene import Array
-from fembearing.report.figures.file import png
-from fembearing.report.words import PER_MINUTE
+from fembearing.quantities import Unit, unit_for
+from fembearing.report.figures.style import png
 
 PLOTTED = ("torque_total", "peak_pressure_inner", "peak_pressure", "discrepancy_peak_pressure")
 MOST_PANELS, MOST_LINES = 6, 8
 FEWEST = 3  # values of an axis of a map
 WIDE = 20.0  # ratio of the largest to the smallest from which on a scale of colours or heights is logarithmic
 WIDE_AXIS = 4.0  # the same of an axis whose steps are nearer to even in the logarithm
-
-
-class Scale(NamedTuple):
-    """How SI values are shown."""
-
-    unit: str
-    factor: float
-
-
-SCALES = {"N m": Scale("N mm", 1e3), "rad/s": Scale("rpm", PER_MINUTE), "rad": Scale("deg", 180 / np.pi)}
-BY_SIZE = {  # from large to small: the first below which the largest value is not
-    "Pa": ((1e8, Scale("GPa", 1e-9)), (1e5, Scale("MPa", 1e-6)), (0.0, Scale("Pa", 1.0))),
-    "m": ((1e-3, Scale("mm", 1e3)), (1e-7, Scale("um", 1e6)), (0.0, Scale("nm", 1e9))),
-}
 
 
 def write_maps(dataset: Any, folder: Path) -> list[Path]:
@@ -52,36 +38,36 @@ def write_maps(dataset: Any, folder: Path) -> list[Path]:
 
 def map_figure(dataset: Any, name: str) -> Figure:
     """One variable of the dataset of a sweep over its axes."""
-    found = dataset[name]
-    fixed = [dimension for dimension in found.dims if found.sizes[dimension] == 1]
-    found = found.squeeze(fixed, drop=False)
-    numeric = [d for d in found.dims if np.issubdtype(found[d].dtype, np.number)]
-    found = found.sortby(numeric)
-    longest = sorted((d for d in numeric if found.sizes[d] >= FEWEST), key=lambda d: -found.sizes[d])[:2]
-    across = [d for d in found.dims if d in longest] or [max(found.dims, key=lambda d: found.sizes[d])]
-    others = [d for d in found.dims if d not in across]
-    scale = _scale_of(found, relative=name.startswith(("uncertainty", "discrepancy")))
-    title = ", ".join([f"{found.attrs['long_name']}", *(_place(found[d], found[d].values) for d in fixed)])
+    variable = dataset[name]
+    fixed = [dimension for dimension in variable.dims if variable.sizes[dimension] == 1]
+    variable = variable.squeeze(fixed, drop=False)
+    numeric = [d for d in variable.dims if np.issubdtype(variable[d].dtype, np.number)]
+    variable = variable.sortby(numeric)
+    longest = sorted((d for d in numeric if variable.sizes[d] >= FEWEST), key=lambda d: -variable.sizes[d])[:2]
+    across = [d for d in variable.dims if d in longest] or [max(variable.dims, key=lambda d: variable.sizes[d])]
+    others = [d for d in variable.dims if d not in across]
+    unit = _unit_of(variable, relative=name.startswith(("uncertainty", "discrepancy")))
+    title = ", ".join([f"{variable.attrs['long_name']}", *(_place(variable[d], variable[d].values) for d in fixed)])
     draw = _draw_map if len(across) == 2 else _draw_lines
-    figure = draw(found, across, others, scale)
-    if not np.all(np.isfinite(found)):
+    figure = draw(variable, across, others, unit)
+    if not np.all(np.isfinite(variable)):
         title += " (grey: failed)" if len(across) == 2 else " (gaps: failed)"
     figure.suptitle(title, fontsize=11, wrap=True)
     return figure
 
 
-def _draw_map(found: Any, across: list[str], others: list[str], scale: Scale) -> Figure:
-    (vertical, horizontal), shown = across, list(_choices(found, others, MOST_PANELS))
+def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -> Figure:
+    (vertical, horizontal), shown = across, list(_choices(variable, others, MOST_PANELS))
     columns = 2 if len(shown) == 4 else min(3, len(shown))
     rows = -(-len(shown) // columns)
     figure = Figure(figsize=(2.2 + 4.6 * columns, 0.8 + 3.6 * rows), layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
-    norm = _norm(found.values * scale.factor)
+    norm = _norm(variable.values * unit.factor)
     colours = colormaps["viridis"].with_extremes(bad="lightgrey")
     for panel, chosen in zip(panels.ravel(), shown, strict=False):
-        part = found.sel(chosen).transpose(vertical, horizontal)
+        part = variable.sel(chosen).transpose(vertical, horizontal)
         x, y = (_shown_axis(part[dimension]) for dimension in (horizontal, vertical))
-        values = part.values * scale.factor
+        values = part.values * unit.factor
         edges = [_edges(part[dimension]) for dimension in (horizontal, vertical)]
         panel.pcolormesh(*edges, np.ma.masked_invalid(values), norm=norm, cmap=colours)
         if min(values.shape) > 2 and np.all(np.isfinite(values)) and np.ptp(values) > 0:
@@ -89,69 +75,66 @@ def _draw_map(found: Any, across: list[str], others: list[str], scale: Scale) ->
             for text in panel.clabel(lines, fontsize=8, fmt="%g"):
                 text.set_path_effects([withStroke(linewidth=1.5, foreground="black")])  # on the lightest colours too
         for axis, dimension in ((panel.xaxis, horizontal), (panel.yaxis, vertical)):
-            _set_axis(panel, axis, found[dimension])
+            _set_axis(panel, axis, variable[dimension])
         panel.set(**{f"{axis}lim": (ends[0], ends[-1]) for axis, ends in zip("xy", edges, strict=True)})
-        panel.set_title(", ".join(_place(found[d], value) for d, value in chosen.items()), fontsize=9)
+        panel.set_title(", ".join(_place(variable[d], value) for d, value in chosen.items()), fontsize=9)
     for panel in panels.ravel()[len(shown) :]:
         panel.set_axis_off()
     for panel in panels[-1]:
-        panel.set_xlabel(_label(found[horizontal]))
+        panel.set_xlabel(_label(variable[horizontal]))
     for panel in panels[:, 0]:
-        panel.set_ylabel(_label(found[vertical]))
-    bar = figure.colorbar(ScalarMappable(norm, colours), ax=panels, label=f"{_name(found)}, {scale.unit}")
+        panel.set_ylabel(_label(variable[vertical]))
+    bar = figure.colorbar(ScalarMappable(norm, colours), ax=panels, label=f"{_name(variable)}, {unit.name}")
     if isinstance(norm, LogNorm):
         _plain_numbers(bar.ax.yaxis)
     return figure
 
 
-def _draw_lines(found: Any, across: list[str], others: list[str], scale: Scale) -> Figure:
+def _draw_lines(variable: Any, across: list[str], others: list[str], unit: Unit) -> Figure:
     (horizontal,) = across
     figure = Figure(figsize=(7.4, 4.8), layout="constrained")
     panel = figure.subplots()
-    for chosen in _choices(found, others, MOST_LINES):
-        part = found.sel(chosen)
-        label = ", ".join(_place(found[d], value) for d, value in chosen.items())
-        panel.plot(_shown_axis(part[horizontal]), part.values * scale.factor, "o-", markersize=3, label=label)
-    _set_axis(panel, panel.xaxis, found[horizontal])
-    if isinstance(_norm(found.values * scale.factor), LogNorm):
+    for chosen in _choices(variable, others, MOST_LINES):
+        part = variable.sel(chosen)
+        label = ", ".join(_place(variable[d], value) for d, value in chosen.items())
+        panel.plot(_shown_axis(part[horizontal]), part.values * unit.factor, "o-", markersize=3, label=label)
+    _set_axis(panel, panel.xaxis, variable[horizontal])
+    if isinstance(_norm(variable.values * unit.factor), LogNorm):
         panel.set_yscale("log")
         _plain_numbers(panel.yaxis)
-    panel.set(xlabel=_label(found[horizontal]), ylabel=f"{_name(found)}, {scale.unit}")
+    panel.set(xlabel=_label(variable[horizontal]), ylabel=f"{_name(variable)}, {unit.name}")
     panel.grid(alpha=0.3, which="both")
     if others:
         panel.legend(fontsize=8)
     return figure
 
 
-def _choices(found: Any, others: list[str], most: int) -> Iterator[dict[str, Any]]:
+def _choices(variable: Any, others: list[str], most: int) -> Iterator[dict[str, Any]]:
     """Values of the other axes, evenly chosen where there are too many."""
-    every = list(product(*(found[d].values for d in others)))
+    every = list(product(*(variable[d].values for d in others)))
     for number in np.unique(np.linspace(0, len(every) - 1, min(most, len(every))).round().astype(int)):
         yield dict(zip(others, every[number], strict=True))
 
 
-def _scale_of(values: Any, *, relative: bool = False) -> Scale:
-    unit = values.attrs.get("units", "1")
+def _unit_of(values: Any, *, relative: bool = False) -> Unit:
+    """The unit in which a variable is shown."""
     if relative:
-        return Scale("%", 100.0)
-    if unit in BY_SIZE:
-        largest = float(np.nanmax(np.abs(values)))
-        return next(scale for least, scale in BY_SIZE[unit] if largest >= least)
-    return SCALES.get(unit, Scale("" if unit == "1" else unit.replace("*", " "), 1.0))
+        return Unit("%", 100.0)
+    return unit_for(values.attrs.get("units", "1"), float(np.nanmax(np.abs(values))))
 
 
 def _shown_axis(values: Any) -> Array:
     if not np.issubdtype(values.dtype, np.number):
         return np.array([str(value) for value in values.values])
-    return values.values * _scale_of(values).factor
+    return values.values * _unit_of(values).factor
 
 
 def _place(values: Any, value: Any) -> str:
     """One value of an axis in words."""
     if not np.issubdtype(values.dtype, np.number):
         return f"{_name(values)} {value}"
-    scale = _scale_of(values)
-    return f"{_name(values)} {float(value) * scale.factor:.4g} {scale.unit}".strip()
+    unit = _unit_of(values)
+    return f"{_name(values)} {float(value) * unit.factor:.4g} {unit.name}".strip()
 
 
 def _name(values: Any) -> str:
@@ -159,12 +142,12 @@ def _name(values: Any) -> str:
 
 
 def _label(values: Any) -> str:
-    scale = _scale_of(values)
-    return f"{values.attrs.get('long_name', values.name)}" + (f", {scale.unit}" if scale.unit else "")
+    unit = _unit_of(values)
+    return f"{values.attrs.get('long_name', values.name)}" + (f", {unit.name}" if unit.name else "")
 
 
 def _set_axis(panel: Axes, axis: Axis, values: Any) -> None:
-    """Logarithmic where the steps are nearer to even that way."""
+    """Make the axis logarithmic where its steps are nearer to even in the logarithm."""
     if not np.issubdtype(values.dtype, np.number) or not _even_in_logarithm(values.values):
         return
     (panel.set_xscale if axis is panel.xaxis else panel.set_yscale)("log")
@@ -179,13 +162,13 @@ def _even_in_logarithm(values: Array) -> bool:
 
 
 def _edges(values: Any) -> Array:
-    """Of the cells around the values, one more than those: half way to the next, in the logarithm where it is even."""
+    """Edges of the cells around the values, one more than those: in the middle, in the logarithm where that is even."""
     place = _shown_axis(values)
     logarithmic = _even_in_logarithm(values.values)
     place = np.log(place) if logarithmic else place
     half = np.diff(place) / 2
-    found = np.concatenate([[place[0] - half[0]], place[:-1] + half, [place[-1] + half[-1]]])
-    return np.exp(found) if logarithmic else found
+    ends = np.concatenate([[place[0] - half[0]], place[:-1] + half, [place[-1] + half[-1]]])
+    return np.exp(ends) if logarithmic else ends
 
 
 def _norm(values: Array) -> Normalize:

@@ -1,17 +1,16 @@
-"""The friction torque over the operating points, split by effect, with the paper's values beside it."""
-
-from typing import Any
+"""The friction torque over the operating points, split by effect, with the paper's values."""
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.report.figures.plot import Document
-from fembearing.report.figures.series_axis import SeriesAxis, axis_of
+from fembearing.quantities import PER_MINUTE, QUANTITIES
+from fembearing.report.document.report import Published, Report
+from fembearing.report.figures.series_axis import SPEED, SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, legend_below
-from fembearing.report.words import PER_MINUTE
 
-MILLI = 1e3
+TORQUE = QUANTITIES["torque"]
+MILLI = TORQUE.shown.factor
 PARTS = {  # from the bottom, with words for the legend
     "spin": ("spin", BLUE),
     "conformity": ("conformity slip", SKY),
@@ -25,25 +24,25 @@ PAPER_MARKS = "Dv^<"
 NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both lubricant and surface."
 
 
-def torque_plot(document: Document) -> tuple[Figure | None, str]:
+def torque_plot(document: Report) -> tuple[Figure | None, str]:
     """Parts stacked up to the total, in N mm, with the uncertainty of the total."""
-    if document["torque"] is None:
+    if document.torque is None:
         return None, NO_TORQUE
-    axis = axis_of(document["torque"]["points"])
+    axis = axis_of(document.torque.points)
     figure = Figure(figsize=(9, 5.4), layout="constrained")
     panel = figure.subplots()
     _parts(panel, axis)
     known = _total(panel, axis)
-    printed = _paper(panel, axis, document["published"])
+    printed = _paper(panel, axis, document.published)
     axis.apply(panel)
-    panel.set_ylabel("friction torque, N mm")
+    panel.set_ylabel(TORQUE.heading)
     panel.set_ylim(0, None)
     panel.grid(alpha=0.3)
     legend_below(panel, columns=3, size=9)
     caption = "The parts of the torque, stacked: their upper edge is the total. "
     caption += f"Band: its uncertainty, {known}."
-    if document["cage_records"]:
-        caption += " The cage is in it by its closed form at rest; what it does in motion is told by itself."
+    if document.cage_records:
+        caption += " The cage is in it with its motion."
     return figure, caption + printed
 
 
@@ -62,7 +61,7 @@ def _parts(panel: Axes, axis: SeriesAxis) -> None:
 
 
 def _total(panel: Axes, axis: SeriesAxis) -> str:
-    """Draws it with its uncertainty, and tells what that is of."""
+    """Draw the total with its uncertainty; gives what that uncertainty covers."""
     total = axis.of("torque", "total")
     assert total is not None  # the total is always there
     total = MILLI * total
@@ -83,23 +82,23 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
     return " and ".join(word for word in words if word) or "not known"
 
 
-def _paper(panel: Axes, axis: SeriesAxis, published: dict[str, Any]) -> str:
-    """The paper's totals where the scene has its bearing and its load; a word on what they are."""
-    if not (published["same_bearing"] and published["same_load"] and axis.label == "inner speed, rpm"):
+def _paper(panel: Axes, axis: SeriesAxis, published: Published) -> str:
+    """Draw the paper's totals where the scene has its bearing and its load; gives a sentence on what they are."""
+    if not (published.same_bearing and published.same_load and axis.label == SPEED):
         return ""
-    rows = [row for row in published["rows"] if row["quantity"] == "total_torque"]
-    roughness = sorted({row["rms_roughness"] for row in rows}, reverse=True)
+    rows = [row for row in published.rows if row.quantity == "total_torque"]
+    roughness = sorted({row.rms_roughness for row in rows}, reverse=True)
     for mark, rms in zip(PAPER_MARKS, roughness, strict=False):
-        drawn = [(row["inner_speed"] * PER_MINUTE, row["value"] * MILLI) for row in rows if row["rms_roughness"] == rms]
+        drawn = [(row.inner_speed * PER_MINUTE, row.value * MILLI) for row in rows if row.rms_roughness == rms]
         x, y = np.transpose(drawn)
-        label = f"paper, Sq {1e6 * rms:g} µm: total"
+        label = f"paper, Sq {1e6 * rms:g} um: total"
         panel.plot(x, y, mark, color=RED, markerfacecolor="white", markersize=8, label=label, linestyle="none")
     words = (
         " Open marks: totals that the paper prints, its cage in motion among them; computed there, not measured, with "
         "an oil and a hardness that it does not name."
     )
-    if published["absent"]:
-        words += f" Of another case: {published['absent']}."
-    if published["calibration"]:
-        words += f" This scene is a calibration ({published['calibration']}): that it comes near is no agreement."
+    if published.absent:
+        words += f" Of another case: {published.absent}."
+    if published.calibration:
+        words += f" This scene is a calibration ({published.calibration}): that it comes near is no agreement."
     return words

@@ -1,4 +1,4 @@
-"""What the off-screen picture of a cage shows: the instant, how far its way is exaggerated, and the words."""
+"""What the off-screen picture of a cage shows: the instant, how far its movement is exaggerated, and the text."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 from fembearing.compare.torque.cage_record import CageRecord
+from fembearing.quantities import PER_MINUTE
 from fembearing.report.pictures.framing import round_length
-from fembearing.report.words import PER_MINUTE
 
 SIDE, HEAD, FOOT = 900, 130, 90  # pixels of the cage, and of the words above and below
-AROUND = 2.3  # ball radii beyond the pitch circle that are in the picture: room for an arrow
+AROUND = 2.3  # ball radii beyond the pitch circle that are in the picture, so that an arrow fits
 LONGEST = 1.8  # ball radii: the longest arrow
 WIDEST = 0.3  # ball radii: how far the ball is drawn from its pocket at most
 WALL = 0.12  # ball radii
@@ -30,7 +30,7 @@ class CageView:
     time: float  # s
     force: np.ndarray  # (Z, 3) of each ball on the cage
     balls: np.ndarray  # (Z, 3)
-    pockets: np.ndarray  # (Z, 3), their ways from the balls exaggerated
+    pockets: np.ndarray  # (Z, 3), their distances from the balls exaggerated
     centre: np.ndarray  # (3,) of the cage, likewise
     exaggeration: float
     arrow: float  # length that stands for 1 N, m
@@ -98,17 +98,17 @@ def picture_caption(record: CageRecord) -> str:
         f"The cage (brown) around its balls at {view.time * 1e3:.4g} ms, the instant after the start-up at which one "
         f"ball presses hardest: {view.largest:.3g} N. Seen along the bearing's axis, which leans by "
         f"{np.degrees(LEAN):.0f} degrees; the inner ring turns {_sense(record)}. Red: the force of each ball on the "
-        "cage, from where it touches. Balls are to scale; the way of each pocket from its ball, and of the cage's "
+        "cage, from where it touches. Balls are to scale; the distance of each pocket from its ball, and of the cage's "
         f"centre (brown dot) from the bearing's axis (black dot), is drawn {view.exaggeration:g} times as far, and "
         f"pockets are wider by as much. Regime of all seeds: {record.statistics.state}."
     )
 
 
 def _lines(record: CageRecord, view: CageView) -> list[str]:
-    found, speed = record.statistics, record.cage.ring_speed * PER_MINUTE
+    statistics, speed = record.statistics, record.cage.ring_speed * PER_MINUTE
     return [
-        f'{record.scene.bearing.name} at {speed:.5g} rpm, {_sense(record)}: regime "{found.state}", '
-        f'started "{found.start}"',
+        f'{record.scene.bearing.name} at {speed:.5g} rpm, {_sense(record)}: regime "{statistics.state}", '
+        f'started "{statistics.start}"',
         f"at {view.time * 1e3:.4g} ms; red: force of each ball on the cage, the largest {view.largest:.3g} N",
         f"brown: the cage, displaced {view.exaggeration:g} times as far as computed, and so its centre (brown dot)",
         "black dot: the bearing's axis; grey: the bottoms of the grooves",

@@ -1,7 +1,7 @@
 """Pictures of the contacts, made without a screen.
 
-VTK draws them in a child process (`fembearing.report.pictures.render`), and there the view is written that turns in a browser.
-Where that cannot be, a plain map of the pressure takes their place, and the picture says so.
+VTK draws them in a child process (`fembearing.report.pictures.render`), which also writes the view that turns in a
+browser. Where VTK cannot draw, a plain map of the pressure takes their place, and the page says so.
 """
 
 import json
@@ -15,9 +15,10 @@ from typing import Any, Literal
 from matplotlib.ticker import MaxNLocator
 
 from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.report.pictures.framing import Frame, frame_of
+from fembearing.report.document.build import contact_table
+from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
+from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.pictures.plain_map import draw_map
-from fembearing.report.words import AXES, place_of, shoulder_lines, title_of
 
 RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
 PATIENCE = 300  # s for all pictures; they take about ten
@@ -38,6 +39,7 @@ class Picture:
     caption: str
 
     def to_json(self) -> dict[str, str]:
+        """The picture as the document lists it."""
         return {
             "file": self.file.name,
             "kind": self.kind,
@@ -63,7 +65,7 @@ def draw_pictures(
         frame = _frame(contact)
         file = _file(contact, "pressure", folder)
         if trouble:
-            draw_map(contact, frame=frame, **_scale(contact), file=file)
+            draw_map(contact, title=_title(contact), frame=frame, shown=_scale(contact), file=file)
         pictures.append(
             Picture(
                 file=file,
@@ -103,11 +105,10 @@ def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
 
 def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
     meshes = {side: str(path) for side, path in contact.write_meshes(folder).items()}
-    scale = _scale(contact)
     common = {
         **meshes,
-        **scale,
-        "title": title_of(contact.to_json()),
+        **_scale(contact)._asdict(),
+        "title": _title(contact),
         "hertz": [contact.hertz.semi_axis_rolling, contact.hertz.semi_axis_transverse],
         "computed": [contact.reference.semi_axis_rolling, contact.reference.semi_axis_transverse],
         "centroid": contact.centroid,
@@ -133,6 +134,15 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
     ]
 
 
+def _title(contact: ContactSolution) -> str:
+    place = contact.contact.pair, contact.geometry, contact.contact.contact_angle
+    return title_of(*place, f"{contact.contact.load:.4g} N")
+
+
+def _place(contact: ContactSolution) -> str:
+    return place_of(contact.contact.pair, contact.geometry)
+
+
 def _lifted(contact: ContactSolution) -> float:
     """How far the ball is drawn off what it touches, m: no farther than half the width of that."""
     return min(LIFTED * contact.contact.ball_radius, float(contact.meshes[-1].pair.lower.mesh.doflocs[1].max()))
@@ -152,23 +162,18 @@ def _frame(contact: ContactSolution) -> Frame:
     )
 
 
-def _scale(contact: ContactSolution) -> dict[str, Any]:
-    """The unit of pressure, what Pa are multiplied by, the end of the colour scale and its round ticks."""
+def _scale(contact: ContactSolution) -> PressureScale:
+    """Colours up to the computed peak, with round ticks."""
     peak = contact.reference.peak_pressure
     unit, factor = ("GPa", 1e-9) if peak >= GIGA_FROM else ("MPa", 1e-6)
     ticks = MaxNLocator(5).tick_values(0, peak * factor)
-    return {
-        "unit": unit,
-        "factor": factor,
-        "peak": peak * factor,
-        "ticks": [float(tick) for tick in ticks if tick <= peak * factor],
-    }
+    return PressureScale(unit, factor, peak * factor, [float(tick) for tick in ticks if tick <= peak * factor])
 
 
 def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
     across = contact.discrepancy["semi_axis_transverse"]
     return (
-        f"Contact pressure by finite elements, seen along the load and drawn to scale, {place_of(contact.to_json())}. "
+        f"Contact pressure by finite elements, seen along the load and drawn to scale, {_place(contact)}. "
         f"{'Grey lines are the mesh, the' if mesh else 'The'} red line is Hertz's ellipse: transverse it reaches "
         f"{abs(across):.1%} {'beyond' if across > 0 else 'less far than'} the computed semi-axis, drawn in black. The "
         f"painted edge is only as sharp as one cell. {_shoulder_caption(contact)}{AXES}."
@@ -178,16 +183,14 @@ def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
 def _shoulder_caption(contact: ContactSolution) -> str:
     if not contact.shoulder:
         return ""
-    return (
-        f"{' '.join(shoulder_lines(contact.to_json()))} Orange: the shoulder; the black ellipse has the semi-axes of "
-        "the load about its centroid. "
-    )
+    lines = " ".join(shoulder_lines(contact_table(contact)))
+    return f"{lines} Orange: the shoulder; the black ellipse has the semi-axes of the load about its centroid. "
 
 
 def _section_caption(contact: ContactSolution) -> str:
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
-        f"The meshed bodies cut along the plane x = 0, {place_of(contact.to_json())}. Left: the ball is drawn "
+        f"The meshed bodies cut along the plane x = 0, {_place(contact)}. Left: the ball is drawn "
         f"{_lifted(contact) * 1e3:.2g} mm off its {body}. Right: the {body} alone where it is "
         "loaded; cells follow the contact's ellipse and shrink towards its edge."
     )
@@ -196,7 +199,7 @@ def _section_caption(contact: ContactSolution) -> str:
 def _view_caption(contact: ContactSolution) -> str:
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
-        f"A view to turn, {place_of(contact.to_json())}: drag it, or click it and use arrow keys and wheel. Both "
+        f"A view to turn, {_place(contact)}: drag it, or click it and use arrow keys and wheel. Both "
         f"loaded surfaces to scale, not deformed: from above the {body} is solid and the ball clear, from below the "
         "other way round. Every corner of a cell, middle of its side and middle of its face is a node with its own "
         "pressure; colours and lines are those of the still picture above."

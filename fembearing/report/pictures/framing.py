@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 WIDEST, HIGHEST = 1400, 640  # pixels of the part that shows the contact
 NARROWEST = 760  # pixels: title and colour bar need them
@@ -21,6 +22,15 @@ class Frame:
     centre: tuple[float, float]  # of the contact, pixels from the left and from the top
     rolling_is_horizontal: bool
     bar: float  # length of the scale bar, m
+
+
+class PressureScale(NamedTuple):
+    """How pressure is coloured."""
+
+    unit: str
+    factor: float  # what Pa are multiplied by
+    peak: float  # the end of the colours, in that unit
+    ticks: list[float]  # likewise
 
 
 def frame_of(*, semi_axis_rolling: float, semi_axis_transverse: float) -> Frame:

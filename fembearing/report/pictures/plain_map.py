@@ -11,22 +11,16 @@ from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
 from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.report.pictures.framing import Frame
-from fembearing.report.words import title_of
+from fembearing.report.pictures.framing import Frame, PressureScale
 
 DOTS = 100  # per inch
 LEVELS = 60
 LEAST_SHOWN = 0.005  # of the peak pressure: below, nothing is painted
 
 
-def draw_map(
-    contact: ContactSolution, *, frame: Frame, unit: str, factor: float, peak: float, ticks: list[float], file: Path
-) -> None:
-    """Draw the pressure on the finest mesh with Hertz's ellipse, whole or not at all.
-
-    unit, factor : of the pressure as it is shown, and what Pa are multiplied by
-    peak, ticks : the end of the colour scale and its labels, in that unit
-    """
+def draw_map(contact: ContactSolution, *, title: str, frame: Frame, shown: PressureScale, file: Path) -> None:
+    """Draw the pressure on the finest mesh with Hertz's ellipse, whole or not at all."""
+    peak = shown.peak
     figure = Figure(figsize=(frame.width / DOTS, frame.height / DOTS), dpi=DOTS)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     left, top = frame.centre
@@ -34,7 +28,7 @@ def draw_map(
     axes.set_ylim((top - frame.height) / frame.scale, top / frame.scale)
     axes.set_axis_off()
     finest = contact.meshes[-1]
-    pressure = np.where(finest.force > 0, finest.pressure, 0.0) * factor
+    pressure = np.where(finest.force > 0, finest.pressure, 0.0) * shown.factor
     levels = np.linspace(0, peak, LEVELS + 1)
     levels[0] = LEAST_SHOWN * peak
     scale = ScalarMappable(Normalize(0, peak), "viridis")
@@ -48,22 +42,22 @@ def draw_map(
         part = Triangulation(horizontal, vertical, triangles)
         axes.tricontourf(part, np.clip(pressure, 0, peak), levels=levels, cmap=scale.cmap, norm=scale.norm)
     angle = np.linspace(0, 2 * np.pi, 721)
-    for found, centre, colour, width in (
+    for quantities, centre, colour, width in (
         (contact.reference, contact.centroid, "black", 1.0),
         (contact.hertz, 0.0, "red", 1.5),
     ):
-        along = found.semi_axis_rolling * np.cos(angle), centre + found.semi_axis_transverse * np.sin(angle)
+        along = quantities.semi_axis_rolling * np.cos(angle), centre + quantities.semi_axis_transverse * np.sin(angle)
         axes.plot(*(along if frame.rolling_is_horizontal else along[::-1]), color=colour, linewidth=width)
     for shoulder in contact.shoulders:
         mark = axes.axhline if frame.rolling_is_horizontal else axes.axvline
         mark(shoulder, color="darkorange", linewidth=1.5)
         figure.text(380 / frame.width, 1 - 52 / frame.height, "orange: shoulder", fontsize=10, color="darkorange")
-    figure.text(12 / frame.width, 1 - 28 / frame.height, title_of(contact.to_json()), fontsize=12)
+    figure.text(12 / frame.width, 1 - 28 / frame.height, title, fontsize=12)
     figure.text(12 / frame.width, 1 - 52 / frame.height, "red: Hertz's ellipse", fontsize=10, color="red")
     figure.text(170 / frame.width, 1 - 52 / frame.height, "black: the computed one", fontsize=10)
     bar = figure.add_axes((1 - 440 / frame.width, 56 / frame.height, 420 / frame.width, 20 / frame.height))
-    colours = figure.colorbar(scale, cax=bar, orientation="horizontal", ticks=ticks, format="%g")
-    colours.set_label(f"contact pressure, {unit}")
+    colours = figure.colorbar(scale, cax=bar, orientation="horizontal", ticks=shown.ticks, format="%g")
+    colours.set_label(f"contact pressure, {shown.unit}")
     start = (30 - left) / frame.scale, (top - frame.height + 30) / frame.scale
     axes.plot([start[0], start[0] + frame.bar], [start[1], start[1]], color="black", linewidth=3)
     direction = "rolling" if frame.rolling_is_horizontal else "transverse"

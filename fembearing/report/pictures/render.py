@@ -42,6 +42,7 @@ AROUND = 4.0  # half widths of the lower body around the contact: what lies fart
 
 
 def main() -> None:
+    """Draw every job of standard input into its file, whole or not at all."""
     pv.OFF_SCREEN = True
     for job in json.load(sys.stdin):
         made = KINDS[job["kind"]](job)
@@ -165,12 +166,14 @@ def show_pressure(plotter: pv.Plotter, surface: pv.DataSet, job: dict[str, Any],
 
 
 def ellipse(semi_axes: tuple[float, float]) -> pv.PolyData:
+    """An ellipse around the origin as a line; semi-axes in m."""
     angle = np.linspace(0, 2 * np.pi, 721)
     x, y = MM * semi_axes[0] * np.cos(angle), MM * semi_axes[1] * np.sin(angle)
     return pv.lines_from_points(np.column_stack([x, y, np.zeros_like(x)]))
 
 
 def look(plotter: pv.Plotter, *, at: Any, eye: Any, up: Any, half_height: float) -> None:
+    """Set the camera: a parallel projection from `eye`, with the point `at` in the middle."""
     plotter.background_color = pv.Color("white")
     plotter.camera.parallel_projection = True
     plotter.enable_anti_aliasing("ssaa")

@@ -1,6 +1,7 @@
 """The off-screen picture of a cage: its pockets, its balls, and the forces between them as arrows.
 
-Part of the process of `fembearing.report.pictures.render`; the job is that of `fembearing.report.pictures.cage`, in m and pixels.
+It runs in the process of `fembearing.report.pictures.render`; the job, in m and pixels, is that of
+`fembearing.report.pictures.cage`.
 x runs to the right, y up, and z, the bearing's axis, leans towards the eye. Lengths are drawn in mm.
 """
 

@@ -1,7 +1,7 @@
 """A contact's meshes as they are drawn: whole from their quarter or half, in mm, with their loaded faces and edges.
 
-Part of the process of `fembearing.report.pictures.render`. Frame of the meshes: z along the load into the ball, x along rolling,
-y transverse.
+It runs in the process of `fembearing.report.pictures.render`. Frame of the meshes: z along the load into the ball, x
+along rolling, y transverse.
 """
 
 from typing import Any
@@ -46,6 +46,7 @@ def across(job: dict[str, Any]) -> tuple[int, ...]:
 
 
 def mirrored(mesh: pv.DataSet, axes: tuple[int, ...]) -> pv.DataSet:
+    """A mesh with its mirror images across the planes normal to these axes."""
     for axis in axes:
         mesh = mesh.merge(mesh.reflect(np.eye(3)[axis], point=(0, 0, 0)))
     return mesh

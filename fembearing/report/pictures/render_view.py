@@ -1,8 +1,8 @@
 """A contact to turn in the browser: one page with its own script and numbers, which fetches nothing.
 
-Part of the process of `fembearing.report.pictures.render`; the job is that of `fembearing.report.pictures.draw`. The page,
-templates/view.html, draws the loaded faces of both bodies by WebGL. Its vertices are the nodes of the finest mesh, not
-deformed, so that no value in it is interpolated.
+It runs in the process of `fembearing.report.pictures.render`; the job is that of `fembearing.report.pictures.draw`. The
+page, templates/view.html, draws the loaded faces of both bodies by WebGL. Its vertices are the nodes of the finest
+mesh, not deformed, so that no value in it is interpolated.
 It has its own script because the exports that exist are five times as heavy or more, and the one of VTK asks a host for
 icons when it is opened.
 """
@@ -104,4 +104,8 @@ def normals(corners: np.ndarray) -> np.ndarray:
 
 
 def packed(values: Any, kind: str) -> str:
+    """Numbers as the page's script unpacks them.
+
+    kind : of each number, as numpy writes it
+    """
     return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode()

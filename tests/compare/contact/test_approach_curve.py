@@ -7,6 +7,7 @@ import numpy as np
 from analytic.scene import Contact
 from fembearing.compare.contact.approach_curve import approach_over_load
 from fembearing.compare.contact.hertz import corrected_hertz, hertz_quantities
+from fembearing.plain import plain
 
 
 def test_the_curve_of_hertz_agrees_with_hertz_at_every_load(contacts: dict[str, Contact]) -> None:
@@ -16,7 +17,7 @@ def test_the_curve_of_hertz_agrees_with_hertz_at_every_load(contacts: dict[str, 
     np.testing.assert_allclose(curve.hertz, solved, rtol=1e-12)
     np.testing.assert_allclose(curve.load[[0, -1]], (0.05 * 372, 1.5 * 372), rtol=1e-12)
     assert np.isnan(curve.corrected).all()
-    assert curve.to_json()["corrected"] == [None] * curve.load.size
+    assert plain(curve)["corrected"] == [None] * curve.load.size
 
 
 def test_the_curve_of_the_correction_agrees_with_single_contacts(contacts: dict[str, Contact]) -> None:
@@ -41,5 +42,5 @@ def test_the_curve_of_the_correction_ends_with_the_range_of_the_fit(contacts: di
     semi_axis = hertz_quantities(narrow).semi_axis_transverse * (curve.load / 3000) ** (1 / 3)
     np.testing.assert_array_equal(np.isfinite(curve.corrected), 1.15 * semi_axis <= 1.7e-3)
     assert 0 < np.isfinite(curve.corrected).sum() < curve.load.size
-    document = curve.to_json()
+    document = plain(curve)
     assert [value is None for value in document["corrected"]] == np.isnan(curve.corrected).tolist()

@@ -18,8 +18,9 @@ from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh import race
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
+from fembearing.report.document.build import contact_table
+from fembearing.report.phrases import shoulder_lines
 from fembearing.report.terminal.contacts import print_contact
-from fembearing.report.words import shoulder_lines
 
 PARTS = ("meshes", "estimates", "shoulder")  # fields that a solution and its reference share
 
@@ -59,12 +60,12 @@ def test_each_shoulder_that_is_reached_is_named_with_its_side_and_distance(cut_c
     unequal, equal = cut_at(cut_contact, below=0.8647e-3, half=True), cut_at(cut_contact, below=0.8e-3, half=False)
     for solution, sides in ((cut_contact, {"above": 0.8e-3}), (unequal, {"below": 0.8647e-3, "above": 0.8e-3})):
         assert solution.to_json()["shoulder"]["sides"] == sides
-    words = " ".join(shoulder_lines(unequal.to_json()))
+    words = " ".join(shoulder_lines(contact_table(unequal)))
     assert "both shoulders, y = -0.8647 mm and y = 0.8 mm: half of the contact is meshed" in words
     assert "beside the shoulder at y = 0.8 mm carries" in words
     assert "one side" not in words
-    assert "both shoulders, y = -0.8 mm and y = 0.8 mm." in " ".join(shoulder_lines(equal.to_json()))
-    assert "half of" not in " ".join(shoulder_lines(equal.to_json()))
+    assert "both shoulders, y = -0.8 mm and y = 0.8 mm." in " ".join(shoulder_lines(contact_table(equal)))
+    assert "half of" not in " ".join(shoulder_lines(contact_table(equal)))
     warning = shoulder_warning(unequal.contact, Reference(**{part: getattr(unequal, part) for part in PARTS}))
     assert "cut off on both sides, its shoulders stand at y = -0.865 mm and 0.800 mm" in warning
 
@@ -98,7 +99,7 @@ def test_an_ellipse_over_the_shoulder_is_not_judged(cut_contact: ContactSolution
     for name in ("centroid", "strip_share", "strip_line_load"):
         values = shoulder[name]["values"]
         assert shoulder[name]["uncertainty"] > abs(values[-1] / values[-2] - 1), name
-    text = " ".join(shoulder_lines(solution.to_json()))
+    text = " ".join(shoulder_lines(contact_table(solution)))
     assert "y = 0.8 mm, on one side" in text
     assert "times Hertz's greatest line load" in text
 

@@ -199,19 +199,13 @@ hardness = "7.3 GPa"
     assert found.to_json()["change"]["rolling"][-1] == 0.0
 
 
-def test_what_the_check_leaves_out_is_not_put_down_to_the_scene() -> None:
-    told = {effect.name: effect for effect in change_of_torque(FIXED, inner=solution(), outer=solution()).hertz.effects}
-    assert told["finite_geometry"].decision == "off"
-    assert "finite elements take its place" in told["finite_geometry"].reason
-    assert told["spin"].reason.startswith("the scene says off")
-    scene = replace(FIXED, effects={**FIXED.effects, "finite_geometry": "off"})
-    told = {effect.name: effect for effect in change_of_torque(scene, inner=solution(), outer=solution()).hertz.effects}
-    assert told["finite_geometry"].reason.startswith("the scene says off")
-
-
-def test_what_the_check_leaves_out_is_not_warned_of() -> None:
-    """At a thousandth the finite geometry could be larger than the tolerance, and its change stands beside."""
-    scene = replace(FIXED, tolerance=1e-3)
-    for effects, count in ((FIXED.effects, 0), ({**FIXED.effects, "finite_geometry": "off"}, 1)):
-        found = change_of_torque(replace(scene, effects=effects), inner=solution(), outer=solution()).hertz
-        assert sum(words.startswith("finite_geometry is left out") for words in found.warnings) == count
+def test_the_motion_of_the_cage_and_the_fit_are_in_neither_torque() -> None:
+    """Whatever the scene decides of both: the change is that of the contacts alone, and its sentence says so."""
+    for effects in (FIXED.effects, {**FIXED.effects, "finite_geometry": "on"}):
+        found = change_of_torque(replace(FIXED, effects=effects), inner=solution(), outer=solution())
+        hertz, corrected = (
+            {effect.name: effect.decision for effect in torque.effects} for torque in (found.hertz, found.corrected)
+        )
+        assert hertz["finite_geometry"] == "off"
+        assert hertz["cage_dynamics"] == corrected["cage_dynamics"] == "off"
+        assert "motion of the cage and the fit for finite geometry are left out" in found.to_json()["note"]

@@ -9,7 +9,8 @@ import pytest
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
-from fembearing.compare.torque.published import BesidePaper, beside_paper, printed_numbers
+from fembearing.compare.torque.published import BesidePaper, Chosen, beside_paper, printed_numbers
+from fembearing.plain import plain
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"
 RPM = np.pi / 30
@@ -41,20 +42,20 @@ def test_a_scene_stands_beside_the_numbers_of_its_own_speed_and_roughness(
 ) -> None:
     assert beside.absent is None
     race = friction_torque(calibrated).torque.race
-    for printed, ours in beside.rows:
-        if printed.quantity == "race_torque" and printed.rms_roughness > 0.5e-6:
-            point = 0 if printed.inner_speed < 20 else 4  # 100 and 500 rpm of five speeds
-            assert ours == race[point]
+    for row in beside.rows:
+        if row.quantity == "race_torque" and row.rms_roughness > 0.5e-6:
+            point = 0 if row.inner_speed < 20 else 4  # 100 and 500 rpm of five speeds
+            assert row.ours == race[point]
         else:  # no cage, and so no such total; another roughness
-            assert ours is None
-    row = next(row for row in beside.to_json()["rows"] if row["ours"] is not None)
+            assert row.ours is None
+    row = next(row for row in plain(beside)["rows"] if row["ours"] is not None)
     assert row["deviation"] == pytest.approx((row["ours"] - row["value"]) / row["value"], abs=1e-12)  # round-off
 
 
 def test_what_was_fitted_is_named_and_what_was_chosen_too(calibrated: Scene, beside: BesidePaper) -> None:
     assert beside.calibration == calibrated.calibration is not None
-    assert beside.chosen["surface hardness"] == (7.8e9, "Pa")
-    assert beside.chosen["autocorrelation length"] == (pytest.approx(165e-6, rel=1e-12), "m")  # read from um
+    assert beside.chosen["surface hardness"] == Chosen(value=7.8e9, unit="Pa")
+    assert beside.chosen["autocorrelation length"].value == pytest.approx(165e-6, rel=1e-12)  # read from um
     assert load_scene(builtin_scene("6205")).calibration is None
 
 
@@ -81,5 +82,5 @@ def test_another_case_stands_beside_nothing(calibrated: Scene, change: dict | st
         scene = replace(calibrated, **change)
     found = beside_paper(scene, friction_torque(calibrated))
     assert words in (found.absent or "")
-    assert all(ours is None for _, ours in found.rows)
-    assert found.to_json()["same_bearing"] == (words != "another bearing")
+    assert all(row.ours is None for row in found.rows)
+    assert found.same_bearing == (words != "another bearing")

@@ -9,6 +9,7 @@ from analytic.scene import ContactAngle, Operation, Scene
 from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
 from analytic.torque import friction_torque
 from fembearing.compare.torque.sensitivity import Input, Sensitivity, sensitivity_of, variations, with_clearance
+from fembearing.plain import plain
 
 OILED = """\
 name = "oiled"
@@ -155,7 +156,7 @@ def test_an_end_that_is_refused_is_left_open_and_told(dry: Scene) -> None:
     assert conformity.change_low is None
     assert conformity.change_high is not None
     assert "must exceed the ball radius" in conformity.refused[0]
-    told = found.to_json()
+    told = plain(found)
     (entry,) = (each for each in told["inputs"] if each["name"] == "conformity, inner")
     assert (entry["change_low"], entry["refused"]) == (None, list(conformity.refused))
 

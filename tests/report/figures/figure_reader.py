@@ -1,5 +1,9 @@
 """What is drawn in a panel, read back as numbers."""
 
+import json
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
@@ -7,6 +11,11 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+
+
+def as_document(content: dict[str, Any]) -> Any:
+    """A document of a few keys, typed in by hand, that is read by its attributes."""
+    return json.loads(json.dumps(content), object_hook=lambda table: SimpleNamespace(**table))
 
 
 def line_of(axes: Axes, label: str) -> Line2D:

@@ -1,7 +1,5 @@
 """Plots of the contacts by the points that are drawn, against a result made by hand: see `made` in conftest.py."""
 
-import json
-
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
@@ -10,9 +8,10 @@ from matplotlib.lines import Line2D
 
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.validation import Validation
+from fembearing.report.document.build import contact_table, report_of
+from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.convergence import convergence_plot
-from fembearing.report.figures.plot import Document
 from fembearing.report.figures.pressure import pressure_plot
 from tests.report.conftest import INNER
 from tests.report.figures.figure_reader import labels_of, line_of, points_of
@@ -20,18 +19,12 @@ from tests.report.figures.figure_reader import labels_of, line_of, points_of
 PLACES = ("inner race", "outer race", "cage pocket, thick seat", "cage pocket, sheet on its rim")
 
 
-@pytest.fixture(scope="module")
-def document(made: Validation) -> Document:
-    """As it is read from a file."""
-    return json.loads(json.dumps(made.to_json(), allow_nan=False))
-
-
 def check_points(line: Line2D, x: list[float], y: list[float]) -> None:
     np.testing.assert_allclose(points_of(line), np.column_stack([x, y]), rtol=1e-10)  # differences of near values
 
 
 @pytest.fixture(scope="module")
-def panels(document: Document) -> dict[str, Axes]:
+def panels(document: Report) -> dict[str, Axes]:
     figure, _ = convergence_plot(document)
     assert figure is not None
     return {axes.get_title(): axes for axes in figure.axes if axes.get_title()}
@@ -75,9 +68,8 @@ def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
         assert axes.get_xlabel() == "unknowns"
 
 
-def test_a_cut_contact_has_no_formal_order(cut_contact: ContactSolution) -> None:
-    found = cut_contact.to_json()
-    figure, _ = convergence_plot({"contacts": [found]})
+def test_a_cut_contact_has_no_formal_order(document: Report, cut_contact: ContactSolution) -> None:
+    figure, _ = convergence_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
     assert figure is not None
     assert not any("formal" in label for axes in figure.axes for label in labels_of(axes))
 
@@ -86,14 +78,14 @@ def bars_of(axes: Axes) -> list[ErrorbarContainer]:
     return [each for each in axes.containers if isinstance(each, ErrorbarContainer)]
 
 
-def test_approaches_are_in_micrometres_with_their_intervals(document: Document) -> None:
+def test_approaches_are_in_micrometres_with_their_intervals(document: Report) -> None:
     figure, _ = approach_plot(document)
     assert figure is not None
     above, below = figure.axes[0], figure.axes[4]
-    assert (above.get_xlabel(), above.get_ylabel()) == ("approach, µm", "load, N")
+    assert (above.get_xlabel(), above.get_ylabel()) == ("approach, um", "load, N")
     hertz = points_of(line_of(above, "Hertz"))
-    expected = document["contacts"][0]["approach_curve"]
-    np.testing.assert_allclose(hertz, np.column_stack([1e6 * np.array(expected["hertz"]), expected["load"]]))
+    expected = document.contacts[0].approach_curve
+    np.testing.assert_allclose(hertz, np.column_stack([1e6 * np.array(expected.hertz), expected.load]))
     given = INNER["approach"]
     (bar,) = bars_of(above)
     np.testing.assert_allclose(points_of(bar.lines[0]), [(5.225, 371.5)], rtol=1e-9)  # the limit, no far boundary
@@ -108,22 +100,22 @@ def test_approaches_are_in_micrometres_with_their_intervals(document: Document) 
 
 
 def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> None:
-    document = checked.to_json()
+    document = report_of(checked)
     figure, _ = pressure_plot(document)
     assert figure is not None
-    for column, contact in enumerate(document["contacts"]):
+    for column, contact in enumerate(document.contacts):
         above, below = figure.axes[column], figure.axes[4 + column]
-        peak = contact["hertz"]["peak_pressure"]
+        peak = contact.hertz.peak_pressure
         for axis, name, label in (
             ("rolling", "semi_axis_rolling", "along rolling"),
             ("transverse", "semi_axis_transverse", "across rolling"),
         ):
-            nodes = contact["pressure_profile"][axis]["fe"]
-            position = np.array(nodes["position"]) / contact["hertz"][name]
+            nodes = getattr(contact.pressure_profile, axis).fe
+            position = np.array(nodes.position) / contact.hertz[name]
             drawn = points_of(line_of(above, label))
-            np.testing.assert_allclose(drawn, np.column_stack([position, 1e-9 * np.array(nodes["pressure"])]))
+            np.testing.assert_allclose(drawn, np.column_stack([position, 1e-9 * np.array(nodes.pressure)]))
             ellipse = np.sqrt(np.maximum(0, 1 - position**2))
-            expected = 100 * (np.array(nodes["pressure"]) / peak - ellipse)
+            expected = 100 * (np.array(nodes.pressure) / peak - ellipse)
             (apart,) = (line for line in below.get_lines() if line.get_marker() == ("o" if axis == "rolling" else "s"))
             np.testing.assert_allclose(points_of(apart)[:, 1], expected, atol=1e-9)
         line = points_of(line_of(above, "Hertz"))
@@ -133,8 +125,10 @@ def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> N
     assert "372.2 N; a 0.1024, b 0.9459 mm" in figure.axes[0].get_title()
 
 
-def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: ContactSolution) -> None:
-    figure, caption = pressure_plot({"contacts": [cut_contact.to_json()]})
+def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(
+    document: Report, cut_contact: ContactSolution
+) -> None:
+    figure, caption = pressure_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
     assert figure is not None
     above, below = figure.axes
     semi_axis = cut_contact.hertz.semi_axis_transverse

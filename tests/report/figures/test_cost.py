@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.compare.cost.ladder import Ladder, Method
+from fembearing.report.document.report import Ladder as DocumentLadder
 from fembearing.report.figures.cost import LEAST, cost_figure, cost_table
-from fembearing.report.words import choices_line
+from fembearing.report.phrases import choices_line
 
 GIB = 2**30
 
@@ -57,6 +58,11 @@ LOAD = Ladder(
 ABSENT = Ladder(quantity="roughness", reference="none", methods=(), absent="no surface")
 
 
+def listed(*ladders: Ladder) -> list[DocumentLadder]:
+    """As the document has them."""
+    return [DocumentLadder.model_validate(ladder.to_json()) for ladder in ladders]
+
+
 def drawn(axes: Axes) -> list[tuple[list[float], list[float]]]:
     """Points of all lines but that of the tolerance."""
     return [
@@ -68,7 +74,7 @@ def drawn(axes: Axes) -> list[tuple[list[float], list[float]]]:
 
 @pytest.fixture(scope="module")
 def figure() -> Figure:
-    return cost_figure([ladder.to_json() for ladder in (CONTACT, ABSENT, LOAD)], tolerance=0.04)
+    return cost_figure(listed(CONTACT, ABSENT, LOAD), tolerance=0.04)
 
 
 def test_each_quantity_has_a_panel_over_time_and_all_share_one_over_memory(figure: Figure) -> None:
@@ -114,7 +120,7 @@ def test_a_ring_marks_the_chosen_rung() -> None:
     plain = rung("a", error=0.01, seconds=0.1)
     chosen = replace(plain, chosen=True)
     counts = [
-        len(drawn(cost_figure([Ladder(quantity="q", reference="r", methods=(one,)).to_json()], tolerance=0.1).axes[0]))
+        len(drawn(cost_figure(listed(Ladder(quantity="q", reference="r", methods=(one,))), tolerance=0.1).axes[0]))
         for one in (plain, chosen)
     ]
     assert counts[1] == counts[0] + 1
@@ -122,11 +128,11 @@ def test_a_ring_marks_the_chosen_rung() -> None:
 
 def test_without_memory_there_is_no_panel_for_it() -> None:
     bare = Ladder(quantity="q", reference="r", methods=(rung("a", error=0.01, seconds=0.1),))
-    assert len(cost_figure([bare.to_json()], tolerance=0.1).axes) == 1
+    assert len(cost_figure(listed(bare), tolerance=0.1).axes) == 1
 
 
 def test_the_table_holds_every_rung_and_what_is_absent() -> None:
-    hertz, second, failed, finest, absent = csv.DictReader(StringIO(cost_table([CONTACT.to_json(), ABSENT.to_json()])))
+    hertz, second, failed, finest, absent = csv.DictReader(StringIO(cost_table(listed(CONTACT, ABSENT))))
     assert (hertz["name"], float(hertz["error"]), float(hertz["bound"])) == ("Hertz", 0.031, 0.036)
     assert int(second["memory"]) == GIB // 2
     assert (failed["failed"], failed["error"]) == ("no room", "")

@@ -7,7 +7,8 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from fembearing.report.figures.plot import Document
+from fembearing.report.document.report import Report
+from fembearing.report.document.torque import Sensitivity
 from fembearing.report.figures.sensitivity import sensitivity_plot
 
 
@@ -24,25 +25,36 @@ def given(name: str, unit: str, ends: tuple[float, float, float], **changes: Any
     } | changes
 
 
+def document_of(outputs: list[dict[str, Any]], inputs: list[dict[str, Any]]) -> Report:
+    """A document with nothing but its sensitivity."""
+    return Report.model_construct(sensitivity=Sensitivity.model_validate({"outputs": outputs, "inputs": inputs}))
+
+
 @pytest.fixture
-def document() -> Document:
+def inputs() -> list[dict[str, Any]]:
+    return [
+        given("modulus", "Pa", (180e9, 200e9, 230e9), change_low=[0.07, 0.05], change_high=[-0.04, -0.03]),
+        given("roughness", "m", (0.2e-6, 0.3e-6, 0.5e-6), change_low=[0.01, -0.02], change_high=[0.03, 0.015]),
+        given("groove", "1", (0.498, 0.503, 0.508), change_low=None, change_high=[0.02, 0.025], refused=["0.498: no"]),
+        given("shear", "1", (0.05, 0.06, 0.07), change_low=[0.0, 0.0], change_high=[1e-9, 0.0]),
+    ]
+
+
+@pytest.fixture
+def document(inputs: list[dict[str, Any]]) -> Report:
     outputs = [
         {
             "quantity": "total_torque",
             "pair": None,
             "inner_speed": speed * np.pi / 30,
             "axial_load": 700.0,
+            "radial_load": 0.0,
+            "moment": 0.0,
             "value": value,
         }
         for speed, value in ((100, 21.5e-3), (900, 44e-3))
     ]
-    inputs = [
-        given("modulus", "Pa", (180e9, 200e9, 230e9), change_low=[0.07, 0.05], change_high=[-0.04, -0.03]),
-        given("roughness", "m", (0.2e-6, 0.3e-6, 0.5e-6), change_low=[0.01, -0.02], change_high=[0.03, 0.015]),
-        given("groove", "1", (0.498, 0.503, 0.508), change_low=None, change_high=[0.02, 0.025], refused=["0.498: no"]),
-        given("shear", "1", (0.05, 0.06, 0.07), change_low=[0.0, 0.0], change_high=[1e-9, 0.0]),
-    ]
-    return {"sensitivity": {"outputs": outputs, "inputs": inputs}}
+    return document_of(outputs, inputs)
 
 
 def bars_of(panel: Axes) -> list[tuple[float, float]]:
@@ -51,7 +63,7 @@ def bars_of(panel: Axes) -> list[tuple[float, float]]:
     return [(round(bar.get_y() + bar.get_height() / 2, 2), bar.get_width()) for bar in bars]
 
 
-def test_bars_reach_to_the_changes_in_per_cent(document: Document) -> None:
+def test_bars_reach_to_the_changes_in_per_cent(document: Report) -> None:
     figure, caption = sensitivity_plot(document)
     assert figure is not None
     slow, fast = figure.axes
@@ -65,18 +77,27 @@ def test_bars_reach_to_the_changes_in_per_cent(document: Document) -> None:
     assert slow.get_xlabel() == "change of the total torque, %"
     assert [text.get_text() for text in slow.get_yticklabels()] == [
         "modulus\n200 GPa",
-        "roughness\n0.3 µm",
+        "roughness\n0.3 um",
         "groove\n0.503",
     ]
-    assert [text.get_text() for text in slow.texts] == ["180 GPa", "230 GPa", "0.2 µm", "0.5 µm", "0.508"]
+    assert [text.get_text() for text in slow.texts] == ["180 GPa", "230 GPa", "0.2 um", "0.5 um", "0.508"]
     assert "shear" in caption  # moves nothing
     assert "groove, 0.498: no" in caption
 
 
-def test_pressures_name_their_race(document: Document) -> None:
-    output = {"quantity": "peak_pressure", "pair": "outer", "inner_speed": None, "axial_load": None, "value": 1.67e9}
-    document["sensitivity"]["outputs"] = [output]
-    figure, _ = sensitivity_plot(document)
+def test_a_radial_load_stands_with_its_point(inputs: list[dict[str, Any]]) -> None:
+    point = {"quantity": "total_torque", "pair": None, "inner_speed": 31.0, "axial_load": 0.0, "moment": 0.0}
+    outputs = [point | {"radial_load": 1500.0, "value": 21.5e-3}, point | {"radial_load": 2500.0, "value": 33e-3}]
+    figure, _ = sensitivity_plot(document_of(outputs, inputs))
+    assert figure is not None
+    assert "0 N axial, 1500 N radial: 21.5 N mm" in figure.axes[0].get_title()
+
+
+def test_pressures_name_their_race(inputs: list[dict[str, Any]]) -> None:
+    nowhere = dict.fromkeys(("inner_speed", "axial_load", "radial_load", "moment"))
+    output = {"quantity": "peak_pressure", "pair": "outer", "value": 1.67e9} | nowhere
+    one = [each | {name: each[name] and each[name][:1] for name in ("change_low", "change_high")} for each in inputs]
+    figure, _ = sensitivity_plot(document_of([output], one))
     assert figure is not None
     (panel,) = figure.axes
     assert panel.get_title() == "ball on outer race: 1.67 GPa"
@@ -84,4 +105,4 @@ def test_pressures_name_their_race(document: Document) -> None:
 
 
 def test_without_numbers_there_is_a_word() -> None:
-    assert sensitivity_plot({"sensitivity": None}) == (None, "No sensitivity was computed.")
+    assert sensitivity_plot(Report.model_construct(sensitivity=None)) == (None, "No sensitivity was computed.")

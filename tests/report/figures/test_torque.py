@@ -9,9 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from fembearing.report.figures.friction import friction_plot
-from fembearing.report.figures.plot import Document
 from fembearing.report.figures.torque import torque_plot
-from tests.report.figures.figure_reader import area_of, labels_of, line_of, points_of
+from tests.report.figures.figure_reader import area_of, as_document, labels_of, line_of, points_of
 
 RPM = np.pi / 30
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "declared")
@@ -26,14 +25,17 @@ TORQUES = {  # N mm, at those speeds; the cage was left out
 }
 TOTALS = np.array([40.3, 25.8, 33.2])
 GAP = 0.14e-6  # m
+Document = dict[str, Any]  # keys of a document, which a test may change
 PRINTED = {1e-6: (17.89e-3, 25.09e-3), 0.1e-6: (8.67e-3, 12.9e-3)}  # N m, at 100 and 500 rpm
 
 
-def point(number: int, *, speed: float, load: float = 1000.0) -> dict[str, Any]:
+def point(number: int, *, speed: float, load: float = 1000.0, radial: float = 0.0) -> dict[str, Any]:
     torque = {name: None if values is None else 1e-3 * values[number] for name, values in TORQUES.items()}
     return {
         "inner_speed": speed * RPM,
         "axial_load": load,
+        "radial_load": radial,
+        "moment": 0.0,
         "torque": torque | {"total": 1e-3 * TOTALS[number], "race": None},
         "uncertainty": {"numerical": (0.02, 0.01, 0.015)[number], "model": (0.03, 0.04, 0.035)[number]},
         "friction_coefficient": {
@@ -56,9 +58,9 @@ def document() -> Document:
     }
 
 
-def test_a_cage_in_motion_is_not_said_to_be_in_the_total(document: Document) -> None:
-    assert "in motion is told" not in torque_plot(document)[1]
-    assert "cage is in it by its closed form" in torque_plot(document | {"cage_records": [{}]})[1]
+def test_a_cage_that_moved_is_said_to_be_in_the_total(document: Document) -> None:
+    assert "with its motion" not in torque_plot(as_document(document))[1]
+    assert "The cage is in it with its motion." in torque_plot(as_document(document | {"cage_records": [{}]}))[1]
 
 
 def panel_of(found: tuple[Figure | None, str]) -> Axes:
@@ -68,7 +70,7 @@ def panel_of(found: tuple[Figure | None, str]) -> Axes:
 
 
 def test_the_parts_are_stacked_up_to_the_total_in_order_of_speed(document: Document) -> None:
-    panel = panel_of(torque_plot(document))
+    panel = panel_of(torque_plot(as_document(document)))
     order = np.argsort(SPEEDS)
     below = np.zeros(3)
     for name, words in (
@@ -92,14 +94,14 @@ def test_the_parts_are_stacked_up_to_the_total_in_order_of_speed(document: Docum
 
 
 def test_the_band_holds_both_uncertainties(document: Document) -> None:
-    found = torque_plot(document)
+    found = torque_plot(as_document(document))
     _, low, high = area_of(panel_of(found), "uncertainty of it")
     np.testing.assert_allclose(high, np.array([25.8, 33.2, 40.3]) * (1 + np.array([0.05, 0.05, 0.05])), rtol=1e-9)
     np.testing.assert_allclose(low, np.array([25.8, 33.2, 40.3]) * 0.95, rtol=1e-9)
     assert "numerical and of the film formula at 95 %" in found[1]
     for each in document["torque"]["points"]:
         each["uncertainty"] = {"numerical": None, "model": None}
-    found = torque_plot(document)
+    found = torque_plot(as_document(document))
     assert "its uncertainty, not known" in found[1]
 
 
@@ -121,17 +123,17 @@ def published(**changes: Any) -> dict[str, Any]:
 
 def test_the_papers_totals_stand_beside_and_a_calibration_is_named(document: Document) -> None:
     document["published"] = published(calibration="viscosity to the race torque")
-    found = torque_plot(document)
+    found = torque_plot(as_document(document))
     for rms, values in PRINTED.items():
-        drawn = points_of(line_of(panel_of(found), f"paper, Sq {1e6 * rms:g} µm"))
+        drawn = points_of(line_of(panel_of(found), f"paper, Sq {1e6 * rms:g} um"))
         np.testing.assert_allclose(drawn, np.column_stack([[100, 500], 1e3 * np.array(values)]), rtol=1e-12)
     assert "calibration (viscosity to the race torque)" in found[1]
     assert "not measured" in found[1]
     document["published"] = published(absent="it has mixed lubrication")
-    assert "calibration" not in torque_plot(document)[1]
-    assert "Of another case: it has mixed lubrication." in torque_plot(document)[1]
+    assert "calibration" not in torque_plot(as_document(document))[1]
+    assert "Of another case: it has mixed lubrication." in torque_plot(as_document(document))[1]
     document["published"] = published(same_load=False)
-    plain = torque_plot(document)
+    plain = torque_plot(as_document(document))
     assert "paper" not in plain[1]
     assert not any("paper" in label for label in labels_of(panel_of(plain)))
 
@@ -140,32 +142,44 @@ def test_a_series_of_loads_is_drawn_over_the_load_and_a_mixed_one_point_by_point
     loads = (900.0, 300.0, 600.0)
     document["torque"]["points"] = [point(number, speed=200.0, load=load) for number, load in enumerate(loads)]
     document["published"] = published()
-    panel = panel_of(torque_plot(document))
+    panel = panel_of(torque_plot(as_document(document)))
     total = points_of(line_of(panel, "total"))
     np.testing.assert_allclose(total, [(300, 25.8), (600, 33.2), (900, 40.3)], rtol=1e-12)
     assert panel.get_xlabel() == "axial load, N"
     assert not any("paper" in label for label in labels_of(panel))  # its values are over speed
     document["torque"]["points"][2]["inner_speed"] = 250 * RPM
-    panel = panel_of(torque_plot(document))
+    panel = panel_of(torque_plot(as_document(document)))
     assert panel.get_xlabel() == "operating point"
     bars = [patch for patch in panel.patches if isinstance(patch, Rectangle)]
     tops = [max(bar.get_y() + bar.get_height() for bar in bars if round(bar.get_x() + 0.3) == at) for at in range(3)]
     np.testing.assert_allclose(tops, TOTALS, rtol=1e-9)
     assert [text.get_text() for text in panel.get_xticklabels()] == [
-        "200 rpm\n900 N",
-        "200 rpm\n300 N",
-        "250 rpm\n600 N",
+        "200 rpm\n900 N axial",
+        "200 rpm\n300 N axial",
+        "250 rpm\n600 N axial",
     ]
 
 
+def test_a_series_of_radial_loads_is_drawn_over_them_and_named_at_the_ticks(document: Document) -> None:
+    radial = (3000.0, 1000.0, 2000.0)
+    points = [point(number, speed=200.0, load=0.0, radial=load) for number, load in enumerate(radial)]
+    document["torque"]["points"] = points
+    panel = panel_of(torque_plot(as_document(document)))
+    np.testing.assert_allclose(points_of(line_of(panel, "total"))[:, 0], [1000, 2000, 3000], rtol=1e-12)
+    assert panel.get_xlabel() == "radial load, N"
+    points[2]["inner_speed"] = 250 * RPM
+    panel = panel_of(torque_plot(as_document(document)))
+    assert panel.get_xticklabels()[0].get_text() == "200 rpm\n3000 N radial"
+
+
 def test_speeds_over_more_than_a_decade_are_on_a_logarithmic_scale(document: Document) -> None:
-    assert panel_of(torque_plot(document)).get_xscale() == "linear"
+    assert panel_of(torque_plot(as_document(document))).get_xscale() == "linear"
     document["torque"]["points"][0]["inner_speed"] = 1500 * RPM
-    assert panel_of(torque_plot(document)).get_xscale() == "log"
+    assert panel_of(torque_plot(as_document(document))).get_xscale() == "log"
 
 
 def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(document: Document) -> None:
-    figure, caption = friction_plot(document)
+    figure, caption = friction_plot(as_document(document))
     assert figure is not None
     friction, film, asperities = figure.axes
     inner = points_of(line_of(friction, "inner"))
@@ -187,12 +201,12 @@ def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(docum
 def test_many_points_that_no_line_joins_keep_their_marks(document: Document) -> None:
     points = document["torque"]["points"]
     document["torque"]["points"] = 10 * points  # speeds come again and again
-    figure, _ = friction_plot(document)
+    figure, _ = friction_plot(as_document(document))
     assert figure is not None
     inner = line_of(figure.axes[0], "inner")
     assert (inner.get_marker(), inner.get_linestyle()) == ("o", "None")
     document["torque"]["points"] = [points[0] | {"inner_speed": 1.0 + number} for number in range(30)]
-    figure, _ = friction_plot(document)
+    figure, _ = friction_plot(as_document(document))
     assert figure is not None
     inner = line_of(figure.axes[0], "inner")
     assert (inner.get_marker(), inner.get_linestyle()) == ("None", "-")
@@ -203,18 +217,21 @@ def test_a_given_coefficient_has_no_film(document: Document) -> None:
     for each in document["torque"]["points"]:
         each["film"] = each["asperity_share"] = {"inner": None, "outer": None}
         each["friction_coefficient"] = {"inner": 0.1, "outer": 0.1, "pocket": 0.07}
-    figure, caption = friction_plot(document)
+    figure, caption = friction_plot(as_document(document))
     assert figure is not None
     (friction,) = figure.axes
     assert labels_of(friction) == ["inner", "outer", "pocket"]
     assert "No film is computed" in caption
     for each in document["torque"]["points"]:
         each["friction_coefficient"] = dict.fromkeys(("inner", "outer", "pocket"))
-    assert friction_plot(document) == (None, "Nothing that slides was computed: there is no friction coefficient.")
+    assert friction_plot(as_document(document)) == (
+        None,
+        "Nothing that slides was computed: there is no friction coefficient.",
+    )
 
 
 @pytest.mark.parametrize("draw", [torque_plot, friction_plot])
 def test_without_a_torque_there_is_a_reason_in_place_of_a_figure(draw: Any) -> None:
-    figure, why = draw({"torque": None})
+    figure, why = draw(as_document({"torque": None}))
     assert figure is None
     assert "neither a friction coefficient nor both lubricant and surface" in why

@@ -1,21 +1,21 @@
-"""The page of a result as the main job writes it: from the JSON alone."""
+"""The page of a result as the main job writes it: from the document alone."""
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 from unittest.mock import patch
 
 from fembearing.compare.validation import Validation
-from fembearing.report.figures.plot import Plot
-from fembearing.report.page import html as page
+from fembearing.report.document.build import report_of
+from fembearing.report.document.report import Report
+from fembearing.report.figures.page_plots import Plot
+from fembearing.report.page import write as page
 from fembearing.report.pictures.draw import Picture
 
 
-def document_of(result: Validation, pictures: Sequence[Picture] = (), trouble: str | None = None) -> dict[str, Any]:
+def document_of(result: Validation, pictures: Sequence[Picture] = (), trouble: str | None = None) -> Report:
     """What report.json holds, read back."""
-    told = {"pictures": [picture.to_json() for picture in pictures], "renderer": trouble or "VTK"}
-    return json.loads(json.dumps(result.to_json() | told, allow_nan=False))
+    written = report_of(result, pictures=[picture.to_json() for picture in pictures], renderer=trouble)
+    return Report.model_validate(written.to_json())
 
 
 def written_page(

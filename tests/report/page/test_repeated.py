@@ -11,6 +11,7 @@ from fembearing.compare.contact import scene_contact
 from fembearing.compare.validation import Validation
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.provenance import MEMORY, ORIGIN, TIMES, VARYING, repeatable
+from fembearing.report.document.build import report_of
 from fembearing.report.folder import validate
 
 SCENE = """
@@ -41,7 +42,7 @@ def twice() -> list[Validation]:
 
 
 def told(result: Validation) -> dict[str, Any]:
-    return json.loads(json.dumps(result.to_json()))
+    return json.loads(json.dumps(report_of(result).to_json()))
 
 
 def test_two_runs_differ_in_times_memory_and_origin_alone(twice: list[Validation]) -> None:

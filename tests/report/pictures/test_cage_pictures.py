@@ -13,10 +13,12 @@ from matplotlib.transforms import BboxBase
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.compare.torque.cage_record import CageRecord, exceedance, record_cage
+from fembearing.report.document.report import Report
+from fembearing.report.document.torque import CageRecord as Motion
 from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
-from tests.report.figures.figure_reader import line_of, points_of
+from tests.report.figures.figure_reader import as_document, line_of, points_of
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
 
 MOVING = """\
@@ -40,6 +42,11 @@ cage_dynamics = "on"
 """
 FORCES = {1: (0.0, 3.0, 0.0), 6: (-1.5, 0.0, 0.0)}  # N, of two balls at the instant that is drawn
 FOOT = 100  # pixels with the scales
+
+
+def motion_of(record: CageRecord) -> Motion:
+    """As the document has it."""
+    return Motion.model_validate(record.drawn())
 
 
 @pytest.fixture(scope="module")
@@ -68,7 +75,7 @@ def known(record: CageRecord) -> CageRecord:
 
 @pytest.fixture(scope="module")
 def panels(record: CageRecord) -> list[Axes]:
-    return orbit_figure([record.to_json()]).axes
+    return orbit_figure([motion_of(record)]).axes
 
 
 def test_the_orbit_is_x_to_the_right_and_y_up_inside_the_room(record: CageRecord, panels: list[Axes]) -> None:
@@ -100,7 +107,7 @@ def test_forces_are_drawn_over_time_in_ms(record: CageRecord, panels: list[Axes]
 
 def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
     known = replace(record, statistics=replace(record.statistics, block_maxima=(0.3, 0.7, 0.5, 0.9)))
-    excess = orbit_figure([known.to_json()]).axes[2]
+    excess = orbit_figure([motion_of(known)]).axes[2]
     drawn = points_of(line_of(excess, "blocks of all seeds"))
     np.testing.assert_allclose(drawn, [(0.3, 100), (0.5, 75), (0.7, 50), (0.9, 25)], rtol=1e-12)
     for force in (0.4, 0.6, 0.8):  # between two of them the curve is the share that lies above
@@ -113,8 +120,7 @@ def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
 
 @pytest.mark.parametrize("state", ["rest", "whirl", "irregular", "mixed"])
 def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecord, state: str) -> None:
-    told = replace(record, statistics=replace(record.statistics, state=state)).to_json()
-    figure = orbit_figure([told])
+    figure = orbit_figure([motion_of(replace(record, statistics=replace(record.statistics, state=state)))])
     title = figure.subfigs[0].get_suptitle()
     assert f'6205 at 500 rpm: regime "{state}", started "rest"' in title
     assert f"cage torque {1e3 * record.statistics.torque:.3g} N mm" in title
@@ -123,7 +129,7 @@ def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecor
 
 
 def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -> None:
-    whole, thin = record.to_json(), record.to_json(most=60)
+    whole, thin = record.drawn(), record.drawn(most=60)
     for name in ("largest", "sum"):
         assert len(thin["forces"][name]) <= 60
         assert max(thin["forces"][name]) == max(whole["forces"][name])
@@ -134,7 +140,9 @@ def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -
         tuple(place) for place in whole["orbit"]["measured"]
     }
     assert thin["exceedance"]["force"][-1] == max(whole["exceedance"]["force"])
-    figure, caption = cage_plot({"cage_records": [thin, thin | {"inner_speed": 100.0, "state": "whirl"}]})
+    figure, caption = cage_plot(
+        Report.model_construct(cage_records=[Motion(**thin), Motion(**thin | {"inner_speed": 100.0, "state": "whirl"})])
+    )
     assert figure is not None
     assert len(figure.axes) == 6  # a row for each motion
     assert "The cage rests" in caption
@@ -149,7 +157,7 @@ def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -
 def test_a_group_of_instants_is_told_by_its_greatest(record: CageRecord) -> None:
     force = record.series.max_force.size - np.arange(record.series.max_force.size, dtype=float)  # falls to 1 N
     series = replace(record.series, max_force=force)
-    thin = replace(record, series=series).to_json(most=60)["forces"]
+    thin = replace(record, series=series).drawn(most=60)["forces"]
     step = -(-force.size // 60)
     expected = [force[max(0, end - step + 1)] for end in range(force.size - 1, -1, -step)][::-1]
     np.testing.assert_array_equal(thin["largest"], expected)  # the first of each group
@@ -166,12 +174,12 @@ def test_a_thinned_exceedance_keeps_the_rarest() -> None:
 
 
 def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -> None:
-    assert cage_plot({"cage_records": [], "torque": {}}) == (
+    assert cage_plot(as_document({"cage_records": [], "torque": {}})) == (
         None,
         "No cage moved: the torque has the closed form of a cage that rests on its balls, or none. Where the scene "
         "gives a cage and its start, and the tolerance can see the motion, it is computed.",
     )
-    assert cage_plot({"cage_records": [], "torque": None})[1] == "No cage moved: the scene has no torque."
+    assert cage_plot(as_document({"cage_records": [], "torque": None}))[1] == "No cage moved: the scene has no torque."
 
 
 def box_of(part: Artist | None) -> BboxBase:

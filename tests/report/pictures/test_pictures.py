@@ -215,9 +215,9 @@ def test_a_small_body_under_a_large_ball_is_still_seen(checked: Validation, tmp_
 def test_the_colour_bar_is_labelled_in_round_numbers_up_to_its_end(checked: Validation) -> None:
     for contact in checked.contacts:
         scale = module._scale(contact)
-        ticks = np.array(scale["ticks"])
+        ticks = np.array(scale.ticks)
         assert ticks[0] == 0
-        assert 0.7 * scale["peak"] < ticks[-1] <= scale["peak"]
+        assert 0.7 * scale.peak < ticks[-1] <= scale.peak
         assert len({f"{step:.6g}" for step in np.diff(ticks)}) == 1
         assert max(len(f"{tick:g}".replace(".", "").lstrip("0")) for tick in ticks) <= 3
 

@@ -6,20 +6,25 @@ from dataclasses import replace
 from io import StringIO
 from typing import Any
 
+import numpy as np
 import pytest
 from rich.console import Console
 
 from fembearing.compare.contact.ring import RingStructure
 from fembearing.compare.contact.subsurface import NAMES, SubsurfaceComparison
+from fembearing.compare.torque.catalogue import BesideCatalogue
+from fembearing.compare.torque.catalogue_models import CatalogueBand
 from fembearing.compare.validation import Validation
-from fembearing.report.terminal.contacts import print_subsurface, print_validation
+from fembearing.report.document.build import report_of
+from fembearing.report.terminal.contacts import print_subsurface
+from fembearing.report.terminal.validation import print_validation
 
 NARROW = 80  # columns, of a pipe
 
 
 def text_of(result: Validation) -> str:
     out = StringIO()
-    print_validation(Console(file=out, width=NARROW), result)
+    print_validation(Console(file=out, width=NARROW), report_of(result))
     return out.getvalue()
 
 
@@ -30,7 +35,7 @@ def printed(made: Validation) -> str:
 
 @pytest.fixture(scope="module")
 def told(made: Validation) -> dict[str, Any]:
-    return json.loads(json.dumps(made.to_json(), allow_nan=False))
+    return json.loads(json.dumps(report_of(made).to_json(), allow_nan=False))
 
 
 def rows_of(printed: str) -> list[list[str]]:
@@ -61,9 +66,10 @@ def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
         "60.8 GN/m^1.5 by Hertz",
         "64 in a thick seat",
         "39.52 with the sheet on its rim (-35%)",
-        "with Hertz's contacts 50 N mm",
+        "What finite-element contacts change at 600 rpm, 910 N axial: with Hertz's contacts 50 N mm",
         "those of FE 48.5 N mm: -3.00% +- 1.37%",
         "angle 0.3031 rad and 0.3019 rad",
+        "neither need be the total above",
         "semi-axis a 0.1203 mm (+0.25%)",
         "error, over FE - 1): approach 5.2198 um (-0.10%)",
         "peak pressure 1.7085 GPa (+0.50%)",
@@ -75,6 +81,46 @@ def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
         assert said in words
 
 
+def test_every_operating_point_has_its_total_with_the_loads_that_vary(printed: str) -> None:
+    """The total is that of the command `torque`, not one of the two that the contacts change."""
+    rows = rows_of(printed)
+    assert "Friction torque" in printed
+    assert ["#", "rpm", "Fa, N", "total, N mm", "+-"] in [[" ".join(cell.split()) for cell in row] for row in rows]
+    for row in (
+        ["1", "150", "700", "34", "1.1 %"],
+        ["2", "300", "900", "42", "1.2 %"],
+        ["3", "600", "910", "53", "1.3 %"],
+    ):
+        assert row in rows
+
+
+def test_a_radial_load_and_a_moment_stand_with_their_point(made: Validation) -> None:
+    assert made.torque is not None
+    friction = replace(made.torque.friction, radial_load=np.array([0.0, 310.0, 320.0]), moment=np.full(3, 1.5))
+    result = replace(made, torque=replace(made.torque, friction=friction))
+    rows = rows_of(text_of(result))
+    assert ["3", "600", "910", "320", "53", "1.3 %"] in rows
+    assert "Friction torque, moment 1.5 N m" in text_of(result)
+    point = report_of(result).to_json()["torque"]["points"][2]
+    assert (point["radial_load"], point["moment"]) == (320.0, 1.5)
+
+
+def test_a_pass_past_the_static_limit_or_outside_the_band_says_so(made: Validation) -> None:
+    """Each doubt stands on the terminal right above the verdict, and in the JSON."""
+    assert made.torque is not None
+    band = CatalogueBand(low=np.full(3, 30e-3), high=np.full(3, 45e-3), values={})
+    friction = made.torque.friction
+    friction = replace(friction, inner=replace(friction.inner, peak_pressure=np.array([1e9, 6.3e9, 2e9])))
+    torque = replace(made.torque, friction=friction, catalogue=BesideCatalogue(band=band, note="a band"))
+    result = replace(made, torque=torque)
+    lines = " ".join(text_of(result).split())
+    limit = "The peak pressure on the inner race, 6.30 GPa, is past the static limit of 4.2 GPa"
+    outside = "The torque is outside the catalogue band at 1 of 3 operating points."
+    assert lines.index(limit) < lines.index(outside) < lines.index("fail: tolerance 0.05")
+    assert len(report_of(result).to_json()["doubts"]) == 2
+    assert report_of(made).to_json()["doubts"] == []
+
+
 def test_the_ring_is_told_apart_from_the_contact(made: Validation) -> None:
     ring = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9)
     inner, outer, *pocket = made.contacts
@@ -82,7 +128,7 @@ def test_the_ring_is_told_apart_from_the_contact(made: Validation) -> None:
     words = " ".join(text_of(result).split())
     said = "Ring on a rigid seat: approach -0.212 um (-4.1% of the contact's), +- 0.008 um: structure, not contact."
     assert words.count(said) == words.count("Ring on a rigid seat") == 1
-    told = [contact["ring"] for contact in result.to_json()["contacts"]]
+    told = [contact["ring"] for contact in report_of(result).to_json()["contacts"]]
     share = {"approach": -0.2125e-6, "share": -0.0407, "uncertainty": pytest.approx(7.8e-9, rel=1e-12)}  # round-off
     assert told == [share, None, None, None]
 
@@ -180,8 +226,9 @@ def test_every_word_of_the_table_fits(checked: Validation) -> None:
 
 
 def test_a_scene_without_friction_is_told_that_there_is_no_torque(checked: Validation) -> None:
-    assert "so there is no torque" in text_of(replace(checked, torque=None))
-    assert "Race torque" not in text_of(replace(checked, torque=None))
+    bare = text_of(replace(checked, torque=None, torque_change=None))
+    assert "so there is no torque" in bare
+    assert "Friction torque" not in bare
     assert "there is no torque" not in text_of(checked)
 
 

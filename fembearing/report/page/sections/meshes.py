@@ -2,29 +2,34 @@
 
 from typing import Any
 
-from fembearing.report.words import Shown, Told, capital, digits, place_of, quantities_of
+from fembearing.quantities import Quantity
+from fembearing.report.document.contact import Study
+from fembearing.report.document.report import Report
+from fembearing.report.page.sections.verdicts import contact_place
+from fembearing.report.phrases import digits, quantities_of
 
 
-def mesh_section(document: Told) -> dict[str, Any]:
+def mesh_section(document: Report) -> dict[str, Any]:
+    """The table of the section on mesh convergence."""
     return {
         "meshes": [
             (
-                capital(place_of(contact)),
-                [_row(contact["convergence"][name], shown) for name, shown in quantities_of(contact).items()],
+                contact_place(contact),
+                [_row(contact.convergence[name], quantity) for name, quantity in quantities_of(contact).items()],
             )
-            for contact in document["contacts"]
+            for contact in document.contacts
         ]
     }
 
 
-def _row(part: Told, shown: Shown) -> dict[str, str]:
-    limit, index = part["richardson"], part["grid_convergence_index"]
+def _row(study: Study, quantity: Quantity) -> dict[str, str]:
+    limit, index, factor = study.richardson, study.grid_convergence_index, quantity.shown.factor
     return {
-        "quantity": shown.heading(),
-        "values": ", ".join(digits(value * shown.factor) for value in part["values"]),
-        "order": "none" if part["order"] is None else f"{part['order']:.1f}",
+        "quantity": quantity.heading,
+        "values": ", ".join(digits(value * factor) for value in study.values),
+        "order": "none" if study.order is None else f"{study.order:.1f}",
         "index": "none" if index is None else f"{index:.2%}",
-        "richardson": "" if limit is None else digits(limit * shown.factor),
-        "mesh": f"{part['mesh']:.2%}",
-        "domain": f"{part['domain']:.2%}",
+        "richardson": "" if limit is None else digits(limit * factor),
+        "mesh": f"{study.mesh:.2%}",
+        "domain": f"{study.domain:.2%}",
     }

@@ -13,10 +13,12 @@ import pytest
 from analytic.errors import InputError
 from fembearing import cli
 from fembearing.compare.validation import Validation
+from fembearing.report.document.build import report_of
+from fembearing.report.document.report import Report
 from fembearing.report.folder import write_report
-from fembearing.report.page import html as page_module
-from fembearing.report.page.again import rebuild_page
-from fembearing.report.page.html import write_page
+from fembearing.report.page import write as page_module
+from fembearing.report.page.rebuild import rebuild_page
+from fembearing.report.page.write import write_page
 from fembearing.report.pictures.draw import Picture
 from tests.report.page.page_writer import document_of
 
@@ -35,7 +37,7 @@ def report(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> Pat
 
 @pytest.fixture
 def document(made: Validation, pictures: list[Picture]) -> dict[str, Any]:
-    return copy.deepcopy(document_of(made, pictures[:2]))
+    return document_of(made, pictures[:2]).to_json()
 
 
 @pytest.fixture
@@ -62,14 +64,14 @@ def test_a_page_made_again_is_the_same_to_the_byte(report: Path) -> None:
 @pytest.mark.usefixtures("without_plots")
 def test_the_page_of_a_file_is_that_of_its_result(made: Validation, tmp_path: Path) -> None:
     """Of a result with every verdict in it, written elsewhere; a file of `validate --json` has no pictures."""
-    document = made.to_json()
+    document = report_of(made).to_json()
     numbers = write(tmp_path, document)
     out = tmp_path / "for-a-customer.html"
     assert rebuild_page(numbers, out=out).file == out
     told = out.read_text("utf-8")
     assert "+10.00%" in told
     assert "No pictures were drawn with these numbers" in told
-    write_page(json.loads(json.dumps(document)), folder=tmp_path, file=tmp_path / "by-hand.html")
+    write_page(Report.model_validate(document), folder=tmp_path, file=tmp_path / "by-hand.html")
     assert told == (tmp_path / "by-hand.html").read_text("utf-8")
 
 
@@ -146,7 +148,7 @@ def put(document: dict[str, Any], place: str, value: object) -> None:
         ("verdicts.3.verdict", "good", ["verdicts.3.verdict = 'good'", "outside validity"]),
         ("tolerance", float("inf"), ["Infinity is no number of JSON"]),
         ("tolerance", float("nan"), ["NaN is no number of JSON"]),
-        ("format", 7, ["format 7", "reads 1"]),
+        ("format", 7, ["format 7", "reads 2"]),
         ("kind", "sweep", ["no report of `fembearing validate`"]),
         ("pictures.0.file", "../secret.png", ["pictures.0.file = '../secret.png' is not written as it must be"]),
         ("pictures.0.pair", "pocket", ["has no contact for the picture"]),
@@ -158,7 +160,11 @@ def put(document: dict[str, Any], place: str, value: object) -> None:
         ("sensitivity.inputs.0.unit", "$", ["sensitivity.inputs.0.unit"]),
         ("provenance.platform", "\ud800", ["surrogates not allowed"]),
         ("torque.points.1.torque.drag", "2 N mm", ["torque.points.1.torque.drag = '2 N mm' is not known"]),
-        ("torque.catalogue_band", {"low": [1e-3], "high": [2e-3] * 3, "note": "half"}, ["has 1 values of", "3 points"]),
+        (
+            "torque.catalogue_band",
+            {"low": [1e-3], "high": [2e-3] * 3, "values": {}, "note": "half"},
+            ["has 1 values of", "3 points"],
+        ),
         ("contacts", {}, ["contacts = {} is no list"]),
         ("provenance.scene_content.bearing", [], ["provenance.scene_content.bearing = [] is no table"]),
     ],
@@ -204,7 +210,7 @@ def test_a_key_of_another_version_is_named_with_both(document: dict[str, Any], t
         (b"[1, 2]", "no report of"),
         (b'"text"', "no report of"),
         (b"{}", "no report of"),
-        (b'{"kind": "fembearing validation", "format": 1, "tolerance": 1e999}', "is missing"),
+        (b'{"kind": "fembearing validation", "format": 2, "tolerance": 1e999}', "is missing"),
         (None, "cannot be read: No such file"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Plots of numbers that were damaged: drawn, or refused in one line by what a report must hold."""
+"""The document: written and read back as it is, and damaged numbers drawn or refused."""
 
 import copy
 import json
@@ -14,17 +14,18 @@ from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.compare.torque.cage_record import record_cage
 from fembearing.compare.validation import Validation
-from fembearing.report.document.document import Report
+from fembearing.report.document.build import report_of
+from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.friction import friction_plot
-from fembearing.report.figures.plot import Document
-from fembearing.report.figures.plots import PLOTS
+from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.torque import torque_plot
 from tests.report.pictures.test_cage_pictures import MOVING
 
+Document = dict[str, Any]  # what report.json holds
 OF_PLOTS = {  # a key, and the module's function that reads it
     "sensitivity": sensitivity_plot,
     "cage_records": cage_plot,
@@ -42,7 +43,7 @@ def document(checked: Validation) -> Document:
     scene = parse_scene(MOVING, origin="here")
     record = record_cage(scene, friction_torque(scene), 0)
     assert record is not None
-    return json.loads(json.dumps(replace(checked, cage_records=(record,)).to_json(), allow_nan=False))
+    return json.loads(json.dumps(report_of(replace(checked, cage_records=(record,))).to_json(), allow_nan=False))
 
 
 def places(value: object, way: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
@@ -61,10 +62,30 @@ def damaged(document: Document, place: tuple[str | int, ...], value: object) -> 
     return found
 
 
-def test_the_numbers_of_a_result_are_a_report(document: Document) -> None:
-    Report.model_validate(document)
+def test_what_is_written_is_read_back_as_the_same(document: Document) -> None:
+    read = Report.model_validate(document)
+    assert read.to_json() == document
+    assert read == Report.model_validate(read.to_json())
+
+
+def test_writing_computes_nothing(checked: Validation, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A document is the same whatever became of the formulas since it was built."""
+    built = report_of(checked)
+    before = built.to_json()
+    for name in (
+        "torque.catalogue.scene_band",
+        "torque.published.printed_numbers",
+        "contact.corrected.corrected_hertz",
+    ):
+        monkeypatch.setattr(f"fembearing.compare.{name}", None)
+    monkeypatch.setattr("fembearing.memory.peak_memory", None)
+    assert built.to_json() == before == report_of(checked).to_json()
+
+
+def test_every_plot_is_drawn_from_the_document(document: Document) -> None:
+    read = Report.model_validate(document)
     for plot in PLOTS:
-        figure, caption = plot.draw(document)
+        figure, caption = plot.draw(read)
         assert figure is not None
         assert caption.endswith(".")
 
@@ -76,11 +97,11 @@ def test_no_damage_is_answered_by_a_traceback(document: Document) -> None:
     for place in chance.sample(read, 90):
         other = damaged(document, place, chance.choice([None, "text", -1.5, 0.0, [], {}, True, [1.0, 2.0]]))
         try:
-            Report.model_validate(other)
+            read = Report.model_validate(other)
         except ValidationError:
             refused += 1
             continue
-        OF_PLOTS[next(str(step) for step in reversed(place) if step in OF_PLOTS)](other)
+        OF_PLOTS[next(str(step) for step in reversed(place) if step in OF_PLOTS)](read)
     assert 45 < refused < 90  # most of it is read
 
 

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from analytic.errors import InputError
-from fembearing.report.document.read import read_document
-from fembearing.report.page.html import MARK, write_page
+from fembearing.report.document.read import read_report
+from fembearing.report.page.write import MARK, write_page
 
 PAGE = "report.html"
 ENOUGH = 1000  # characters at the beginning of a page, with its mark
@@ -15,12 +15,13 @@ ENOUGH = 1000  # characters at the beginning of a page, with its mark
 
 @dataclass(frozen=True, kw_only=True)
 class RebuiltPage:
-    """What was written."""
+    """The page that was written."""
 
     file: Path
     missing: tuple[str, ...]  # pictures that do not lie beside report.json
 
     def to_json(self) -> dict[str, Any]:
+        """The result as plain types."""
         return {"page": str(self.file), "missing": list(self.missing), "warnings": []}
 
 
@@ -31,7 +32,7 @@ def rebuild_page(numbers: Path, *, out: Path | None = None) -> RebuiltPage:
     Raises InputError for numbers that are no report, and for a page that would replace something else or cannot be
     written.
     """
-    document = read_document(numbers)
+    document = read_report(numbers)
     target = numbers.with_name(PAGE) if out is None else out
     place = f"--out {str(target)!r}"
     if os.path.lexists(target) and not _is_page(target):
@@ -46,8 +47,8 @@ def rebuild_page(numbers: Path, *, out: Path | None = None) -> RebuiltPage:
         ) from problem
     finally:
         temporary.unlink(missing_ok=True)
-    named = [picture["file"] for picture in document.get("pictures", ())]
-    return RebuiltPage(file=target, missing=tuple(name for name in named if not (numbers.parent / name).is_file()))
+    missing = (picture.file for picture in document.pictures if not (numbers.parent / picture.file).is_file())
+    return RebuiltPage(file=target, missing=tuple(missing))
 
 
 def _is_page(file: Path) -> bool:

@@ -1,0 +1,90 @@
+"""Every quantity of a result, once: name, symbol, SI unit, the unit in which it is shown, and meaning.
+
+Datasets, sweeps, maps, tables and figures read them here. The columns of a friction torque stand in `analytic.result`,
+which knows nothing of this package.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from analytic.result import COLUMNS, COORDINATES
+
+PER_MINUTE = 30 / np.pi  # rpm in one rad/s
+
+
+class Unit(NamedTuple):
+    """A unit in which numbers are shown."""
+
+    name: str
+    factor: float  # by which an SI value is multiplied
+
+
+class Quantity(NamedTuple):
+    """What a number is, and how it is shown."""
+
+    name: str  # short, for tables and figures
+    symbol: str  # of the formulas; empty where none is used
+    unit: str  # SI, of every stored number
+    shown: Unit
+    meaning: str  # for datasets
+
+    @property
+    def heading(self) -> str:
+        """Name and shown unit, as they stand over a column."""
+        return f"{self.name}, {self.shown.name}"
+
+
+# SI unit -> units in which it is shown, each from a size on, large to small.
+UNITS: dict[str, tuple[tuple[float, Unit], ...]] = {
+    "Pa": ((1e8, Unit("GPa", 1e-9)), (1e5, Unit("MPa", 1e-6)), (0.0, Unit("Pa", 1.0))),
+    "m": ((1e-3, Unit("mm", 1e3)), (1e-7, Unit("um", 1e6)), (0.0, Unit("nm", 1e9))),
+    "1/Pa": ((0.0, Unit("1/GPa", 1e9)),),
+    "N m": ((0.0, Unit("N mm", 1e3)),),
+    "rad/s": ((0.0, Unit("rpm", PER_MINUTE)),),
+    "rad": ((0.0, Unit("deg", 180 / np.pi)),),
+    "1": ((0.0, Unit("", 1.0)),),
+}
+
+
+def unit_for(unit: str, largest: float) -> Unit:
+    """The unit in which values up to `largest` are shown.
+
+    unit : SI; one that has no entry in UNITS is shown as it is
+    """
+    for least, shown in UNITS.get(unit, ()):
+        if abs(largest) >= least:
+            return shown
+    return Unit(unit.replace("*", " "), 1.0)
+
+
+GIGA, MILLI, MICRO = Unit("GPa", 1e-9), Unit("mm", 1e3), Unit("um", 1e6)
+STIFFNESS = Unit("GN/m^1.5", 1e-9)
+
+CONTACT: dict[str, Quantity] = {  # those of a contact that are compared, in the order in which they are shown
+    "approach": Quantity("approach", "delta", "m", MICRO, "approach"),
+    "semi_axis_rolling": Quantity("semi-axis a", "a", "m", MILLI, "semi-axis along rolling"),
+    "semi_axis_transverse": Quantity("semi-axis b", "b", "m", MILLI, "semi-axis across rolling"),
+    "peak_pressure": Quantity("peak pressure", "p0", "Pa", GIGA, "peak pressure"),
+    "stiffness": Quantity("stiffness", "K", "N/m^1.5", STIFFNESS, "stiffness (load over approach^1.5)"),
+}
+STRESSES: dict[str, Quantity] = {  # under the centre of a contact
+    "max_shear": Quantity("shear", "", "Pa", GIGA, "greatest shear stress"),
+    "max_shear_depth": Quantity("its depth", "", "m", MICRO, "depth of the greatest shear stress"),
+    "max_von_mises": Quantity("von Mises", "", "Pa", GIGA, "greatest von Mises stress"),
+    "max_von_mises_depth": Quantity("its depth", "", "m", MICRO, "depth of the greatest von Mises stress"),
+}
+QUANTITIES: dict[str, Quantity] = {
+    **{
+        name: Quantity(column.meaning, column.symbol, column.unit, unit_for(column.unit, 0.0), column.meaning)
+        for name, column in (COORDINATES | COLUMNS).items()
+    },
+    **CONTACT,
+    **STRESSES,
+    "torque": Quantity("friction torque", "", "N m", Unit("N mm", 1e3), "friction torque"),
+    "film": Quantity("film", "h", "m", MICRO, "film thickness between the mean planes"),
+    "load": Quantity("load", "Q", "N", Unit("N", 1.0), "load of the ball"),
+    "viscosity": Quantity("viscosity", "", "Pa s", Unit("Pa s", 1.0), "viscosity"),
+    "rms_roughness": Quantity("rms roughness", "Sq", "m", MICRO, "rms roughness"),
+    "conformity": Quantity("conformity", "", "1", Unit("", 1.0), "conformity, groove radius over ball diameter"),
+}

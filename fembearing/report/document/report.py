@@ -1,0 +1,231 @@
+"""The document of a report: what is built of a check is what is written, read back, drawn and shown."""
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, model_validator
+
+from fembearing.report.document.contact import Contact
+from fembearing.report.document.scene import Scene
+from fembearing.report.document.table import (
+    Count,
+    Geometry,
+    Label,
+    OfQuantities,
+    Pair,
+    Positive,
+    Table,
+    Verdict,
+)
+from fembearing.report.document.torque import (
+    CageAtRest,
+    CageRecord,
+    MovedCage,
+    Sensitivity,
+    Torque,
+    TorqueChange,
+)
+
+KIND, FORMAT = "fembearing validation", 2  # what the JSON is; the number rises when a key changes its meaning
+Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
+FileName = Annotated[str, Field(pattern=r"^\w[\w.-]*$")]  # beside report.json, never elsewhere
+
+
+class Comparison(Table):
+    """Hertz less finite elements, and the uncertainty of that difference, in the unit of the quantity."""
+
+    error: float
+    numerical: float
+    input: float
+    reference: float
+    total: float
+    resolved: bool
+
+
+class VerdictRow(Table):
+    """One quantity of one contact, judged."""
+
+    pair: Pair
+    geometry: Geometry
+    quantity: Quantity
+    production: float
+    reference: Positive
+    discrepancy: float
+    uncertainty: float
+    exceeds_uncertainty: bool
+    comparison: Comparison
+    verdict: Verdict
+
+
+class Uncertainties(Table):
+    """Where each uncertainty of a comparison comes from, in words."""
+
+    numerical: str
+    input: str
+    reference: str
+
+
+class Chosen(Table):
+    """An input that the paper does not give, as the scene has it."""
+
+    value: float
+    unit: str
+
+
+class Printed(Table):
+    """A number of the paper with that of the scene; None where the scene has none."""
+
+    quantity: Annotated[str, Field(pattern="_(torque|force)$")]
+    rms_roughness: float
+    inner_speed: float
+    value: float
+    note: str
+    ours: float | None
+    deviation: float | None
+
+
+class Published(Table):
+    """The paper's numbers."""
+
+    paper: str
+    same_bearing: bool
+    same_load: bool
+    absent: str | None
+    calibration: str | None
+    chosen: dict[str, Chosen]
+    rows: list[Printed]
+
+
+class Rung(Table):
+    """One method to compute a quantity, with its error and its price."""
+
+    name: Label
+    error: float | None
+    bound: float | None
+    seconds: Annotated[float, Field(gt=0, lt=1e12)] | None
+    spread: float | None
+    repeats: int
+    warm_up: float | None
+    predicted: float | None
+    memory: Count | None
+    unknowns: Count | None
+    known_error: float | None
+    chosen: bool
+    failed: str | None
+
+
+class Choice(Table):
+    """The method that a tolerance takes; None where no method is that good."""
+
+    tolerance: float
+    rung: str | None
+    seconds: float | None
+    price: float | None
+
+
+class Ladder(Table):
+    """The methods to compute one quantity, from cheap to exact."""
+
+    quantity: Label
+    reference: str
+    absent: str | None
+    rungs: list[Rung]
+    choices: list[Choice]
+
+
+class Cost(Table):
+    """What accuracy costs."""
+
+    measured: bool  # every ladder, with repeats; else the methods that the check ran
+    seconds: float
+    peak_memory: Count | None
+    ladders: list[Ladder]
+
+
+class HardCase(Table):
+    """The outcome of one hard case."""
+
+    case: str
+    outcome: Literal["right", "refused", "wrong"]
+    detail: str
+
+
+class PictureFile(Table):
+    """A picture of a contact, in a file beside report.json."""
+
+    file: FileName
+    kind: Literal["pressure", "section", "view"]
+    pair: Pair
+    geometry: Geometry
+    caption: str
+
+
+class Provenance(Table):
+    """Where the numbers come from."""
+
+    scene: str
+    scene_content: Scene
+    scene_sha256: str
+    seeds: dict[str, list[int]]
+    date: str
+    command: list[str]
+    python: str
+    platform: str
+    processor: str
+    cores: int | None
+    versions: dict[str, str | None]
+
+
+class Report(Table):
+    """The check of a scene as a document. Numbers are SI, uncertainties and discrepancies relative."""
+
+    kind: Literal["fembearing validation"]
+    format: Literal[2]
+    verdict: Verdict
+    doubts: list[str]
+    tolerance: Positive
+    verdicts: list[VerdictRow]
+    uncertainties: Uncertainties
+    contacts: Annotated[list[Contact], Field(min_length=2, max_length=4)]
+    torque: Torque | None
+    torque_change: TorqueChange | None
+    cage_motion: list[MovedCage | CageAtRest] | None
+    cage_records: list[CageRecord]
+    sensitivity: Sensitivity | None
+    published: Published
+    cost: Cost
+    hard: list[HardCase]
+    warnings: list[str]
+    provenance: Provenance
+    pictures: Annotated[list[PictureFile], Field(default_factory=list)]
+    renderer: str = "VTK"
+
+    def to_json(self) -> dict[str, Any]:
+        """The document as plain types, with the keys that it was made of."""
+        return self.model_dump(mode="json", exclude_unset=True)
+
+    def contact_at(self, pair: Pair, geometry: Geometry) -> Contact | None:
+        """The contact of a picture or of a verdict; None where there is none."""
+        return next((each for each in self.contacts if (each.pair, each.geometry) == (pair, geometry)), None)
+
+    def verdicts_on(self, contact: Contact) -> dict[str, VerdictRow]:
+        """The verdicts on one contact, by quantity."""
+        place = contact.pair, contact.geometry
+        return {row.quantity: row for row in self.verdicts if (row.pair, row.geometry) == place}
+
+    @model_validator(mode="after")
+    def parts_fit_together(self) -> "Report":
+        """Refuse pictures without a contact, contacts without verdicts, and a torque without its change."""
+        for picture in self.pictures:
+            if self.contact_at(picture.pair, picture.geometry) is None:
+                raise ValueError(f"has no contact for the picture {picture.file}")
+        for contact in self.contacts:
+            rows = [row for row in self.verdicts if (row.pair, row.geometry) == (contact.pair, contact.geometry)]
+            if contact.judged and sorted(row.quantity for row in rows) != sorted(OfQuantities.model_fields):
+                raise ValueError(f"has no verdict on every quantity of {contact.pair}, once")
+        if (self.torque is None) != (self.torque_change is None):
+            raise ValueError("has torque without torque_change, or the other way round")
+        if self.torque is not None and self.torque_change is not None:
+            count = len(self.torque.points)
+            if self.torque_change.lengths != {count}:
+                raise ValueError(f"has a torque_change of other than the {count} points of torque")
+        return self

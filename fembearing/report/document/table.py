@@ -1,0 +1,54 @@
+"""What all tables of the document share: strict types, numbers that are finite, and lists that belong together."""
+
+from typing import Annotated, Generic, Literal, TypeVar
+
+from pydantic import BaseModel, ConfigDict, Field
+
+T = TypeVar("T")
+Pair = Literal["inner", "outer", "pocket"]
+Geometry = Literal["real", "hertzian", "wall", "ring"]
+Verdict = Literal["pass", "fail", "undecided", "outside validity"]
+Positive = Annotated[float, Field(gt=0)]
+Two = Annotated[list[float], Field(min_length=2, max_length=2)]  # JSON has no tuples
+Numbers = Annotated[list[float], Field(min_length=1)]
+Count = Annotated[int, Field(gt=0, lt=2**63)]
+Label = Annotated[str, Field(pattern=r"^[^$]*$")]  # in a figure, where dollars would begin a formula
+
+
+class Table(BaseModel):
+    """A table of the document; a key that it does not name is dropped. Numbers are SI."""
+
+    model_config = ConfigDict(strict=True, allow_inf_nan=False, frozen=True)
+
+
+class OfQuantities(Table, Generic[T]):
+    """One entry for each quantity of a contact that is compared."""
+
+    approach: T
+    semi_axis_rolling: T
+    semi_axis_transverse: T
+    peak_pressure: T
+    stiffness: T
+
+    def __getitem__(self, quantity: str) -> T:
+        return getattr(self, quantity)
+
+
+class OnRaces(Table):
+    """A number of each race; None where it is not known."""
+
+    inner: float | None
+    outer: float | None
+
+
+class OnContacts(OnRaces):
+    """A number of each race and of the pocket."""
+
+    pocket: float | None
+
+
+def check_lengths(*lists: list[object] | list[float] | list[float | None]) -> None:
+    """Raise ValueError for lists that belong together and are not of one length."""
+    lengths = sorted({len(each) for each in lists})
+    if len(lengths) > 1:
+        raise ValueError(f"has lists of {' and '.join(map(str, lengths))} values that belong together")

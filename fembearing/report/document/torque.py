@@ -1,0 +1,347 @@
+"""The friction torque of the document: its points, its change by finite-element contacts, its cage, its inputs."""
+
+from typing import Annotated, Literal
+
+from pydantic import ConfigDict, Field, model_validator
+
+from fembearing.report.document.table import (
+    Label,
+    Numbers,
+    OnContacts,
+    OnRaces,
+    Positive,
+    Table,
+    Two,
+    Verdict,
+    check_lengths,
+)
+
+
+class OperatingPoint(Table):
+    """Speed and loads."""
+
+    inner_speed: float
+    axial_load: float
+    radial_load: float
+    moment: float
+
+
+class Parts(Table):
+    """Parts of the torque; None where one was left out."""
+
+    model_config = ConfigDict(extra="forbid")  # the page reads every key
+
+    total: float
+    race: float | None
+    spin: float | None
+    conformity: float | None
+    hysteresis: float | None
+    rolling: float | None
+    cage: float | None
+    declared: float | None
+
+
+class Uncertainty(Table):
+    """Uncertainty of the total; None where it is not known."""
+
+    numerical: float | None
+    model: float | None
+
+
+class LoadedContact(Table):
+    """The heaviest ball on one race."""
+
+    load: float
+    semi_axis_rolling: float
+    semi_axis_transverse: float
+    peak_pressure: float
+    approach: float
+
+
+class BothRaces(Table):
+    """The heaviest ball on both races."""
+
+    inner: LoadedContact
+    outer: LoadedContact
+
+
+class Interval(Table):
+    """Intervals at 95 %."""
+
+    torque: Two
+    max_force: Two
+
+
+class CageState(Table):
+    """What the cage does at an operating point; None where there is no cage, or none that moved."""
+
+    mean_force: float | None
+    max_force: float | None
+    interval: Interval | None
+    duration: float | None
+    state: str | None
+    signed_moment: float | None
+
+
+class Point(OperatingPoint):
+    """The torque at one operating point."""
+
+    contact_angle: float
+    torque: Parts
+    friction_coefficient: OnContacts
+    film: OnRaces
+    asperity_share: OnRaces
+    contact: BothRaces
+    uncertainty: Uncertainty
+    cage: CageState
+
+
+class Effect(Table):
+    """One effect, decided for the whole series."""
+
+    name: str
+    decision: str
+    share: float | None
+    share_is: Literal["part", "bound", "unbounded", "unknown"]
+    reason: str
+
+    @model_validator(mode="after")
+    def a_part_or_a_bound_has_its_share(self) -> "Effect":
+        """Refuse an effect without the share that it says it has."""
+        if self.share is None and self.share_is in ("part", "bound"):
+            raise ValueError("has no share")
+        return self
+
+
+class Band(Table):
+    """The catalogue band at each point; None where there is none."""
+
+    low: list[float] | None
+    high: list[float] | None
+    values: dict[str, list[float]]
+    note: str
+
+
+class Torque(Table):
+    """The friction torque that `fembearing torque` computes."""
+
+    points: Annotated[list[Point], Field(min_length=1)]
+    gap_roughness: Positive | None
+    effects: list[Effect]
+    warnings: list[str]
+    provenance: dict[str, str]
+    seconds: float
+    tolerance: float
+    catalogue_band: Band
+    doubts: list[str]
+
+    @model_validator(mode="after")
+    def the_band_is_whole(self) -> "Torque":
+        """Refuse a catalogue band with one side, or at other points."""
+        band = self.catalogue_band
+        if (band.low is None) != (band.high is None):
+            raise ValueError("has half a catalogue_band")
+        for side in (band.low, band.high):
+            if side is not None and len(side) != len(self.points):
+                raise ValueError(f"has {len(side)} values of catalogue_band at {len(self.points)} points")
+        return self
+
+
+class BeforeAndAfter(Table):
+    """A number at each point with Hertz's contacts and with those of finite elements; None where none was solved."""
+
+    hertz: list[float]
+    corrected: list[float | None]
+
+
+class PartChanges(Table):
+    """Relative changes of each part at each point; None where a part was left out."""
+
+    total: list[float | None]
+    race: list[float | None] | None
+    spin: list[float | None] | None
+    conformity: list[float | None] | None
+    hysteresis: list[float | None] | None
+    rolling: list[float | None] | None
+
+
+class FittedChange(Table):
+    """What the fit for finite geometry changes at each point; None where it ends."""
+
+    contact_angle: list[float | None]
+    torque: list[float | None]
+    change: list[float | None]
+    uncertainty: list[float | None]
+
+
+class TorqueChange(Table):
+    """What finite-element contacts change in the torque."""
+
+    contact_angle: BeforeAndAfter
+    torque: BeforeAndAfter
+    change: PartChanges
+    uncertainty: float
+    uncertainties: dict[str, float]
+    finite_geometry: FittedChange
+    verdict: Verdict
+    note: str
+
+    @property
+    def lengths(self) -> set[int]:
+        """The numbers of points of its lists: one, where they belong together."""
+        both = (self.contact_angle, self.torque)
+        series = [*(side.hertz for side in both), *(side.corrected for side in both), self.change.total]
+        return {len(each) for each in (*series, *(values for _, values in self.finite_geometry))}
+
+
+class OtherStart(Table):
+    """Where the same cage comes to from another start."""
+
+    state: str
+    start: str
+    torque: float
+
+
+class CageAtRest(CageState):
+    """An operating point whose cage rests, by its closed form."""
+
+    inner_speed: float
+    torque: None
+    start: None
+    block: None
+    other: None
+
+
+class MovedCage(Table):
+    """An operating point whose cage moved."""
+
+    inner_speed: float
+    state: str
+    start: str
+    torque: float
+    interval: Interval
+    signed_moment: float
+    mean_force: float
+    max_force: float
+    duration: float
+    block: float
+    other: OtherStart | None
+
+
+class Room(Table):
+    """Where the centre of the cage can be."""
+
+    size: Positive
+    middle: Two
+    edge: Annotated[list[Two], Field(min_length=1)]
+
+
+class Orbit(Table):
+    """Places of the centre of the cage."""
+
+    joined: bool
+    start_up: Annotated[list[Two], Field(min_length=1)]
+    measured: Annotated[list[Two], Field(min_length=1)]
+
+
+class Forces(Table):
+    """Forces of balls on the cage over time."""
+
+    time: Numbers
+    largest: Numbers
+    sum: Numbers
+
+    @model_validator(mode="after")
+    def each_instant_has_its_forces(self) -> "Forces":
+        """Refuse lists that differ in length."""
+        check_lengths(self.time, self.largest, self.sum)
+        return self
+
+
+class Exceedance(Table):
+    """How often each force is exceeded."""
+
+    force: list[Positive]
+    share: list[Positive]
+
+    @model_validator(mode="after")
+    def each_force_has_its_share(self) -> "Exceedance":
+        """Refuse lists that differ in length."""
+        check_lengths(self.force, self.share)
+        return self
+
+
+class CageRecord(Table):
+    """One motion of a cage, as it is drawn."""
+
+    point: int
+    inner_speed: float
+    bearing: str
+    state: Literal["rest", "whirl", "irregular", "mixed"]
+    start: str
+    start_up: Positive
+    torque: float
+    torque_interval: Two
+    max_force: Annotated[float, Field(ge=0)]
+    max_force_interval: Two
+    block: float
+    block_maxima: Numbers
+    gravity: Annotated[list[float], Field(min_length=3, max_length=3)]
+    room: Room
+    orbit: Orbit
+    forces: Forces
+    exceedance: Exceedance
+
+
+class TotalTorque(OperatingPoint):
+    """A torque whose sensitivity to inputs was computed."""
+
+    quantity: Literal["total_torque"]
+    pair: None
+    value: float
+
+
+class PeakPressure(Table):
+    """A peak pressure whose sensitivity to inputs was computed."""
+
+    quantity: Literal["peak_pressure"]
+    pair: Literal["inner", "outer"]
+    inner_speed: None
+    axial_load: None
+    radial_load: None
+    moment: None
+    value: float
+
+
+class Input(Table):
+    """One input with its range, and what its ends change in each output; None at an end that was refused."""
+
+    name: Label
+    unit: Literal["Pa", "1/Pa", "Pa s", "m", "N", "N m", "rad", "K", "1"]
+    value: float
+    low: float
+    high: float
+    source: str
+    change_low: list[float] | None
+    change_high: list[float] | None
+    refused: list[str]
+
+    @property
+    def swing(self) -> float:
+        """The largest change of any output."""
+        return max(map(abs, [*(self.change_low or ()), *(self.change_high or ())]), default=0.0)
+
+
+class Sensitivity(Table):
+    """What each input changes in the outputs."""
+
+    outputs: Annotated[list[TotalTorque] | list[PeakPressure], Field(min_length=1)]
+    inputs: list[Input]
+
+    @model_validator(mode="after")
+    def each_output_has_its_changes(self) -> "Sensitivity":
+        """Refuse changes of other outputs than those listed."""
+        for each in self.inputs:
+            ends = (each.change_low, each.change_high)
+            check_lengths(list(self.outputs), *(changes for changes in ends if changes is not None))
+        return self

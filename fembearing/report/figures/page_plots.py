@@ -1,0 +1,74 @@
+"""Every plot of the page, in the order of its sections, and how a plot becomes part of the page."""
+
+import base64
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from matplotlib.figure import Figure
+
+from fembearing.report.document.report import Report
+from fembearing.report.figures.approach import approach_plot
+from fembearing.report.figures.cage import cage_plot
+from fembearing.report.figures.convergence import convergence_plot
+from fembearing.report.figures.cost import cost_figure
+from fembearing.report.figures.friction import friction_plot
+from fembearing.report.figures.pressure import pressure_plot
+from fembearing.report.figures.sensitivity import sensitivity_plot
+from fembearing.report.figures.style import png
+from fembearing.report.figures.torque import torque_plot
+
+Section = Literal["scene", "verdicts", "torque", "convergence", "pressure", "cost", "published", "hard", "provenance"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plot:
+    """One plot; `draw` gives the figure and its caption, or None and why there is nothing to draw."""
+
+    section: Section  # at whose end it stands
+    heading: str
+    draw: Callable[[Report], tuple[Figure | None, str]]
+
+
+class ShownPlot(NamedTuple):
+    """A plot as the template shows it; without a source the caption says why."""
+
+    heading: str
+    caption: str
+    source: str | None  # a data address
+
+
+def plots_of(document: Report, plots: Sequence[Plot]) -> dict[str, list[ShownPlot]]:
+    """Every plot drawn, by section, in their order."""
+    shown: dict[str, list[ShownPlot]] = {}
+    for plot in plots:
+        figure, caption = plot.draw(document)
+        source = None if figure is None else embedded(png(figure))
+        shown.setdefault(plot.section, []).append(ShownPlot(plot.heading, caption, source))
+    return shown
+
+
+def embedded(content: bytes) -> str:
+    """A PNG as an address that holds it."""
+    return f"data:image/png;base64,{base64.b64encode(content).decode()}"
+
+
+def _cost(document: Report) -> tuple[Figure, str]:
+    ran = " and its memory" if document.cost.measured else ", for the rungs that this check ran"
+    return cost_figure(document.cost.ladders, tolerance=document.tolerance), (
+        f"Error of each rung against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "
+        "seconds. A bar reaches to the bound on the error; the reference is hollow. Rungs whose error and bound are "
+        "below the dotted line are within the tolerance; the cheapest of them is enough, and has a ring."
+    )
+
+
+PLOTS: tuple[Plot, ...] = (
+    Plot(section="verdicts", heading="Stiffness: load over approach", draw=approach_plot),
+    Plot(section="torque", heading="Torque by effect", draw=torque_plot),
+    Plot(section="torque", heading="Friction, film and asperities", draw=friction_plot),
+    Plot(section="torque", heading="Sensitivity to inputs", draw=sensitivity_plot),
+    Plot(section="torque", heading="Orbit of the cage and its forces", draw=cage_plot),
+    Plot(section="convergence", heading="Order of convergence", draw=convergence_plot),
+    Plot(section="pressure", heading="Pressure along both axes", draw=pressure_plot),
+    Plot(section="cost", heading="Error against time", draw=_cost),
+)

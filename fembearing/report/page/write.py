@@ -1,0 +1,73 @@
+"""The report as one HTML page with everything in it: no other file, no address.
+
+It is made from the document and from the pictures that the document lists and that lie beside report.json. What a
+section shows comes from `fembearing.report.page.sections`, its plots from `fembearing.report.figures.page_plots`.
+"""
+
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from fembearing.report.document.report import PictureFile, Report
+from fembearing.report.figures.page_plots import PLOTS, embedded, plots_of
+from fembearing.report.page.sections.cost import cost_section
+from fembearing.report.page.sections.meshes import mesh_section
+from fembearing.report.page.sections.next_steps import next_section
+from fembearing.report.page.sections.published import published_section
+from fembearing.report.page.sections.scene import scene_section
+from fembearing.report.page.sections.torque import torque_section
+from fembearing.report.page.sections.use import use_section
+from fembearing.report.page.sections.verdicts import contact_title, verdict_section
+
+SECTIONS = (
+    *(use_section, scene_section, verdict_section, torque_section, mesh_section, cost_section),
+    *(published_section, next_section),
+)
+GENERATOR = "fembearing"
+MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
+PNG, VIEW = b"\x89PNG\r\n\x1a\n", b"<!DOCTYPE html>"  # how such a file begins
+
+
+def write_page(document: Report, *, folder: Path, file: Path) -> None:
+    """Write the page.
+
+    folder : where the pictures of the document lie; the page says which of them is missing
+    """
+    environment = Environment(
+        loader=PackageLoader("fembearing.report.page"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    context: dict[str, Any] = {}
+    for section in SECTIONS:
+        context |= section(document)
+    page = environment.get_template("page.html").render(
+        document=document,
+        generator=GENERATOR,
+        tolerance=f"{100 * document.tolerance:g} %",
+        plots=plots_of(document, PLOTS),
+        pictures=[_picture(picture, document, folder) for picture in document.pictures],
+        trouble=None if document.renderer == "VTK" else document.renderer,
+        provenance=document.provenance,
+        **context,
+    )
+    file.write_text(page, "utf-8", newline="\n")
+
+
+def _picture(picture: PictureFile, document: Report, folder: Path) -> dict[str, Any]:
+    """One picture with its contact's title and the file itself; where there is none, why."""
+    contact = document.contact_at(picture.pair, picture.geometry)
+    assert contact is not None  # the document holds it
+    shown = {"title": contact_title(contact), "caption": picture.caption, "source": None, "view": None, "missing": None}
+    try:
+        content = (folder / picture.file).read_bytes()
+    except OSError:
+        return shown | {"missing": f"The picture {picture.file} does not lie beside report.json."}
+    if picture.kind == "view" and content.startswith(VIEW):
+        return shown | {"view": content.decode("utf-8", "replace")}
+    if not content.startswith(PNG):
+        return shown | {"missing": f"The file {picture.file} beside report.json is no picture."}
+    return shown | {"source": embedded(content)}

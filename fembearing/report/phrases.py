@@ -1,0 +1,155 @@
+"""Titles, sentences and numbers as text, which terminal, page and figures share."""
+
+from collections.abc import Sequence
+from itertools import groupby
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any
+
+from rich.box import SIMPLE_HEAD
+
+from analytic.oil.film import FORMULA_UNCERTAINTY
+from fembearing.compare.cost.ladder import Ladder
+from fembearing.quantities import CONTACT, Quantity
+
+if TYPE_CHECKING:  # pydantic's models: only a report pays for them
+    from fembearing.report.document.contact import Contact, Ring
+    from fembearing.report.document.torque import OperatingPoint
+
+AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
+LOADS = ("axial_load", "radial_load", "moment")
+PLAIN: dict[str, Any] = {  # a table of a terminal
+    "title_justify": "left",
+    "box": SIMPLE_HEAD,
+    "padding": (0, 1, 0, 0),
+    "pad_edge": False,
+    "show_edge": False,
+}
+SHARES = (
+    "Share: of the total, the largest of all operating points; with <= no part of its own but a bound, on what leaving "
+    "the effect out would change. What the scene says off is left out on purpose: no uncertainty of the torque counts "
+    "it."
+)
+AXES = "a along rolling (x), b transverse (y), load along z"
+
+
+def quantities_of(contact: "Contact") -> dict[str, Quantity]:
+    """The quantities of a contact; where a shoulder cuts it off, the pressure is largest there and not at y = 0."""
+    return CONTACT | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else CONTACT
+
+
+def place_of(pair: str, geometry: str) -> str:
+    """Where the ball sits, for example "ball on inner race"."""
+    if pair == "pocket":
+        return "ball in cage pocket, " + ("sheet on its rim" if geometry == "wall" else "thick seat")
+    return f"ball on {pair} race" + (", idealised" if geometry == "hertzian" else "")
+
+
+def title_of(pair: str, geometry: str, contact_angle: float, load: str) -> str:
+    """Place and load, for the head of a table or a picture."""
+    angle = "" if pair == "pocket" else f" at {contact_angle:.4f} rad"
+    return f"{capital(place_of(pair, geometry))}{angle}: {load}"
+
+
+def ring_line(ring: "Ring") -> str:
+    """What the ring adds to the approach, in one sentence."""
+    return (
+        f"Ring on a rigid seat: approach {ring.approach * 1e6:+.3f} um ({ring.share:+.1%} of the contact's), "
+        f"+- {ring.uncertainty * 1e6:.3f} um: structure, not contact."
+    )
+
+
+def loads_of(point: "OperatingPoint", names: Sequence[str]) -> str:
+    """The loads of these names at an operating point, for example "1000 N axial, 50 N radial"."""
+    words = {"axial_load": "N axial", "radial_load": "N radial", "moment": "N m moment"}
+    return ", ".join(f"{getattr(point, name):.4g} {words[name]}" for name in names)
+
+
+def varying_loads(points: Sequence["OperatingPoint"]) -> list[str]:
+    """The names of the loads that differ between operating points."""
+    return [name for name in LOADS if len({getattr(point, name) for point in points}) > 1]
+
+
+def present_loads(points: Sequence["OperatingPoint"]) -> list[str]:
+    """The axial load, and the names of the other loads that are not 0 at every operating point."""
+    return [name for name in LOADS if name == "axial_load" or any(getattr(point, name) for point in points)]
+
+
+def capital(words: str) -> str:
+    """As at the beginning of a sentence; what follows the first letter is left as it is."""
+    return words[:1].upper() + words[1:]
+
+
+def digits(value: float, count: int = 5) -> str:
+    """A value with its significant digits, zeros at the end included: numbers below each other are as exact."""
+    return f"{value:#.{count}g}".removesuffix(".")
+
+
+def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:
+    """Where the friction of ball on race comes from."""
+    if coefficient is not None:
+        return f"coefficient {coefficient:g} at each race, given by the scene and by no lubrication model"
+    if is_lubricated:
+        return "coefficient of each race by mixed lubrication, from the scene's lubricant and surface"
+    return "neither a coefficient nor both lubricant and surface in the scene: no torque"
+
+
+def share_of(kind: str, share: float | None) -> str:
+    """An effect's largest share of the total.
+
+    kind : what the share is: of a part of its own, a bound, unbounded or unknown
+    """
+    if share is None:
+        return "no bound" if kind == "unbounded" else "not known"
+    return f"{'' if kind == 'part' else '<= '}{100 * share:{'.0f' if share > 1 else '.3g'}} %"
+
+
+def uncertainty_of(model: float | None) -> str:
+    """What is known of the model's uncertainty, at most of all operating points and relative, in a sentence."""
+    if model is None:
+        return "Model uncertainty: not known, as no film is computed, and no measurement was found."
+    return (
+        f"Model uncertainty: the film formula's, {200 * FORMULA_UNCERTAINTY:.0f} % of the film, moves the total by up "
+        f"to {100 * model:.2g} %; what else the model leaves is not known, as no "
+        "measured torque of such a bearing was found."
+    )
+
+
+def short_name(method: str) -> str:
+    """The name of a method for narrow places."""
+    return method.replace("finite elements, ", "FE, ").replace("corrected for finite geometry", "corrected")
+
+
+def choices_line(ladder: Ladder) -> str:
+    """Which method each of some tolerances takes, and how many times as much the next digit costs."""
+    parts = []
+    for rung, run in groupby(ladder.choices, key=attrgetter("rung")):
+        choices = list(run)
+        tolerances = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
+        taken = "none" if rung is None else f"{short_name(rung.name)}, {rung.seconds:.2g} s"
+        price = choices[0].price
+        parts.append(f"{tolerances} %: {taken}" + ("" if price is None else f", {price:.2g} times as much"))
+    return "; ".join(parts)
+
+
+def shoulder_lines(contact: "Contact") -> list[str]:
+    """What a contact does at the shoulders that cut it off, a sentence each; none where it ends before them."""
+    shoulder = contact.shoulder
+    if shoulder is None:
+        return []
+    centroid, line = shoulder.centroid, shoulder.strip_line_load
+    ends = [f"{y * 1e3:.4g} mm" for y in sorted(shoulder.cuts)]
+    if len(ends) == 1:
+        where, edge = f"Cut off at the shoulder, y = {ends[0]}, on one side", "the shoulder"
+    else:
+        where, edge = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {ends[1]}"
+    half = (
+        f": half of the contact is meshed, semi-axes are about the load's centroid, at y = {centroid.fe * 1e3:.3g} mm "
+        f"(+-{centroid.uncertainty:.1%} of that)"
+    )
+    return [
+        f"{where}{half if shoulder.half else ''}.",
+        f"Edge load: the strip of {shoulder.strip_width * 1e3:.3g} mm beside {edge} carries "
+        f"{shoulder.strip_share.fe:.2%} of the load (+-{shoulder.strip_share.uncertainty:.1%} of that), "
+        f"{line.fe * 1e-3:.4g} N/mm or {line.fe / shoulder.hertz_line_load:.3g} times Hertz's greatest line load. The "
+        "pressure shown is that at y = 0, not at the edge, where it has no bound.",
+    ]

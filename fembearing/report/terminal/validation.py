@@ -1,0 +1,132 @@
+"""The check of a scene as tables and lines of text for a terminal or a pipe of 80 characters."""
+
+from collections import Counter
+from collections.abc import Sequence
+
+from rich.console import Console
+from rich.table import Table
+
+from analytic.result import COORDINATES
+from fembearing.quantities import CONTACT, PER_MINUTE
+from fembearing.report.document.contact import Contact
+from fembearing.report.document.report import HardCase, Report
+from fembearing.report.document.torque import Point, Torque, TorqueChange
+from fembearing.report.phrases import PLAIN, friction_of, loads_of, present_loads
+from fembearing.report.terminal.contacts import print_contact
+from fembearing.report.terminal.torque import percent, point_columns, shown_points
+
+
+def print_validation(out: Console, document: Report) -> None:
+    """Print the check of a scene: contacts, torque, hard cases, and the verdict in the last line."""
+    for contact in document.contacts:
+        verdicts = {name: row.verdict for name, row in document.verdicts_on(contact).items()}
+        print_contact(out, contact, verdicts)
+    if len(document.contacts) > 2:
+        _print_pocket(out, *document.contacts[2:])
+    if document.torque is not None and document.torque_change is not None:
+        scene = document.provenance.scene_content
+        is_lubricated = scene.lubricant is not None and scene.surface is not None
+        friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=is_lubricated)
+        _print_totals(out, document.torque, friction)
+        _print_change(out, document.torque, document.torque_change)
+    else:
+        out.print(
+            "No friction coefficient, lubricant or surface is given, so there is no torque.\n",
+            highlight=False,
+        )
+    if document.hard:
+        _print_hard(out, document.hard)
+    for doubt in document.doubts:
+        out.print(doubt, highlight=False)
+    out.print(f"{document.verdict}: tolerance {document.tolerance:g}, {document.cost.seconds:.1f} s", highlight=False)
+
+
+def _print_pocket(out: Console, seat: Contact, sheet: Contact) -> None:
+    """K_pb by three models: the half space's formula, a thick seat, and the sheet that is there."""
+    shown = CONTACT["stiffness"].shown
+    formula, thick, thin = (
+        shown.factor * value for value in (seat.hertz.stiffness, seat.fe.stiffness, sheet.fe.stiffness)
+    )
+    out.print(
+        f"Pocket, F = K_pb delta^1.5: K_pb {formula:.4g} {shown.name} by Hertz, {thick:.4g} in a thick seat, "
+        f"{thin:.4g} with the sheet on its rim ({thin / formula - 1:+.0%}).\n",
+        highlight=False,
+    )
+
+
+def _print_totals(out: Console, torque: Torque, friction: str) -> None:
+    """The total at every operating point, as `fembearing torque` computes it."""
+    points = torque.points
+    columns, fixed = point_columns({name: [getattr(point, name) for point in points] for name in COORDINATES})
+    low, high = torque.catalogue_band.low, torque.catalogue_band.high
+    sides = None if low is None or high is None else list(zip(low, high, strict=True))
+    table = Table(title=", ".join(["Friction torque", *fixed]), **PLAIN)
+    for head in ("#", *columns, "total, N mm", "+-", *(() if sides is None else ("catalogue",))):
+        table.add_column(head, justify="right", no_wrap=True)
+    shown = shown_points(len(points))
+    for number in shown:
+        table.add_row(
+            str(number + 1),
+            *(values[number] for values in columns.values()),
+            f"{points[number].torque.total * 1e3:.4g}",
+            percent(points[number].uncertainty.numerical),
+            *(() if sides is None else (f"{sides[number][0] * 1e3:.3g}-{sides[number][1] * 1e3:.3g}",)),
+        )
+    out.print(table)
+    if len(shown) < len(points):
+        out.print(f"{len(shown)} of {len(points)} operating points; --json has all of them.", highlight=False)
+    out.print(
+        f"Total about the bearing axis, as `fembearing torque` computes it; +-: numerical uncertainty. Friction: "
+        f"{friction}.\n",
+        style="dim",
+        highlight=False,
+    )
+
+
+def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
+    """What the contacts of finite elements change, at the operating point whose contacts were solved."""
+    angles, totals = change.contact_angle, change.torque
+    columns = (totals.hertz, totals.corrected, angles.hertz, angles.corrected, change.change.total)
+    solved = [row for row in zip(torque.points, *columns, strict=True) if row[2] is not None]
+    point, before, after, angle, corrected, relative = max(solved, key=lambda row: _heaviest(row[0]))
+    place = f"{point.inner_speed * PER_MINUTE:.5g} rpm, {loads_of(point, present_loads(torque.points))}"
+    out.print(
+        f"What finite-element contacts change at {place}: with Hertz's contacts {before * 1e3:.4g} N mm, with "
+        f"those of FE {after * 1e3:.4g} N mm: {relative:+.2%} +- {change.uncertainty:.2%} (numerical); contact angle "
+        f"{angle:.4f} rad and {corrected:.4f} rad.\n{change.note}\n",
+        highlight=False,
+    )
+    fitted = change.finite_geometry
+    known = [value for value in fitted.change if value is not None]
+    if known:
+        ends = dict.fromkeys(f"{end:+.2%}" for end in (max(known), min(known)))
+        out.print(
+            f"With Hertz's contacts corrected for finite geometry {' to '.join(ends)} +- "
+            f"{max(value for value in fitted.uncertainty if value is not None):.2%} over {len(known)} of "
+            f"{len(fitted.change)} operating points.\n",
+            highlight=False,
+        )
+    if change.verdict != "pass":
+        out.print(f"The race contacts are not all within the tolerance: {change.verdict}.\n", highlight=False)
+
+
+def _heaviest(point: Point) -> float:
+    """The load of the heaviest ball, N."""
+    return max(point.contact.inner.load, point.contact.outer.load)
+
+
+def _print_hard(out: Console, outcomes: Sequence[HardCase]) -> None:
+    """Every case with its outcome, and the detail of those that went wrong."""
+    table = Table("hard case", "outcome", title="Hard cases", **PLAIN)
+    for case in outcomes:
+        table.add_row(case.case, case.outcome)
+    out.print(table)
+    for case in outcomes:
+        if case.outcome == "wrong":
+            out.print(f"{case.case}: {case.detail}", highlight=False, markup=False)
+    count = Counter(case.outcome for case in outcomes)
+    out.print(
+        f"{len(outcomes)} hard cases: {count['right']} right, {count['refused']} refused as they should be, "
+        f"{count['wrong']} wrong\n",
+        highlight=False,
+    )
