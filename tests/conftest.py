@@ -6,7 +6,7 @@ under test; everywhere else they explore, and a failure prints the blob that rep
 
 import os
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pytest
 from hypothesis import settings
@@ -28,6 +28,20 @@ settings.load_profile(PROFILE)
 
 def pytest_report_header() -> str:
     return f"hypothesis profile: {PROFILE}"
+
+
+@pytest.hookimpl(optionalhook=True)  # of pytest-xdist
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Tests that share a solve run on one worker: those of a file, and all of tests/report, which share `checked`."""
+    if config.getvalue("dist") != "load":  # the user chose another distribution
+        return None
+    from xdist.scheduler import LoadScopeScheduling
+
+    class SharedSolves(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return "tests/report" if nodeid.startswith("tests/report/") else nodeid.partition("::")[0]
+
+    return SharedSolves(config, log)
 
 
 @pytest.fixture(scope="session")
