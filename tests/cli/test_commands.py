@@ -43,6 +43,7 @@ def validated(report: Path) -> dict[str, Any]:
     return json.loads(printed.getvalue())
 
 
+@pytest.mark.slow
 def test_the_main_job_judges_every_quantity_of_all_three_pairs(validated: dict[str, Any]) -> None:
     judged = [(row["pair"], row["quantity"]) for row in validated["verdicts"]]
     assert sorted(judged) == sorted((pair, name) for pair in ("inner", "outer", "pocket") for name in QUANTITIES)
@@ -54,6 +55,7 @@ def test_the_main_job_judges_every_quantity_of_all_three_pairs(validated: dict[s
     ]
 
 
+@pytest.mark.slow
 def test_the_sheet_of_the_pocket_is_shown_beside_its_thick_seat(validated: dict[str, Any]) -> None:
     """A half space behind sheet metal flatters K_pb; the sheet's verdict does not count."""
     seat, sheet = validated["contacts"][2:]
@@ -63,6 +65,7 @@ def test_the_sheet_of_the_pocket_is_shown_beside_its_thick_seat(validated: dict[
     assert sheet["fe"]["stiffness"] < 0.7 * seat["hertz"]["stiffness"] < seat["fe"]["stiffness"]
 
 
+@pytest.mark.slow
 def test_the_report_lies_where_it_was_asked_for(validated: dict[str, Any], report: Path) -> None:
     written = json.loads((report / "report.json").read_text("utf-8"))
     assert written["verdicts"] == validated["verdicts"]
@@ -73,6 +76,7 @@ def test_the_report_lies_where_it_was_asked_for(validated: dict[str, Any], repor
     assert written["renderer"] == "VTK"
 
 
+@pytest.mark.slow
 def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict[str, Any]) -> None:
     for row in validated["verdicts"]:
         assert row["discrepancy"] == pytest.approx(row["production"] / row["reference"] - 1, abs=1e-12)  # round-off
@@ -80,6 +84,7 @@ def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict
         assert row["uncertainty"] > 0
 
 
+@pytest.mark.slow
 def test_the_true_groove_is_stiffer_than_hertz_says_and_the_inner_race_bears_more(validated: dict[str, Any]) -> None:
     inner, outer = validated["contacts"][:2]
     assert inner["fe"]["peak_pressure"] > outer["fe"]["peak_pressure"]
@@ -88,6 +93,7 @@ def test_the_true_groove_is_stiffer_than_hertz_says_and_the_inner_race_bears_mor
         assert contact["fe"]["semi_axis_transverse"] < contact["hertz"]["semi_axis_transverse"]  # the groove closes in
 
 
+@pytest.mark.slow
 def test_uncertainty_covers_a_finer_solution(command, validated: dict[str, Any]) -> None:
     """The finer one is another run, to a tolerance that asks for a finer mesh."""
     result = command("contact", "--pair", "outer", "--tolerance", "0.05 %", "--json")
@@ -115,7 +121,7 @@ def test_a_contact_solved_as_asked_is_a_success_whatever_hertz_is_worth(
     assert (found["verdict"], result.status, result.err) == (verdict, 0, "")
 
 
-@pytest.mark.parametrize("loads", [("28 N",), ("28 N", "9 N")])
+@pytest.mark.parametrize("loads", [("28 N",), pytest.param(("28 N", "9 N"), marks=pytest.mark.slow)])
 def test_a_contact_not_solved_as_asked_ends_with_status_3_and_how_far_it_came(command, loads: tuple[str, ...]) -> None:
     """A pocket's seat is a cavity: no mesh takes the far boundary's share out of its approach."""
     given = [part for load in loads for part in ("--load", load)]
@@ -156,6 +162,7 @@ def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> Non
         assert abs(found["discrepancy"][name]) <= found["uncertainty"][name]
 
 
+@pytest.mark.slow
 def test_the_far_boundary_is_judged_apart(validated: dict[str, Any]) -> None:
     """Some effect, and less than the extent of six major semi-axes leaves room for; a sheet has no far boundary."""
     for contact in validated["contacts"][:3]:
@@ -177,6 +184,7 @@ def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     assert "bends on its rim" in warnings
 
 
+@pytest.mark.slow
 def test_meshes_that_do_not_settle_are_undecided(command, monkeypatch: pytest.MonkeyPatch) -> None:
     """Peak pressure is made to swing by 3 % from mesh to mesh, as it does for solvers that read it off one node."""
     true = solution.peak_pressure
@@ -257,6 +265,7 @@ def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
         assert not any("\N{HORIZONTAL ELLIPSIS}" in line for line in lines)
 
 
+@pytest.mark.slow
 def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """One that goes wrong fails the whole, whatever the contacts say."""
     cases = (
@@ -275,6 +284,7 @@ def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPat
     assert "pocket" not in result.out  # no [cage], no pocket solve
 
 
+@pytest.mark.slow
 def test_cost_shows_what_each_rung_gives_for_its_time(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Printed, as JSON, and in a folder with its picture and its table."""
     monkeypatch.setattr(cost, "load_recipe", lambda _: replace(load_recipe("race"), levels=(1, 2)))

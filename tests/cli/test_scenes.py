@@ -63,7 +63,10 @@ def solved(command: Any, scene: str, *options: str) -> dict[str, Any]:
 
 @pytest.mark.parametrize(
     ("scene", "pair", "materials"),
-    [("hybrid", "inner", (NITRIDE, STEEL)), ("peek races", "outer", (STEEL, PEEK))],
+    [
+        ("hybrid", "inner", (NITRIDE, STEEL)),
+        pytest.param("peek races", "outer", (STEEL, PEEK), marks=pytest.mark.slow),
+    ],
 )
 def test_a_race_of_other_materials_is_as_stiff_as_its_modulus(
     command, scene: str, pair: str, materials: tuple[tuple[float, float], tuple[float, float]]
@@ -86,6 +89,7 @@ def test_a_pocket_of_peek_is_solved(command) -> None:
     assert 0 < found["fe"]["peak_pressure"] < 30e6  # Pa: far below what PEEK bears
 
 
+@pytest.mark.slow
 def test_a_ring_without_its_bore_is_checked_but_for_the_ring(command) -> None:
     """And without a [cage] there is no pocket; standard output holds JSON alone, the warning is in it."""
     status, out, err = command("validate", "no bore", "--json")

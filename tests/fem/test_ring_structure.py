@@ -131,7 +131,12 @@ def test_the_layer_has_its_known_limits(poisson_ratio: float) -> None:
 # The tolerance: the meshes of level 2 leave 0.01 to 0.2 % at up to 3 mm, 0.6 % at 6 mm, 25 contact radii, where the
 # difference is a small part of the approach.
 @pytest.mark.parametrize(
-    ("thickness", "tolerance", "poisson_ratio"), [(1.5e-3, 0.004, 0.3), (6e-3, 0.012, 0.3), (3e-3, 0.002, 0.1)]
+    ("thickness", "tolerance", "poisson_ratio"),
+    [
+        pytest.param(1.5e-3, 0.004, 0.3, marks=pytest.mark.slow),
+        pytest.param(6e-3, 0.012, 0.3, marks=pytest.mark.slow),
+        (3e-3, 0.002, 0.1),
+    ],
 )
 def test_a_flat_ring_is_a_layer_on_a_rigid_base(thickness: float, tolerance: float, poisson_ratio: float) -> None:
     contact = flat(thickness=thickness, poisson_ratio=poisson_ratio)

@@ -58,6 +58,7 @@ def real() -> MeshSolution:
     return solve(INNER, "race")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", [INNER, OUTER], ids=lambda contact: contact.pair)
 def test_the_idealisation_is_hertz_within_a_tenth_of_a_per_cent(contact: Contact) -> None:
     """On the finest level, and the way there has an order."""
@@ -149,6 +150,7 @@ def test_pressure_falls_steadily_from_the_centre(real: MeshSolution) -> None:
     assert (steps < 0.02 * real.quantities.peak_pressure).all()  # 2 %: nodal scatter of the second level
 
 
+@pytest.mark.slow
 def test_true_shapes_differ_from_the_idealisation_and_less_so_under_less_load() -> None:
     """In the longer semi-axis, which the curved groove shortens by about (b/r)^2: 9.5^(2/3) = 4.5 between the loads."""
 

@@ -106,6 +106,7 @@ def test_the_third_level_meets_the_closed_form(contact: Contact, side: Side) -> 
     )  # 2e-3 measured, on the surface, where the spline has data below only
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", [INNER, SPHERE], ids=["inner", "sphere"])
 def test_errors_fall_with_the_mesh(contact: Contact) -> None:
     coarse, fine = (curve_error(subsurface_stress(solve(contact, level=level)), contact) for level in (2, 4))
@@ -179,6 +180,7 @@ def test_the_maxima_are_those_of_the_curve(ideal: MeshSolution) -> None:
     np.testing.assert_allclose(found.max_shear, np.max(np.abs([x - y, y - z, z - x]), axis=0) / 2, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_true_shapes_differ_by_their_curvature() -> None:
     """A convex ball is squeezed along its surface, a groove is spread: first order in b/r, so as load^(1/3)."""
     spread: dict[str, list[float]] = {"upper": [], "lower": []}

@@ -100,6 +100,7 @@ def test_an_ellipse_over_the_shoulder_is_not_judged(cut_contact: ContactSolution
     assert "times Hertz's greatest line load" in text
 
 
+@pytest.mark.slow
 def test_the_answer_does_not_jump_where_the_contact_reaches_its_shoulder(contacts: dict[str, Contact]) -> None:
     """A quarter before, a half after: they agree within what they say of themselves."""
     reach = 0.931e-3  # m, of the ellipse that the meshes find
@@ -125,6 +126,7 @@ def test_the_hertzian_idealisation_has_no_shoulder(contacts: dict[str, Contact])
     assert max(map(abs, found.discrepancy.values())) < 2e-3  # as without a shoulder
 
 
+@pytest.mark.slow
 def test_meshes_go_on_as_long_as_one_more_could_decide(contacts: dict[str, Contact]) -> None:
     """A PEEK pocket is so wide that its far boundary takes a tenth of 5 %: three meshes are then too few."""
     peek = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")

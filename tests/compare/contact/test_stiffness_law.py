@@ -123,6 +123,7 @@ def test_a_series_is_refined_until_it_is_as_sure_as_was_asked(contacts: dict[str
     assert not fine.warnings
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("geometry", ["real", "wall"])
 def test_a_pocket_has_a_series_too(geometry: Geometry) -> None:
     """Beside single solves: the seat stiffens as its contact widens, the sheet bends on its rim whatever the load."""
@@ -169,6 +170,7 @@ def test_one_load_has_no_law_and_repeated_ones_do_not_sharpen_it(contacts: dict[
     assert [point.load for point in again.points] == [140.0, 650.0, 140.0, 650.0]
 
 
+@pytest.mark.slow
 def test_a_load_over_the_shoulder_is_as_uncertain_as_a_single_one_and_not_judged(cut_contact: ContactSolution) -> None:
     """No order is relied on there: three times the last change, and no extrapolation. Below it nothing is cut off."""
     contact = cut_contact.contact  # at 372 N; an ellipse of 235 N ends at its shoulder

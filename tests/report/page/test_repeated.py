@@ -33,6 +33,9 @@ def shallow(name: str) -> Recipe:
     return replace(recipe, cells=replace(recipe.cells, depth=1, outside=1))
 
 
+pytestmark = pytest.mark.slow  # two checks of a scene
+
+
 @pytest.fixture(scope="module")
 def twice() -> list[Validation]:
     with pytest.MonkeyPatch.context() as patch:
