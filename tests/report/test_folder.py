@@ -23,7 +23,6 @@ from fembearing.report.new_folder import whole_folder
 from fembearing.report.page import html as page
 from fembearing.report.pictures import draw as pictures
 
-
 BROKEN = ("/nowhere/python",)  # a renderer that draws nothing; maps take the place of its pictures
 
 

@@ -122,9 +122,7 @@ def test_a_section_shows_the_cells_of_both_bodies(drawn: dict[str, Picture], pai
         assert share_of_lines(pixels, body & free, 0.02) > 0.02  # found: 0.05 and more; without lines 0.003
 
 
-@pytest.mark.parametrize(
-    "renderer", [pytest.param(RENDERER, marks=pytest.mark.slow), DIES], ids=["vtk", "map"]
-)
+@pytest.mark.parametrize("renderer", [pytest.param(RENDERER, marks=pytest.mark.slow), DIES], ids=["vtk", "map"])
 def test_the_computed_ellipse_is_drawn_beside_hertz(
     checked: Validation, tmp_path: Path, renderer: tuple[str, ...]
 ) -> None:
