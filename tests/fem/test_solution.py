@@ -44,7 +44,12 @@ def errors(found: MeshSolution, exact: HertzContact) -> np.ndarray:
 
 def solve(contact: Contact, recipe: str = "hertzian", level: int = 2, **sizes: tuple[float, float]) -> MeshSolution:
     made = load_recipe(recipe)
-    semi_axes = sizes.get("semi_axes") or fitted_solution(contact, recipe=made).pair.semi_axes
+    semi_axes = sizes.get("semi_axes")
+    if semi_axes is None:
+        fitted = fitted_solution(contact, recipe=made)
+        if fitted.level == level:
+            return fitted
+        semi_axes = fitted.pair.semi_axes
     return solve_on_mesh(contact, recipe=made, level=level, semi_axes=semi_axes)
 
 

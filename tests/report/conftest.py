@@ -3,6 +3,7 @@
 And a result made by hand, whose every number is known and different from every other.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -12,12 +13,14 @@ import pytest
 from analytic.scene import Operation
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import Effect, FrictionTorque, TorqueParts
+from fembearing.compare.contact import discrepancy
 from fembearing.compare.contact.corrected import CorrectedHertz
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.uncertainty import Estimate
 from fembearing.compare.torque.change import FittedChange, TorqueChange
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.fem.measure import Quantities
+from fembearing.mesh.recipe import Recipe
 from fembearing.report.pictures.draw import Picture, draw_pictures
 
 pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its checks tell what they found
@@ -26,8 +29,11 @@ LOOSE = 0.9  # tolerance: no finer mesh is called for
 
 
 @pytest.fixture(scope="session")
-def checked() -> Validation:
-    return check_scene(load_scene(builtin_scene("6205")), tolerance=LOOSE)
+def checked(shallow: Callable[[str], Recipe]) -> Validation:
+    """The built-in scene, checked on coarse meshes: what is tested is how a result is shown."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(discrepancy, "load_recipe", shallow)
+        return check_scene(load_scene(builtin_scene("6205")), tolerance=LOOSE)
 
 
 @pytest.fixture(scope="session")

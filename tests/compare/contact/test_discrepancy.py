@@ -23,6 +23,7 @@ from fembearing.report.words import shoulder_lines
 PARTS = ("meshes", "estimates", "shoulder")  # of a contact's solution that its reference has
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pair", ["inner", "outer"])
 def test_the_far_boundary_fades_as_it_is_said_to(
     contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, pair: str

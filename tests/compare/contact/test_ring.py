@@ -52,6 +52,7 @@ def test_the_endless_half_space_takes_the_place_of_the_block(monkeypatch: pytest
     assert found.to_json()["uncertainty"] == pytest.approx(0.071e-6, rel=1e-9)
 
 
+@pytest.mark.slow
 def test_the_ring_changes_nothing_of_the_contact() -> None:
     scene = load_scene(builtin_scene("6205"))
     plain, beside = (solve_contact(scene, pair="inner", tolerance=0.9, geometry=shape) for shape in ("real", "ring"))

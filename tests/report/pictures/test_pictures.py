@@ -195,6 +195,7 @@ def test_the_close_up_of_a_slender_contact_is_no_sliver(drawn: dict[str, Picture
     assert vivid.sum(axis=0).max() > least
 
 
+@pytest.mark.slow
 def test_a_small_body_under_a_large_ball_is_still_seen(checked: Validation, tmp_path: Path) -> None:
     """As the block of a pocket's tiny contact is: an eighth of the ball."""
     seat = checked.contacts[2]
