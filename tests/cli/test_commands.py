@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,7 @@ from fembearing.compare.cost import scene_cost as cost
 from fembearing.compare.hard import table as hard_cases
 from fembearing.compare.hard.case import HardCase
 from fembearing.fem import solution
-from fembearing.mesh.recipe import load_recipe
+from fembearing.mesh.recipe import Recipe, load_recipe
 from tests.analytic.scenefile.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
@@ -29,6 +30,12 @@ QUANTITIES = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "app
 @pytest.fixture(scope="module")
 def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("main") / "report"
+
+
+@pytest.fixture
+def coarse(shallow: Callable[[str], Recipe], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Meshes of few cells: what is tested is how an answer is shown."""
+    monkeypatch.setattr(discrepancy, "load_recipe", shallow)
 
 
 @pytest.fixture(scope="module")
@@ -173,6 +180,7 @@ def test_the_far_boundary_is_judged_apart(validated: dict[str, Any]) -> None:
             assert contact["uncertainty"][name] == pytest.approx(part["mesh"] + part["domain"], rel=1e-12)  # round-off
 
 
+@pytest.mark.usefixtures("coarse")
 def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     """And the pocket of the printed table cannot be made: the warning goes with the answer."""
     scene = tmp_path / "printed.toml"
@@ -203,6 +211,7 @@ def test_meshes_that_do_not_settle_are_undecided(command, monkeypatch: pytest.Mo
     assert result.status == 3
 
 
+@pytest.mark.usefixtures("coarse")
 def test_table_names_axes_and_units(command) -> None:
     result = command("contact", "--geometry", "hertzian", "--load", "51 N")
     for words in ("Hertz", "FE", "GPa", "a along rolling", "b transverse", "um", "order", "shear", "von Mises"):
@@ -259,6 +268,7 @@ def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path
     assert all(Path(path).is_file() and quality["negative_points"] == 0 for path, quality in found["meshes"].items())
 
 
+@pytest.mark.usefixtures("coarse")
 def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
     """The width of a pipe. The load and the shoulder make the longest verdict, the smallest numbers."""
     for arguments in (["--load", "1e-9 N"], ["--load", "1500 N", "--tolerance", "99 %"]):
@@ -268,6 +278,7 @@ def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("coarse")
 def test_hard_cases_run_with_the_main_job(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """One that goes wrong fails the whole, whatever the contacts say."""
     cases = (

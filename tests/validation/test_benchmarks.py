@@ -44,6 +44,7 @@ def test_torque_is_timed(run_script, tmp_path: Path) -> None:
     assert (tmp_path / "torque_benchmark.csv").read_text("utf-8").startswith("# ")  # machine and versions
 
 
+@pytest.mark.slow
 def test_auto_is_compared_with_everything_on(run_script, tmp_path: Path) -> None:
     printed = run_script("benchmarks/effects.py", "--scenes", "2", "--out", tmp_path)
     assert "2 scenes, seeds 30000 to 30001" in printed
@@ -53,6 +54,7 @@ def test_auto_is_compared_with_everything_on(run_script, tmp_path: Path) -> None
     assert (tmp_path / "effects.png").stat().st_size > 0
 
 
+@pytest.mark.slow
 def test_errors_of_cheap_methods_are_listed(run_script) -> None:
     printed = run_script("benchmarks/friction.py", "--errors", "--scenes", "3")
     assert "3 scenes of two contacts, seeds 40000 to 40002" in printed

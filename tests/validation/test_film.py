@@ -37,6 +37,7 @@ def test_uncertainties_have_the_sizes_that_the_script_states(comparison: Any) ->
     np.testing.assert_allclose(relative, np.hypot(0.5 * 0.15, 2 / 3 * np.hypot(0.02, 0.01)), rtol=0.1)
 
 
+@pytest.mark.slow
 def test_the_script_prints_and_draws(run_script, tmp_path: Path) -> None:
     printed = run_script("film.py", "--out", tmp_path)
     assert "20 of 31 points are judged" in printed

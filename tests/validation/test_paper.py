@@ -111,6 +111,7 @@ def test_the_printed_equations_jump_and_the_derived_ones_do_not(beside: ModuleTy
     assert found[5].printed[1] > 10 * found[5].derived[1]
 
 
+@pytest.mark.slow
 def test_the_script_prints_and_writes(run_script, tmp_path: Path) -> None:
     printed = run_script("paper.py", "--out", tmp_path)
     assert "calibration: inputs chosen" in printed

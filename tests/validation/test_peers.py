@@ -15,6 +15,7 @@ def peers_json(folder: Path) -> dict[str, Any]:
     return json.loads((folder / "peers.json").read_text("utf-8"))
 
 
+@pytest.mark.slow
 def test_a_run_measures_ours_and_skips_a_missing_solver(
     run_script, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -37,6 +38,7 @@ def test_a_run_measures_ours_and_skips_a_missing_solver(
     assert (out / "peers.png").stat().st_size > 0
 
 
+@pytest.mark.slow
 def test_a_peer_that_fails_is_listed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     broken = tmp_path / "broken" / "tamaas.py"
     broken.parent.mkdir()

@@ -92,6 +92,7 @@ def test_the_free_angle_within_the_rounding(study: ModuleType, scene: Scene) -> 
     assert high < worst
 
 
+@pytest.mark.slow
 def test_the_script_prints_writes_and_draws(run_script, tmp_path: Path) -> None:
     assert "without a cage" in " ".join(run_script("sensitivity.py", "--out", tmp_path).split())
     with (tmp_path / "sensitivity.csv").open(encoding="utf-8", newline="") as file:
