@@ -1,7 +1,7 @@
-"""Settings of the whole test run.
+"""Settings and shared solves of the whole test run.
 
-On the gate (CI is set) property tests draw the same examples every time, so that a red run is about the change
-under test; everywhere else they explore, and a failure prints the blob that reproduces it.
+On the gate (CI is set) property tests draw the same examples every time, so that a failure is caused by the change
+under test. Elsewhere they draw new ones, and a failure prints the blob that reproduces it.
 """
 
 import os
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from fembearing.compare.contact.discrepancy import ContactSolution
     from fembearing.mesh.recipe import Recipe
 
-if "PYTEST_XDIST_WORKER" in os.environ:  # before NumPy loads: the workers are the parallelism already
+if "PYTEST_XDIST_WORKER" in os.environ:  # before NumPy loads: the workers already use all cores
     os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 PROFILE = "gate" if os.environ.get("CI") else "explore"
@@ -48,8 +48,8 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 @pytest.fixture(scope="session")
 def contacts() -> "dict[str, Contact]":
-    """The race contacts of a 6205, typed in by hand so that no formula stands between them and a mesh."""
-    from analytic.scene import Contact, Material  # NumPy comes with it: not before the threads are set
+    """The race contacts of a 6205, typed in by hand so that no formula takes part."""
+    from analytic.scene import Contact, Material  # it loads NumPy: not before the threads are set
 
     steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
     inner = Contact(

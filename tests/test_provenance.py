@@ -1,4 +1,4 @@
-"""Where a result comes from: enough to run it again."""
+"""Provenance: a result holds enough to be computed again."""
 
 import json
 from dataclasses import replace
@@ -16,7 +16,7 @@ def test_a_result_holds_its_scene_in_full() -> None:
     assert content["friction_coefficient"] == scene.friction_coefficient
 
 
-def test_the_hash_tells_scenes_apart_and_nothing_else() -> None:
+def test_the_hash_depends_on_the_scene_alone() -> None:
     scene = load_scene(builtin_scene("6205"))
     again = load_scene(builtin_scene("6205"))
     other = replace(scene, bearing=replace(scene.bearing, ball_diameter=scene.bearing.ball_diameter * (1 + 1e-12)))

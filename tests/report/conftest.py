@@ -1,6 +1,6 @@
-"""One check of the built-in scene for all tests of the report, on as few meshes as there may be.
+"""One check of the built-in scene for all tests of the report, on as few meshes as possible.
 
-And a result made by hand, whose every number is known and different from every other.
+And a result made by hand: every number in it is known and differs from every other.
 """
 
 from collections.abc import Callable
@@ -23,9 +23,9 @@ from fembearing.fem.measure import Quantities
 from fembearing.mesh.recipe import Recipe
 from fembearing.report.pictures.draw import Picture, draw_pictures
 
-pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its checks tell what they found
+pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its assertions show their values
 
-LOOSE = 0.9  # tolerance: no finer mesh is called for
+LOOSE = 0.9  # tolerance: no finer mesh is needed
 
 
 @pytest.fixture(scope="session")
@@ -38,10 +38,10 @@ def checked(shallow: Callable[[str], Recipe]) -> Validation:
 
 @pytest.fixture(scope="session")
 def pictures(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> list[Picture]:
-    """Of its contacts, drawn by VTK."""
-    found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
+    """The pictures of its contacts, drawn by VTK."""
+    drawn, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
     assert trouble is None
-    return found
+    return drawn
 
 
 class Given(NamedTuple):
@@ -55,7 +55,8 @@ class Given(NamedTuple):
     domain: float
 
 
-# Without the domain's part the star or the verdict changes: a of the inner race, K of the outer, p0 of the seat.
+# Three of these change their star or verdict without the domain's share: a of the inner race, K of the outer race,
+# p0 of the seat.
 INNER = {
     "semi_axis_rolling": Given(0.1176e-3, (0.126e-3, 0.1212e-3, 0.1195e-3), 2.7, 0.12e-3, 0.0195, 0.0055),
     "semi_axis_transverse": Given(0.968e-3, (0.792e-3, 0.8624e-3, 0.89e-3), 1.4, 0.88e-3, 0.017, 0.006),
@@ -104,7 +105,7 @@ CORRECTED = CorrectedHertz(  # of the inner race
 
 
 def contact_made(
-    found: ContactSolution,
+    solution: ContactSolution,
     given: dict[str, Given],
     *,
     load: float,
@@ -112,10 +113,10 @@ def contact_made(
     seconds: tuple[float, float, float],
     corrected: CorrectedHertz | None = None,
 ) -> ContactSolution:
-    """The numbers of a solution replaced, on meshes of the levels 2, 3 and 5."""
+    """The solution with these numbers in place of its own, on meshes of the levels 2, 3 and 5."""
     meshes = [
         replace(
-            found.meshes[-1],
+            solution.meshes[-1],
             level=level,
             unknowns=unknowns[number],
             seconds=seconds[number],
@@ -124,8 +125,8 @@ def contact_made(
         for number, level in enumerate((2, 3, 5))
     ]
     return replace(
-        found,
-        contact=replace(found.contact, load=load),
+        solution,
+        contact=replace(solution.contact, load=load),
         tolerance=0.05,
         hertz=Quantities(**{name: part.hertz for name, part in given.items()}),
         estimates={
@@ -146,10 +147,10 @@ def contact_made(
     )
 
 
-def torque_made(found: FrictionTorque, *, angle: list[float], total: list[float]) -> FrictionTorque:
-    """Three operating points at 150, 300 and 600 rpm; the first has a ball load at which no contact was solved."""
+def torque_made(torque: FrictionTorque, *, angle: list[float], total: list[float]) -> FrictionTorque:
+    """Three operating points at 150, 300 and 600 rpm; no contact was solved at the ball load of the first."""
     return replace(
-        found,
+        torque,
         inner_speed=np.pi * np.array([5.0, 10.0, 20.0]),
         axial_load=np.array([700.0, 900.0, 910.0]),
         contact_angle=np.array(angle),
@@ -170,7 +171,7 @@ def torque_made(found: FrictionTorque, *, angle: list[float], total: list[float]
 
 @pytest.fixture(scope="session")
 def made(checked: Validation) -> Validation:
-    """Every verdict occurs; nothing in it is a result of the solver."""
+    """A result with every verdict; none of its numbers comes from the solver."""
     inner, outer, seat, sheet = checked.contacts
     change = checked.torque
     assert change is not None
