@@ -1,12 +1,13 @@
-"""Settings of the whole test run.
+"""Settings and shared solves of the whole test run.
 
-On the gate (CI is set) property tests draw the same examples every time, so that a red run is about the change
-under test; everywhere else they explore, and a failure prints the blob that reproduces it.
+On the gate (CI is set) property tests draw the same examples every time, so that a failure is caused by the change
+under test. Elsewhere they draw new ones, and a failure prints the blob that reproduces it.
 """
 
 import os
+from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pytest
 from hypothesis import settings
@@ -14,8 +15,9 @@ from hypothesis import settings
 if TYPE_CHECKING:
     from analytic.scene import Contact
     from fembearing.compare.contact.discrepancy import ContactSolution
+    from fembearing.mesh.recipe import Recipe
 
-if "PYTEST_XDIST_WORKER" in os.environ:  # before NumPy loads: the workers are the parallelism already
+if "PYTEST_XDIST_WORKER" in os.environ:  # before NumPy loads: the workers already use all cores
     os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 PROFILE = "gate" if os.environ.get("CI") else "explore"
@@ -30,10 +32,24 @@ def pytest_report_header() -> str:
     return f"hypothesis profile: {PROFILE}"
 
 
+@pytest.hookimpl(optionalhook=True)  # of pytest-xdist
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Tests that share a solve run on one worker: those of a file, and all of tests/report, which share `checked`."""
+    if config.getvalue("dist") != "load":  # the user chose another distribution
+        return None
+    from xdist.scheduler import LoadScopeScheduling
+
+    class SharedSolves(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return "tests/report" if nodeid.startswith("tests/report/") else nodeid.partition("::")[0]
+
+    return SharedSolves(config, log)
+
+
 @pytest.fixture(scope="session")
 def contacts() -> "dict[str, Contact]":
-    """The race contacts of a 6205, typed in by hand so that no formula stands between them and a mesh."""
-    from analytic.scene import Contact, Material  # NumPy comes with it: not before the threads are set
+    """The race contacts of a 6205, typed in by hand so that no formula takes part."""
+    from analytic.scene import Contact, Material  # it loads NumPy: not before the threads are set
 
     steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
     inner = Contact(
@@ -63,12 +79,26 @@ def contacts() -> "dict[str, Contact]":
 
 @pytest.fixture(scope="session")
 def cut_contact(contacts: "dict[str, Contact]") -> "ContactSolution":
-    """Cut off by its shoulder, where Hertz's ellipse would be 0.946 mm across: half a contact on three meshes, once."""
+    """Half a contact on three meshes: its shoulder cuts it off, Hertz's semi-axis would be 0.946 mm."""
     from fembearing.compare.contact.discrepancy import compare_contact
-    from fembearing.mesh.recipe import load_recipe
 
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
-    return compare_contact(narrow, recipe=load_recipe("race"), tolerance=0.9)
+    return compare_contact(narrow, recipe=shallow_recipe("race"), tolerance=0.9)
+
+
+def shallow_recipe(name: str) -> "Recipe":
+    """Meshes of half the cells or fewer: one layer of cells below and around the contact where the recipe has more."""
+    from fembearing.mesh.recipe import load_recipe
+
+    recipe = load_recipe(name)
+    cells = recipe.cells
+    return replace(recipe, cells=replace(cells, depth=min(cells.depth, 1), outside=min(cells.outside, 1)))
+
+
+@pytest.fixture(scope="session")
+def shallow() -> "Callable[[str], Recipe]":
+    """Loads a recipe of few cells, for tests whose assertions do not depend on the accuracy of the mesh."""
+    return shallow_recipe
 
 
 class Result(NamedTuple):

@@ -1,4 +1,4 @@
-"""The example notebooks run from top to bottom; what their cells end with can be shown."""
+"""The example notebooks run from top to bottom, and the last value of each cell can be displayed."""
 
 import ast
 import json
@@ -14,7 +14,7 @@ NOTEBOOKS = sorted((Path(__file__).resolve().parents[1] / "examples").glob("*.ip
 def test_a_notebook_runs(notebook: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     cells = [cell for cell in json.loads(notebook.read_text("utf-8"))["cells"] if cell["cell_type"] == "code"]
-    assert all(cell["outputs"] == [] for cell in cells)  # none that could be out of date
+    assert all(cell["outputs"] == [] for cell in cells)  # a stored output could be out of date
     names: dict[str, Any] = {}
     shown = []
     for number, cell in enumerate(cells):
@@ -27,7 +27,7 @@ def test_a_notebook_runs(notebook: Path, tmp_path: Path, monkeypatch: pytest.Mon
     assert len(tables) >= 4
     assert all("<" in table for table in tables)
     power = shown[-1].to_numpy()
-    # Sliding by Coulomb friction in a contact that grows with the load, between Q and Q^(4/3) and the angle's rise.
+    # Coulomb friction in a contact that grows with the load Q: between Q and Q^(4/3), and the contact angle rises.
     assert ((power > 0.9) & (power < 1.8)).all()
 
 

@@ -29,6 +29,6 @@ def test_the_peak_is_that_of_this_run_and_not_of_earlier_ones() -> None:
 def test_without_a_reset_the_peak_is_the_largest_so_far(monkeypatch: pytest.MonkeyPatch, tmp_path) -> None:
     monkeypatch.setattr(memory, "RESET", tmp_path / "missing" / "file")
     before = peak_memory()
-    found, peak = peak_while(lambda: "done")
-    assert found == "done"
+    answer, peak = peak_while(lambda: "done")
+    assert answer == "done"
     assert before is None or (peak is not None and peak >= before)

@@ -1,4 +1,4 @@
-"""What a user installs: the data travels with the code, and every version that the gate runs is written down."""
+"""Packaging: the data are installed with the code, and constraints.txt pins every version that the gate runs."""
 
 import re
 import tomllib
@@ -29,20 +29,20 @@ def applies(requirement: Requirement, extra: str = "") -> bool:
 
 
 def closure(start: list[Requirement]) -> set[str]:
-    """Every package that these requirements bring to this machine, themselves included."""
-    found: set[tuple[str, str]] = set()
+    """Every package that these requirements install on this machine, themselves included."""
+    known: set[tuple[str, str]] = set()
     ahead = [(canonicalize_name(r.name), extra) for r in start if applies(r) for extra in ("", *r.extras)]
     while ahead:
         name, extra = ahead.pop()
-        if (name, extra) in found:
+        if (name, extra) in known:
             continue
-        found.add((name, extra))
+        known.add((name, extra))
         try:
             needs = [Requirement(line) for line in requires(name) or []]
         except PackageNotFoundError:
             continue
         ahead += [(canonicalize_name(r.name), e) for r in needs if applies(r, extra) for e in ("", *r.extras)]
-    return {name for name, _ in found}
+    return {name for name, _ in known}
 
 
 @pytest.mark.parametrize(("package", "folder"), [("fembearing", "meshes"), ("analytic", "catalog")])
@@ -65,7 +65,7 @@ def test_the_tested_version_lies_in_the_declared_range(requirement: Requirement)
     assert (requirement.marker is None) == (pin.marker is None)
 
 
-def test_every_package_that_comes_along_is_written_down() -> None:
+def test_every_installed_package_is_pinned() -> None:
     assert closure(DECLARED) <= set(PINNED)
 
 
@@ -73,6 +73,6 @@ def test_every_package_that_comes_along_is_written_down() -> None:
 def test_the_readme_marks_its_commands(purpose: str) -> None:
     readme = (ROOT / "README.md").read_text("utf-8")
     command = re.search(rf"^<!-- command: {purpose} -->\n```bash\n(.+)\n```$", readme, re.MULTILINE)
-    assert command, "the gate runs what stands there; one line"
+    assert command, "the gate runs this command; it must be one line"
     assert command[1].startswith("python3 -m venv ")
     assert " install -c constraints.txt " in command[1]

@@ -1,4 +1,4 @@
-"""What holds of the whole torque, from the scene to its last digit, whatever the numbers are: hypothesis draws them."""
+"""Properties of the total torque that hold for any numbers; hypothesis draws them."""
 
 from dataclasses import fields, replace
 from pathlib import Path
@@ -15,9 +15,9 @@ from analytic.errors import InputError
 from analytic.scene import Autocorrelation, ContactAngle, Operation, Scene
 
 BASE = load_scene(Path(__file__).parents[1] / "validation" / "scenes" / "6205_physical.toml")
-# Of SKF's catalogue, in millimetres and revolutions per minute: no formula of physics, and no scaling holds.
+# From SKF's catalogue, fitted in millimetres and revolutions per minute: these formulas obey no scaling.
 EMPIRICAL = ("inlet_heating", "starvation")
-FEW = settings(max_examples=15)  # of some 50 ms each
+FEW = settings(max_examples=15)  # about 50 ms each
 
 loads = st.floats(1.0, 3.3).map(lambda power: 10**power)  # N
 speeds = st.floats(-0.5, 3.0).map(lambda power: 10**power)  # rad/s
@@ -31,7 +31,7 @@ scenes = st.builds(
 
 
 def scene_of(load: float, speed: float, oil: float, finish: float, angle: float) -> Scene:
-    """Every effect is computed, by the rung that leaves nothing out."""
+    """Every effect is computed, by the method that leaves nothing out."""
     assert BASE.lubricant is not None
     assert BASE.surface is not None
     effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on")
@@ -51,12 +51,12 @@ def torque_of(scene: Scene) -> float:
 
 
 def enlarged(given: Any, size: float) -> Any:
-    """A noun with every length times `size` and every force times its square: the same stresses and the same speeds."""
+    """Multiplies every length by `size` and every force by its square, so stresses and speeds stay the same."""
     powers = {
         **dict.fromkeys(("bottom_radius", "groove_radius", "shoulder_half_width", "ball_diameter"), 1),
         **dict.fromkeys(("bore_diameter", "outside_diameter", "width", "rms_roughness", "length", "spacing"), 1),
         **dict.fromkeys(("axial_load", "radial_load", "static_load_rating"), 2),
-        # Inertia and heat have scales of their own: bodies lighter by the square, an oil that conducts better by it.
+        # Inertia and heat scale differently: density falls with the square of the size, conductivity grows with it.
         "ball_mass": 1,
         "moment": 3,
         "thermal_conductivity": 2,
@@ -73,38 +73,38 @@ def enlarged(given: Any, size: float) -> Any:
 
 @FEW
 @given(scene=scenes, size=st.floats(0.3, 3))
-def test_a_bearing_twice_as_large_loses_eight_times_as_much(scene: Scene, size: float) -> None:
-    """At the same stresses and speeds: nothing in the chain knows a metre or a newton."""
+def test_torque_grows_with_the_cube_of_the_size(scene: Scene, size: float) -> None:
+    """At the same stresses and speeds: no formula depends on the unit of length or force."""
     plain = replace(scene, cage=None, effects=dict(scene.effects) | dict.fromkeys(EMPIRICAL, "off"))
     expected = torque_of(plain) * size**3
-    # Iterations end at 1e-8 and better, but round-off may let one take a step more.
+    # Iterations end at 1e-8 or better, but round-off may cause one more step.
     assert torque_of(enlarged(plain, size)) == pytest.approx(expected, rel=1e-6)
 
 
 @FEW
 @given(scene=scenes)
-def test_turning_the_other_way_loses_the_same(scene: Scene) -> None:
+def test_turning_backwards_gives_the_same_torque(scene: Scene) -> None:
     back = replace(scene, operation=replace(scene.operation, inner_speed=-scene.operation.inner_speed))
     assert torque_of(back) == pytest.approx(torque_of(scene), rel=1e-12)  # round-off
 
 
 @FEW
 @given(scene=scenes, radial=st.floats(-0.5, 0.5), moment=st.floats(-0.003, 0.003))
-def test_pushing_from_the_other_side_loses_the_same(scene: Scene, radial: float, moment: float) -> None:
-    """Radial load and moment mirrored together; with an even number of balls each has its mirror image."""
+def test_a_mirrored_load_gives_the_same_torque(scene: Scene, radial: float, moment: float) -> None:
+    """Radial load and moment change sign together; with an even number of balls each ball has a mirror image."""
     load = scene.operation.axial_load[0]
     even = replace(scene, bearing=replace(scene.bearing, ball_count=8))
     both = [
         replace(even, operation=replace(even.operation, radial_load=sign * radial * load, moment=sign * moment * load))
         for sign in (1, -1)
     ]
-    assert torque_of(both[0]) == pytest.approx(torque_of(both[1]), rel=1e-6)  # the ring settles to 1e-12 of its loads
+    assert torque_of(both[0]) == pytest.approx(torque_of(both[1]), rel=1e-6)  # the ring converges to 1e-12 of its loads
 
 
 @FEW
 @given(scene=scenes)
-def test_a_little_more_of_anything_changes_the_torque_a_little(scene: Scene) -> None:
-    """Continuous: no part of any formula is pieced together with a step. And no input is clipped in silence."""
+def test_the_torque_is_continuous_in_every_input(scene: Scene) -> None:
+    """A small change of an input changes the torque a little: no formula has a step, and no input is clipped."""
     assert scene.lubricant is not None
     assert scene.surface is not None
     before = torque_of(scene)
@@ -123,7 +123,7 @@ def test_a_little_more_of_anything_changes_the_torque_a_little(scene: Scene) -> 
 
 @FEW
 @given(scene=scenes, more=st.floats(1.05, 3))
-def test_given_friction_costs_more_under_more_load(scene: Scene, more: float) -> None:
+def test_a_given_coefficient_costs_more_under_more_load(scene: Scene, more: float) -> None:
     dry = replace(scene, lubricant=None, surface=None, friction_coefficient=0.08)
     dry = replace(dry, effects=dict.fromkeys(("spin", "conformity", "hysteresis"), "on"))
     heavier = replace(dry, operation=replace(dry.operation, axial_load=dry.operation.axial_load * more))
@@ -132,8 +132,8 @@ def test_given_friction_costs_more_under_more_load(scene: Scene, more: float) ->
 
 @FEW
 @given(scene=scenes, name=st.sampled_from(["viscosity", "eyring_stress", "axial_load", "inner_speed", "rms_roughness"]))
-def test_no_number_becomes_none_on_its_way(scene: Scene, name: str) -> None:
-    """NaN or infinity in one place is refused, never a result."""
+def test_nan_and_infinity_are_refused(scene: Scene, name: str) -> None:
+    """NaN or infinity in one input never gives a result."""
     assert scene.lubricant is not None
     assert scene.surface is not None
     for bad in (np.nan, np.inf):

@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -19,7 +20,7 @@ from fembearing.compare.cost import scene_cost as cost
 from fembearing.compare.hard import table as hard_cases
 from fembearing.compare.hard.case import HardCase
 from fembearing.fem import solution
-from fembearing.mesh.recipe import load_recipe
+from fembearing.mesh.recipe import Recipe, load_recipe
 from tests.analytic.scenefile.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
@@ -29,6 +30,12 @@ QUANTITIES = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "app
 @pytest.fixture(scope="module")
 def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("main") / "report"
+
+
+@pytest.fixture
+def coarse(shallow: Callable[[str], Recipe], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Meshes of few cells: what is tested is how an answer is shown."""
+    monkeypatch.setattr(scene_contact, "load_recipe", shallow)
 
 
 @pytest.fixture(scope="module")
@@ -43,6 +50,7 @@ def validated(report: Path) -> dict[str, Any]:
     return json.loads(printed.getvalue())
 
 
+@pytest.mark.slow
 def test_validate_judges_every_quantity_of_all_three_pairs(validated: dict[str, Any]) -> None:
     judged = [(row["pair"], row["quantity"]) for row in validated["verdicts"]]
     assert sorted(judged) == sorted((pair, name) for pair in ("inner", "outer", "pocket") for name in QUANTITIES)
@@ -54,6 +62,7 @@ def test_validate_judges_every_quantity_of_all_three_pairs(validated: dict[str, 
     ]
 
 
+@pytest.mark.slow
 def test_the_sheet_of_the_pocket_is_shown_with_its_thick_seat(validated: dict[str, Any]) -> None:
     """A half space under sheet metal makes K_pb too large; the sheet is not judged."""
     seat, sheet = validated["contacts"][2:]
@@ -63,6 +72,7 @@ def test_the_sheet_of_the_pocket_is_shown_with_its_thick_seat(validated: dict[st
     assert sheet["fe"]["stiffness"] < 0.7 * seat["hertz"]["stiffness"] < seat["fe"]["stiffness"]
 
 
+@pytest.mark.slow
 def test_the_report_is_in_its_folder(validated: dict[str, Any], report: Path) -> None:
     written = json.loads((report / "report.json").read_text("utf-8"))
     assert written["verdicts"] == validated["verdicts"]
@@ -73,6 +83,7 @@ def test_the_report_is_in_its_folder(validated: dict[str, Any], report: Path) ->
     assert written["renderer"] == "VTK"
 
 
+@pytest.mark.slow
 def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict[str, Any]) -> None:
     for row in validated["verdicts"]:
         assert row["discrepancy"] == pytest.approx(row["production"] / row["reference"] - 1, abs=1e-12)  # round-off
@@ -80,6 +91,7 @@ def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict
         assert row["uncertainty"] > 0
 
 
+@pytest.mark.slow
 def test_the_true_groove_is_stiffer_than_hertz_and_the_inner_race_has_more_pressure(validated: dict[str, Any]) -> None:
     inner, outer = validated["contacts"][:2]
     assert inner["fe"]["peak_pressure"] > outer["fe"]["peak_pressure"]
@@ -88,6 +100,7 @@ def test_the_true_groove_is_stiffer_than_hertz_and_the_inner_race_has_more_press
         assert contact["fe"]["semi_axis_transverse"] < contact["hertz"]["semi_axis_transverse"]  # the groove closes in
 
 
+@pytest.mark.slow
 def test_uncertainty_covers_a_finer_solution(command, validated: dict[str, Any]) -> None:
     """The finer one is another run, with a tolerance that needs a finer mesh."""
     result = command("contact", "--pair", "outer", "--tolerance", "0.05 %", "--json")
@@ -101,7 +114,9 @@ def test_uncertainty_covers_a_finer_solution(command, validated: dict[str, Any])
     assert result.status == (0 if max(finer["uncertainty"][name] for name in COMPARED) <= 5e-4 else 3)
 
 
-@pytest.mark.parametrize(("scene_tolerance", "verdict"), [("4 %", "pass"), ("0.5 %", "fail")])
+@pytest.mark.parametrize(
+    ("scene_tolerance", "verdict"), [pytest.param("4 %", "pass", marks=pytest.mark.slow), ("0.5 %", "fail")]
+)
 def test_a_contact_within_its_accuracy_is_a_success_whatever_the_error_of_hertz(
     command, tmp_path: Path, scene_tolerance: str, verdict: str
 ) -> None:
@@ -115,7 +130,7 @@ def test_a_contact_within_its_accuracy_is_a_success_whatever_the_error_of_hertz(
     assert (found["verdict"], result.status, result.err) == (verdict, 0, "")
 
 
-@pytest.mark.parametrize("loads", [("28 N",), ("28 N", "9 N")])
+@pytest.mark.parametrize("loads", [("28 N",), pytest.param(("28 N", "9 N"), marks=pytest.mark.slow)])
 def test_a_contact_beyond_its_accuracy_ends_with_status_3_and_its_uncertainty(command, loads: tuple[str, ...]) -> None:
     """The seat of a pocket is a cavity: no mesh removes the effect of the far boundary on its approach."""
     given = [part for load in loads for part in ("--load", load)]
@@ -156,6 +171,7 @@ def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> Non
         assert abs(found["discrepancy"][name]) <= found["uncertainty"][name]
 
 
+@pytest.mark.slow
 def test_the_far_boundary_has_an_uncertainty_of_its_own(validated: dict[str, Any]) -> None:
     """It is not zero, and small at the extent of the block; a sheet has no far boundary."""
     for contact in validated["contacts"][:3]:
@@ -164,6 +180,7 @@ def test_the_far_boundary_has_an_uncertainty_of_its_own(validated: dict[str, Any
             assert contact["uncertainty"][name] == pytest.approx(part["mesh"] + part["domain"], rel=1e-12)  # round-off
 
 
+@pytest.mark.usefixtures("coarse")
 def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     """And the pocket of the printed table cannot be made: the result has a warning."""
     scene = tmp_path / "printed.toml"
@@ -177,6 +194,7 @@ def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     assert "bends on its rim" in warnings
 
 
+@pytest.mark.slow
 def test_meshes_that_do_not_converge_are_undecided(command, monkeypatch: pytest.MonkeyPatch) -> None:
     """Peak pressure is changed by 3 % up and down from mesh to mesh, as in solvers that take it from one node."""
     true = solution.peak_pressure
@@ -193,6 +211,7 @@ def test_meshes_that_do_not_converge_are_undecided(command, monkeypatch: pytest.
     assert result.status == 3
 
 
+@pytest.mark.usefixtures("coarse")
 def test_table_names_axes_and_units(command) -> None:
     result = command("contact", "--geometry", "hertzian", "--load", "51 N")
     for words in ("Hertz", "FE", "GPa", "a along rolling", "b transverse", "um", "order", "shear", "von Mises"):
@@ -249,6 +268,7 @@ def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path
     assert all(Path(path).is_file() and quality["negative_points"] == 0 for path, quality in found["meshes"].items())
 
 
+@pytest.mark.usefixtures("coarse")
 def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
     """The width without a terminal; these loads give the longest verdict and the smallest numbers."""
     for arguments in (["--load", "1e-9 N"], ["--load", "1500 N", "--tolerance", "99 %"]):
@@ -257,6 +277,8 @@ def test_no_column_of_the_table_is_cut_at_80_characters(command) -> None:
         assert not any("\N{HORIZONTAL ELLIPSIS}" in line for line in lines)
 
 
+@pytest.mark.slow
+@pytest.mark.usefixtures("coarse")
 def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A wrong case fails the whole run, whatever the verdicts of the contacts."""
     cases = (
@@ -275,6 +297,7 @@ def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, 
     assert "pocket" not in result.out  # no [cage], no pocket solve
 
 
+@pytest.mark.slow
 def test_cost_shows_error_and_time_of_each_method(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Printed, as JSON, and in a folder with its picture and its table."""
     monkeypatch.setattr(cost, "load_recipe", lambda _: replace(load_recipe("race"), levels=(1, 2)))

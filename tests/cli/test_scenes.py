@@ -57,7 +57,10 @@ def solved(run: Any, scene: str, *options: str) -> dict[str, Any]:
 
 @pytest.mark.parametrize(
     ("scene", "pair", "materials"),
-    [("hybrid", "inner", (NITRIDE, STEEL)), ("peek races", "outer", (STEEL, PEEK))],
+    [
+        ("hybrid", "inner", (NITRIDE, STEEL)),
+        pytest.param("peek races", "outer", (STEEL, PEEK), marks=pytest.mark.slow),
+    ],
 )
 def test_a_race_of_other_materials_is_as_stiff_as_its_modulus(
     run, scene: str, pair: str, materials: tuple[tuple[float, float], tuple[float, float]]
@@ -80,6 +83,7 @@ def test_a_pocket_of_peek_is_solved(run) -> None:
     assert 0 < found["fe"]["peak_pressure"] < 30e6  # Pa: far below what PEEK bears
 
 
+@pytest.mark.slow
 def test_without_its_bore_everything_but_the_ring_is_checked(run) -> None:
     """And without a [cage] there is no pocket; standard output holds JSON alone, the warning is in it."""
     status, out, err = run("validate", "no bore", "--json")

@@ -37,8 +37,10 @@ def pocket(load: float = 28.0, **changed: object) -> Contact:
 
 def solve(contact: Contact, recipe: str, level: int = 2) -> MeshSolution:
     made = load_recipe(recipe)
-    semi_axes = fitted_solution(contact, recipe=made).pair.semi_axes
-    return solve_on_mesh(contact, recipe=made, level=level, semi_axes=semi_axes)
+    fitted = fitted_solution(contact, recipe=made)
+    if fitted.level == level:
+        return fitted
+    return solve_on_mesh(contact, recipe=made, level=level, semi_axes=fitted.pair.semi_axes)
 
 
 def test_a_pocket_is_a_sphere_around_a_smaller_one() -> None:

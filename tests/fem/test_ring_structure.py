@@ -54,9 +54,12 @@ def pressed(contact: Contact, level: int) -> MeshSolution:
 
 
 def on_ring(contact: Contact, **ring: float) -> float:
-    """Compression of another ring under the forces of the contact, which has the same groove, m."""
+    """Compression of another ring under the forces of the contact, which has the same groove, m.
+
+    Which of two rings gives way more does not depend on the mesh: the coarsest is enough.
+    """
     assert contact.ring is not None
-    found = solved(contact)
+    found = solved(contact, level=1)
     return ring_compression(replace(found, contact=replace(contact, ring=replace(contact.ring, **ring))), recipe=RACE)
 
 
@@ -131,7 +134,12 @@ def test_the_layer_has_its_known_limits(poisson_ratio: float) -> None:
 # The tolerance: the meshes of level 2 leave 0.01 to 0.2 % at up to 3 mm, 0.6 % at 6 mm, 25 contact radii, where the
 # difference is a small part of the approach.
 @pytest.mark.parametrize(
-    ("thickness", "tolerance", "poisson_ratio"), [(1.5e-3, 0.004, 0.3), (6e-3, 0.012, 0.3), (3e-3, 0.002, 0.1)]
+    ("thickness", "tolerance", "poisson_ratio"),
+    [
+        pytest.param(1.5e-3, 0.004, 0.3, marks=pytest.mark.slow),
+        pytest.param(6e-3, 0.012, 0.3, marks=pytest.mark.slow),
+        (3e-3, 0.002, 0.1),
+    ],
 )
 def test_a_flat_ring_is_a_layer_on_a_rigid_base(thickness: float, tolerance: float, poisson_ratio: float) -> None:
     contact = flat(thickness=thickness, poisson_ratio=poisson_ratio)
@@ -163,7 +171,7 @@ def test_the_structure_of_a_thick_layer_falls_as_one_over_its_thickness() -> Non
 @pytest.mark.parametrize("contact", [INNER, OUTER], ids=["inner", "outer"])
 def test_a_rigid_seat_stiffens_more_the_nearer_it_is(contact: Contact) -> None:
     assert contact.ring is not None
-    found, side = solved(contact), np.sign(contact.rolling_radius)
+    found, side = solved(contact, level=1), np.sign(contact.rolling_radius)
     near, far = (on_ring(contact, seat_radius=contact.ring.bottom_radius - side * depth) for depth in (1.7e-3, 7e-3))
     assert near < far < block_compression(found)
 
@@ -183,6 +191,6 @@ def test_the_cut_end_hardly_matters_and_a_clamped_one_stiffens() -> None:
 
 def test_a_ball_on_the_middle_of_the_groove_has_less_steel_under_it() -> None:
     """The same forces on the middle: thickness t against (t + r_g (1 - cos al)) / cos al along the load; stiffer."""
-    found = solved(INNER)
+    found = solved(INNER, level=1)
     straight = replace(found, contact=replace(INNER, contact_angle=0.0))
     assert ring_compression(straight, recipe=RACE) < ring_compression(found, recipe=RACE)

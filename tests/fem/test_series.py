@@ -54,6 +54,7 @@ def test_a_load_of_a_series_is_that_load_on_the_same_mesh(contacts: dict[str, Co
         assert part.contact == alone.contact
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("pair", ["inner", "outer"])
 def test_a_load_of_a_series_is_nearly_that_on_a_mesh_of_its_own(contacts: dict[str, Contact], pair: str) -> None:
     loads = np.geomspace(97.0, 580.0, 5)
@@ -146,7 +147,7 @@ def test_a_load_that_reaches_over_the_shoulder_needs_a_mesh_that_ends_there(cont
         solve_series(replace(contacts["inner"], shoulder=2.0e-3), recipe=REAL, level=1, loads=[3100.0, 5000.0])
 
 
-@pytest.mark.parametrize("recipe", [REAL, IDEAL])
+@pytest.mark.parametrize("recipe", [pytest.param(REAL, marks=pytest.mark.slow), IDEAL])
 def test_each_load_is_cut_off_where_its_own_ellipse_reaches_the_shoulder(
     contacts: dict[str, Contact], recipe: Recipe
 ) -> None:
@@ -164,6 +165,7 @@ def test_each_load_is_cut_off_where_its_own_ellipse_reaches_the_shoulder(
         np.testing.assert_allclose(part.quantities.approach, own.quantities.approach, rtol=5e-3)
 
 
+@pytest.mark.slow
 def test_the_farther_shoulder_splits_a_band_too(contacts: dict[str, Contact]) -> None:
     """At almost zero contact angle both shoulders are near: 0.70 mm and 0.78 mm away."""
     contact = replace(contacts["inner"], shoulder=0.7e-3, contact_angle=0.01)

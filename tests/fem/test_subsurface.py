@@ -106,6 +106,7 @@ def test_the_third_level_agrees_with_the_closed_form(contact: Contact, side: Sid
     )  # 2e-3 measured, on the surface, where the spline has data below only
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contact", [INNER, SPHERE], ids=["inner", "sphere"])
 def test_errors_fall_with_the_mesh(contact: Contact) -> None:
     coarse, fine = (curve_error(subsurface_stress(solve(contact, level=level)), contact) for level in (2, 4))
@@ -152,14 +153,18 @@ def test_touching_nodes_move_as_in_the_contact(
         assert (moved[2, body.far] * towards[2, 0] > 0).all()
 
 
-def test_stress_is_linear_in_the_load(ideal: MeshSolution) -> None:
-    """The same nodes pushed 2.7 times as hard; then Hertz's own law, on a mesh that grows with the ellipse."""
-    once = subsurface_stress(ideal)
+def test_stress_is_linear_in_the_load() -> None:
+    """The same nodes pushed 2.7 times as hard; then Hertz's own law, on a mesh that grows with the ellipse.
+
+    Both hold on any mesh, so a coarse one is enough.
+    """
+    plain = solve(INNER, level=2)
+    once = subsurface_stress(plain)
     contact = replace(INNER, load=2.7 * INNER.load)
-    more = subsurface_stress(replace(ideal, contact=contact, force=2.7 * ideal.force))
+    more = subsurface_stress(replace(plain, contact=contact, force=2.7 * plain.force))
     np.testing.assert_allclose(more.stress, 2.7 * once.stress, atol=1e-9 * INNER.load / 1e-8)  # round-off of 62 GPa
     np.testing.assert_allclose(more.greatest_shear, 2.7 * once.greatest_shear, rtol=1e-9)
-    eight = subsurface_stress(solve(replace(INNER, load=8 * INNER.load)))
+    eight = subsurface_stress(solve(replace(INNER, load=8 * INNER.load), level=2))
     np.testing.assert_allclose(eight.greatest_von_mises, 2 * once.greatest_von_mises, rtol=1e-7)  # as above
     np.testing.assert_allclose(eight.greatest_shear_depth, 2 * once.greatest_shear_depth, rtol=1e-4)  # it is flat
 
@@ -179,6 +184,7 @@ def test_the_maxima_are_those_of_the_curve(ideal: MeshSolution) -> None:
     np.testing.assert_allclose(found.max_shear, np.max(np.abs([x - y, y - z, z - x]), axis=0) / 2, rtol=1e-12)
 
 
+@pytest.mark.slow
 def test_true_shapes_differ_by_their_curvature() -> None:
     """A convex ball is squeezed along its surface, a groove is spread: first order in b/r, so as load^(1/3)."""
     spread: dict[str, list[float]] = {"upper": [], "lower": []}

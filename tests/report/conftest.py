@@ -1,18 +1,20 @@
-"""One check of the built-in scene for all tests of the report, on as few meshes as there may be.
+"""One check of the built-in scene for all tests of the report, on as few meshes as possible.
 
-And a result made by hand, whose every number is known and different from every other.
+And a result made by hand: every number in it is known and differs from every other.
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from analytic.scene import Operation
-from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.effects.ledger import Effect
 from analytic.result import FrictionTorque, TorqueParts
+from analytic.scene import Operation
+from analytic.scenefile.read import builtin_scene, load_scene
+from fembearing.compare.contact import scene_contact
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import CorrectedHertz
@@ -20,27 +22,31 @@ from fembearing.compare.cost.contact_ladder import contact_ladder_of
 from fembearing.compare.torque.change import FittedChange, TorqueChange
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.fem.measure import Quantities
+from fembearing.mesh.recipe import Recipe
 from fembearing.provenance import provenance_of
 from fembearing.report.document.build import report_of
 from fembearing.report.document.report import Report
 from fembearing.report.pictures.draw import Picture, draw_pictures
 
-pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its checks tell what they found
+pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its assertions show their values
 
-LOOSE = 0.9  # tolerance: no finer mesh is called for
+LOOSE = 0.9  # tolerance: no finer mesh is needed
 
 
 @pytest.fixture(scope="session")
-def checked() -> Validation:
-    return check_scene(load_scene(builtin_scene("6205")), tolerance=LOOSE)
+def checked(shallow: Callable[[str], Recipe]) -> Validation:
+    """The built-in scene, checked on coarse meshes: what is tested is how a result is shown."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(scene_contact, "load_recipe", shallow)
+        return check_scene(load_scene(builtin_scene("6205")), tolerance=LOOSE)
 
 
 @pytest.fixture(scope="session")
 def pictures(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> list[Picture]:
-    """Of its contacts, drawn by VTK."""
-    found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
+    """The pictures of its contacts, drawn by VTK."""
+    drawn, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
     assert trouble is None
-    return found
+    return drawn
 
 
 class Given(NamedTuple):
@@ -54,7 +60,8 @@ class Given(NamedTuple):
     domain: float
 
 
-# Without the domain's part the star or the verdict changes: a of the inner race, K of the outer, p0 of the seat.
+# Three of these change their star or verdict without the domain's share: a of the inner race, K of the outer race,
+# p0 of the seat.
 INNER = {
     "semi_axis_rolling": Given(0.1176e-3, (0.126e-3, 0.1212e-3, 0.1195e-3), 2.7, 0.12e-3, 0.0195, 0.0055),
     "semi_axis_transverse": Given(0.968e-3, (0.792e-3, 0.8624e-3, 0.89e-3), 1.4, 0.88e-3, 0.017, 0.006),
@@ -103,7 +110,7 @@ CORRECTED = CorrectedHertz(  # of the inner race
 
 
 def contact_made(
-    found: ContactSolution,
+    solution: ContactSolution,
     given: dict[str, Given],
     *,
     load: float,
@@ -111,10 +118,10 @@ def contact_made(
     seconds: tuple[float, float, float],
     corrected: CorrectedHertz | None = None,
 ) -> ContactSolution:
-    """The numbers of a solution replaced, on meshes of the levels 2, 3 and 5."""
+    """The solution with these numbers in place of its own, on meshes of the levels 2, 3 and 5."""
     meshes = [
         replace(
-            found.meshes[-1],
+            solution.meshes[-1],
             level=level,
             unknowns=unknowns[number],
             seconds=seconds[number],
@@ -123,8 +130,8 @@ def contact_made(
         for number, level in enumerate((2, 3, 5))
     ]
     return replace(
-        found,
-        contact=replace(found.contact, load=load),
+        solution,
+        contact=replace(solution.contact, load=load),
         tolerance=0.05,
         hertz=Quantities(**{name: part.hertz for name, part in given.items()}),
         estimates={
@@ -145,16 +152,16 @@ def contact_made(
     )
 
 
-def torque_made(found: FrictionTorque, *, angle: list[float], total: list[float]) -> FrictionTorque:
-    """Three operating points at 150, 300 and 600 rpm; the first has a ball load at which no contact was solved."""
+def torque_made(torque: FrictionTorque, *, angle: list[float], total: list[float]) -> FrictionTorque:
+    """Three operating points at 150, 300 and 600 rpm; no contact was solved at the ball load of the first."""
     return replace(
-        found,
+        torque,
         inner_speed=np.pi * np.array([5.0, 10.0, 20.0]),
         axial_load=np.array([700.0, 900.0, 910.0]),
         contact_angle=np.array(angle),
         ball_load=np.array([250.0, 371.0, 372.0]),
-        inner=replace(found.inner, load=np.array([249.0, 370.0, 371.0])),
-        outer=replace(found.outer, load=np.array([250.0, 371.0, 372.0])),
+        inner=replace(torque.inner, load=np.array([249.0, 370.0, 371.0])),
+        outer=replace(torque.outer, load=np.array([250.0, 371.0, 372.0])),
         numerical_uncertainty=np.array([0.011, 0.012, 0.013]),
         radial_load=np.zeros(3),
         moment=np.zeros(3),
@@ -174,7 +181,7 @@ def torque_made(found: FrictionTorque, *, angle: list[float], total: list[float]
 
 @pytest.fixture(scope="session")
 def made(checked: Validation) -> Validation:
-    """Every verdict occurs; nothing in it is a result of the solver."""
+    """A result with every verdict; none of its numbers comes from the solver."""
     inner, outer, seat, sheet = checked.contacts
     torque, change = checked.torque, checked.torque_change
     assert torque is not None

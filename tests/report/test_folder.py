@@ -24,12 +24,15 @@ from fembearing.report.new_folder import whole_folder
 from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
 
+BROKEN = ("/nowhere/python",)  # a renderer that draws nothing; maps take the place of its pictures
+
 
 @pytest.fixture
 def solved(checked: Validation, monkeypatch: pytest.MonkeyPatch) -> Validation:
-    """The contacts are at hand: what is tested is what comes after. Pictures: of the inner race."""
+    """The races of the built-in scene, already solved; a page without plots, which take seconds."""
     short = replace(checked, contacts=checked.contacts[:2])
     monkeypatch.setattr(module, "check_scene", lambda *_, **__: short)
+    monkeypatch.setattr(page, "PLOTS", ())
     return short
 
 
@@ -100,6 +103,7 @@ def test_nothing_is_left_of_a_report_that_fails(
     def fail(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
+    monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": BROKEN})
     monkeypatch.setattr(module if where == "check_scene" else page, where, fail)
     with pytest.raises(KeyboardInterrupt):
         validate(solved.scene, out=tmp_path / "report")
@@ -124,7 +128,7 @@ def test_a_folder_made_meanwhile_is_kept(tmp_path: Path) -> None:
 def test_a_renderer_that_fails_is_told_in_the_result(
     solved: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": ("/nowhere/python",)})
+    monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": BROKEN})
     result = validate(solved.scene, out=tmp_path / "report")
     assert "maps by matplotlib: the renderer could not be started" in result.warnings[-1]
     assert json.loads((tmp_path / "report" / "report.json").read_text("utf-8"))["warnings"] == list(result.warnings)
@@ -134,8 +138,7 @@ def test_a_renderer_that_fails_is_told_in_the_result(
 def test_a_renderer_that_fails_is_told_on_the_terminal(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": ("/nowhere/python",)})
-    monkeypatch.setattr(page, "PLOTS", ())
+    monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": BROKEN})
     monkeypatch.setattr("sys.argv", ["fembearing", "validate", "--out", str(tmp_path / "report")])
     with pytest.raises(SystemExit):
         cli.main()

@@ -163,6 +163,7 @@ class Unreadable:
         return import_module, ("nowhere",)
 
 
+@pytest.mark.slow
 def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
 ) -> None:

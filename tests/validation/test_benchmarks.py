@@ -1,11 +1,8 @@
-"""The commands that measure the torque model: each runs with tiny counts and writes what it says."""
+"""The scripts that measure the torque model: each runs with tiny counts and writes its results."""
 
 import csv
-import importlib
 import pickle
-import subprocess
-import sys
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 
@@ -15,13 +12,6 @@ import pytest
 from analytic.scene import Scene
 from analytic.torque import friction_torque
 
-BENCHMARKS = Path(__file__).resolve().parents[2] / "validation" / "benchmarks"
-
-
-def run(script: str, *arguments: str) -> str:
-    command = [sys.executable, str(BENCHMARKS / script), *arguments]
-    return subprocess.run(command, check=True, capture_output=True, text=True, timeout=300).stdout
-
 
 def rows(path: Path) -> list[dict[str, str]]:
     with path.open(encoding="utf-8", newline="") as file:
@@ -29,80 +19,80 @@ def rows(path: Path) -> list[dict[str, str]]:
 
 
 @pytest.fixture(scope="module")
-def benchmarks() -> Iterator[None]:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(BENCHMARKS)
-        yield
+def random_scenes(script: Callable[[str], ModuleType]) -> ModuleType:
+    return script("random_scenes")
 
 
 @pytest.fixture(scope="module")
-def random_scenes(benchmarks: None) -> ModuleType:  # noqa: ARG001
-    return importlib.import_module("random_scenes")
+def ladder(script: Callable[[str], ModuleType]) -> ModuleType:
+    return script("friction")
 
 
-@pytest.fixture(scope="module")
-def ladder(benchmarks: None) -> ModuleType:  # noqa: ARG001
-    return importlib.import_module("friction")
-
-
-def test_torque_is_timed(tmp_path: Path) -> None:
+@pytest.mark.slow
+def test_torque_is_timed(run_script, tmp_path: Path) -> None:
     tiny = ("--points", "6", "--contacts", "50", "--ring-points", "2", "--repeats", "1")
-    assert "sinh traction" in run("torque.py", *tiny, "--out", str(tmp_path))
-    found = rows(tmp_path / "torque_benchmark.csv")
-    assert {row["what"] for row in found} >= {
+    assert "sinh traction" in run_script("benchmarks/torque.py", *tiny, "--out", tmp_path)
+    written = rows(tmp_path / "torque_benchmark.csv")
+    assert {row["what"] for row in written} >= {
         "import analytic",
         "1 thrust point",
         "6 thrust points to 150 rad/s",
         "50 Hertz contacts",
     }
-    assert all(float(row["median_s"]) > 0 for row in found)
-    assert {row["processes"] for row in found if row["what"] == "6 thrust points to 300 rad/s"} == {"1", "2"}
+    assert all(float(row["median_s"]) > 0 for row in written)
+    assert {row["processes"] for row in written if row["what"] == "6 thrust points to 300 rad/s"} == {"1", "2"}
     assert (tmp_path / "torque_benchmark.csv").read_text("utf-8").startswith("# ")  # machine and versions
 
 
-def test_auto_is_compared_with_everything_on(tmp_path: Path) -> None:
-    assert "2 scenes, seeds 30000 to 30001" in run("effects.py", "--scenes", "2", "--out", str(tmp_path))
-    found = rows(tmp_path / "effects.csv")
-    assert [float(row["tolerance"]) for row in found] == [0.1, 0.01, 0.001] * 2
-    assert all(abs(float(row["difference"])) < float(row["tolerance"]) for row in found)
+@pytest.mark.slow
+def test_auto_is_compared_with_everything_on(run_script, tmp_path: Path) -> None:
+    printed = run_script("benchmarks/effects.py", "--scenes", "2", "--out", tmp_path)
+    assert "2 scenes, seeds 30000 to 30001" in printed
+    written = rows(tmp_path / "effects.csv")
+    assert [float(row["tolerance"]) for row in written] == [0.1, 0.01, 0.001] * 2
+    assert all(abs(float(row["difference"])) < float(row["tolerance"]) for row in written)
     assert (tmp_path / "effects.png").stat().st_size > 0
 
 
-def test_errors_of_cheap_rungs_are_listed() -> None:
-    assert "3 scenes of two contacts, seeds 40000 to 40002" in run("friction.py", "--errors", "--scenes", "3")
+@pytest.mark.slow
+def test_errors_of_cheap_methods_are_listed(run_script) -> None:
+    printed = run_script("benchmarks/friction.py", "--errors", "--scenes", "3")
+    assert "3 scenes of two contacts, seeds 40000 to 40002" in printed
 
 
 @pytest.mark.parametrize("seed", [416, 1573, 648, 1156])
-def test_the_bound_on_cheap_rungs_holds_in_the_worst_scenes(ladder: ModuleType, seed: int) -> None:
-    """Of 1500: just below full spin, under constant stress; oil that stiffens with the third power of the pressure."""
+def test_the_bound_on_cheap_methods_holds_in_the_worst_scenes(ladder: ModuleType, seed: int) -> None:
+    """The worst of 1500: just below full spin, constant stress, and oil that stiffens with the pressure cubed."""
     for trial in ladder.rungs_of(seed):
         assert abs(trial.missed) <= trial.bound, trial
 
 
-def test_a_random_scene_comes_again_from_its_seed(random_scenes: ModuleType) -> None:
+def test_a_seed_gives_the_same_random_scene_again(random_scenes: ModuleType) -> None:
     first, again, other = (random_scenes.random_scene(np.random.default_rng(seed)) for seed in (7, 7, 8))
     assert first.operation.axial_load == again.operation.axial_load != other.operation.axial_load
     assert first.bearing == again.bearing != other.bearing
 
 
-def test_a_scene_and_its_result_go_to_another_process(random_scenes: ModuleType) -> None:
+def test_a_scene_and_its_result_can_be_pickled(random_scenes: ModuleType) -> None:
     scene: Scene = random_scenes.random_scene(np.random.default_rng(7))
-    found, sent = friction_torque(scene), pickle.loads(pickle.dumps(scene))
+    direct, sent = friction_torque(scene), pickle.loads(pickle.dumps(scene))
     assert sent.effects == scene.effects
     returned = pickle.loads(pickle.dumps(friction_torque(sent)))
-    np.testing.assert_array_equal(returned.torque.total, found.torque.total)
-    assert returned.provenance == found.provenance
-    with pytest.raises(TypeError):  # still for reading alone
+    np.testing.assert_array_equal(returned.torque.total, direct.torque.total)
+    assert returned.provenance == direct.provenance
+    with pytest.raises(TypeError):  # still read-only
         returned.provenance["scene"] = "another"
 
 
-def test_the_motion_of_a_cage_is_measured() -> None:
-    told = run("cage.py", "--repeats", "1", "--duration", "0.013", "--bounces", "3")
+@pytest.mark.slow
+def test_the_motion_of_a_cage_is_measured(run_script) -> None:
+    printed = run_script("benchmarks/cage.py", "--repeats", "1", "--duration", "0.013", "--bounces", "3")
     for words in ("processor time, us a step", "largest drift of the energy", "steps a contact", "closed form"):
-        assert words in told
+        assert words in printed
 
 
-def test_sweeps_are_timed() -> None:
-    told = run("sweep.py", "--points", "80", "--contacts", "0", "--workers", "1")
-    assert told.count("torque map") == 2
-    assert told.count("the same again") == 1
+@pytest.mark.slow
+def test_sweeps_are_timed(run_script) -> None:
+    printed = run_script("benchmarks/sweep.py", "--points", "80", "--contacts", "0", "--workers", "1")
+    assert printed.count("torque map") == 2
+    assert printed.count("the same again") == 1

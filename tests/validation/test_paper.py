@@ -1,10 +1,7 @@
-"""The comparison with the paper: what it says of known curves, that it waits for the cage, and what it writes."""
+"""The comparison with the paper: its verdicts on known curves, with and without a cage, and the files it writes."""
 
-import importlib
 import json
-import subprocess
-import sys
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -12,26 +9,21 @@ from typing import Any
 import numpy as np
 import pytest
 
-VALIDATION = Path(__file__).resolve().parents[2] / "validation"
 SPEEDS = np.array([100.0, 300.0, 500.0]) * np.pi / 30
 
 
 @pytest.fixture(scope="module")
-def beside() -> Iterator[ModuleType]:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(VALIDATION)
-        yield importlib.import_module("beside_paper")
+def beside(script: Callable[[str], ModuleType]) -> ModuleType:
+    return script("beside_paper")
 
 
 @pytest.fixture(scope="module")
-def jumps() -> Iterator[ModuleType]:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(VALIDATION)
-        yield importlib.import_module("printed_jumps")
+def jumps(script: Callable[[str], ModuleType]) -> ModuleType:
+    return script("printed_jumps")
 
 
 def points(total: list[float], **others: list[float]) -> list[dict[str, Any]]:
-    """Of a torque's JSON at three speeds; quantities that are not given are not computed."""
+    """The operating points of a torque's JSON at three speeds; quantities that are not given are null."""
     groups = {"torque": ("total", "race", "cage"), "cage": ("max_force",),
               "friction_coefficient": ("inner", "outer", "pocket")}  # fmt: skip
     values = {"total": total} | others
@@ -45,8 +37,8 @@ def points(total: list[float], **others: list[float]) -> list[dict[str, Any]]:
     ]
 
 
-def held(found: list[Any], words: str) -> bool | None:
-    (trend,) = [trend for trend in found if words in trend.claim]
+def held(trends: list[Any], words: str) -> bool | None:
+    (trend,) = [trend for trend in trends if words in trend.claim]
     return trend.held
 
 
@@ -58,7 +50,7 @@ def test_the_published_numbers_are_read_in_si(beside: ModuleType) -> None:
     assert {p.note for p in found.values() if p.quantity == "race_torque"} == {"about"}
 
 
-def test_a_curve_is_matched_where_all_its_points_are(beside: ModuleType) -> None:
+def test_a_curve_is_matched_if_all_its_points_are(beside: ModuleType) -> None:
     def verdict(quantity: str, slow: float, fast: float, *, cage: bool) -> str:
         given = points([3.0, 3.0, 3.0], race=[slow, 5e-3, fast]) if quantity == "race_torque" else points(
             [slow, 5e-3, fast], **({"cage": [1.0, 1.0, 1.0]} if cage else {}))  # fmt: skip
@@ -75,7 +67,7 @@ def test_a_curve_is_matched_where_all_its_points_are(beside: ModuleType) -> None
     assert verdict("total_torque", 8.67e-3, 12.9e-3, cage=True) == "matched"
 
 
-def test_trends_follow_the_numbers_and_wait_for_the_cage(beside: ModuleType) -> None:
+def test_trends_follow_the_numbers_and_those_of_a_cage_need_one(beside: ModuleType) -> None:
     rough = points([9.0, 11.0, 14.0], race=[7.0, 7.2, 7.1], inner=[0.08, 0.081, 0.079], outer=[0.07, 0.071, 0.07])
     smooth = points([5.0, 4.0, 6.0], race=[5.0, 4.0, 3.0], inner=[0.03, 0.031, 0.04], outer=[0.02, 0.021, 0.02])
     found = beside.trends(beside.series(rough), beside.series(smooth))
@@ -88,7 +80,7 @@ def test_trends_follow_the_numbers_and_wait_for_the_cage(beside: ModuleType) -> 
     assert [trend.held for trend in found if "cage" in trend.claim or "pocket" in trend.claim] == [None] * 6
 
 
-def test_trends_of_a_cage_are_read_as_soon_as_it_is_computed(beside: ModuleType) -> None:
+def test_trends_of_a_cage_are_judged_once_it_is_computed(beside: ModuleType) -> None:
     race: dict[str, list[float]] = {name: [0.05, 0.05, 0.05] for name in ("race", "inner", "outer")}
     rough = points([9.0, 11.0, 14.0], **race, cage=[1, 3, 6], max_force=[2, 9, 28], pocket=[0.11, 0.11, 0.1])
     smooth = points([5.0, 6.0, 7.0], **race, cage=[0.5, 2, 7], max_force=[3, 2, 1], pocket=[0.1, 0.07, 0.05])
@@ -119,22 +111,20 @@ def test_the_printed_equations_jump_and_the_derived_ones_do_not(beside: ModuleTy
     assert found[5].printed[1] > 10 * found[5].derived[1]
 
 
-def test_the_script_prints_and_writes(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, VALIDATION / "paper.py", "--out", tmp_path],
-        capture_output=True, check=True, text=True, timeout=120,
-    )  # fmt: skip
-    assert "calibration: inputs chosen" in done.stdout
-    assert "no evidence for the model" in done.stdout
-    found = json.loads((tmp_path / "paper.json").read_text("utf-8"))
-    assert [scene["name"] for scene in found["scenes"]] == ["calibrated", "as printed", "physical"]
+@pytest.mark.slow
+def test_the_script_prints_and_writes(run_script, tmp_path: Path) -> None:
+    printed = run_script("paper.py", "--out", tmp_path)
+    assert "calibration: inputs chosen" in printed
+    assert "no evidence for the model" in printed
+    written = json.loads((tmp_path / "paper.json").read_text("utf-8"))
+    assert [scene["name"] for scene in written["scenes"]] == ["calibrated", "as printed", "physical"]
     verdicts = {
         (scene["name"], curve["quantity"], curve["rms_roughness"]): curve["verdict"]
-        for scene in found["scenes"]
+        for scene in written["scenes"]
         for curve in scene["curves"]
     }
     assert verdicts["calibrated", "race_torque", 1e-6] == "matched"  # what it was chosen for
     assert verdicts["physical", "race_torque", 1e-6] == "not matched"
-    assert any("as_printed" in text for text in found["scenes"][1]["warnings"])
+    assert any("as_printed" in text for text in written["scenes"][1]["warnings"])
     assert len((tmp_path / "paper.csv").read_text("utf-8").splitlines()) == 1 + 3 * 16
     assert (tmp_path / "paper.png").stat().st_size > 0

@@ -1,4 +1,4 @@
-"""The comparison with other solvers: that a run says what it did, and that the third opinion agrees with ours."""
+"""The comparison with other solvers: the record of a run, and agreement of boundary elements with our meshes."""
 
 import json
 import subprocess
@@ -11,20 +11,21 @@ import pytest
 RUN = Path(__file__).resolve().parents[2] / "validation" / "peers" / "run.py"
 
 
-def peers_json(folder: Path, *arguments: str) -> tuple[dict[str, Any], str]:
-    """What a run writes into peers.json and prints."""
-    done = subprocess.run(
-        [sys.executable, RUN, "--out", folder, *arguments], capture_output=True, check=True, text=True, timeout=300
-    )
-    return json.loads((folder / "peers.json").read_text("utf-8")), done.stdout
+def peers_json(folder: Path) -> dict[str, Any]:
+    return json.loads((folder / "peers.json").read_text("utf-8"))
 
 
-def test_a_run_measures_ours_and_skips_what_is_missing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.slow
+def test_a_run_measures_ours_and_skips_a_missing_solver(
+    run_script, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     missing = tmp_path / "missing" / "tamaas.py"
     missing.parent.mkdir()
     missing.write_text("raise ModuleNotFoundError('no such module', name='tamaas')\n", "utf-8")
-    monkeypatch.setenv("PYTHONPATH", str(missing.parent))  # found before any installed one
-    found, printed = peers_json(tmp_path / "out", "--steps", "1", "--cases", "sphere", "--peers", "tamaas", "ours")
+    monkeypatch.setenv("PYTHONPATH", str(missing.parent))  # comes before an installed one
+    out = tmp_path / "out"
+    printed = run_script("peers/run.py", "--out", out, "--steps", "1", "--cases", "sphere", "--peers", "tamaas", "ours")
+    found = peers_json(out)
     assert found["skipped"] == {"tamaas": "tamaas is not installed"}
     assert "tamaas skipped: tamaas is not installed" in printed
     (row,) = found["rows"]
@@ -34,9 +35,10 @@ def test_a_run_measures_ours_and_skips_what_is_missing(tmp_path: Path, monkeypat
     assert min(row["import_seconds"], row["solve_seconds"]) > 0
     assert row["process_seconds"] > row["solve_seconds"]
     assert row["memory"] > 2**24  # bytes: an interpreter with NumPy takes more
-    assert (tmp_path / "out" / "peers.png").stat().st_size > 0
+    assert (out / "peers.png").stat().st_size > 0
 
 
+@pytest.mark.slow
 def test_a_peer_that_fails_is_listed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     broken = tmp_path / "broken" / "tamaas.py"
     broken.parent.mkdir()
@@ -45,17 +47,18 @@ def test_a_peer_that_fails_is_listed(tmp_path: Path, monkeypatch: pytest.MonkeyP
     command = [sys.executable, RUN, "--out", tmp_path, "--steps", "1", "--cases", "sphere", "--peers", "tamaas"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.returncode == 1
-    (row,) = json.loads((tmp_path / "peers.json").read_text("utf-8"))["rows"]
+    (row,) = peers_json(tmp_path)["rows"]
     assert "library of another world" in row["failed"]
     assert "tamaas, sphere, refinement 16 failed" in done.stdout.replace("\n", " ")
 
 
-def test_boundary_elements_hertz_and_ours_agree_on_the_ellipse_of_the_6205(tmp_path: Path) -> None:
+@pytest.mark.slow
+def test_boundary_elements_hertz_and_ours_agree_on_the_ellipse_of_the_6205(run_script, tmp_path: Path) -> None:
     pytest.importorskip("tamaas", reason="its wheels are for Linux on x86-64 only")
-    found, _ = peers_json(tmp_path, "--cases", "ellipse", "--peers", "tamaas", "ours", "--steps", "3")
-    errors = {(row["peer"], row["refinement"]): row["errors"] for row in found["rows"]}
+    run_script("peers/run.py", "--out", tmp_path, "--cases", "ellipse", "--peers", "tamaas", "ours", "--steps", "3")
+    errors = {(row["peer"], row["refinement"]): row["errors"] for row in peers_json(tmp_path)["rows"]}
     boundary, ours = errors["tamaas", 64], errors["ours", 3]
     assert max(map(abs, boundary.values())) < 5e-4  # 64 points a side resolve the edge to 0.02 %
     assert max(map(abs, ours.values())) < 2e-3  # the third level of our recipe is 0.1 % off
-    for name, error in boundary.items():  # and each other, without Hertz between them
+    for name, error in boundary.items():  # and with each other
         assert ours[name] == pytest.approx(error, abs=2e-3), name

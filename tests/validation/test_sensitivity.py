@@ -1,10 +1,7 @@
-"""The sensitivity study: changes that can be known otherwise, ranges that follow from the paper, and what it writes."""
+"""The sensitivity study: changes with a second calculation, ranges that follow from the paper, and its files."""
 
 import csv
-import importlib
-import subprocess
-import sys
-from collections.abc import Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -17,14 +14,10 @@ import pytest
 from analytic.scene import Scene
 from analytic.torque import friction_torque
 
-VALIDATION = Path(__file__).resolve().parents[2] / "validation"
-
 
 @pytest.fixture(scope="module")
-def study() -> Iterator[ModuleType]:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.syspath_prepend(VALIDATION)
-        yield importlib.import_module("sensitivity")
+def study(script: Callable[[str], ModuleType]) -> ModuleType:
+    return script("sensitivity")
 
 
 @pytest.fixture(scope="module")
@@ -52,7 +45,7 @@ def test_the_hysteresis_part_is_proportional_to_its_loss(scene: Scene, swings: d
 
 
 def test_the_boundary_part_is_what_asperities_carry(swings: dict[str, Any]) -> None:
-    """Without boundary friction the torque by slip would fall: its change is the same line through both ends."""
+    """Torque by slip is a straight line over the coefficient of boundary friction, so both ends lie on it."""
     low, high = swings["boundary friction"].changes
     # The share of spin shifts a little with the coefficients: 5 % is far above that, and far below any other law.
     np.testing.assert_allclose(low / (0.08 - 0.12), high / (0.15 - 0.12), rtol=0.05)
@@ -60,7 +53,7 @@ def test_the_boundary_part_is_what_asperities_carry(swings: dict[str, Any]) -> N
 
 
 def test_one_input_moves_at_a_time(study: ModuleType, scene: Scene) -> None:
-    """An end differs from the scene in the one noun that its input stands in."""
+    """A changed scene differs from the original in one noun only, the one that holds the input."""
     nouns = {"Young's modulus": "bearing", "Poisson's ratio": "bearing", "viscosity": "lubricant",
              "pressure-viscosity": "lubricant", "Eyring stress": "lubricant", "limiting shear": "lubricant",
              "shear of the oil": "lubricant", "hysteresis loss": "hysteresis_loss", "spin rule": "spin_rule",
@@ -82,10 +75,10 @@ def test_the_largest_swing_comes_first(swings: dict[str, Any]) -> None:
 
 
 def test_the_free_angle_within_the_rounding(study: ModuleType, scene: Scene) -> None:
-    """An independent calculation of what 10 um of rounding leave: 5 to 17 degrees, whole ones; at most 20.5."""
+    """An independent calculation of the angles within 10 um of rounding: 5 to 17 degrees, rounded; at most 20.5."""
     low, high = np.degrees(study.free_angles_within_rounding(scene))
     np.testing.assert_allclose([low, high], [5, 17], atol=0.5)
-    # Draws that are all at one end: the worst case, by hand arccos(1 - 0.050/(2 x 0.395)), mm.
+    # The worst case has all dimensions at one end; by hand: arccos(1 - 0.050/(2 x 0.395)), mm.
     bearing = scene.bearing
     outer, inner = bearing.outer, bearing.inner
     wide = replace(
@@ -99,12 +92,9 @@ def test_the_free_angle_within_the_rounding(study: ModuleType, scene: Scene) -> 
     assert high < worst
 
 
-def test_the_script_prints_writes_and_draws(tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, VALIDATION / "sensitivity.py", "--out", tmp_path],
-        capture_output=True, check=True, text=True, timeout=120,
-    )  # fmt: skip
-    assert "without a cage" in " ".join(done.stdout.split())
+@pytest.mark.slow
+def test_the_script_prints_writes_and_draws(run_script, tmp_path: Path) -> None:
+    assert "without a cage" in " ".join(run_script("sensitivity.py", "--out", tmp_path).split())
     with (tmp_path / "sensitivity.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     assert len({row["input"] for row in rows}) == 18

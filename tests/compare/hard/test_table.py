@@ -21,7 +21,21 @@ EXACT = CONTACT | LUBRICATION | CAGE
 NUMBERS = {case.name: case.expected for case in HARD_CASES if case.expected not in (None, -1, 0, 1)}
 
 
-@pytest.mark.parametrize("name", TABLE)
+SLOW = {  # fine meshes of the true groove
+    f"contact: {name}"
+    for name in (
+        "true groove at 1e-6 N",
+        "incompressible race",
+        "closest groove",
+        "steel on ceramic",
+        "steel on bronze",
+    )
+} | {"contact: steel on PEEK"}
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.slow] if name in SLOW else []) for name in TABLE]
+)
 def test_every_case_is_right(name: str) -> None:
     found = outcome_of(TABLE[name])
     assert found.outcome == ("refused" if TABLE[name].refusal else "right"), found.detail

@@ -1,7 +1,7 @@
 """The same scene and seeds give the same numbers, but for times, memory and where they come from."""
 
 import json
-from dataclasses import replace
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -9,7 +9,7 @@ import pytest
 from analytic.scenefile.read import parse_scene
 from fembearing.compare.contact import scene_contact
 from fembearing.compare.validation import Validation
-from fembearing.mesh.recipe import Recipe, load_recipe
+from fembearing.mesh.recipe import Recipe
 from fembearing.provenance import MEMORY, ORIGIN, TIMES, VARYING, repeatable
 from fembearing.report.document.build import report_of
 from fembearing.report.folder import validate
@@ -28,14 +28,11 @@ coefficient = 0.1
 """
 
 
-def shallow(name: str) -> Recipe:
-    """Meshes of a quarter of the cells: what is asked here is whether they come out the same."""
-    recipe = load_recipe(name)
-    return replace(recipe, cells=replace(recipe.cells, depth=1, outside=1))
+pytestmark = pytest.mark.slow  # two checks of a scene
 
 
 @pytest.fixture(scope="module")
-def twice() -> list[Validation]:
+def twice(shallow: Callable[[str], Recipe]) -> list[Validation]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scene_contact, "load_recipe", shallow)
         return [validate(parse_scene(SCENE, origin="here")) for _ in range(2)]

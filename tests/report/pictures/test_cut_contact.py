@@ -13,7 +13,7 @@ from fembearing.report.pictures.draw import RENDERER, draw_pictures
 BROKEN = (sys.executable, "-c", "raise SystemExit(3)")
 
 
-@pytest.mark.parametrize("renderer", [RENDERER, BROKEN], ids=["VTK", "map"])
+@pytest.mark.parametrize("renderer", [pytest.param(RENDERER, marks=pytest.mark.slow), BROKEN], ids=["VTK", "map"])
 def test_pressure_ends_at_the_shoulder_and_only_there(
     cut_contact: ContactSolution, tmp_path: Path, renderer: tuple[str, ...]
 ) -> None:

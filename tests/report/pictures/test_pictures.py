@@ -122,7 +122,7 @@ def test_a_section_shows_the_cells_of_both_bodies(drawn: dict[str, Picture], pai
         assert share_of_lines(pixels, body & free, 0.02) > 0.02  # found: 0.05 and more; without lines 0.003
 
 
-@pytest.mark.parametrize("renderer", [RENDERER, DIES], ids=["vtk", "map"])
+@pytest.mark.parametrize("renderer", [pytest.param(RENDERER, marks=pytest.mark.slow), DIES], ids=["vtk", "map"])
 def test_the_computed_ellipse_is_drawn_beside_hertz(
     checked: Validation, tmp_path: Path, renderer: tuple[str, ...]
 ) -> None:
@@ -195,6 +195,7 @@ def test_the_close_up_of_a_slender_contact_is_no_sliver(drawn: dict[str, Picture
     assert vivid.sum(axis=0).max() > least
 
 
+@pytest.mark.slow
 def test_a_small_body_under_a_large_ball_is_still_seen(checked: Validation, tmp_path: Path) -> None:
     """As the block of a pocket's tiny contact is: an eighth of the ball."""
     seat = checked.contacts[2]
