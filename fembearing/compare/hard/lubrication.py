@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from analytic.contact.hertz import hertz_contact
+from analytic.contact.rolling_contact import EllipticContact, elliptic_contact
 from analytic.oil.film import central_film
 from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import MixedTraction, oil_shear_stress
@@ -43,18 +43,19 @@ SPLINE = (1e-7, "the asperities' splines are good to 1e-8, and the film grows wi
 
 def film(**changed: float) -> float:
     """Central film, m; NaN for an ellipse of no fitted shape that is not marked as one, or one marked in vain."""
-    given = {"curvature_x": LARGE, "curvature_y": SMALL, "load": LOAD, "modulus": MODULUS, "entrainment_speed": SPEED}
+    of_contact = {name: changed.pop(name) for name in ("load", "curvature_transverse") if name in changed}
+    here = contact(**of_contact)
     oil = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
-    arguments = given | oil | changed
-    found = central_film(**arguments)
-    fitted = 0.03 <= arguments["curvature_y"] / arguments["curvature_x"] <= 1
+    found = central_film(here, **({"entrainment_speed": SPEED} | oil | changed))
+    fitted = 0.03 <= here.curvature_transverse / here.curvature_rolling <= 1
     return float(found.thickness) if bool(found.outside_range) != fitted else math.nan
 
 
-def area(load: float) -> float:
-    """pi a b, m^2."""
-    ellipse = hertz_contact(curvature_x=LARGE, curvature_y=SMALL, load=load, modulus=MODULUS)
-    return float(np.pi * ellipse.semi_axis_x * ellipse.semi_axis_y)
+def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> EllipticContact:
+    """A ball on a race."""
+    return elliptic_contact(
+        curvature_rolling=LARGE, curvature_transverse=curvature_transverse, load=load, modulus=MODULUS
+    )
 
 
 def shared(
@@ -62,11 +63,7 @@ def shared(
 ) -> MixedContact:
     """Oil and asperities of two surfaces of so much roughness each, m; 0: smooth."""
     return mixed_contact(
-        curvature_x=LARGE,
-        curvature_y=SMALL,
-        load=load,
-        modulus=MODULUS,
-        contact_area=area(load),
+        contact(load),
         entrainment_speed=speed,
         viscosity=OIL.viscosity,
         pressure_viscosity=OIL.pressure_viscosity,
@@ -89,7 +86,7 @@ def friction(oil: Lubricant, found: MixedContact, *, load: float, slip: float) -
         area_fraction=found.area_fraction,
         film_thickness=found.film_thickness,
     )
-    return float(traction.force(load=load, area=area(load))(np.asarray(slip)))
+    return float(traction.force(contact(load))(np.asarray(slip)))
 
 
 def light_friction(load: float) -> float:
@@ -184,7 +181,7 @@ LUBRICATION_CASES: tuple[HardCase, ...] = (
         name="film: wider along rolling",
         asked="R_x/R_y of 1.9, where the formula was made for 0.03 to 1",
         right="the formula by 40 digits, marked as outside its range: unmarked counts as wrong",
-        evaluate=lambda: film(curvature_y=1.9 * LARGE),
+        evaluate=lambda: film(curvature_transverse=1.9 * LARGE),
         expected=8.961701851164410376e-8,
         tolerance=LOGARITHMS,
     ),
