@@ -116,9 +116,11 @@ def microslip_torque(
     The slip power of both contacts over w is the sum of
         spin = M_spin,i w_s,i/w + M_spin,o w_s,o/w,  conformity = M_roll,i w_roll,i/w + M_roll,o w_roll,o/w
     For Z equal balls these are Z |M_spin| sin(al) (equation 10) and Z (M_ri R_o + M_ro R_i)/(2 r) (equation 11).
-    Raises InputError for a negative spin_difference or an unknown rule.
+    Raises InputError for a negative spin_difference or friction_force, or an unknown rule.
     """
     require_non_negative(spin_difference=spin_difference)
+    for force in friction_force:
+        require_non_negative(friction_force=force)
     difference = np.asarray(spin_difference, dtype=np.float64)
     match spin_rule:
         case "balanced":
