@@ -27,8 +27,8 @@ def coulomb(pressure: np.ndarray, speed: np.ndarray) -> np.ndarray:  # noqa: ARG
 
 def contact(k: float, **changed: Any) -> RollingContact:
     """Of the ellipticity b/a, under the load Q."""
-    usual = {"load": Q, "semi_axis_transverse": B, "deformed_radius": R, "rolling_rate": ROLL}
-    return rolling_contact(semi_axis_rolling=B / k, **(usual | changed))
+    axes = {"semi_axis_rolling": B / k, "semi_axis_transverse": B}
+    return rolling_contact(**({"load": Q, **axes, "deformed_radius": R, "rolling_rate": ROLL} | changed))
 
 
 def of_long_ellipse(eps: float) -> tuple[np.ndarray, np.ndarray]:
