@@ -1,9 +1,9 @@
 """The central film against measured films: python validation/film.py [--out FOLDER]
 
-A steel ball rolls on a glass disc under oil, and interferometry gives the film in the middle. The comparison goes the
-way of [ASME2009]: the error E = S - D of the computed against the measured film is that of the formula to
-within u_val = sqrt(u_num^2 + u_input^2 + u_D^2). All uncertainties are standard ones. Prints a table and what follows
-for the formula, and draws film.png into the folder (validation/reports).
+A steel ball rolls on a glass disc under oil, and interferometry gives the film in the middle. The comparison follows
+[ASME2009]: the error E = S - D of the computed against the measured film is that of the formula to within
+u_val = sqrt(u_num^2 + u_input^2 + u_D^2). All uncertainties are standard ones. The program prints a table and the
+conclusions for the formula, and draws film.png into the folder (validation/reports).
 """
 
 import argparse
@@ -17,6 +17,7 @@ from rich.console import Console
 from rich.table import Table
 from scipy.optimize import brentq
 
+from analytic.contact.rolling_contact import elliptic_contact
 from analytic.oil.film import FITTED_ELLIPTICITY, FORMULA_UNCERTAINTY, central_film
 
 mpl.use("agg")
@@ -31,10 +32,10 @@ INPUTS = {
     "load": LOAD,
     "modulus": 1 / sum((1 - nu**2) / e for e, nu in zip(YOUNGS_MODULI, POISSON_RATIOS, strict=True)),
 }
-# Relative standard uncertainties, assumed: none is stated. The pressure-viscosity coefficient was not measured, and
-# mineral oils of this viscosity have some 1.4 to 2.2e-8 1/Pa (no source seen); viscosity moves 4 % with each kelvin.
+# Assumed relative standard uncertainties, because none is stated. The pressure-viscosity coefficient was not measured;
+# mineral oils of this viscosity have some 1.4 to 2.2e-8 1/Pa (no source seen). Viscosity changes by 4 % per kelvin.
 INPUT_UNCERTAINTIES = {"viscosity": 0.02, "pressure_viscosity": 0.15, "load": 0.01, "modulus": 0.02}
-SPEED_UNCERTAINTY = 0.01  # the same
+SPEED_UNCERTAINTY = 0.01  # relative, standard, assumed too
 SCATTER_SPEEDS, SCATTER = (0.05, 0.1), (1.1e-9, 18e-9)  # m/s, m: stated up to the first and above the second
 LEAST_SPEED = 0.02  # m/s: below, films of 15 nm and less scatter
 
@@ -57,7 +58,7 @@ class Comparison:
 
     @property
     def uncertainty(self) -> np.ndarray:
-        """u_val, m; u_num, the round-off of a formula, is nothing beside the others."""
+        """u_val, m; u_num, the round-off of a formula, is negligible."""
         return np.hypot(self.measurement_uncertainty, self.input_uncertainty)
 
     @property
@@ -67,7 +68,7 @@ class Comparison:
 
     @property
     def model_uncertainty(self) -> float:
-        """Root mean square of E/D over the points judged: what these films leave the formula, inputs included."""
+        """Root mean square of E/D over the judged points: the error of the formula, including that of its inputs."""
         return float(np.sqrt(np.mean(self.relative[self.judged] ** 2)))
 
 
@@ -84,23 +85,30 @@ def main() -> None:
 def film(speed: np.ndarray, **changed: float) -> np.ndarray:
     """Computed central film, m, with some inputs changed."""
     inputs = INPUTS | changed
-    return central_film(curvature_x=1 / RADIUS, curvature_y=1 / RADIUS, entrainment_speed=speed, **inputs).thickness
+    contact = elliptic_contact(
+        curvature_rolling=1 / RADIUS,
+        curvature_transverse=1 / RADIUS,
+        load=inputs["load"],
+        modulus=inputs["modulus"],
+    )
+    oil = {name: inputs[name] for name in ("viscosity", "pressure_viscosity")}
+    return central_film(contact, entrainment_speed=speed, **oil).thickness
 
 
 def compare() -> Comparison:
     speed, nanometres = np.loadtxt(DATA, delimiter=",", skiprows=6, unpack=True)
     computed = film(speed)
-    moves = [  # half of what the film moves when an input moves by its uncertainty both ways
+    changes = [  # half of the difference between the films with an input increased and decreased by its uncertainty
         (film(speed, **{name: INPUTS[name] * (1 + u)}) - film(speed, **{name: INPUTS[name] * (1 - u)})) / 2
         for name, u in INPUT_UNCERTAINTIES.items()
     ]
-    moves.append((film(speed * (1 + SPEED_UNCERTAINTY)) - film(speed * (1 - SPEED_UNCERTAINTY))) / 2)
+    changes.append((film(speed * (1 + SPEED_UNCERTAINTY)) - film(speed * (1 - SPEED_UNCERTAINTY))) / 2)
     return Comparison(
         speed=speed,
         measured=nanometres * 1e-9,
         computed=computed,
         measurement_uncertainty=np.interp(speed, SCATTER_SPEEDS, SCATTER),  # between the two, not stated: linear
-        input_uncertainty=np.sqrt(np.sum(np.square(moves), axis=0)),
+        input_uncertainty=np.sqrt(np.sum(np.square(changes), axis=0)),
         judged=speed >= LEAST_SPEED,
     )
 

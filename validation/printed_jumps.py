@@ -1,21 +1,22 @@
-"""What the paper's equations 2 to 7 do as printed where they pass from one case to the next."""
+"""The jumps of equations 2 to 7 of [Paper], as printed, where one case follows another."""
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from analytic.contact.rolling_contact import deformed_radius
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Array, Scene
 from analytic.sliding.as_printed import as_printed_moments
-from analytic.sliding.long_ellipse import FULL_SPIN, deformed_radius, microslip_moments
+from analytic.sliding.long_ellipse import FULL_SPIN, microslip_moments
 from analytic.torque import friction_torque
 
-ASIDE = 1e-6  # of a load or a ratio: how far from a jump its two sides are taken
+ASIDE = 1e-6  # relative distance of both sides from a jump, in load or ratio
 
 
 @dataclass(frozen=True, kw_only=True)
 class Jump:
-    """What the printed equations do on both sides of a spin-to-roll ratio where the derived ones are continuous; SI."""
+    """Values on both sides of a spin-to-roll ratio where the derived equations are continuous; SI."""
 
     where: str
     quantity: str
@@ -33,8 +34,7 @@ def printed_jumps(scene: Scene) -> list[Jump]:
     outer_coefficient = found.friction_coefficient.outer
     assert outer_coefficient is not None
     outer = {
-        "friction_coefficient": outer_coefficient[0],
-        "load": found.ball_load[0],
+        "friction_force": outer_coefficient[0] * found.ball_load[0],
         "semi_axis_transverse": found.outer.semi_axis_transverse[0],
     }
     surface = deformed_radius(groove_radius=bearing.outer.groove_radius, ball_diameter=bearing.ball_diameter)
@@ -54,8 +54,8 @@ def printed_jumps(scene: Scene) -> list[Jump]:
         pitch_diameter=bearing.pitch_diameter,
         ball_diameter=bearing.ball_diameter,
     )
-    # With a hair of spin the outer contact resists rolling; at a given angle nothing else of the scene moves with it.
-    hair = float((bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)[0])
+    # With a very small spin the outer contact resists rolling; at a given angle nothing else in the scene changes.
+    added = float((bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)[0])
     derived = float(friction_torque(replace(scene, microslip="derived")).torque.total[0])
     printed = float(found.torque.total[0])
     jumps.append(
@@ -63,7 +63,7 @@ def printed_jumps(scene: Scene) -> list[Jump]:
             where="bearing, outer ratio 0",
             quantity="torque",
             unit="N mm",
-            printed=(printed, printed + hair),
+            printed=(printed, printed + added),
             derived=(derived, derived),
         )
     )

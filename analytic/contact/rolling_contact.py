@@ -66,7 +66,7 @@ class RollingContact(EllipticContact):
     """A ball that rolls on its race. Rates are per unit ring speed w, so they exist at standstill too."""
 
     deformed_radius: Numbers  # R, transverse radius of the contact surface, m, > 0
-    rolling_rate: Numbers  # w_roll/w, >= 0; at 0 the ball only spins
+    rolling_rate: Numbers  # w_roll/w, >= 0; at 0 it only spins, which `sliding.ellipse` allows
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import Pair, RollingContact
-from analytic.errors import InputError, require_finite, require_non_negative
+from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.root import bracketed_root, with_secant_slopes
 from analytic.oil.traction import Traction
 from analytic.scene import Array, Lubricant, SpinRule
@@ -68,10 +68,13 @@ def slip_friction(
     of its share of the spin. With every method the moment of a contact grows with this share, so there is one balance.
     A fixed-point iteration between forces and shares would fail where the oil is viscous and both contacts spin in
     full.
-    Raises InputError for arguments that do not broadcast, a negative spin_difference, an unknown rule or method.
+    Raises InputError for arguments that do not broadcast, a negative spin_difference, a contact that does not roll, an
+    unknown rule or method.
     """
     require_finite(ring_speed=ring_speed)
     require_non_negative(spin_difference=spin_difference)
+    for contact in contacts:
+        require_positive(rolling_rate=contact.rolling_rate)
     speed, difference = np.abs(np.asarray(ring_speed, dtype=np.float64)), np.asarray(spin_difference, dtype=np.float64)
     numbers = (value for each in (*contacts, *traction) for value in _numbers(each).values())
     try:

@@ -116,9 +116,12 @@ def microslip_torque(
     The slip power of both contacts over w is the sum of
         spin = M_spin,i w_s,i/w + M_spin,o w_s,o/w,  conformity = M_roll,i w_roll,i/w + M_roll,o w_roll,o/w
     For Z equal balls these are Z |M_spin| sin(al) (equation 10) and Z (M_ri R_o + M_ro R_i)/(2 r) (equation 11).
-    Raises InputError for a negative spin_difference or an unknown rule.
+    Raises InputError for a negative spin_difference or friction_force, a contact that does not roll, an unknown rule.
     """
     require_non_negative(spin_difference=spin_difference)
+    for contact, force in zip(contacts, friction_force, strict=True):
+        require_positive(rolling_rate=contact.rolling_rate)
+        require_non_negative(friction_force=force)
     difference = np.asarray(spin_difference, dtype=np.float64)
     match spin_rule:
         case "balanced":
@@ -152,7 +155,7 @@ def contact_moments(contact: RollingContact, *, friction_force: ArrayLike, spin_
 def spin_to_roll_ratio(contact: RollingContact, *, spin_rate: ArrayLike) -> Array:
     """eps = (w_s/w_roll)(R/b) of a contact that spins with w_s/w = spin_rate; fields and spin_rate broadcast.
 
-    For a contact that is a point or does not roll, eps is the largest number if it spins, and 0 if it does not.
+    For a contact that is a point, eps is the largest number if it spins, and 0 if it does not.
     """
     numerator = np.asarray(spin_rate) * np.asarray(contact.deformed_radius)
     denominator = np.asarray(contact.rolling_rate) * np.asarray(contact.semi_axis_transverse)

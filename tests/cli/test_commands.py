@@ -14,7 +14,7 @@ import pytest
 from analytic.scenefile.read import builtin_scene, load_scene
 from fembearing import cli
 from fembearing.compare import validation
-from fembearing.compare.contact import discrepancy
+from fembearing.compare.contact import discrepancy, scene_contact
 from fembearing.compare.cost import contact_ladder, ladder
 from fembearing.compare.cost import scene_cost as cost
 from fembearing.compare.hard import table as hard_cases

@@ -1,18 +1,18 @@
 """The friction ladder: python validation/benchmarks/friction.py [--errors | --nodes] [--scenes 500] [--seed 40000]
 
 Prints the race torque of a 6205 under 1000 N thrust at a given contact angle of 0.18 rad, without hysteresis, by the
-three rungs of `analytic.sliding.ball`, with what the cheaper ones miss and the processor time of each, and the time that
-the load shared by film and asperities takes. With --errors, what the two cheaper rungs miss in random scenes of oil and
-finish, two contacts each, beside the bound of `analytic.sliding.methods` by which `auto` chooses: the constants there hold as
-far as that bound does. With --nodes, what the nodes of the dearer rungs leave in such scenes, beside the bound on it.
-Model against model: nothing here is measured. Times are the machine's.
+three methods of `analytic.sliding.ball`, with the errors of the cheaper ones and the processor time of each, and the
+time that the load sharing between film and asperities takes. With --errors: the errors of the two cheaper methods in
+random scenes of oil and finish, two contacts each, with the bound of `analytic.sliding.methods` that `auto` uses.
+The constants there are right as far as that bound holds. With --nodes: the errors by the nodes of the dearer methods in
+such scenes, with their bound. Model is compared with model; nothing is measured. Times are those of the machine.
 """
 
 import time
 from collections import defaultdict
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 from unittest.mock import patch
 
 import numpy as np
@@ -21,28 +21,29 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from analytic import friction_torque, load_scene, thrust_equilibrium
-from analytic.contact.geometry import race_curvatures
+from analytic import friction_torque, load_scene
 from analytic.contact.hertz import contact_modulus
-from analytic.effects.ledger import COMPUTED
-from analytic.loads.kinematics import ball_kinematics
+from analytic.contact.rolling_contact import RollingContact
+from analytic.effects.table import COMPUTED
+from analytic.loads.balls import LoadedBalls, thrust_balls
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.traction import MixedTraction
 from analytic.scene import Autocorrelation, ContactAngle, Lubricant, Scene
 from analytic.scenefile.read import builtin_scene
-from analytic.sliding.ball import RaceContact, Rung, slip_friction
-from analytic.sliding.long_ellipse import deformed_radius
-from analytic.sliding.methods import WAYS, Way
+from analytic.sliding.ball import SlidingMethod, slip_friction
+from analytic.sliding.long_ellipse import MicroslipTorque
+from analytic.sliding.methods import QUADRATURES, Quadrature
 from analytic.surface.asperity_table import tabulated_asperities
 from analytic.surface.moments import mccool_summits
 from analytic.surface.roughness import spectral_moments
 from random_scenes import of_oil_and_finish, thrust_scene
 
-RUNGS: tuple[Rung, ...] = ("single_coefficient", "along_axis", "over_ellipse")
-LAWS: tuple[Literal["eyring_constant", "eyring_sinh"], ...] = ("eyring_constant", "eyring_sinh")
-BOUNDS = (0.0, 0.01, 0.03, 0.1, 0.25, 0.5, 1.0, np.inf)  # by which scenes are told apart
-MANY = (48, 48)  # nodes that stand for no error
-STRICT = 1e-6  # tolerance that asks for the most nodes
+METHODS: tuple[SlidingMethod, ...] = ("single_coefficient", "along_axis", "over_ellipse")
+Law = Literal["eyring_constant", "eyring_sinh"]
+LAWS: tuple[Law, ...] = ("eyring_constant", "eyring_sinh")
+BOUNDS = (0.0, 0.01, 0.03, 0.1, 0.25, 0.5, 1.0, np.inf)  # by which scenes are grouped
+MANY = (48, 48)  # nodes whose error counts as none
+STRICT = 1e-6  # tolerance that needs the most nodes
 ANGLE, LOAD, HARDNESS = 0.18, 1000.0, 7.8e9  # rad, N, Pa
 LENGTH = 150e-6  # m, of the gaussian autocorrelation
 OIL = Lubricant(
@@ -60,9 +61,9 @@ OIL = Lubricant(
 
 
 def main(
-    errors: Annotated[bool, typer.Option("--errors", help="What cheap rungs miss in random scenes.")] = False,
-    nodes: Annotated[bool, typer.Option("--nodes", help="What nodes leave in random scenes.")] = False,
-    scenes: Annotated[int, typer.Option(help="Random ones.")] = 500,
+    errors: Annotated[bool, typer.Option("--errors", help="Errors of cheap methods in random scenes.")] = False,
+    nodes: Annotated[bool, typer.Option("--nodes", help="Errors by the nodes in random scenes.")] = False,
+    scenes: Annotated[int, typer.Option(help="Number of random scenes.")] = 500,
     seed: Annotated[int, typer.Option(help="The first; each scene has one of its own.")] = 40000,
 ) -> None:
     out = Console(width=140)
@@ -76,11 +77,13 @@ def main(
 
 
 def ladder(out: Console) -> None:
-    table = Table("traction", "Sq, um", "rpm", "N mm", "of the last, missed by", "ms", title=", ".join(RUNGS))
+    table = Table("traction", "Sq, um", "rpm", "N mm", "of the last, missed by", "ms", title=", ".join(METHODS))
     for traction in LAWS:
         for roughness in (0.1e-6, 1e-6):
             for rpm in (100.0, 500.0):
-                torques, seconds = zip(*(race_torque(rung, traction, roughness, rpm) for rung in RUNGS), strict=True)
+                torques, seconds = zip(
+                    *(race_torque(method, traction, roughness, rpm) for method in METHODS), strict=True
+                )
                 missed = " ".join(f"{torque / torques[-1] - 1:+.1%}" for torque in torques[:-1])
                 table.add_row(
                     *(traction, f"{roughness * 1e6:g}", f"{rpm:g}"),
@@ -90,47 +93,17 @@ def ladder(out: Console) -> None:
     out.print(table)
 
 
-def contacts(roughness: float, speed: np.ndarray) -> tuple[list[dict], dict]:
-    """Of both races: geometry and load as RaceContact takes them; and the arguments of mixed_contact, (2, n)."""
+def contacts(roughness: float, speed: np.ndarray) -> tuple[LoadedBalls, dict[str, Any]]:
+    """The loaded balls, and the arguments of mixed_contact with them, (2, n)."""
     bearing = load_scene(builtin_scene("6205")).bearing
-    balls = thrust_equilibrium(bearing, ContactAngle(rule="given", value=ANGLE), axial_load=LOAD)
-    motion, rates = (
-        ball_kinematics(
-            inner_speed=w,
-            inner_angle=ANGLE,
-            outer_angle=ANGLE,
-            pitch_diameter=bearing.pitch_diameter,
-            ball_diameter=bearing.ball_diameter,
-        )
-        for w in (speed, 1.0)
-    )
-    rolling = {"inner": rates.inner_rolling_rate, "outer": rates.outer_rolling_rate}
-    races, curvatures = [], []
-    for name, contact, groove in (("inner", balls.inner, bearing.inner), ("outer", balls.outer, bearing.outer)):
-        curvatures.append(race_curvatures(bearing, name, contact_angle=ANGLE))  # pyright: ignore[reportArgumentType]
-        races.append(
-            {
-                "load": float(balls.ball_load),
-                "semi_axis_rolling": float(contact.semi_axis_x),
-                "semi_axis_transverse": float(contact.semi_axis_y),
-                "deformed_radius": float(
-                    deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter)
-                ),
-                "rolling_rate": float(rolling[name]),
-            }
-        )
+    balls = thrust_balls(bearing, ContactAngle(rule="given", value=ANGLE), axial_load=np.array([LOAD]))
     correlation = Autocorrelation(kind="gaussian", length=LENGTH, spacing=LENGTH / 20)
     moments = spectral_moments(rms_roughness=roughness, autocorrelation=correlation)
     modulus = contact_modulus(bearing.ball_material, bearing.inner.material)
-    along, across = np.array(curvatures, dtype=np.float64).T[..., None]
-    areas = [np.pi * race["semi_axis_rolling"] * race["semi_axis_transverse"] for race in races]
-    return races, {
-        "curvature_x": along,
-        "curvature_y": across,
-        "load": float(balls.ball_load),
-        "modulus": modulus,
-        "contact_area": np.array(areas)[:, None],
-        "entrainment_speed": motion.entrainment_speed,
+    both = RollingContact(**{name: value[..., 0] for name, value in vars(balls.contacts).items()})  # (2, 1)
+    return balls, {
+        "contact": both,
+        "entrainment_speed": speed * balls.motion.entrainment_speed[0, 0],
         "viscosity": OIL.viscosity,
         "pressure_viscosity": OIL.pressure_viscosity,
         "asperities": tabulated_asperities(
@@ -139,33 +112,39 @@ def contacts(roughness: float, speed: np.ndarray) -> tuple[list[dict], dict]:
     }
 
 
-def race_torque(
-    rung: Rung, traction: Literal["eyring_constant", "eyring_sinh"], roughness: float, rpm: float
-) -> tuple[float, float]:
+def race_torque(method: SlidingMethod, traction: Law, roughness: float, rpm: float) -> tuple[float, float]:
     """N mm, and processor seconds without the sharing."""
     speed = np.array([rpm * np.pi / 30])
-    races, film = contacts(roughness, speed)
+    balls, film = contacts(roughness, speed)
     shared = mixed_contact(**film)
-    inner, outer = (
-        RaceContact(
-            traction=MixedTraction(
-                lubricant=replace(OIL, traction=traction),
-                boundary_friction=0.12,
-                asperity_share=shared.asperity_share[k],
-                area_fraction=shared.area_fraction[k],
-                film_thickness=shared.film_thickness[k],
-            ),
-            **race,
+    inner_law, outer_law = (
+        MixedTraction(
+            lubricant=replace(OIL, traction=traction),
+            boundary_friction=0.12,
+            asperity_share=shared.asperity_share[race],
+            area_fraction=shared.area_fraction[race],
+            film_thickness=shared.film_thickness[race],
         )
-        for k, race in enumerate(races)
+        for race in (0, 1)
     )
-    arguments = {"ring_speed": speed, "spin_difference": np.sin(ANGLE), "spin_rule": "balanced", "rung": rung}
-    slip_friction(inner, outer, **arguments)
+    contact = film["contact"]
+    inner, outer = (RollingContact(**{name: value[race] for name, value in vars(contact).items()}) for race in (0, 1))
+
+    def slip() -> MicroslipTorque:
+        return slip_friction(
+            (inner, outer),
+            (inner_law, outer_law),
+            ring_speed=speed,
+            spin_difference=np.sin(ANGLE),
+            spin_rule="balanced",
+            method=method,
+        ).torque
+
+    slip()
     started = time.process_time()
-    found = slip_friction(inner, outer, **arguments).torque
+    torque = slip()
     seconds = time.process_time() - started
-    balls = load_scene(builtin_scene("6205")).bearing.ball_count
-    return 1e3 * balls * float((found.spin + found.conformity)[0]), seconds
+    return 1e3 * balls.alike * float((torque.spin + torque.conformity)[0]), seconds
 
 
 def time_sharing(out: Console) -> None:
@@ -180,26 +159,26 @@ def time_sharing(out: Console) -> None:
 
 @dataclass(frozen=True)
 class Trial:
-    """One rung in one scene."""
+    """One method in one scene."""
 
     seed: int
     traction: str
-    rung: Rung
-    missed: float  # of what the rung found: the last rung's torque by sliding over its own, less 1
+    method: SlidingMethod
+    error: float  # torque by sliding of the most accurate method over that of this method, less 1
     bound: float  # on its magnitude
 
 
 def bounds(scenes: int, first: int, out: Console) -> None:
     trials = [
-        trial for seed in track(range(first, first + scenes), console=Console(stderr=True)) for trial in rungs_of(seed)
+        trial for seed in track(range(first, first + scenes), console=Console(stderr=True)) for trial in trials_of(seed)
     ]
     table = Table(title=f"{scenes} scenes of two contacts, seeds {first} to {first + scenes - 1}")
     heads = (
         "traction",
-        "rung",
+        "method",
         "bound",
         "scenes",
-        "missed: from",
+        "error: from",
         "to",
         "median",
         "bound holds",
@@ -209,18 +188,18 @@ def bounds(scenes: int, first: int, out: Console) -> None:
     for head in heads:
         table.add_column(head)
     for traction in LAWS:
-        for rung in RUNGS[:-1]:
+        for method in METHODS[:-1]:
             for low, high in pairwise(BOUNDS):
                 some = [
                     trial for trial in trials
-                    if (trial.traction, trial.rung) == (traction, rung) and low <= trial.bound < high
+                    if (trial.traction, trial.method) == (traction, method) and low <= trial.bound < high
                 ]  # fmt: skip
                 if not some:
                     continue
-                missed = np.array([trial.missed for trial in some])
+                missed = np.array([trial.error for trial in some])
                 used = np.abs(missed) / [trial.bound for trial in some]
                 table.add_row(
-                    *(traction, rung.replace("_", " "), f"{100 * low:g} to {100 * high:g} %", str(len(some))),
+                    *(traction, method.replace("_", " "), f"{100 * low:g} to {100 * high:g} %", str(len(some))),
                     *(f"{missed.min():+.1%}", f"{missed.max():+.1%}", f"{np.median(np.abs(missed)):.2%}"),
                     *(f"{np.sum(used <= 1)} of {len(some)}", f"{used.max():.2f}", str(some[int(used.argmax())].seed)),
                 )
@@ -235,45 +214,45 @@ def sliding_scene(seed: int) -> Scene:
     return replace(thrust_scene(rng, **of_oil_and_finish(rng)), effects=effects, tolerance=STRICT)
 
 
-def rungs_of(seed: int) -> list[Trial]:
+def trials_of(seed: int) -> list[Trial]:
     scene = sliding_scene(seed)
-    found = {rung: friction_torque(replace(scene, sliding=rung)) for rung in RUNGS}
+    found = {method: friction_torque(replace(scene, sliding=method)) for method in METHODS}
     true = found["over_ellipse"].torque.total[0]
     assert scene.lubricant is not None
     return [
         Trial(
             seed=seed,
             traction=scene.lubricant.traction,
-            rung=rung,
-            missed=float(true / found[rung].torque.total[0] - 1),
-            bound=float(found[rung].numerical_uncertainty[0]),
+            method=method,
+            error=float(true / found[method].torque.total[0] - 1),
+            bound=float(found[method].numerical_uncertainty[0]),
         )
-        for rung in RUNGS[:-1]
+        for method in METHODS[:-1]
     ]
 
 
 def quadratures(seeds: range, out: Console) -> None:
-    """The dearer ways of `analytic.sliding.methods`, of the torque by sliding, against many nodes on the same rung."""
-    missed: dict[tuple[str, Way], list[float]] = defaultdict(list)
+    """Errors of the dearer quadratures of `analytic.sliding.methods` against many nodes with the same method."""
+    errors: dict[tuple[str, Quadrature], list[float]] = defaultdict(list)
     for seed in track(seeds, console=Console(stderr=True)):
         scene = sliding_scene(seed)
         assert scene.lubricant is not None
-        for way in WAYS[1:]:
-            found, true = (torque_by(replace(way, nodes=nodes), scene) for nodes in (way.nodes, MANY))
-            missed[scene.lubricant.traction, way].append(abs(found / true - 1))
-    table = Table("traction", "rung", "nodes", "scenes", "median", "98 of 100", "most", "bound")
-    for (traction, way), some in missed.items():
-        bound = way.smooth if traction == "eyring_constant" else way.kinked
+        for quadrature in QUADRATURES[1:]:
+            found, true = (torque_by(replace(quadrature, nodes=nodes), scene) for nodes in (quadrature.nodes, MANY))
+            errors[scene.lubricant.traction, quadrature].append(abs(found / true - 1))
+    table = Table("traction", "method", "nodes", "scenes", "median", "98 of 100", "most", "bound")
+    for (traction, quadrature), some in errors.items():
+        bound = quadrature.smooth if traction == "eyring_constant" else quadrature.kinked
         table.add_row(
-            *(traction, way.rung, "{} by {}".format(*way.nodes), str(len(some))),
+            *(traction, quadrature.method, "{} by {}".format(*quadrature.nodes), str(len(some))),
             *(f"{value:.1e}" for value in (*np.quantile(some, [0.5, 0.98, 1.0]), bound)),
         )
     out.print(table)
 
 
-def torque_by(way: Way, scene: Scene) -> float:
-    with patch("analytic.sliding.methods.WAYS", (WAYS[0], way)):
-        return float(friction_torque(replace(scene, sliding=way.rung)).torque.total[0])
+def torque_by(quadrature: Quadrature, scene: Scene) -> float:
+    with patch("analytic.sliding.methods.QUADRATURES", (QUADRATURES[0], quadrature)):
+        return float(friction_torque(replace(scene, sliding=quadrature.method)).torque.total[0])
 
 
 if __name__ == "__main__":

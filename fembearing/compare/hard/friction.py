@@ -4,9 +4,10 @@ import math
 from dataclasses import replace
 from typing import Any
 
+from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.ring import ring_equilibrium
 from analytic.scene import ContactAngle
-from analytic.sliding.long_ellipse import MicroslipTorque, SlidingContact, microslip_moments, microslip_torque
+from analytic.sliding.long_ellipse import MicroslipTorque, microslip_moments, microslip_torque
 from fembearing.compare.hard.case import HardCase
 from fembearing.compare.hard.specimens import exponent, parsed, torque_6205, with_clearance
 
@@ -27,8 +28,7 @@ def rolling(spin_to_roll: float) -> float:
 def _moments(spin_to_roll: float) -> tuple[float, float]:
     mu, load, semi_axis, radius = 0.07, 530.0, 0.9e-3, 3.7e-3
     moments = microslip_moments(
-        friction_coefficient=mu,
-        load=load,
+        friction_force=mu * load,
         semi_axis_transverse=semi_axis,
         deformed_radius=radius,
         spin_to_roll=spin_to_roll,
@@ -50,12 +50,21 @@ def preloaded(load: float) -> float:
 
 def balanced(spin_difference: float) -> MicroslipTorque:
     """One ball with balanced spin between races that differ in the last digit of a semi-axis."""
-    alike = {"friction_coefficient": 0.07, "load": 530.0, "semi_axis_rolling": 0.11e-3}
-    inner, outer = (
-        SlidingContact(**alike, semi_axis_transverse=half, deformed_radius=3.7e-3, rolling_rate=2.9)
-        for half in (0.9e-3, math.nextafter(0.9e-3, 1.0))
+    inner = RollingContact(
+        load=530.0,
+        semi_axis_rolling=0.11e-3,
+        semi_axis_transverse=0.9e-3,
+        curvature_rolling=310.0,
+        curvature_transverse=14.7,
+        modulus=1.13e11,
+        deformed_radius=3.7e-3,
+        rolling_rate=2.9,
     )
-    return microslip_torque(inner, outer, spin_difference=spin_difference, spin_rule="balanced")
+    outer = replace(inner, semi_axis_transverse=math.nextafter(0.9e-3, 1.0))
+    forces = 0.07 * 530.0, 0.07 * 530.0
+    return microslip_torque(
+        (inner, outer), friction_force=forces, spin_difference=spin_difference, spin_rule="balanced"
+    )
 
 
 def heaviest(ball_count: int) -> float:

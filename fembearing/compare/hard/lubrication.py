@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from analytic.contact.hertz import hertz_contact
+from analytic.contact.rolling_contact import EllipticContact, elliptic_contact
 from analytic.oil.film import central_film
 from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import MixedTraction, oil_shear_stress
@@ -40,18 +40,19 @@ SPLINE = (1e-7, "the asperities' splines are good to 1e-8, and the film grows wi
 
 def film(**changed: float) -> float:
     """Central film, m; NaN unless exactly the ellipses outside the fitted shapes are marked."""
-    given = {"curvature_x": LARGE, "curvature_y": SMALL, "load": LOAD, "modulus": MODULUS, "entrainment_speed": SPEED}
+    of_contact = {name: changed.pop(name) for name in ("load", "curvature_transverse") if name in changed}
+    here = contact(**of_contact)
     oil = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
-    arguments = given | oil | changed
-    central = central_film(**arguments)
-    fitted = 0.03 <= arguments["curvature_y"] / arguments["curvature_x"] <= 1
+    central = central_film(here, **({"entrainment_speed": SPEED} | oil | changed))
+    fitted = 0.03 <= here.curvature_transverse / here.curvature_rolling <= 1
     return float(central.thickness) if bool(central.outside_range) != fitted else math.nan
 
 
-def area(load: float) -> float:
-    """pi a b, m^2."""
-    ellipse = hertz_contact(curvature_x=LARGE, curvature_y=SMALL, load=load, modulus=MODULUS)
-    return float(np.pi * ellipse.semi_axis_x * ellipse.semi_axis_y)
+def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> EllipticContact:
+    """A ball on a race."""
+    return elliptic_contact(
+        curvature_rolling=LARGE, curvature_transverse=curvature_transverse, load=load, modulus=MODULUS
+    )
 
 
 def shared(
@@ -59,11 +60,7 @@ def shared(
 ) -> MixedContact:
     """Oil and asperities of two surfaces, each of this roughness, m; 0: smooth."""
     return mixed_contact(
-        curvature_x=LARGE,
-        curvature_y=SMALL,
-        load=load,
-        modulus=MODULUS,
-        contact_area=area(load),
+        contact(load),
         entrainment_speed=speed,
         viscosity=OIL.viscosity,
         pressure_viscosity=OIL.pressure_viscosity,
@@ -86,7 +83,7 @@ def friction(oil: Lubricant, contact: MixedContact, *, load: float, slip: float)
         area_fraction=contact.area_fraction,
         film_thickness=contact.film_thickness,
     )
-    return float(traction.force(load=load, area=area(load))(np.asarray(slip)))
+    return float(traction.force(contact(load))(np.asarray(slip)))
 
 
 def light_friction(load: float) -> float:
@@ -168,7 +165,7 @@ LUBRICATION_CASES: tuple[HardCase, ...] = (
         name="film: wider along rolling",
         problem="R_x/R_y of 1.9, where the formula was fitted for 0.03 to 1",
         answer="the formula by 40 digits, marked as outside its range; wrong without the mark",
-        evaluate=lambda: film(curvature_y=1.9 * LARGE),
+        evaluate=lambda: film(curvature_transverse=1.9 * LARGE),
         expected=8.961701851164410376e-8,
         tolerance=LOGARITHMS,
     ),

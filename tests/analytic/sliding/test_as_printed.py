@@ -1,4 +1,4 @@
-"""The printed equations beside the corrected ones: which moment has whose name, and by how much both jump."""
+"""The printed equations against the corrected ones: which names are exchanged, and by how much both moments jump."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
+from analytic.contact.rolling_contact import Pair
 from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene
 from analytic.sliding.as_printed import as_printed_moments, as_printed_torque
-from analytic.sliding.long_ellipse import SlidingContact, microslip_moments, microslip_torque
+from analytic.sliding.long_ellipse import microslip_moments, microslip_torque
 from analytic.torque import friction_torque
+from tests.analytic.specimens import rolling_contact
 
 MU, Q, B, R = 0.083, 470.0, 1.27e-3, 4.05e-3
 LAST = np.nextafter(0.5, 0)
@@ -25,13 +27,11 @@ def scene() -> Scene:
 
 
 def printed(eps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    return as_printed_moments(friction_coefficient=MU, load=Q, semi_axis_transverse=B, ball_radius=R, spin_to_roll=eps)
+    return as_printed_moments(friction_force=MU * Q, semi_axis_transverse=B, ball_radius=R, spin_to_roll=eps)
 
 
 def corrected(eps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    return microslip_moments(
-        friction_coefficient=MU, load=Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps
-    )
+    return microslip_moments(friction_force=MU * Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps)
 
 
 def test_between_the_ends_the_paper_is_right() -> None:
@@ -73,8 +73,7 @@ def test_both_moments_jump_at_full_spin() -> None:
 
 def test_arguments_broadcast_and_nonsense_is_refused() -> None:
     moments = as_printed_moments(
-        friction_coefficient=[[0.03], [0.11]], load=Q, semi_axis_transverse=B, ball_radius=R,
-        spin_to_roll=[0.0, 0.2, 0.5],
+        friction_force=[[0.03 * Q], [0.11 * Q]], semi_axis_transverse=B, ball_radius=R, spin_to_roll=[0.0, 0.2, 0.5]
     )  # fmt: skip
     for moment in moments:
         assert moment.shape == (2, 3)
@@ -82,35 +81,31 @@ def test_arguments_broadcast_and_nonsense_is_refused() -> None:
     with pytest.raises(InputError, match="spin_to_roll must be at least 0"):
         printed(-0.1)
     with pytest.raises(InputError, match="ball_radius must be positive"):
-        as_printed_moments(friction_coefficient=MU, load=Q, semi_axis_transverse=B, ball_radius=0.0, spin_to_roll=0.1)
+        as_printed_moments(friction_force=MU * Q, semi_axis_transverse=B, ball_radius=0.0, spin_to_roll=0.1)
 
 
-def races(radius: float) -> tuple[SlidingContact, SlidingContact]:
-    inner = SlidingContact(
-        friction_coefficient=0.09, load=470.0, semi_axis_rolling=0.11e-3, semi_axis_transverse=1.02e-3,
-        deformed_radius=radius, rolling_rate=2.9,
-    )  # fmt: skip
-    outer = replace(inner, friction_coefficient=0.07, semi_axis_transverse=0.85e-3, rolling_rate=1.9)
-    return inner, outer
+FORCES = 0.09 * Q, 0.07 * Q
+
+
+def races(radius: float) -> Pair:
+    inner = rolling_contact(load=Q, semi_axis_transverse=1.02e-3, deformed_radius=radius, rolling_rate=2.9)
+    return inner, replace(inner, semi_axis_transverse=0.85e-3, rolling_rate=1.9)
 
 
 def test_where_both_contacts_spin_a_little_the_torque_is_the_derived_one() -> None:
-    """With the ball's radius for the contact surface's, which is all that then differs; signs included."""
-    inner, outer = races(R)
-    derived = microslip_torque(inner, outer, spin_difference=0.17, spin_rule="balanced")
-    found = as_printed_torque(
-        inner, outer, inner_spin_rate=derived.inner_spin_rate, outer_spin_rate=derived.outer_spin_rate, ball_radius=R
-    )
+    """With one radius for ball and contact surface, which is the only difference then; signs included."""
+    derived = microslip_torque(races(R), friction_force=FORCES, spin_difference=0.17, spin_rule="balanced")
+    rates = derived.inner_spin_rate, derived.outer_spin_rate
+    found = as_printed_torque(races(R), friction_force=FORCES, spin_rates=rates, ball_radius=R)
     for name, expected in vars(derived).items():
         np.testing.assert_allclose(getattr(found, name), expected, rtol=1e-11, err_msg=name)  # brackets near 1 cancel
 
 
 def test_with_a_race_in_control_the_other_one_alone_resists() -> None:
-    """Equations 10 and 11 with what 2 and 3 say of a contact without spin; M_z and M_r of the other as derived."""
-    inner, outer = races(R)
-    found = as_printed_torque(inner, outer, inner_spin_rate=0.17, outer_spin_rate=0.0, ball_radius=R)
+    """Equations 10 and 11 with 2 and 3 for the contact without spin; M_z and M_r of the other one as derived."""
+    found = as_printed_torque(races(R), friction_force=FORCES, spin_rates=(0.17, 0.0), ball_radius=R)
     spin, roll = microslip_moments(
-        friction_coefficient=0.09, load=470.0, semi_axis_transverse=1.02e-3, deformed_radius=R,
+        friction_force=FORCES[0], semi_axis_transverse=1.02e-3, deformed_radius=R,
         spin_to_roll=0.17 / 2.9 * R / 1.02e-3,
     )  # fmt: skip
     np.testing.assert_allclose(found.spin, spin * 0.17, rtol=1e-12)  # round-off

@@ -1,4 +1,4 @@
-"""Slip over the whole contact: tractions with an exact answer, limits of Coulomb friction, a brute sum, power."""
+"""Slip over the whole contact: tractions with an exact answer, limits of Coulomb friction, a direct sum, power."""
 
 from typing import Any
 
@@ -8,9 +8,11 @@ import pytest
 from hypothesis import given, settings
 from scipy.special import ellipe
 
+from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import ConvergenceError, InputError
 from analytic.sliding.ellipse import SlipMoments, slip_along_axis, slip_over_ellipse
 from analytic.sliding.long_ellipse import microslip_moments
+from tests.analytic.specimens import rolling_contact
 
 MU, Q, B, R, ROLL = 0.083, 470.0, 1.27e-3, 4.05e-3, 37.0  # friction, N, m, m, rad/s
 SPINS = [0.01, -0.1, 0.3, 0.49, -0.5, 0.6, 2.0]  # eps
@@ -23,16 +25,15 @@ def coulomb(pressure: np.ndarray, speed: np.ndarray) -> np.ndarray:  # noqa: ARG
     return MU * pressure
 
 
-def contact(k: float, **changed: Any) -> dict[str, Any]:
+def contact(k: float, **changed: Any) -> RollingContact:
     """Of the ellipticity b/a, under the load Q."""
-    usual = {
-        "peak_pressure": 3 * Q / (2 * np.pi * B**2 / k),
-        "semi_axis_rolling": B / k,
-        "semi_axis_transverse": B,
-        "deformed_radius": R,
-        "rolling_rate": ROLL,
-    }
-    return usual | changed
+    axes = {"semi_axis_rolling": B / k, "semi_axis_transverse": B}
+    return rolling_contact(**({"load": Q, **axes, "deformed_radius": R, "rolling_rate": ROLL} | changed))
+
+
+def of_long_ellipse(eps: float) -> tuple[np.ndarray, np.ndarray]:
+    """Spin and rolling moment of Coulomb friction in closed form."""
+    return microslip_moments(friction_force=MU * Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps)
 
 
 def spin_of(eps: float) -> float:
@@ -46,7 +47,7 @@ def scaled(found: SlipMoments) -> np.ndarray:
 @pytest.mark.parametrize("k", [0.4, 1.0, 1.5, 3.0, 5.71, 9.28])
 def test_full_spin_of_an_ellipse(k: float) -> None:
     """(3/8) mu Q E(m) times the longer semi-axis: 0.589 mu Q a of a circle, 1.8 % above the line at b/a = 9.28."""
-    found = slip_over_ellipse(traction=coulomb, spin_rate=spin_of(1e6), **contact(k))
+    found = slip_over_ellipse(contact(k), traction=coulomb, spin_rate=spin_of(1e6))
     integral = ellipe(1 - min(k, 1 / k) ** 2) * max(1, 1 / k)
     np.testing.assert_allclose(found.spin_moment, 0.375 * MU * Q * B * integral, rtol=1e-6)
     if k == 1:
@@ -58,15 +59,11 @@ def test_full_spin_of_an_ellipse(k: float) -> None:
 
 @pytest.mark.parametrize("eps", [0.0, *SPINS])
 def test_a_long_ellipse_is_a_line(eps: float) -> None:
-    expected = microslip_moments(
-        friction_coefficient=MU, load=Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps
-    ) / np.array([MU * Q * B, MU * Q * B**2 / R])
-    gaps = [
-        np.abs(
-            scaled(slip_over_ellipse(traction=coulomb, spin_rate=spin_of(eps), nodes=(32, 32), **contact(k))) - expected
-        )
-        for k in (1e2, 1e3, 1e4)
-    ]
+    expected = of_long_ellipse(eps) / np.array([MU * Q * B, MU * Q * B**2 / R])
+    moments = (
+        slip_over_ellipse(contact(k), traction=coulomb, spin_rate=spin_of(eps), nodes=(32, 32)) for k in (1e2, 1e3, 1e4)
+    )
+    gaps = [np.abs(scaled(each) - expected) for each in moments]
     np.testing.assert_allclose(gaps[2], 0, atol=3e-5)  # falls with a/b where a line of pure rolling nears the end
     assert np.all(gaps[2] <= gaps[0] + QUADRATURE)
 
@@ -74,26 +71,23 @@ def test_a_long_ellipse_is_a_line(eps: float) -> None:
 @pytest.mark.parametrize("k", [0.7, 9.28])
 @given(eps=st.floats(-3, 3))
 @settings(max_examples=25)
-def test_along_the_axis_coulomb_friction_is_that_of_race(k: float, eps: float) -> None:
-    """The sides of the panels are where the slip turns, so the quadrature has nothing sharp left."""
-    found = slip_along_axis(traction=coulomb, spin_rate=spin_of(eps), **contact(k))
-    expected = microslip_moments(
-        friction_coefficient=MU, load=Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps
-    )
+def test_along_the_axis_coulomb_friction_is_that_of_a_long_ellipse(k: float, eps: float) -> None:
+    """The panels meet where the slip changes its direction, so the quadrature meets no kink."""
+    found = slip_along_axis(contact(k), traction=coulomb, spin_rate=spin_of(eps))
+    expected = of_long_ellipse(eps)
     np.testing.assert_allclose(found.spin_moment, expected[0], rtol=0, atol=1e-9 * MU * Q * B)
     np.testing.assert_allclose(found.rolling_moment, expected[1], rtol=0, atol=1e-9 * MU * Q * B**2 / R)
 
 
 @pytest.mark.parametrize(("k", "eps"), [(1.3, 0.3), (5.71, -0.1), (9.28, 0.45)])
-def test_a_brute_sum_over_the_ellipse_agrees(k: float, eps: float) -> None:
-    """Midpoints of two million squares of the rectangle around the contact, at the c that was found."""
-    spin, values = spin_of(eps), contact(k)
-    found = slip_over_ellipse(traction=coulomb, spin_rate=spin, nodes=(32, 32), **values)
-    a = values["semi_axis_rolling"]
+def test_a_direct_sum_over_the_ellipse_agrees(k: float, eps: float) -> None:
+    """Midpoints of two million cells of the rectangle around the contact, at the computed c."""
+    spin, a = spin_of(eps), B / k
+    found = slip_over_ellipse(contact(k), traction=coulomb, spin_rate=spin, nodes=(32, 32))
     x, y = (np.arange(count) * 2.0 / count - 1 + 1 / count for count in (1000, 2000))
     x, y = a * x, B * y[:, None]
     inside = np.maximum(0, 1 - (x / a) ** 2 - (y / B) ** 2)
-    friction = MU * values["peak_pressure"] * np.sqrt(inside) * (2 * a / 1000) * (2 * B / 2000)
+    friction = MU * 1.5 * Q / (np.pi * a * B) * np.sqrt(inside) * (2 * a / 1000) * (2 * B / 2000)
     v_x, v_y = ROLL * y**2 / (2 * R) + spin * y - found.creep_speed, -spin * x
     speed = np.hypot(v_x, v_y)
     close = 2e-5 * MU * Q  # of the midpoints across the pressure's steep rim and the points where nothing slides
@@ -107,22 +101,21 @@ def test_a_brute_sum_over_the_ellipse_agrees(k: float, eps: float) -> None:
 @pytest.mark.parametrize(("k", "eps"), [(1.3, 0.0), (0.6, 0.2), (9.28, -0.7)])
 def test_a_newtonian_film_has_moments_in_closed_form(k: float, eps: float) -> None:
     """tau = g v over the area A: c = w_roll b^2/(8 R), M_s = g w_s A (a^2 + b^2)/4, M_r = g A w_roll b^4/(64 R^2)."""
-    g, values, spin = 3.1e7, contact(k), spin_of(eps)
-    a = values["semi_axis_rolling"]
+    g, spin, a = 3.1e7, spin_of(eps), B / k
     area = np.pi * a * B
     for slip, polar in ((slip_over_ellipse, a**2 + B**2), (slip_along_axis, B**2)):
-        found = slip(traction=lambda pressure, speed: g * speed, spin_rate=spin, **values)  # noqa: ARG005
+        found = slip(contact(k), traction=lambda pressure, speed: g * speed, spin_rate=spin)  # noqa: ARG005
         np.testing.assert_allclose(found.creep_speed, ROLL * B**2 / (8 * R), rtol=1e-8)  # quadrature of the rim
         np.testing.assert_allclose(found.spin_moment, g * spin * area * polar / 4, rtol=1e-8)
         np.testing.assert_allclose(found.rolling_moment, g * area * ROLL * B**4 / (64 * R**2), rtol=1e-8)
 
 
 def test_a_constant_stress_in_full_spin() -> None:
-    """tau the area's first polar moment: 2 pi tau a^3/3 of a circle; a pressure or an arm in the wrong place shows."""
+    """tau times the area's first polar moment, 2 pi tau a^3/3 for a circle; a wrong pressure or arm would show."""
     found = slip_over_ellipse(
+        contact(1.0, rolling_rate=0.0),
         traction=lambda pressure, speed: np.full(np.broadcast(pressure, speed).shape, 5e6),
         spin_rate=23.0,
-        **contact(1.0, rolling_rate=0.0),
     )
     np.testing.assert_allclose(found.spin_moment, 2 / 3 * np.pi * 5e6 * B**3, rtol=1e-6)
     np.testing.assert_allclose(found.creep_speed, 0, atol=1e-12)
@@ -130,16 +123,16 @@ def test_a_constant_stress_in_full_spin() -> None:
 
 
 def sinh_law(pressure: np.ndarray, speed: np.ndarray) -> np.ndarray:
-    """Eyring's, capped by a share of the pressure: a traction that knows both."""
+    """Eyring's law, capped by a share of the pressure: it depends on pressure and speed."""
     return np.minimum(5e6 * np.arcsinh(speed / 1e-3), 0.06 * pressure)
 
 
 @pytest.mark.parametrize("traction", [coulomb, sinh_law])
 @pytest.mark.parametrize("slip", ALL)
 @pytest.mark.parametrize("k", [1.3, 9.28])
-def test_power_is_what_the_moments_do(slip, traction, k: float) -> None:
+def test_the_power_is_that_of_the_moments(slip, traction, k: float) -> None:
     spin = np.array([spin_of(eps) for eps in (0.0, *SPINS)])
-    found = slip(traction=traction, spin_rate=spin, **contact(k))
+    found = slip(contact(k), traction=traction, spin_rate=spin)
     done = found.spin_moment * spin + found.rolling_moment * ROLL
     np.testing.assert_allclose(found.slip_power, done, rtol=1e-12)  # the same nodes; c leaves 1e-14 of force
     assert np.all(found.spin_moment * spin >= 0)
@@ -148,15 +141,15 @@ def test_power_is_what_the_moments_do(slip, traction, k: float) -> None:
 @pytest.mark.parametrize("slip", ALL)
 @pytest.mark.parametrize("eps", [0.1, 0.3, -0.45])
 def test_the_moments_are_the_slopes_of_the_power(slip, eps: float) -> None:
-    """Coulomb friction does not know the speed, so a little more spin costs M_spin, a little more rolling M_roll."""
+    """Coulomb friction does not depend on speed: the power's slope by spin is M_spin, and by rolling M_roll."""
     step = 1e-4
 
     def power(spin: float, roll: float) -> float:
-        values = contact(3.0, rolling_rate=roll)
-        return float(slip(traction=coulomb, spin_rate=spin, nodes=(32, 32), **values).slip_power)
+        moments = slip(contact(3.0, rolling_rate=roll), traction=coulomb, spin_rate=spin, nodes=(32, 32))
+        return float(moments.slip_power)
 
     spin = spin_of(eps)
-    found = slip(traction=coulomb, spin_rate=spin, nodes=(32, 32), **contact(3.0))
+    found = slip(contact(3.0), traction=coulomb, spin_rate=spin, nodes=(32, 32))
     slope = (power(spin + step * ROLL, ROLL) - power(spin - step * ROLL, ROLL)) / (2 * step * ROLL)
     np.testing.assert_allclose(found.spin_moment, slope, rtol=1e-4)  # the step squared, and quadrature over the step
     slope = (power(spin, ROLL * (1 + step)) - power(spin, ROLL * (1 - step))) / (2 * step * ROLL)
@@ -167,7 +160,7 @@ def test_the_moments_are_the_slopes_of_the_power(slip, eps: float) -> None:
 def test_more_nodes_converge_and_the_default_is_enough(k: float) -> None:
     spin = np.array([spin_of(eps) for eps in (0.0, *SPINS)])
     results = [
-        scaled(slip_over_ellipse(traction=coulomb, spin_rate=spin, nodes=(nodes, nodes), **contact(k)))
+        scaled(slip_over_ellipse(contact(k), traction=coulomb, spin_rate=spin, nodes=(nodes, nodes)))
         for nodes in (8, 16, 32, 48)
     ]
     coarse, default, fine = (np.abs(result - results[-1]).max() for result in results[:-1])
@@ -177,16 +170,16 @@ def test_more_nodes_converge_and_the_default_is_enough(k: float) -> None:
 
 def test_the_spin_moment_is_odd_and_the_rolling_moment_even() -> None:
     for slip in ALL:
-        there, back = (slip(traction=sinh_law, spin_rate=sign * spin_of(0.2), **contact(3.0)) for sign in (1, -1))
+        there, back = (slip(contact(3.0), traction=sinh_law, spin_rate=sign * spin_of(0.2)) for sign in (1, -1))
         assert there.spin_moment == -back.spin_moment > 0
         assert there.rolling_moment == back.rolling_moment > 0
 
 
-def test_a_contact_that_neither_rolls_nor_spins_rests() -> None:
+def test_a_contact_that_neither_rolls_nor_spins_has_no_friction() -> None:
     for slip in ALL:
-        found = slip(traction=coulomb, spin_rate=0.0, **contact(3.0, rolling_rate=0.0))
+        found = slip(contact(3.0, rolling_rate=0.0), traction=coulomb, spin_rate=0.0)
         assert [float(value) for value in vars(found).values()] == [0.0] * 5
-        unloaded = slip(traction=coulomb, spin_rate=2.0, **contact(3.0, peak_pressure=0.0))
+        unloaded = slip(contact(3.0, load=0.0), traction=coulomb, spin_rate=2.0)
         assert unloaded.spin_moment == unloaded.rolling_moment == unloaded.slip_power == 0
 
 
@@ -194,37 +187,39 @@ def test_points_broadcast_and_the_traction_may_have_numbers_of_its_own() -> None
     mu = np.array([0.03, 0.11])
     spin = np.array([[0.0], [spin_of(0.2)], [spin_of(1.7)]])
     table = slip_over_ellipse(
+        contact(3.0, rolling_rate=np.array([ROLL, 1.1 * ROLL])),
         traction=lambda pressure, speed: mu[:, None] * pressure,  # noqa: ARG005
         spin_rate=spin,
-        **contact(3.0, rolling_rate=np.array([ROLL, 1.1 * ROLL])),
     )
     assert table.spin_moment.shape == table.creep_speed.shape == (3, 2)
     for i, j in np.ndindex(3, 2):
         alone = slip_over_ellipse(
+            contact(3.0, rolling_rate=ROLL * (1.0, 1.1)[j]),
             traction=lambda pressure, speed, j=j: mu[j] * pressure,  # noqa: ARG005
             spin_rate=spin[i, 0],
-            **contact(3.0, rolling_rate=ROLL * (1.0, 1.1)[j]),
         )
         for name, values in vars(table).items():
-            # c is found to 1e-14 of force; some points go on while others wait
+            # c leaves 1e-14 of the force; some points converge before others
             np.testing.assert_allclose(values[i, j], getattr(alone, name), rtol=1e-9, atol=1e-15)
 
 
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"peak_pressure": -1.0}, "peak_pressure must be at least 0"),
+        ({"load": -1.0}, "load must be at least 0"),
         ({"semi_axis_rolling": 0.0}, "semi_axis_rolling must be positive"),
         ({"rolling_rate": -2.0}, "rolling_rate must be at least 0"),
         ({"spin_rate": np.nan}, "spin_rate must be finite"),
         ({"nodes": (0, 7)}, "nodes must be positive"),
-        ({"peak_pressure": np.ones(3), "spin_rate": np.ones(2)}, "give equal lengths"),
+        ({"load": np.ones(3), "spin_rate": np.ones(2)}, "give equal lengths"),
     ],
 )
 def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:
+    of_slip = {name: value for name, value in changed.items() if name in ("spin_rate", "nodes")}
+    of_contact = {name: value for name, value in changed.items() if name not in of_slip}
     for slip in ALL:
         with pytest.raises(InputError, match=message):
-            slip(traction=coulomb, **contact(3.0, **({"spin_rate": 2.0} | changed)))
+            slip(contact(3.0, **of_contact), traction=coulomb, **({"spin_rate": 2.0} | of_slip))
 
 
 def test_the_forceless_creep_takes_few_steps() -> None:
@@ -236,10 +231,10 @@ def test_the_forceless_creep_takes_few_steps() -> None:
             calls.append(pressure.size)
             return sinh_law(pressure, speed)
 
-        slip(traction=counted, spin_rate=np.array([spin_of(eps) for eps in (0.0, *SPINS)]), **contact(3.0))
+        slip(contact(3.0), traction=counted, spin_rate=np.array([spin_of(eps) for eps in (0.0, *SPINS)]))
         assert len(calls) <= 2 + 2 * 10 + 1  # both ends, ten steps, the result
 
 
-def test_a_traction_that_is_no_number_is_not_settled() -> None:
+def test_a_traction_that_is_not_a_number_does_not_converge() -> None:
     with pytest.raises(ConvergenceError, match="traction is finite"):
-        slip_over_ellipse(traction=lambda pressure, speed: np.nan * pressure, spin_rate=2.0, **contact(3.0))  # noqa: ARG005
+        slip_over_ellipse(contact(3.0), traction=lambda pressure, speed: np.nan * pressure, spin_rate=2.0)  # noqa: ARG005
