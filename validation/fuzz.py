@@ -28,7 +28,7 @@ from analytic import friction_torque, load_scene
 from analytic.errors import FembearingError
 from analytic.scenefile.read import builtin_scene
 from analytic.surface.heightmap import measure, read_height_map
-from fembearing.memory import peak_memory, peak_while
+from fembearing.compare.memory import peak_memory, peak_while
 from fembearing.mesh.meshfile import read_body
 
 try:

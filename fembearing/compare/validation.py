@@ -24,7 +24,7 @@ from fembearing.compare.torque.change import TorqueChange, change_of_torque
 from fembearing.compare.torque.published import BesidePaper, beside_paper
 from fembearing.compare.torque.scene_torque import SceneTorque, static_doubt, torque_of_scene
 from fembearing.compare.torque.sensitivity import Sensitivity, sensitivity_of
-from fembearing.memory import peak_memory
+from fembearing.compare.memory import peak_memory
 from fembearing.mesh.recipe import Geometry
 from fembearing.progress import Progress, part_of, silent
 from fembearing.provenance import provenance_of

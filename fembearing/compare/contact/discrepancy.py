@@ -21,7 +21,7 @@ from fembearing.compare.contact.verdict import Verdict, could_be_decided, verdic
 from fembearing.compare.contact.warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.solution import MeshSolution
-from fembearing.memory import peak_memory
+from fembearing.compare.memory import peak_memory
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring

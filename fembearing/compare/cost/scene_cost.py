@@ -17,7 +17,7 @@ from fembearing.compare.cost.formula_ladders import (
     roughness_methods,
 )
 from fembearing.compare.cost.ladder import Ladder, UntimedLadder, measured
-from fembearing.memory import peak_memory
+from fembearing.compare.memory import peak_memory
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import Progress, part_of, silent
 from fembearing.provenance import provenance_of

@@ -69,7 +69,7 @@ class BesidePaper:
 
 def printed_numbers() -> tuple[Printed, ...]:
     """All that the paper's text gives of torques and forces."""
-    text = (files("fembearing") / "published" / "paper_torque.csv").read_text("utf-8")
+    text = (files("fembearing.compare.torque") / "paper_torque.csv").read_text("utf-8")
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     return tuple(
         Printed(

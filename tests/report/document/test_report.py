@@ -78,7 +78,7 @@ def test_writing_computes_nothing(checked: Validation, monkeypatch: pytest.Monke
         "contact.corrected.corrected_hertz",
     ):
         monkeypatch.setattr(f"fembearing.compare.{name}", None)
-    monkeypatch.setattr("fembearing.memory.peak_memory", None)
+    monkeypatch.setattr("fembearing.compare.memory.peak_memory", None)
     assert built.to_json() == before == report_of(checked).to_json()
 
 

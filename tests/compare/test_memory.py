@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from fembearing import memory
-from fembearing.memory import peak_memory, peak_while
+from fembearing.compare import memory
+from fembearing.compare.memory import peak_memory, peak_while
 
 SIZE = 200_000_000  # bytes: far above other changes
 
