@@ -19,12 +19,12 @@ from fembearing.compare.cost.formula_ladders import SEED
 from fembearing.compare.cost.ladder import Ladder
 from fembearing.compare.cost.scene_cost import measure_cost
 from fembearing.compare.hard.table import HardOutcome, run_hard_cases
+from fembearing.compare.memory import peak_memory
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
 from fembearing.compare.torque.change import TorqueChange, change_of_torque
 from fembearing.compare.torque.published import BesidePaper, beside_paper
 from fembearing.compare.torque.scene_torque import SceneTorque, static_doubt, torque_of_scene
 from fembearing.compare.torque.sensitivity import Sensitivity, sensitivity_of
-from fembearing.compare.memory import peak_memory
 from fembearing.mesh.recipe import Geometry
 from fembearing.progress import Progress, part_of, silent
 from fembearing.provenance import provenance_of

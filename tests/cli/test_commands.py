@@ -84,6 +84,13 @@ def test_the_report_is_in_its_folder(validated: dict[str, Any], report: Path) ->
 
 
 @pytest.mark.slow
+def test_the_torque_is_that_of_the_command_torque(command, validated: dict[str, Any]) -> None:
+    torque = json.loads(command("torque", "--json").out)
+    for key in ("points", "effects", "warnings", "catalogue_band", "doubts", "tolerance"):
+        assert validated["torque"][key] == torque[key]
+
+
+@pytest.mark.slow
 def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict[str, Any]) -> None:
     for row in validated["verdicts"]:
         assert row["discrepancy"] == pytest.approx(row["production"] / row["reference"] - 1, abs=1e-12)  # round-off

@@ -44,7 +44,7 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
     found = torque_of_scene(parse_scene(text, origin="here"))
     said = printed(text)
     assert max(map(len, said.splitlines())) <= 80
-    torque, band = found.found.torque, found.catalogue.band
+    torque, band = found.friction.torque, found.catalogue.band
     assert band is not None
     assert torque.rolling is not None
     rows = [line.split() for line in said.splitlines()]
@@ -54,12 +54,12 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
         assert row[-4] == f"{torque.total[point] * 1e3:.4g}"
         assert row[-5] == "5"  # what is declared
         assert row[-1] == f"{band.low[point] * 1e3:.3g}-{band.high[point] * 1e3:.3g}"
-    for effect in found.found.effects:
+    for effect in found.friction.effects:
         assert any(row[:2] == [effect.name, effect.decision] for row in rows)
     words = " ".join(said.split())
     for word in (
         "with <= no part of its own but a bound",
-        "Rungs: loads by thrust, all balls alike; contacts by Hertz",
+        "Methods: loads by thrust, all balls alike; contacts by Hertz",
         "the film formula's, 22 % of the film",
         "neither truth nor a check",
         "within the tolerance 0.05",
@@ -81,14 +81,14 @@ def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
     off = parse_scene(text + '[effects]\ncentrifugal = "off"\n', origin="here")
     said = " ".join(printed(text + '[effects]\ncentrifugal = "off"\n').split())
     found = torque_of_scene(off)
-    centrifugal = next(effect for effect in found.found.effects if effect.name == "centrifugal")
+    centrifugal = next(effect for effect in found.friction.effects if effect.name == "centrifugal")
     assert centrifugal.share is not None
     assert centrifugal.share > 10
     assert found.within_tolerance
     assert f"centrifugal off <= {100 * centrifugal.share:.0f} % the scene says off" in said
     assert said.count("What the scene says off is left out on purpose: no uncertainty of the torque counts it.") == 1
     assert "load_distribution on no bound nothing bounds it" in said
-    assert "centrifugal is left out and could exceed the torque: the scene says off" in found.found.warnings
+    assert "centrifugal is left out and could exceed the torque: the scene says off" in found.friction.warnings
 
 
 def test_a_long_series_is_shown_in_part() -> None:

@@ -19,9 +19,9 @@ from fembearing.compare.contact.ring import RingStructure, structure_of_ring
 from fembearing.compare.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.compare.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.compare.contact.warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
+from fembearing.compare.memory import peak_memory
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.solution import MeshSolution
-from fembearing.compare.memory import peak_memory
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring

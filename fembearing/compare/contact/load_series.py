@@ -27,9 +27,9 @@ from fembearing.compare.contact.warnings import (
     solve_warnings,
     two_loads_warning,
 )
+from fembearing.compare.memory import peak_memory
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution
-from fembearing.compare.memory import peak_memory
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.progress import Progress, part_of, silent
 

@@ -11,9 +11,9 @@ from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, he
 from fembearing.compare.contact.mesh_refinement import COMPARED, Estimates, estimates_of
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
 from fembearing.compare.cost.ladder import Ladder, TimedMethod, UntimedMethod, ladder_of, timed
+from fembearing.compare.memory import peak_while
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
-from fembearing.compare.memory import peak_while
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress, silent
 

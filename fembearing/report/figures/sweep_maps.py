@@ -120,6 +120,8 @@ def _unit_of(values: Any, *, relative: bool = False) -> Unit:
     """The unit in which a variable is shown."""
     if relative:
         return Unit("%", 100.0)
+    if not np.issubdtype(values.dtype, np.number):
+        return Unit("", 1.0)
     return unit_for(values.attrs.get("units", "1"), float(np.nanmax(np.abs(values))))
 
 

@@ -16,6 +16,7 @@ from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.compare.hard.case import HardOutcome
 from fembearing.compare.torque.change import change_of_torque
+from fembearing.compare.torque.published import beside_paper
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.compare.validation import Validation
 from fembearing.provenance import provenance_of
@@ -72,7 +73,9 @@ class Page(HTMLParser):
 
 def with_scene(result: Validation, scene: Scene) -> Validation:
     """As if the numbers were those of another scene."""
-    return replace(result, scene=scene, provenance=provenance_of(scene))
+    assert result.torque is not None
+    published = beside_paper(scene, result.torque.friction)
+    return replace(result, scene=scene, provenance=provenance_of(scene), published=published)
 
 
 def page_of(result: Validation, folder: Path) -> Page:

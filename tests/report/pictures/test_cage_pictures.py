@@ -89,7 +89,7 @@ def test_the_orbit_is_x_to_the_right_and_y_up_inside_the_room(record: CageRecord
     room = points_of(line_of(orbit, "edge of its room"))
     np.testing.assert_allclose(np.linalg.norm(room, axis=1), 100, rtol=1e-9)
     assert points_of(line_of(orbit, "start-up")).shape[0] == np.sum(~after)
-    assert (orbit.get_xlabel(), orbit.get_ylabel()) == ("x, µm", "y, µm")
+    assert (orbit.get_xlabel(), orbit.get_ylabel()) == ("x, um", "y, um")
     assert orbit.get_aspect() == 1
 
 

@@ -28,7 +28,7 @@ def torque_section(document: Report) -> dict[str, Any]:
         "torque": totals,
         "changes": changes,
         "is_joined": min(len(totals), len(changes)) < len(points),
-        "loads": [f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}" for name in loads],
+        "load_heads": [f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}" for name in loads],
         "parts": parts,
         "change": change,
         "band": torque.catalogue_band.low is not None,
