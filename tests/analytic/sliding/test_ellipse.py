@@ -214,7 +214,7 @@ def test_points_broadcast_and_the_traction_may_have_numbers_of_its_own() -> None
         ({"load": np.ones(3), "spin_rate": np.ones(2)}, "give equal lengths"),
     ],
 )
-def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:
+def test_nonsense_is_refused(changed: dict[str, Any], message: str) -> None:
     of_slip = {name: value for name, value in changed.items() if name in ("spin_rate", "nodes")}
     of_contact = {name: value for name, value in changed.items() if name not in of_slip}
     for slip in ALL:
