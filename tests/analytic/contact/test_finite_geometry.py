@@ -1,4 +1,4 @@
-"""The correction for finite geometry: its limits, its range, and finite elements that its fit has not seen."""
+"""The correction for finite geometry: its limits, its range, and finite elements outside its fit."""
 
 import sys
 from dataclasses import fields, replace
@@ -42,7 +42,7 @@ SHAPE = ContactShape(
 
 @cache
 def program(name: str) -> Any:
-    """A program of validation/correction, which is no package."""
+    """A program of validation/correction, which is not a package."""
     sys.path.insert(0, str(VALIDATION))
     try:
         return import_module(name)
@@ -56,7 +56,7 @@ def factors(shape: ContactShape) -> dict[str, NDArray[np.float64]]:
 
 
 def test_a_point_contact_is_hertz() -> None:
-    """Deviations fade with the size at least in proportion (times its logarithm), and are nothing at none."""
+    """Deviations fade at least in proportion to the size times its logarithm, and are 0 at size 0."""
     sizes = np.array([0.0, 1e-12, 1e-6, 1e-3])
     for shape in (SHAPE, replace(SHAPE, rolling_curvature=-0.17, ball_share=0.9)):
         for factor in factors(replace(shape, size=sizes)).values():
@@ -71,7 +71,7 @@ def test_a_point_contact_is_hertz() -> None:
 
 @pytest.mark.parametrize("rolling_curvature", [0.27, -0.17])
 def test_deviations_grow_with_the_contact(rolling_curvature: float) -> None:
-    """Steel on steel: the groove closes in on the ball, so the contact is shorter across, wider along and stiffer."""
+    """Steel on steel, in an enclosing groove: the contact is shorter transverse, wider in rolling and stiffer."""
     sizes = np.linspace(0.05, 0.43, 20)
     steel = {"ball_poisson_ratio": 0.3, "race_poisson_ratio": 0.3, "ball_share": 0.5}
     found = factors(replace(SHAPE, size=sizes, rolling_curvature=rolling_curvature, **steel))
@@ -81,7 +81,7 @@ def test_deviations_grow_with_the_contact(rolling_curvature: float) -> None:
     assert (found["approach"] < 1).all()
 
 
-def test_nothing_but_ratios_counts(contacts: dict[str, Contact]) -> None:
+def test_only_ratios_matter(contacts: dict[str, Contact]) -> None:
     """A bearing three times as large of bodies seven times as stiff, under 9 x 7 times the load."""
     plain = contacts["inner"]
 
@@ -124,8 +124,8 @@ def test_a_race_at_an_angle_is_its_contact(bearing_6205: Bearing, race: Any) -> 
             np.testing.assert_allclose(value, getattr(one, field.name), rtol=1e-12)  # round-off
 
 
-def test_the_bases_are_what_they_are_said_to_be() -> None:
-    """By the elliptic integral of the ellipse at hand, and by hand."""
+def test_the_bases_agree_with_their_definitions() -> None:
+    """By the elliptic integral of the ellipse, and by hand."""
     found = shape_bases(SHAPE)
     ratio = float(found["axis_ratio"])
     hertz = hertz_contact(curvature_x=1.27, curvature_y=1 - 1 / 1.042, load=0.3, modulus=2.0)
@@ -139,7 +139,7 @@ def test_the_bases_are_what_they_are_said_to_be() -> None:
 
 
 def test_the_logarithm_of_the_approach_is_that_of_theory() -> None:
-    """-1/(2 pi) times relative load and drift, from Boussinesq's stresses on a curved surface; the fit left it free."""
+    """-1/(2 pi) times relative load and drift, by Boussinesq's stresses on a curved surface; the fit did not fix it."""
     terms = stored_fit()["quantity"]["approach"]["terms"]
     (found,) = (term["coefficient"] for term in terms if term["powers"] == {"relative_load": 1, "log_drift": 1})
     assert found * -2 * np.pi == pytest.approx(1, abs=0.35)  # other terms of first order take and give a part
@@ -160,7 +160,7 @@ def test_the_logarithm_of_the_approach_is_that_of_theory() -> None:
         ("shoulder", 1.02),
     ],
 )
-def test_beyond_its_range_hertz_stays_and_it_is_said(name: str, value: float) -> None:
+def test_beyond_the_range_hertz_stays_with_a_warning(name: str, value: float) -> None:
     inside = getattr(SHAPE, name)
     found = finite_geometry_factors(replace(SHAPE, **{name: np.array([inside, value, inside])}))
     np.testing.assert_array_equal(found.covered, [True, False, True])
@@ -174,8 +174,8 @@ def test_beyond_its_range_hertz_stays_and_it_is_said(name: str, value: float) ->
         np.testing.assert_array_equal(np.isnan(found.uncertainty[quantity]), [False, True, False])
 
 
-def test_a_contact_near_its_shoulder_is_left_alone() -> None:
-    near, far = (finite_geometry_factors(replace(SHAPE, size=0.4, shoulder=0.4 * room)) for room in (1.14, 1.16))
+def test_a_contact_near_its_shoulder_is_not_corrected() -> None:
+    near, far = (finite_geometry_factors(replace(SHAPE, size=0.4, shoulder=0.4 * ratio)) for ratio in (1.14, 1.16))
     assert not near.covered
     assert "nearer to the shoulder" in near.warnings[0]
     assert far.covered
@@ -198,7 +198,7 @@ def test_a_correction_brings_its_own_peak_pressure() -> None:
 @pytest.mark.parametrize("group", ["held out", "bearing"])
 @pytest.mark.parametrize("name", NAMES)
 def test_unseen_solves_lie_within_the_stated_uncertainty(name: str, group: str) -> None:
-    """At least nine in ten, of the smallest with the solve's own uncertainty; Hertz as it is does not come near."""
+    """At least nine in ten; for the smallest with the solve's own uncertainty. Uncorrected Hertz is far off."""
     solves = program("fit").solves_of(group)
     found = finite_geometry_factors(solves.shape)
     assert found.covered.all()
@@ -213,7 +213,7 @@ def test_unseen_solves_lie_within_the_stated_uncertainty(name: str, group: str) 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_stored_fit_is_that_of_the_stored_solves(name: str) -> None:
-    """Terms chosen and fitted anew; the unseen sets are no part of it."""
+    """Terms chosen and fitted again, without the unseen sets."""
     fit = program("fit")
     again, stored = fit.fit_of(fit.solves_of("fit"), name), stored_fit()["quantity"][name]
     assert again.terms == [term["powers"] for term in stored["terms"]]

@@ -17,8 +17,8 @@ ANGLE, LOAD = 0.31, 372.0  # rad, N
 def torus(bearing: Bearing, race: Race, profile: float, turn: float) -> np.ndarray:
     """A point of the race's torus (radial, tangential, axial), at a profile angle and turned about the bearing's axis.
 
-    The groove is as far from the axis as a ball that it touches at ANGLE on the pitch circle asks: the ring has
-    moved along the axis only, so the profile's centre is off the pitch circle by (r_g - r) cos ANGLE.
+    The groove touches a ball on the pitch circle at ANGLE. The ring has moved in the axial direction only, so the
+    profile's centre is off the pitch circle by (r_g - r) cos ANGLE.
     """
     sign = 1 if race == "inner" else -1
     groove = bearing.inner if race == "inner" else bearing.outer
@@ -30,15 +30,15 @@ def torus(bearing: Bearing, race: Race, profile: float, turn: float) -> np.ndarr
 
 @pytest.mark.parametrize("race", RACES)
 def test_curvatures_are_those_of_the_torus(bearing_6205: Bearing, race: Race) -> None:
-    """Twice the height over the tangent plane per square of distance, by small steps along and across rolling."""
+    """Twice the height over the tangent plane per squared distance, by small steps in both directions."""
     sign = 1 if race == "inner" else -1
     into_race = np.array([-sign * np.cos(ANGLE), 0.0, -sign * np.sin(ANGLE)])
     origin = torus(bearing_6205, race, ANGLE, 0.0)
     step = 1e-3  # rad: the next term of the height is 1e-6 of this one, round-off 1e-9
 
     def curvature(point: np.ndarray) -> float:
-        along = point - origin
-        return 2 * float(along @ into_race) / float(along @ along - (along @ into_race) ** 2)
+        step = point - origin
+        return 2 * float(step @ into_race) / float(step @ step - (step @ into_race) ** 2)
 
     both_sides = [curvature(torus(bearing_6205, race, ANGLE + side * step, 0.0)) for side in (-1, 1)]
     ball = 1 / bearing_6205.ball_radius
@@ -57,7 +57,7 @@ def test_the_shoulder_is_where_the_groove_ends(bearing_6205: Bearing, race: Race
 
 
 @pytest.mark.parametrize("race", RACES)
-def test_the_noun_has_the_curvatures_of_the_formula(bearing_6205: Bearing, race: Race) -> None:
+def test_the_contact_has_the_curvatures_of_the_formula(bearing_6205: Bearing, race: Race) -> None:
     contact = race_contact(bearing_6205, race, contact_angle=ANGLE, ball_load=LOAD)
     expected = race_curvatures(bearing_6205, race, contact_angle=ANGLE)
     np.testing.assert_allclose(relative_curvatures(contact), expected, rtol=1e-13)  # round-off
@@ -68,12 +68,12 @@ def test_the_noun_has_the_curvatures_of_the_formula(bearing_6205: Bearing, race:
 def test_steel_6205_is_stressed_more_on_the_inner_race(bearing_6205: Bearing) -> None:
     peaks = []
     for race in RACES:
-        along, across = race_curvatures(bearing_6205, race, contact_angle=ANGLE)
+        rolling, transverse = race_curvatures(bearing_6205, race, contact_angle=ANGLE)
         modulus = contact_modulus(bearing_6205.ball_material, bearing_6205.inner.material)
-        found = hertz_contact(curvature_x=along, curvature_y=across, load=LOAD, modulus=modulus)
+        found = hertz_contact(curvature_x=rolling, curvature_y=transverse, load=LOAD, modulus=modulus)
         peaks.append(float(found.peak_pressure))
         assert found.semi_axis_x < found.semi_axis_y
-    assert peaks[0] > 1.05 * peaks[1]  # a flipped sign of the rolling curvature turns this round
+    assert peaks[0] > 1.05 * peaks[1]  # a wrong sign of the rolling curvature reverses this
 
 
 def test_each_race_keeps_its_own_dimensions(bearing_6205: Bearing) -> None:

@@ -1,4 +1,4 @@
-"""Hertz's contact against what defines it, against 50-digit arithmetic, and against a published table."""
+"""Hertz's contact against its definition, 50-digit arithmetic, and a published table."""
 
 from pathlib import Path
 
@@ -44,11 +44,12 @@ def ball_on_race(**changed: object) -> Contact:
 
 
 def misfit(found: HertzContact, curvature_x: float, curvature_y: float, modulus: float = MODULUS) -> float:
-    """How far the pressure is from pressing the gap flat: the definition of the contact, relative to the approach.
+    """Gap that the pressure leaves, relative to the approach; by the definition of the contact it is 0.
 
-    Displacement of a half space at (x, y) inside the ellipse under p0 sqrt(1 - X^2/a^2 - Y^2/b^2): polar coordinates
-    about the point cancel Boussinesq's 1/distance, and along a chord the pressure is the root of a quadratic, whose
-    integral is a half ellipse's area. What is left is periodic in the direction: equal steps converge exponentially.
+    The displacement is that of a half space at (x, y) inside the ellipse under p0 sqrt(1 - X^2/a^2 - Y^2/b^2). Polar
+    coordinates about the point cancel Boussinesq's 1/distance. On a chord the pressure is the root of a quadratic, and
+    its integral is the area of a half ellipse. The rest is periodic in the direction, so equal steps converge
+    exponentially.
     """
     a, b, p0 = float(found.semi_axis_x), float(found.semi_axis_y), float(found.peak_pressure)
     direction = np.arange(20_000) * np.pi / 20_000  # 4000 would do for the ellipses here
@@ -71,7 +72,7 @@ def carried_load(found: HertzContact) -> float:
 
 
 def reference(curvature_x: float, curvature_y: float) -> dict[str, float]:
-    """The contact by the textbook form in Legendre's integrals, 0/0 at k = 1 and for that reason in 100 digits."""
+    """The contact by the textbook form in Legendre's integrals, in 100 digits because it is 0/0 at k = 1."""
     with mpmath.workdps(100):
         large, small = sorted((mpmath.mpf(curvature_x), mpmath.mpf(curvature_y)), reverse=True)
         log_ratio = mpmath.log(large / small)
@@ -120,8 +121,8 @@ def test_the_pressure_closes_the_gap_and_carries_the_load(curvatures: tuple[floa
     np.testing.assert_allclose(carried_load(found), LOAD, rtol=1e-9)  # quadrature
 
 
-def test_a_wrong_contact_is_seen() -> None:
-    """Negative controls: each known mistake leaves over 1 % in the definition that the right one meets to 1e-11."""
+def test_a_wrong_contact_leaves_a_gap() -> None:
+    """Negative controls: each known mistake leaves a gap of over 1 %; the right contact leaves 1e-11."""
     right = contact()
     swapped = HertzContact(**{**vars(right), "semi_axis_x": right.semi_axis_y, "semi_axis_y": right.semi_axis_x})
     doubled = contact(modulus=2 * MODULUS)  # E' of the film formulas taken for E*

@@ -1,4 +1,4 @@
-"""The fitted formulas against the exact contact: the errors that their docstring states, and no others."""
+"""The fitted formulas against the exact contact: their errors are those of the docstring."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from analytic.errors import InputError
 
 LOAD, MODULUS, SMALL = 613.0, 1.13e11, 9.7  # N, Pa, 1/m
 RATIOS = np.geomspace(1, 100, 801)
-# Least and largest relative error as the docstring states them; x is the minor axis here.
+# Least and largest relative error by the docstring; x is the minor axis here.
 STATED = {
     "semi_axis_x": (-0.011, 0.012),
     "semi_axis_y": (-0.027, 0.021),
@@ -29,7 +29,7 @@ def test_the_stated_error_holds_and_is_reached(field: str) -> None:
     fitted, exact = both(SMALL * RATIOS, SMALL)
     errors = getattr(fitted, field) / getattr(exact, field) - 1
     least, largest = STATED[field]
-    assert least <= errors.min() < 0.9 * least  # nor does the docstring overstate it
+    assert least <= errors.min() < 0.9 * least  # the docstring does not overstate it
     assert 0.9 * largest < errors.max() <= largest
 
 
@@ -76,8 +76,8 @@ def test_a_bad_argument_is_named(changed: dict, words: tuple[str, ...]) -> None:
     assert all(word in str(refusal.value) for word in words), refusal.value
 
 
-def test_the_bound_covers_the_error_and_is_no_more_than_half_above() -> None:
-    """At any ratio of the curvatures, either way round, whatever their size; beyond the last knot it says nothing."""
+def test_the_bound_covers_the_error_and_is_at_most_half_larger() -> None:
+    """At any ratio of the curvatures, in both orders and at any size; beyond the last knot it is infinite."""
     ratios = np.geomspace(1.05, 9e4, 4001)
     for curvatures in ((SMALL * ratios, SMALL), (0.3, 0.3 * ratios)):
         fitted, exact = both(*curvatures)

@@ -32,8 +32,8 @@ def maximum(**changed: float | list[float]) -> SubsurfaceMaximum:
 def integrated(depth: float, *, a: float, b: float, ratio: float) -> np.ndarray:
     """sigma_x, sigma_y, sigma_z on the axis under the semi-ellipsoid, in units of its peak, by quadrature.
 
-    Point loads: Boussinesq's, [Johnson1985] section 3.2. In polar coordinates about the axis,
-    with r = R(direction) sin(t), neither the centre nor the pressure's edge is singular.
+    Point loads by Boussinesq, [Johnson1985] section 3.2. In polar coordinates about the axis with
+    r = R(direction) sin(t), neither the centre nor the edge of the pressure is singular.
     """
 
     def part(kernel: int, t: float, direction: float) -> float:
@@ -56,10 +56,10 @@ def integrated(depth: float, *, a: float, b: float, ratio: float) -> np.ndarray:
 
 
 def line(z: np.ndarray, ratio: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The same under a line along y, z in half-widths: [Johnson1985] section 4.2(a)."""
+    """The same under a line in the direction of y, z in half-widths: [Johnson1985] section 4.2(a)."""
     root = np.hypot(1, z)
-    across, down = -((1 + 2 * z**2) / root - 2 * z), -1 / root
-    return across, ratio * (across + down), down
+    sigma_x, sigma_z = -((1 + 2 * z**2) / root - 2 * z), -1 / root
+    return sigma_x, ratio * (sigma_x + sigma_z), sigma_z
 
 
 @pytest.mark.parametrize("depth", [0.047e-3, 0.093e-3, 0.41e-3])
@@ -73,7 +73,7 @@ def test_stresses_are_the_sum_of_point_loads(depth: float, a: float, b: float, r
 
 
 def test_the_circle_is_huber() -> None:
-    """[Huber1904], as text books print it: [Johnson1985] section 3.4."""
+    """[Huber1904]; in text books, such as [Johnson1985] section 3.4."""
     a, z = A, DEPTHS
     found = stress(z, semi_axis_y=A)
     angle = np.arctan2(a, z)
@@ -85,7 +85,7 @@ def test_the_circle_is_huber() -> None:
 
 @pytest.mark.parametrize("slight", [1e-15, 1e-12, 1e-9, 1e-6])
 def test_nothing_happens_next_to_the_circle(slight: float) -> None:
-    """Formulas in a^2 - b^2 lose all digits there; a stress may change by no more than the axis does."""
+    """Formulas in a^2 - b^2 lose all digits there; a stress must not change by more than the semi-axis does."""
     circle, ellipse = stress(DEPTHS, semi_axis_y=A), stress(DEPTHS, semi_axis_y=A * (1 + slight))
     for name in FIELDS:
         change = np.abs(getattr(ellipse, name) - getattr(circle, name)) / P0
@@ -94,7 +94,7 @@ def test_nothing_happens_next_to_the_circle(slight: float) -> None:
 
 @pytest.mark.parametrize("length", [1e4, 1e6])
 def test_a_long_ellipse_is_a_line(length: float) -> None:
-    """Line contact, plane strain: see below. The ends are felt as (1 - 2 nu)/k, the surface's share, and as z/k."""
+    """Line contact, plane strain. The ends act as (1 - 2 nu)/k, the surface's share, and as z/k."""
     z = DEPTHS[:5]
     found = stress(z, semi_axis_y=length * A)
     for name, expected in zip(FIELDS, line(z / A, NU), strict=True):
@@ -115,7 +115,7 @@ def test_far_below_it_is_a_point_load() -> None:
     z = 400 * B
     load = 2 / 3 * np.pi * P0 * A * B
     found = stress(z)
-    # The next moment of the pressure is (b/z)^2 smaller, with a factor of ten at most; sideways it counts for more.
+    # The next moment of the pressure is (b/z)^2 smaller, times ten at most; it counts more in sigma_x and sigma_y.
     np.testing.assert_allclose(found.sigma_z, -3 * load / (2 * np.pi * z**2), rtol=10 / 400**2)
     sideways = (1 - 2 * NU) * load / (4 * np.pi * z**2)
     np.testing.assert_allclose([found.sigma_x, found.sigma_y], sideways, rtol=30 / 400**2)
@@ -188,26 +188,26 @@ def test_physics_does_not_depend_on_the_units(metre: float, pascal: float) -> No
 
 
 def test_arguments_broadcast() -> None:
-    along, nu = np.array([A, 2.3 * A]), np.array([[0.21], [0.3], [0.49]])
-    table = subsurface_maximum(peak_pressure=P0, semi_axis_x=along, semi_axis_y=B, poisson_ratio=nu)
+    semi_axis, nu = np.array([A, 2.3 * A]), np.array([[0.21], [0.3], [0.49]])
+    table = subsurface_maximum(peak_pressure=P0, semi_axis_x=semi_axis, semi_axis_y=B, poisson_ratio=nu)
     assert table.max_shear.shape == (3, 2)
     for i, j in np.ndindex(3, 2):
-        alone = maximum(semi_axis_x=float(along[j]), poisson_ratio=float(nu[i, 0]))
+        alone = maximum(semi_axis_x=float(semi_axis[j]), poisson_ratio=float(nu[i, 0]))
         for name in MAXIMA:
             np.testing.assert_allclose(getattr(table, name)[i, j], getattr(alone, name), rtol=1e-7)  # as above
-    assert stress(DEPTHS[:, None], semi_axis_x=along).von_mises.shape == (DEPTHS.size, 2)
+    assert stress(DEPTHS[:, None], semi_axis_x=semi_axis).von_mises.shape == (DEPTHS.size, 2)
 
 
 def test_low_poisson_ratio_brings_the_maximum_under_a_line_to_the_surface() -> None:
-    """At 0.1 the shear between load and length is the larger one; at 0.3 it is that across."""
+    """At 0.1 the shear between sigma_y and sigma_z is the larger one; at 0.3 it is that with sigma_x."""
     z = np.linspace(0, 1, 100_001)
-    _, along, down = line(z, 0.1)
-    shear = (along - down) / 2
+    _, sigma_y, sigma_z = line(z, 0.1)
+    shear = (sigma_y - sigma_z) / 2
     low, high = (maximum(semi_axis_y=1e6 * A, poisson_ratio=ratio) for ratio in (0.1, 0.3))
     np.testing.assert_allclose(low.max_shear / P0, shear.max(), rtol=1e-5)  # ends are felt as 1/k
     np.testing.assert_allclose(low.max_shear_depth / A, z[np.argmax(shear)], atol=2e-5)  # the step
     assert low.max_shear_depth < 0.2 * A < 0.7 * A < high.max_shear_depth
-    assert maximum(semi_axis_y=1e9 * A, poisson_ratio=-0.2).max_shear_depth == 0  # nothing but the surface is left
+    assert maximum(semi_axis_y=1e9 * A, poisson_ratio=-0.2).max_shear_depth == 0  # only the surface is left
 
 
 def test_no_load_no_stress() -> None:

@@ -81,7 +81,7 @@ def printed(**changed: float) -> float:
     ],
 )
 def test_the_6205_at_0p18_rad(race: str, speed: float, viscosity: float, micrometres: float) -> None:
-    """Values that were computed elsewhere, by a program that shares nothing with this one; geometry typed in."""
+    """Values of another program that shares nothing with this one; the geometry is typed in."""
     ball, groove, pitch, angle, sign = (3.97e-3, {"inner": 4.13e-3, "outer": 4.21e-3}[race], 39.01e-3, 0.18, 0)
     sign = 1 if race == "inner" else -1
     reach = ball * np.cos(angle)
@@ -220,7 +220,7 @@ def test_backwards_is_mirrored() -> None:
     assert film(entrainment_speed=-0.37).thickness == film().thickness
 
 
-def test_no_load_leaves_the_room_there_is() -> None:
+def test_no_load_leaves_the_clearance() -> None:
     """The rigid film grows as F^-2: 1.5 m in a pocket that leaves 0.1 mm."""
     pocket = {"curvature_rolling": 251.9 - 245.7, "curvature_transverse": 251.9 - 245.7, "largest_gap": 1e-4}
     found = film(**pocket, load=np.array([0.0, 1e-300, 0.01, 1e4]))
@@ -249,7 +249,7 @@ def test_an_ellipse_outside_the_fit_is_marked(ratio: float, outside: bool) -> No
 
 
 def test_asperities_that_carry_nearly_all_leave_a_thin_film() -> None:
-    """F (1 - s) and E* (1 - s) as s -> 1, as load sharing asks: finite, and without a jump."""
+    """F (1 - s) and E* (1 - s) as s -> 1, as load sharing needs it: finite and without a jump."""
     left = np.geomspace(1, 1e-12, 241)
     h = film(load=613.0 * left, modulus=1.13e11 * left).thickness
     assert np.all(np.isfinite(h) & (h > 0))

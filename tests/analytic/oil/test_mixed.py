@@ -231,7 +231,7 @@ def test_inlet_heating_thins_the_film() -> None:
 
 
 def test_a_pocket_keeps_the_film_within_its_clearance() -> None:
-    """A circular, conformal contact under light load, where the formula gives more than there is room for."""
+    """A circular, conformal contact under light load, where the formula gives more than the clearance."""
     ball, pocket, gap = 3.97e-3, 4.07e-3, 0.05e-3
     curvature = 1 / ball - 1 / pocket
     given = {
@@ -244,7 +244,7 @@ def test_a_pocket_keeps_the_film_within_its_clearance() -> None:
     assert found.capped.tolist() == [True, False]
     np.testing.assert_allclose(found.film_thickness[0], gap, rtol=1e-14)
     assert found.film_thickness[1] < gap
-    tight = mixed(rough(40e-6), load=3.0, largest_gap=2e-6)  # rougher than there is room
+    tight = mixed(rough(40e-6), load=3.0, largest_gap=2e-6)  # rougher than the clearance
     assert tight.asperity_share == 1
     assert tight.capped
 

@@ -306,9 +306,10 @@ def test_very_unlike_contacts_balance() -> None:
         mu, load, half = (10 ** draw.uniform(low, high, count) for low, high in ((-2, 0), (0, 3), (-7, -2)))
         return mu * load, rolling_contact(load=load, semi_axis_transverse=half)
 
-    forces, contacts = zip(contact(), contact(), strict=True)
+    (inner_force, inner), (outer_force, outer) = contact(), contact()
     spin = draw.uniform(0.01, 1, count)
-    found = microslip_torque(contacts, friction_force=forces, spin_difference=spin, spin_rule="balanced")
+    forces = inner_force, outer_force
+    found = microslip_torque((inner, outer), friction_force=forces, spin_difference=spin, spin_rule="balanced")
     # Round-off of the share, times the ratio of the lengths: up to 1e5.
     np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-11)
 
@@ -332,6 +333,8 @@ def test_a_bad_spin_is_refused() -> None:
         torque(contacts, (0.1, 0.07), -0.2)
     with pytest.raises(InputError, match="friction_force must be at least 0"):
         torque(contacts, (0.1, -0.07), 0.2)
+    with pytest.raises(InputError, match="rolling_rate must be positive"):
+        torque((contacts[0], rolling_contact(rolling_rate=0.0)), (0.1, 0.07), 0.2)
     with pytest.raises(InputError, match='must be "balanced"'):
         torque(contacts, (0.1, 0.07), 0.2, "race_control")  # pyright: ignore[reportArgumentType]
     with pytest.raises(InputError, match="spin_to_roll must be finite"):
