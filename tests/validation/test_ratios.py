@@ -1,4 +1,4 @@
-"""The benchmark over curvature ratios: that a run says what it did, with the errors that Hertz's exact answer shows."""
+"""The benchmark over curvature ratios: a run writes its rows, with errors against Hertz's exact answer."""
 
 import json
 import subprocess
@@ -9,7 +9,7 @@ RATIOS = Path(__file__).resolve().parents[2] / "validation" / "benchmarks" / "ra
 
 
 def test_a_run_writes_what_it_prints(tmp_path: Path) -> None:
-    command = [sys.executable, RATIOS, "--ratios", "2.3", "--ways", "mesh", "--out", tmp_path]
+    command = [sys.executable, RATIOS, "--ratios", "2.3", "--methods", "mesh", "--out", tmp_path]
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
     rows = json.loads((tmp_path / "ratios.json").read_text("utf-8"))["rows"]
     assert [(row["ratio"], row["accuracy"]) for row in rows] == [(2.3, 1e-3), (2.3, 5e-4)]
@@ -18,5 +18,5 @@ def test_a_run_writes_what_it_prints(tmp_path: Path) -> None:
         assert row["memory"] > 2**24  # bytes: an interpreter with NumPy takes more
         assert row["seconds"] > 0
         assert f"{100 * row['errors']['approach']:+.4f}%" in printed
-    long = rows[0]["errors"]  # in both axes they would be the same of a circle
-    assert abs(long["semi_axis_rolling"] - long["semi_axis_transverse"]) > 1e-4
+    errors = rows[0]["errors"]  # on a circle those of both axes would be equal
+    assert abs(errors["semi_axis_rolling"] - errors["semi_axis_transverse"]) > 1e-4
