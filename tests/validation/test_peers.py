@@ -1,4 +1,4 @@
-"""The comparison with other solvers: that a run says what it did, and that the third opinion agrees with ours."""
+"""The comparison with other solvers: a run reports its rows, and boundary elements agree with our finite elements."""
 
 import json
 import subprocess
@@ -12,7 +12,7 @@ RUN = Path(__file__).resolve().parents[2] / "validation" / "peers" / "run.py"
 
 
 def peers_json(folder: Path, *arguments: str) -> tuple[dict[str, Any], str]:
-    """What a run writes into peers.json and prints."""
+    """The content of peers.json after a run, and its printed text."""
     done = subprocess.run(
         [sys.executable, RUN, "--out", folder, *arguments], capture_output=True, check=True, text=True, timeout=300
     )
@@ -23,7 +23,7 @@ def test_a_run_measures_ours_and_skips_what_is_missing(tmp_path: Path, monkeypat
     missing = tmp_path / "missing" / "tamaas.py"
     missing.parent.mkdir()
     missing.write_text("raise ModuleNotFoundError('no such module', name='tamaas')\n", "utf-8")
-    monkeypatch.setenv("PYTHONPATH", str(missing.parent))  # found before any installed one
+    monkeypatch.setenv("PYTHONPATH", str(missing.parent))  # comes before any installed one
     found, printed = peers_json(tmp_path / "out", "--steps", "1", "--cases", "sphere", "--peers", "tamaas", "ours")
     assert found["skipped"] == {"tamaas": "tamaas is not installed"}
     assert "tamaas skipped: tamaas is not installed" in printed
@@ -55,7 +55,7 @@ def test_boundary_elements_hertz_and_ours_agree_on_the_ellipse_of_the_6205(tmp_p
     found, _ = peers_json(tmp_path, "--cases", "ellipse", "--peers", "tamaas", "ours", "--steps", "3")
     errors = {(row["peer"], row["refinement"]): row["errors"] for row in found["rows"]}
     boundary, ours = errors["tamaas", 64], errors["ours", 3]
-    assert max(map(abs, boundary.values())) < 5e-4  # 64 points a side resolve the edge to 0.02 %
+    assert max(map(abs, boundary.values())) < 5e-4  # 64 points along a side resolve the edge to 0.02 %
     assert max(map(abs, ours.values())) < 2e-3  # the third level of our recipe is 0.1 % off
-    for name, error in boundary.items():  # and each other, without Hertz between them
+    for name, error in boundary.items():  # compared directly, without Hertz
         assert ours[name] == pytest.approx(error, abs=2e-3), name

@@ -1,8 +1,8 @@
 """The solver's measured constants, measured again: python validation/benchmarks/calibrations.py [--contacts 14]
 
-Each line names a constant, its value and the new measurement. These are made on random contacts of `intervals.py` as
-half spaces, where Hertz is exact, or against boundary elements. Not repeated here: `HALF`, `FINEST`, `UNSTEADY` and `LEAST`,
-which `intervals.py` tests, and `FADING`, which tests/compare/contact/test_discrepancy.py tests.
+Each line names a constant, its value and the new measurement, on random contacts of `intervals.py` as half spaces,
+where Hertz is exact, or against boundary elements. Not repeated here: `HALF`, `FINEST`, `UNSTEADY` and `LEAST`, which
+`intervals.py` tests, and `FADING`, which tests/compare/contact/test_discrepancy.py tests.
 """
 
 from dataclasses import replace

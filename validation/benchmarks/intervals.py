@@ -85,7 +85,7 @@ def main(
                 worst = {name: max(abs(each[name]) for each in errors) for name in COMPARED}
                 words = ", ".join(f"{name} {error:.4%}" for name, error in worst.items())
                 out.print(
-                    f"Converged solution against Hertz on the idealisation of the first {len(errors)}, worst: {words}\n",
+                    f"Worst error of the converged solution on the idealisation of the first {len(errors)}: {words}\n",
                     highlight=False,
                 )
 
@@ -195,7 +195,8 @@ def show(kind: Kind, trials: list[Trial], *, accuracy: float, first: int, count:
     out.print(table)
     seconds = np.median([each.seconds[accuracy] for each in trials])
     out.print(
-        f"All four hold in {np.count_nonzero(all_hold)} of {len(trials)}; median processor time {seconds:.1f} s a contact\n",
+        f"All four hold in {np.count_nonzero(all_hold)} of {len(trials)}; "
+        f"median processor time {seconds:.1f} s a contact\n",
         highlight=False,
     )
 

@@ -3,7 +3,7 @@
 Runs the command `fembearing sweep`, including the start of Python and the maps:
 - a torque map over load and speed, with a tenth of the points and with all, which shows how memory grows;
 - the same command again, when all points are stored;
-- contacts on one worker and on several. They are contacts of half spaces at 5 %, for which the finite elements take half
+- contacts on one worker and on several. They are contacts of half spaces at 5 %, for which finite elements take half
   the time of true shapes: some minutes in all.
 Every process has one thread, so that workers are compared and not threads. Prints wall times: the machine should be
 idle.
