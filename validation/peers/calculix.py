@@ -57,7 +57,7 @@ def load() -> Solve:
             printed = job.with_suffix(".dat").read_text("ascii") if job.with_suffix(".dat").exists() else ""
         if done.returncode or "forces" not in printed:
             raise RuntimeError(f"{PROGRAM} ended with status {done.returncode}: {(done.stdout + done.stderr)[-500:]}")
-        force = table(printed, "forces")[:, 3]  # N, on the nodes of the paraboloid: integrals of pressure times shape
+        force = table(printed, "forces")[:, 3]  # N, nodal forces: integrals of pressure times shape function
         axes = semi_axis(x, force), semi_axis(y, force)
         points_x, points_y, area, pressure = at_gauss_points(x, y, faces, force)
         sunk = table(printed, "displacements")[0, 3] / (MM * FLATTENING)

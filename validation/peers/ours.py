@@ -1,4 +1,4 @@
-"""Peer: fembearing's own finite elements on the Hertzian idealisation. The refinement is the level of the mesh recipe."""
+"""Peer: the finite elements of fembearing on the Hertzian idealisation. The refinement is the level of the recipe."""
 
 from typing import Any
 

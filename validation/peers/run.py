@@ -55,7 +55,7 @@ def main(argv: list[str] | None = None) -> int:
             for refinement in ladder:
                 if peer in skipped:
                     break
-                row = measured(peer, case, refinement, repeats=asked.repeats)
+                row = measured(peer, case, refinement, repeats=options.repeats)
                 if "skipped" in row:
                     skipped[peer] = row["skipped"]
                     sys.stderr.write(f"{peer} skipped: {row['skipped']}\n")
