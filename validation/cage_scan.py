@@ -1,10 +1,10 @@
 """Scan of the cage's unknown inputs: python validation/cage_scan.py [--jobs 2] [--duration 0.1] [--out FOLDER]
 
-[Paper] gives no clearance (its pocket cannot be made), restitution, contact stiffness, friction of ball on pocket, start
-or simulated time of its cage. This script varies them at the five speeds of the paper, 100 to 500 rpm, and computes the
-deviation of every case from the four numbers that the paper prints for each roughness: cage torque and largest force at
-100 and 500 rpm. Between these speeds the paper only says that the torque rises. The roughness changes the friction
-only, so a setting is all inputs but the friction, which may differ between the two roughnesses. Nothing is fitted
+For its cage [Paper] gives no clearance (its pocket cannot be made), restitution, contact stiffness, friction of ball on
+pocket, start or simulated time. This script varies them at the five speeds of the paper, 100 to 500 rpm, and computes
+the deviation of every case from the four numbers that the paper prints for each roughness: cage torque and largest
+force at 100 and 500 rpm. Between these speeds the paper only says that the torque rises. The roughness changes only the
+friction, so a setting is all inputs but the friction, which may differ between the two roughnesses. Nothing is fitted
 between the points of the scan, and a setting that came close would be a calibration, not a prediction.
 
 A cage that starts at rest stays there, and neither stiffness nor restitution matters. For that start they are varied at
@@ -176,6 +176,7 @@ def main() -> None:
         motions = pool.map(computed, *zip(*jobs, strict=True), chunksize=4)
         rows = list(track(motions, total=len(jobs), description="motions", disable=not out.is_terminal))
     paper = targets()
+    options.out.mkdir(parents=True, exist_ok=True)
     write(rows, options.out / "cage_scan.csv", options.duration)
     draw(rows, paper, options.out / "cage_scan.png")
     report(rows, paper)
@@ -185,13 +186,13 @@ def report(rows: list[Row], paper: dict[tuple[float, str, float], float]) -> Non
     cases = by_case(rows)
     for roughness in (ROUGH, SMOOTH):
         ranked = sorted(cases.items(), key=lambda item: max(map(abs, deviations(item[1], paper, roughness))))
-        numbers_of_paper = " and ".join(
+        printed = " and ".join(
             f"{paper[roughness, 'cage_torque', rpm] * 1e3:g}, {paper[roughness, 'cage_max_force', rpm]:.4g} at {rpm:g}"
             for rpm in PRINTED
         )
         table = Table(
             *("setting", "mu", *(f"{rpm:g} rpm" for rpm in SPEEDS), "worst"),
-            title=f"Sq {roughness * 1e6:g} um, nearest cases: torque, N mm, and largest force, N; paper: {numbers_of_paper} rpm",
+            title=f"Sq {roughness * 1e6:g} um, nearest cases: torque, N mm, and largest force, N; paper: {printed} rpm",
             caption="r rest, w whirl, i irregular, m mixed; worst: largest factor to the four numbers of the paper",
         )
         for (setting, friction), case in ranked[:5]:
@@ -223,8 +224,8 @@ def report_speed(
     )
     far = sum(torque[-1] > least / NEAR * torque[0] for torque in rising)
     out.print(
-        f"The cage torque rises from each speed to the next in {len(rising)} of {len(cases)} cases, in {far} of them by "
-        f"a factor of {least / NEAR:.2g} or more from 100 to 500 rpm; in the paper by {least:.2g} or more."
+        f"The cage torque rises from each speed to the next in {len(rising)} of {len(cases)} cases, in {far} of them "
+        f"by a factor of {least / NEAR:.2g} or more from 100 to 500 rpm; in the paper by {least:.2g} or more."
     )
 
 
@@ -306,9 +307,9 @@ def draw(rows: list[Row], paper: dict[tuple[float, str, float], float], path: Pa
             near = [factor * value(cases[case][rpm]) for rpm in SPEEDS]
             panel.plot(SPEEDS, near, style, color="black", lw=1, label=f"nearest case to {' and '.join(roughnesses)}")
         for roughness, mark in ((ROUGH, "*"), (SMOOTH, "P")):
-            published_values = [factor * paper[roughness, quantity, rpm] for rpm in PRINTED]
+            values = [factor * paper[roughness, quantity, rpm] for rpm in PRINTED]
             name = f"paper, Sq {roughness * 1e6:g} µm"
-            panel.plot(PRINTED, published_values, mark, color="red", mec="black", ms=11, label=name, zorder=3)
+            panel.plot(PRINTED, values, mark, color="red", mec="black", ms=11, label=name, zorder=3)
         panel.set(xlabel="speed of the inner ring, rpm", ylabel=label, yscale="log", xticks=SPEEDS)
         panel.grid(alpha=0.3)
     figure.legend(

@@ -1,9 +1,9 @@
 """Comparison of the scenes with [Paper]: python validation/paper.py [--out FOLDER]
 
 Shows which curves of the paper each scene matches, the inputs that the paper does not give and the scene assumes, and
-which of the paper's conclusions hold. The paper's numbers are computed as well, so nothing here is a validation. A scene
-whose inputs were chosen to match is a calibration, which predicts nothing. Prints tables, and writes paper.csv (the
-numbers), paper.json (everything, SI) and paper.png into the folder (validation/reports).
+which of the paper's conclusions hold. The paper's numbers are computed as well, so nothing here is a validation. A
+scene whose inputs were chosen to match is a calibration, which predicts nothing. Prints tables, and writes paper.csv
+(the numbers), paper.json (everything, SI) and paper.png into the folder (validation/reports).
 """
 
 import argparse
@@ -101,7 +101,7 @@ def report(comparisons: list[Comparison], jumps: list[Jump], out: Console) -> No
         sides.add_row(jump.where, f"{jump.quantity}, {jump.unit}", printed, derived)
     out.print(sides)
     out.print(
-        f"Values at spin-to-roll ratios {ASIDE:g} below and above each jump; at 0, without spin and with a ratio of {ASIDE:g}."
+        f"The two values are at ratios {ASIDE:g} below and above a jump; at ratio 0, without spin and at {ASIDE:g}."
     )
 
 

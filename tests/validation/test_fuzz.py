@@ -1,4 +1,4 @@
-"""A thousand damaged files, each read or refused in one line; and that the watch over them sees what it should."""
+"""A thousand damaged files are each read or refused in one line, and every kind of fault is detected."""
 
 import importlib
 import os
@@ -27,12 +27,14 @@ def fuzz() -> Iterator[ModuleType]:
 
 def test_every_damaged_file_is_read_or_refused(fuzz: ModuleType) -> None:
     """Always the same files; validation/fuzz.py tries others. A fault shows its seed."""
-    found = list(fuzz.fuzzed(range(FILES)))
-    assert [what for _, what in found if isinstance(what, fuzz.Fault)] == []
+    results = list(fuzz.fuzzed(range(FILES)))
+    assert [outcome for _, outcome in results if isinstance(outcome, fuzz.Fault)] == []
     for kind in ("scene", "height map", "mesh"):
-        outcomes = [what for known, what in found if known == kind]
+        outcomes = [outcome for known, outcome in results if known == kind]
         assert len(outcomes) >= FILES // 3
-        assert 0.05 < np.mean([what == "read" for what in outcomes]) < 0.6, kind  # else half of it tests nothing
+        assert 0.05 < np.mean([outcome == "read" for outcome in outcomes]) < 0.6, (
+            kind
+        )  # else one of the two is hardly tested
 
 
 def hang(_: Path) -> None:
@@ -65,13 +67,13 @@ def ramble(_: Path) -> None:
         (ramble, "an unclear error"),
     ],
 )
-def test_the_watch_sees_what_no_file_may_lead_to(
+def test_every_kind_of_fault_is_detected(
     fuzz: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, read, words: str
 ) -> None:
     monkeypatch.setattr(fuzz, "SLOWEST", 0.2)
     monkeypatch.setattr(fuzz, "LARGEST", 1e8)
     if read is hoard:
-        fuzz.outcome(tmp_path, lambda _: None)  # the peak is counted from what is held now
+        fuzz.outcome(tmp_path, lambda _: None)  # the peak counts from the memory held now
         monkeypatch.setattr(fuzz, "peak_memory", lambda: 0)
     assert words in fuzz.outcome(tmp_path / "file", read)
     assert fuzz.outcome(tmp_path / "file", lambda _: None) in ("read", "refused") or read is hoard

@@ -80,7 +80,10 @@ def deck(
     faces: "NDArray[np.intp]",
     paraboloid: "NDArray[np.float64]",
 ) -> Iterator[str]:
-    """The input file. `supports`: cells and faces of the block that may touch; `faces`: their 8 nodes on the paraboloid."""
+    """The lines of the input file.
+
+    supports : cells and faces of the block that may touch;  faces : their 8 nodes on the paraboloid
+    """
     import numpy as np
 
     position, count = block.position, len(block.position)
