@@ -1,4 +1,4 @@
-"""The sensitivity study: changes that can be known otherwise, ranges that follow from the paper, and what it writes."""
+"""The sensitivity study: changes with an independent calculation, ranges that follow from the paper, and its files."""
 
 import csv
 import importlib
@@ -52,15 +52,15 @@ def test_the_hysteresis_part_is_proportional_to_its_loss(scene: Scene, swings: d
 
 
 def test_the_boundary_part_is_what_asperities_carry(swings: dict[str, Any]) -> None:
-    """Without boundary friction the torque by slip would fall: its change is the same line through both ends."""
+    """The change is proportional to the change of boundary friction, at both ends."""
     low, high = swings["boundary friction"].changes
-    # The share of spin shifts a little with the coefficients: 5 % is far above that, and far below any other law.
+    # The share of spin changes slightly with the coefficients: 5 % is far above that, and far below any other law.
     np.testing.assert_allclose(low / (0.08 - 0.12), high / (0.15 - 0.12), rtol=0.05)
     assert np.all(low < 0)
 
 
 def test_one_input_moves_at_a_time(study: ModuleType, scene: Scene) -> None:
-    """An end differs from the scene in the one noun that its input stands in."""
+    """An end differs from the scene only in the object with its input."""
     nouns = {"Young's modulus": "bearing", "Poisson's ratio": "bearing", "viscosity": "lubricant",
              "pressure-viscosity": "lubricant", "Eyring stress": "lubricant", "limiting shear": "lubricant",
              "shear of the oil": "lubricant", "hysteresis loss": "hysteresis_loss", "spin rule": "spin_rule",
@@ -82,10 +82,10 @@ def test_the_largest_swing_comes_first(swings: dict[str, Any]) -> None:
 
 
 def test_the_free_angle_within_the_rounding(study: ModuleType, scene: Scene) -> None:
-    """An independent calculation of what 10 um of rounding leave: 5 to 17 degrees, whole ones; at most 20.5."""
+    """An independent calculation with rounding to 10 um gives 5 to 17 degrees, in whole degrees, and at most 20.5."""
     low, high = np.degrees(study.free_angles_within_rounding(scene))
     np.testing.assert_allclose([low, high], [5, 17], atol=0.5)
-    # Draws that are all at one end: the worst case, by hand arccos(1 - 0.050/(2 x 0.395)), mm.
+    # All dimensions at one end, the worst case; by hand arccos(1 - 0.050/(2 x 0.395)), mm.
     bearing = scene.bearing
     outer, inner = bearing.outer, bearing.inner
     wide = replace(
