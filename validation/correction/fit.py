@@ -174,9 +174,8 @@ def spread(error: Array) -> dict[str, float]:
 def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solves) -> Iterator[str]:
     """The stored file, line by line."""
     (head, *rest) = (line for line in (HERE / "solves.csv").read_text("utf-8").splitlines() if line.startswith("#"))
-    yield "# Correction of Hertz's contact for the true shape of ball and groove, written by"
-    yield "# validation/correction/fit.py from solves.csv and read by analytic/contact/finite_geometry.py. Errors and uncertainties are"
-    yield "# relative."
+    yield "# Correction of Hertz for the true shape of ball and groove, written by validation/correction/fit.py"
+    yield "# from solves.csv, read by analytic/contact/finite_geometry.py. Errors and uncertainties are relative."
     dates = sorted({row["date"] for row in read_rows()})
     yield ""
     yield "[provenance]"
