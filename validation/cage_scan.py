@@ -1,14 +1,14 @@
-"""The cage in motion beside the paper's cage: python validation/cage_scan.py [--jobs 2] [--duration 0.1] [--out FOLDER]
+"""Scan of the cage's unknown inputs: python validation/cage_scan.py [--jobs 2] [--duration 0.1] [--out FOLDER]
 
-The paper gives neither clearance (its pocket cannot be made), nor restitution, contact stiffness, friction of ball on
-pocket, start or simulated time of its cage. This scans them at its five speeds, 100 to 500 rpm, and says of every
-setting how far it is from the four numbers that the paper prints for either roughness, cage torque and largest force at
-100 and 500 rpm: between them there is nothing to compare with but that the torque rises. A roughness shows in the
-friction alone, so that a setting is all but the friction, which may differ between the two. Nothing is fitted between
-the points of the scan, and a setting that came near would be a calibration, not a prediction.
+For its cage [Paper] gives no clearance (its pocket cannot be made), restitution, contact stiffness, friction of ball on
+pocket, start or simulated time. This script varies them at the five speeds of the paper, 100 to 500 rpm, and computes
+the deviation of every case from the four numbers that the paper prints for each roughness: cage torque and largest
+force at 100 and 500 rpm. Between these speeds the paper only says that the torque rises. The roughness changes only the
+friction, so a setting is all inputs but the friction, which may differ between the two roughnesses. Nothing is fitted
+between the points of the scan, and a setting that came close would be a calibration, not a prediction.
 
-A cage that starts at rest stays there, where neither stiffness nor restitution matters. For that start they are varied
-at one clearance alone, and what they change there is printed.
+A cage that starts at rest stays there, and neither stiffness nor restitution matters. For that start they are varied at
+one clearance only, and the change is printed.
 """
 
 import argparse
@@ -33,36 +33,38 @@ from analytic.cage.torque import driven_cage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Cage, CageStart
 from analytic.scenefile.read import builtin_scene, load_scene
-from beside_paper import ROUGH, RPM, SMOOTH, published
+from paper_comparison import ROUGH, RPM, SMOOTH, published
 
 HERE = Path(__file__).parent
-SPEEDS = (100.0, 200.0, 300.0, 400.0, 500.0)  # rpm, the paper's
-PRINTED = (100.0, 500.0)  # rpm, where it prints the cage's torque and largest force
-ANGLE = 0.18  # rad, the paper's
-CLEARANCES: tuple[float | None, ...] = (0.1e-3, 0.2e-3, 0.4e-3, None)  # m; None: the pocket of Table 1
-VARIED_AT_REST = 0.2e-3  # m: the clearance at which a start at rest has every stiffness and restitution
+SPEEDS = (100.0, 200.0, 300.0, 400.0, 500.0)  # rpm, [Paper]
+PRINTED = (100.0, 500.0)  # rpm, speeds at which the paper prints cage torque and largest force
+ANGLE = 0.18  # rad, [Paper]
+CLEARANCES: tuple[float | None, ...] = (0.1e-3, 0.2e-3, 0.4e-3, None)  # m; None: the pocket of Table 1 of [Paper]
+VARIED_AT_REST = 0.2e-3  # m, the clearance at which a start at rest takes every stiffness and restitution
 STIFFNESSES = {"Hertz": None, "sheet": 28.0 / 0.883e-6**1.5}  # N/m^1.5: finite elements of the sheet on its rim
 RESTITUTIONS = (0.5, 0.9)
 STARTS: tuple[CageStart, ...] = ("rest", "sudden")
 FRICTIONS = (0.03, 0.1, 0.2)
-LEADS = (0.0, 0.6)  # of balls, over half the clearance
+LEADS = (0.0, 0.6)  # lead of the balls over half the clearance
 SEEDS = 2
-NEAR = 1.25  # a factor on each number: nobody could ask for less of a reading with "about"
+NEAR = 1.25  # factor on each number; a smaller one makes no sense for numbers printed with "about"
 out = Console(width=118)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Setting:
+    """All inputs of a motion but speed and friction; lengths in m."""
+
     clearance: float | None
     stiffness: str
     restitution: float
     start: CageStart
-    lead: float
+    lead: float  # over half the clearance
 
 
 @dataclass(frozen=True, kw_only=True)
 class Row:
-    """One motion; SI."""
+    """The result of one motion; SI."""
 
     setting: Setting
     friction: float
@@ -120,18 +122,18 @@ def computed(setting: Setting, friction: float, rpm: float, duration: float) -> 
         ball_speed=float(moving.ball_speed),
         contact_angle=ANGLE,
     )
-    found = measured_motion(driven, start=setting.start, seeds=SEEDS, duration=duration)
+    result = measured_motion(driven, start=setting.start, seeds=SEEDS, duration=duration)
     return Row(
         setting=setting,
         friction=friction,
         speed_rpm=rpm,
-        torque=found.torque,
-        torque_low=found.torque_interval[0],
-        torque_high=found.torque_interval[1],
-        max_force=found.max_force,
-        largest_force=found.largest_force,
-        damping_torque=found.damping_torque,
-        state=found.state,
+        torque=result.torque,
+        torque_low=result.torque_interval[0],
+        torque_high=result.torque_interval[1],
+        max_force=result.max_force,
+        largest_force=result.largest_force,
+        damping_torque=result.damping_torque,
+        state=result.state,
     )
 
 
@@ -145,52 +147,53 @@ def targets() -> dict[tuple[float, str, float], float]:
 
 
 def deviations(case: dict[float, Row], paper: dict[tuple[float, str, float], float], roughness: float) -> list[float]:
-    """ln(ours/paper) of torque and largest force where both are printed; of the largest seen at all, as the paper's."""
-    found = []
+    """ln(computed/paper) of torque and largest force at `PRINTED`; the force is the largest of all, as in the paper."""
+    result = []
     for rpm in PRINTED:
         for quantity, ours in (("cage_torque", case[rpm].torque), ("cage_max_force", case[rpm].largest_force)):
-            found.append(float(np.log(max(ours, 1e-12) / paper[roughness, quantity, rpm])))
-    return found
+            result.append(float(np.log(max(ours, 1e-12) / paper[roughness, quantity, rpm])))
+    return result
 
 
 def by_case(rows: list[Row]) -> dict[tuple[Setting, float], dict[float, Row]]:
     """(setting, friction) -> its motions by rpm."""
-    found: dict[tuple[Setting, float], dict[float, Row]] = {}
+    cases: dict[tuple[Setting, float], dict[float, Row]] = {}
     for row in rows:
-        found.setdefault((row.setting, row.friction), {})[row.speed_rpm] = row
-    return found
+        cases.setdefault((row.setting, row.friction), {})[row.speed_rpm] = row
+    return cases
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--duration", type=float, default=0.1, help="measured of each of two seeds, s")
-    parser.add_argument("--every", type=int, default=1, help="take only each n-th setting: a trial")
-    parser.add_argument("--out", type=Path, default=HERE / "reports")
-    asked = parser.parse_args()
-    chosen = list(settings())[:: asked.every]
-    jobs = [(s, mu, rpm, asked.duration) for s in chosen for mu in FRICTIONS for rpm in SPEEDS]
-    with ProcessPoolExecutor(asked.jobs) as pool:
-        told = pool.map(computed, *zip(*jobs, strict=True), chunksize=4)
-        rows = list(track(told, total=len(jobs), description="motions", disable=not out.is_terminal))
+    parser.add_argument("--jobs", type=int, default=1, help="processes")
+    parser.add_argument("--duration", type=float, default=0.1, help="measured time of each of two seeds, s")
+    parser.add_argument("--every", type=int, default=1, help="take only every n-th setting, for a trial")
+    parser.add_argument("--out", type=Path, default=HERE / "reports", help="folder for cage_scan.csv and .png")
+    options = parser.parse_args()
+    chosen = list(settings())[:: options.every]
+    jobs = [(s, mu, rpm, options.duration) for s in chosen for mu in FRICTIONS for rpm in SPEEDS]
+    with ProcessPoolExecutor(options.jobs) as pool:
+        motions = pool.map(computed, *zip(*jobs, strict=True), chunksize=4)
+        rows = list(track(motions, total=len(jobs), description="motions", disable=not out.is_terminal))
     paper = targets()
-    write(rows, asked.out / "cage_scan.csv", asked.duration)
-    draw(rows, paper, asked.out / "cage_scan.png")
-    tell(rows, paper)
+    options.out.mkdir(parents=True, exist_ok=True)
+    write(rows, options.out / "cage_scan.csv", options.duration)
+    draw(rows, paper, options.out / "cage_scan.png")
+    report(rows, paper)
 
 
-def tell(rows: list[Row], paper: dict[tuple[float, str, float], float]) -> None:
+def report(rows: list[Row], paper: dict[tuple[float, str, float], float]) -> None:
     cases = by_case(rows)
     for roughness in (ROUGH, SMOOTH):
         ranked = sorted(cases.items(), key=lambda item: max(map(abs, deviations(item[1], paper, roughness))))
-        wanted = " and ".join(
+        printed = " and ".join(
             f"{paper[roughness, 'cage_torque', rpm] * 1e3:g}, {paper[roughness, 'cage_max_force', rpm]:.4g} at {rpm:g}"
             for rpm in PRINTED
         )
         table = Table(
             *("setting", "mu", *(f"{rpm:g} rpm" for rpm in SPEEDS), "worst"),
-            title=f"Sq {roughness * 1e6:g} um, nearest cases: torque, N mm, and largest force, N; paper: {wanted} rpm",
-            caption="r rest, w whirl, i irregular, m mixed; worst: the largest factor off the paper's four numbers",
+            title=f"Sq {roughness * 1e6:g} um, nearest cases: torque, N mm, and largest force, N; paper: {printed} rpm",
+            caption="r rest, w whirl, i irregular, m mixed; worst: largest factor to the four numbers of the paper",
         )
         for (setting, friction), case in ranked[:5]:
             numbers = [f"{row.torque * 1e3:.2g}, {row.largest_force:.2g} {row.state[0]}" for row in case.values()]
@@ -203,16 +206,16 @@ def tell(rows: list[Row], paper: dict[tuple[float, str, float], float]) -> None:
                 f"{near} of {len(ranked)} cases have the {quantity} at 100 and 500 rpm within a factor of {NEAR:g}."
             )
         near = sum(max(map(abs, deviations(case, paper, roughness))) < np.log(NEAR) for _, case in ranked)
-        out.print(f"{near} of {len(ranked)} cases have all four numbers within it.\n")
-    tell_of_speed(cases, paper)
-    tell_of_rest(cases)
-    tell_of_one_cage(cases, paper)
+        out.print(f"{near} of {len(ranked)} cases have all four numbers within this factor.\n")
+    report_speed(cases, paper)
+    report_rest(cases)
+    report_one_cage(cases, paper)
 
 
-def tell_of_speed(
+def report_speed(
     cases: dict[tuple[Setting, float], dict[float, Row]], paper: dict[tuple[float, str, float], float]
 ) -> None:
-    """Whether the torque rises from speed to speed, and as far as the paper's."""
+    """In how many cases the torque rises with speed, and in how many as much as in the paper."""
     torques = [[case[rpm].torque for rpm in SPEEDS] for case in cases.values()]
     rising = [torque for torque in torques if np.all(np.diff(torque) > 0)]
     least = min(
@@ -221,13 +224,13 @@ def tell_of_speed(
     )
     far = sum(torque[-1] > least / NEAR * torque[0] for torque in rising)
     out.print(
-        f"The cage torque rises at every step from 100 to 500 rpm in {len(rising)} of {len(cases)} cases, in {far} by "
-        f"{least / NEAR:.2g} times or more; the paper's by {least:.2g} times or more."
+        f"The cage torque rises from each speed to the next in {len(rising)} of {len(cases)} cases, in {far} of them "
+        f"by a factor of {least / NEAR:.2g} or more from 100 to 500 rpm; in the paper by {least:.2g} or more."
     )
 
 
-def tell_of_rest(cases: dict[tuple[Setting, float], dict[float, Row]]) -> None:
-    """What stiffness and restitution change where all of them were tried from rest."""
+def report_rest(cases: dict[tuple[Setting, float], dict[float, Row]]) -> None:
+    """The effect of stiffness and restitution on a start at rest, at the clearance with all of them."""
     alike: dict[tuple[float, float, float], list[Row]] = {}
     for (setting, friction), case in cases.items():
         if setting.start == "rest" and setting.clearance == VARIED_AT_REST:
@@ -239,14 +242,14 @@ def tell_of_rest(cases: dict[tuple[Setting, float], dict[float, Row]]) -> None:
     force = max(row.largest_force for group in alike.values() for row in group)
     out.print(
         f"From rest in {VARIED_AT_REST * 1e3:g} mm, stiffness and restitution change the torque by {spread:.1%} at "
-        f"most and no force exceeds {force:.2g} N; other clearances have one of each for that start."
+        f"most, and no force exceeds {force:.2g} N; for this start, other clearances have one value of each."
     )
 
 
-def tell_of_one_cage(
+def report_one_cage(
     cases: dict[tuple[Setting, float], dict[float, Row]], paper: dict[tuple[float, str, float], float]
 ) -> None:
-    """The setting that is nearest with one friction for each roughness."""
+    """The nearest setting, if each roughness has its own friction."""
     best: dict[Setting, float] = {}
     for setting in dict.fromkeys(setting for setting, _ in cases):
         worst = [
@@ -279,7 +282,7 @@ def write(rows: list[Row], path: Path, duration: float) -> None:
 
 
 def draw(rows: list[Row], paper: dict[tuple[float, str, float], float], path: Path) -> None:
-    """Torque and largest force over speed: a point a motion, and the nearest case of either roughness as a line."""
+    """Torque and largest force over speed: one point for each motion, a line for the nearest case of each roughness."""
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
@@ -289,24 +292,24 @@ def draw(rows: list[Row], paper: dict[tuple[float, str, float], float], path: Pa
         "cage_torque": ("cage torque, N mm", 1e3, lambda row: row.torque),
         "cage_max_force": ("largest force of a ball on the cage, N", 1.0, lambda row: row.largest_force),
     }
-    nearest: dict[tuple[Setting, float], list[str]] = {}  # the case, and the roughnesses that it is the nearest for
+    nearest: dict[tuple[Setting, float], list[str]] = {}  # case -> roughnesses for which it is the nearest
     cases = by_case(rows)
     for roughness in (ROUGH, SMOOTH):
         case = min(cases, key=lambda one: max(map(abs, deviations(cases[one], paper, roughness))))
         nearest.setdefault(case, []).append(f"Sq {roughness * 1e6:g} µm")
     for panel, (quantity, (label, factor, value)) in zip(panels, quantities.items(), strict=True):
-        for beside, (state, colour) in enumerate(colours.items()):
+        for position, (state, colour) in enumerate(colours.items()):
             at = [row for row in rows if row.state == state and value(row) > 0]
-            place = [row.speed_rpm + 12 * (beside - 1.5) for row in at]  # side by side, else they hide each other
+            place = [row.speed_rpm + 12 * (position - 1.5) for row in at]  # side by side, so that all stay visible
             heights = [factor * value(row) for row in at]
             panel.plot(place, heights, ".", color=colour, label=f"scan: {state}", alpha=0.5, markeredgewidth=0)
         for (case, roughnesses), style in zip(nearest.items(), ("-", "--"), strict=False):
             near = [factor * value(cases[case][rpm]) for rpm in SPEEDS]
             panel.plot(SPEEDS, near, style, color="black", lw=1, label=f"nearest case to {' and '.join(roughnesses)}")
         for roughness, mark in ((ROUGH, "*"), (SMOOTH, "P")):
-            told = [factor * paper[roughness, quantity, rpm] for rpm in PRINTED]
+            values = [factor * paper[roughness, quantity, rpm] for rpm in PRINTED]
             name = f"paper, Sq {roughness * 1e6:g} µm"
-            panel.plot(PRINTED, told, mark, color="red", mec="black", ms=11, label=name, zorder=3)
+            panel.plot(PRINTED, values, mark, color="red", mec="black", ms=11, label=name, zorder=3)
         panel.set(xlabel="speed of the inner ring, rpm", ylabel=label, yscale="log", xticks=SPEEDS)
         panel.grid(alpha=0.3)
     figure.legend(

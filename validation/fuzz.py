@@ -1,10 +1,10 @@
-"""Files that nobody should write: python validation/fuzz.py [--files 10000] [--seed 0]
+"""Reading of damaged files: python validation/fuzz.py [--files 10000] [--seed 0]
 
-Changes scene files, height maps and mesh files at random and reads them. A file is either read or refused with an error
-of ours in one line; anything else is a fault and is kept in the folder `--keep`: another exception, a warning, more
-than 10 s or 1 GB, or a try to run a program, to unpickle, to reach the network or to write. A scene that is read has
-its torque at the first point computed as well, which must be finite or refused. Each file has a seed of its own,
-printed with every fault: --seed N --files 1 makes it again. Exit status: 0 no fault, 1 a fault.
+Changes scene files, height maps and mesh files at random and reads them. Every file must be read, or refused with a
+one-line FembearingError. Anything else is a fault: another exception, a warning, more than 10 s or 1 GB, or an attempt
+to run a program, to unpickle, to reach the network or to write. For a scene that is read, the torque at its first point
+is computed as well; it must be finite or refused. Files with a fault are kept in the folder `--keep`. Each file has its
+own seed, printed with every fault: --seed N --files 1 makes it again. Exit status: 0 no fault, 1 a fault.
 """
 
 import io
@@ -37,10 +37,10 @@ except ImportError:  # Windows
     resource = None
 
 ROOT = Path(__file__).parents[1]
-ROOM = 8_000_000_000  # bytes of addresses that the process may have
-SLOWEST, LARGEST = 10.0, 1e9  # s, bytes beyond what the process held
-LONGEST = 1000  # characters of an error
-MOST_CHANGES = 4  # to one file
+ADDRESSES = 8_000_000_000  # bytes, limit of the address space of the process
+SLOWEST, LARGEST = 10.0, 1e9  # s, bytes above the memory before
+LONGEST = 1000  # characters of an error message
+MOST_CHANGES = 4  # in one file
 FORBIDDEN = (
     *("os.system", "os.exec", "os.fork", "os.posix_spawn", "subprocess.Popen", "pickle.find_class", "socket.connect"),
 )
@@ -60,16 +60,16 @@ MESHES = tuple(sorted((ROOT / "meshes" / "reference").glob("*.vtu")))
 
 
 class TooSlowError(BaseException):
-    """Not an Exception, so that nobody takes it for a broken file."""
+    """The time limit; not an Exception, so that no reader takes it for a broken file."""
 
 
 class ForbiddenError(BaseException):
-    """What a file must not lead to."""
+    """An action that reading a file must not cause."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """A file that was neither read nor refused as it should."""
+    """A file that was neither read nor refused properly."""
 
     kind: str
     seed: int
@@ -78,14 +78,12 @@ class Fault:
 
 
 def main(
-    files: Annotated[int, typer.Option(help="How many, of all three kinds together.")] = 10_000,
-    seed: Annotated[int, typer.Option(help="The first; each file has one of its own.")] = 0,
-    keep: Annotated[Path, typer.Option(help="Folder for files at fault; made when it is needed.")] = Path(
-        "fuzz-faults"
-    ),
+    files: Annotated[int, typer.Option(help="Number of files, all three kinds together.")] = 10_000,
+    seed: Annotated[int, typer.Option(help="First seed; each file has its own.")] = 0,
+    keep: Annotated[Path, typer.Option(help="Folder for files with a fault; made when needed.")] = Path("fuzz-faults"),
 ) -> None:
-    if resource is not None:  # a file that asks for all there is ends as a fault, and not the machine
-        resource.setrlimit(resource.RLIMIT_AS, (ROOM, ROOM))
+    if resource is not None:  # a file that takes all memory becomes a fault and does not stop the machine
+        resource.setrlimit(resource.RLIMIT_AS, (ADDRESSES, ADDRESSES))
     count: Counter[str] = Counter()
     faults = []
     for kind, outcome in fuzzed(range(seed, seed + files)):
@@ -102,7 +100,7 @@ def main(
 
 
 def fuzzed(seeds: range) -> Iterator[tuple[str, str | Fault]]:
-    """Each seed's kind of file, and "read" or "refused" or a fault."""
+    """For each seed the kind of file, and "read", "refused" or a fault."""
     kinds: tuple[tuple[str, Callable[[np.random.Generator], tuple[str, bytes]], Callable[[Path], Any]], ...] = (
         ("scene", changed_scene, read_scene),
         ("height map", changed_map, lambda path: measure(read_height_map(path, spacing=2e-6))),
@@ -120,15 +118,15 @@ def fuzzed(seeds: range) -> Iterator[tuple[str, str | Fault]]:
 
 
 def outcome(path: Path, read: Callable[[Path], Any]) -> str:
-    """Read a file: "read", "refused", or what went wrong."""
+    """Read a file: "read", "refused" or the problem."""
     before = peak_memory() or 0
-    found, peak = peak_while(lambda: _outcome(path, read))
-    return f"{peak} bytes" if peak is not None and peak - before > LARGEST else found
+    result, peak = peak_while(lambda: _outcome(path, read))
+    return f"{peak} bytes" if peak is not None and peak - before > LARGEST else result
 
 
 def _outcome(path: Path, read: Callable[[Path], Any]) -> str:
     try:
-        with watched():
+        with limited():
             read(path)
     except FembearingError as refusal:
         words = str(refusal)
@@ -145,9 +143,9 @@ def read_scene(path: Path) -> None:
     if scene.has_friction:
         operation = scene.operation
         first = {name: np.atleast_1d(value)[:1] for name, value in vars(operation).items()}
-        found = friction_torque(replace(scene, operation=replace(operation, **first)))
-        if not np.isfinite(found.torque.total).all():
-            raise ArithmeticError(f"a torque of {found.torque.total}")
+        total = friction_torque(replace(scene, operation=replace(operation, **first))).torque.total
+        if not np.isfinite(total).all():
+            raise ArithmeticError(f"a torque of {total}")
 
 
 def changed_scene(rng: np.random.Generator) -> tuple[str, bytes]:
@@ -180,7 +178,7 @@ def changed_map(rng: np.random.Generator) -> tuple[str, bytes]:
         file = io.BytesIO()
         np.save(file, given if rng.random() < 0.8 else given[..., None], allow_pickle=True)
         content = bytearray(file.getvalue())
-        if rng.random() < 0.5:  # the header alone
+        if rng.random() < 0.5:  # only the header
             content[:128] = changed_bytes(bytes(content[:128]), rng)
             return "map.npy", bytes(content)
         return "map.npy", changed_bytes(bytes(content), rng)
@@ -197,13 +195,13 @@ def changed_mesh(rng: np.random.Generator) -> tuple[str, bytes]:
     chosen = MESHES[rng.integers(len(MESHES))]
     text = chosen.read_text("utf-8")
     match rng.integers(5):
-        case 4:  # what the arrays hold, the file itself being sound
+        case 4:  # numbers in the arrays of an intact file
             return "body.vtu", with_changed_arrays(chosen, rng)
-        case 0:  # a number among the XML's attributes
+        case 0:  # a number in an XML attribute
             places = list(re.finditer(r'"\d+"', text))
             place = places[rng.integers(len(places))]
             text = text[: place.start()] + f'"{10 ** rng.integers(0, 19)}"' + text[place.end() :]
-        case 1:  # a tag, or what an attribute says
+        case 1:  # a tag, or the value of an attribute
             words = list(re.finditer(r"[A-Z][A-Za-z]+\d*", text))
             place = words[rng.integers(len(words))]
             other = words[rng.integers(min(40, len(words)))].group()
@@ -229,12 +227,12 @@ def with_changed_arrays(path: Path, rng: np.random.Generator) -> bytes:
 
 
 def changes(rng: np.random.Generator) -> int:
-    """Mostly one: a file with many faults is refused for the first."""
+    """The number of changes, mostly one: a file with many errors is refused for the first."""
     return min(int(rng.geometric(0.6)), MOST_CHANGES)
 
 
 def changed_bytes(content: bytes, rng: np.random.Generator) -> bytes:
-    """Cut, doubled in part, or with some bytes exchanged."""
+    """The content cut, partly doubled, or with some bytes replaced."""
     changed = bytearray(content)
     for _ in range(changes(rng)):
         at = int(rng.integers(len(changed) + 1))
@@ -252,16 +250,16 @@ def changed_bytes(content: bytes, rng: np.random.Generator) -> bytes:
     return bytes(changed)
 
 
-_watching = False
+_limiting = False
 
 
 def _audit(event: str, arguments: tuple[Any, ...]) -> None:
-    if _watching and (event in FORBIDDEN or (event == "open" and _writes(*arguments[:2]))):
+    if _limiting and (event in FORBIDDEN or (event == "open" and _writes(*arguments[:2]))):
         raise ForbiddenError(f"{event} {arguments!r:.100}")
 
 
 def _writes(path: Any, mode: Any) -> bool:
-    """Compiled code is no doing of a file's."""
+    """Whether a call of open writes; compiled code of Python itself does not count."""
     return isinstance(mode, str) and any(letter in mode for letter in "wax+") and "__pycache__" not in str(path)
 
 
@@ -269,22 +267,22 @@ sys.addaudithook(_audit)
 
 
 @contextmanager
-def watched() -> Iterator[None]:
-    """Warnings are errors, and time and deeds are limited."""
-    global _watching
+def limited() -> Iterator[None]:
+    """Turn warnings into errors, limit the time, and forbid the actions above."""
+    global _limiting
 
     def stop(*_: object) -> None:
         raise TooSlowError(f"more than {SLOWEST:g} s")
 
     before = signal.signal(signal.SIGALRM, stop)
     signal.setitimer(signal.ITIMER_REAL, SLOWEST)
-    _watching = True
+    _limiting = True
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             yield
     finally:
-        _watching = False
+        _limiting = False
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
 

@@ -1,9 +1,9 @@
-"""Would a wrong formula be seen? python validation/mutations.py [--count 60] [--seed 0] [--jobs 1]
+"""Do the tests detect a wrong formula? python validation/mutations.py [--count 60] [--seed 0] [--jobs 1]
 
-Changes one place of one core formula at a time, in a copy: a sign (+ and -), a factor (* and /, or a number by a
-tenth) or an exponent (by one), and runs the tests of that module on it. One that stays green is printed with its line:
-either a test is missing, or the change does not matter there (a starting value, a tolerance, a bound). The places are
-drawn with the seed. Exit status: 0 all seen, 1 some were not.
+Works on a copy of the tree. Each mutation changes one place in one core formula: a sign (+ to -), a factor (* to /, or
+a number by a tenth) or an exponent (by one). The tests of that module then run. If they pass, the mutation was missed
+and its line is printed: either a test is missing, or the change does not matter there (a starting value, a tolerance,
+a bound). The seed determines the places. Exit status: 0 all mutations detected, 1 some missed.
 """
 
 import ast
@@ -24,75 +24,91 @@ import numpy as np
 import typer
 
 ROOT = Path(__file__).parents[1]
-MODULES = (  # the core formulas; each has its tests in tests/analytic/test_<module>.py
-    *("hertz", "hertz_fitted", "kinematics", "race", "film", "viscosity", "rolling", "bounds", "traction"),
-    *("equilibrium", "summits", "roughness", "asperity", "subsurface", "catalogue_torque"),
+MODULES = (  # files with the core formulas
+    *("analytic/contact/hertz.py", "analytic/contact/hertz_fitted.py", "analytic/contact/subsurface.py"),
+    *(
+        "analytic/loads/thrust.py",
+        "analytic/loads/ring.py",
+        "analytic/loads/inertia.py",
+        "analytic/loads/kinematics.py",
+    ),
+    *("analytic/surface/moments.py", "analytic/surface/roughness.py", "analytic/surface/asperity.py"),
+    *("analytic/oil/film.py", "analytic/oil/viscosity.py", "analytic/oil/rolling.py", "analytic/oil/traction.py"),
+    *("analytic/sliding/long_ellipse.py", "fembearing/compare/torque/catalogue_models.py"),
 )
 TENTH = 1.1
-LONGEST = 600.0  # s that tests may take: a change that keeps them from ending is seen too
+LONGEST = 600.0  # s, time limit of the tests of one mutation; tests that do not end have detected it
 SWAPPED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult}
 KINDS = {ast.Add: "sign", ast.Sub: "sign", ast.Mult: "factor", ast.Div: "factor"}
 
 
 @dataclass(frozen=True)
 class Mutation:
-    """One change: the number of the node, in the order of `ast.walk`, and what becomes of it."""
+    """One change of one node of the syntax tree."""
 
-    module: str
-    place: int
+    module: str  # one of MODULES
+    place: int  # number of the node in the order of `ast.walk`
     kind: str
     line: int
     before: str
     after: str
 
     def __str__(self) -> str:
-        return f"analytic/{self.module}.py:{self.line}: {self.kind}: {self.before} -> {self.after}"
+        return f"{self.module}:{self.line}: {self.kind}: {self.before} -> {self.after}"
 
 
 def main(
-    count: Annotated[int, typer.Option(help="Changes to try.")] = 60,
-    seed: Annotated[int, typer.Option(help="Of the draw.")] = 0,
-    jobs: Annotated[int, typer.Option(help="At a time.")] = 1,
+    count: Annotated[int, typer.Option(help="Number of mutations.")] = 60,
+    seed: Annotated[int, typer.Option(help="Seed of the random places.")] = 0,
+    jobs: Annotated[int, typer.Option(help="Mutations tested at the same time.")] = 1,
 ) -> None:
     rng = np.random.default_rng(seed)
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(jobs) as pool:
-        base = Path(folder) / "base"  # as it is now, whatever is edited meanwhile
+        base = Path(folder) / "base"  # the tree as it is now; it may be edited during the run
         for part in ("analytic", "fembearing", "tests", "validation", "meshes"):
             shutil.copytree(ROOT / part, base / part, ignore=shutil.ignore_patterns("__pycache__"), symlinks=True)
         shutil.copy(ROOT / "pyproject.toml", base)
         by_module = [mutations(base, module) for module in MODULES]
         drawn = []
-        for number in range(count):  # each module alike
+        for number in range(count):  # the same number in each module
             of_module = by_module[number % len(by_module)]
             drawn.append(of_module.pop(int(rng.integers(len(of_module)))))
-        outcomes = pool.map(partial(is_seen, base=base), range(count), drawn)
-        seen: Counter[str] = Counter()
-        for mutation, was_seen in zip(drawn, outcomes, strict=True):
-            seen[mutation.kind] += was_seen
-            if not was_seen:
-                typer.echo(f"not seen: {mutation}")
+        outcomes = pool.map(partial(is_detected, base=base), range(count), drawn)
+        detected: Counter[str] = Counter()
+        for mutation, was_detected in zip(drawn, outcomes, strict=True):
+            detected[mutation.kind] += was_detected
+            if not was_detected:
+                typer.echo(f"missed: {mutation}")
     total = Counter(mutation.kind for mutation in drawn)
-    typer.echo(", ".join(f"{kind}: {seen[kind]} of {total[kind]} seen" for kind in sorted(total)) + f"; seed {seed}")
-    raise typer.Exit(0 if seen == total else 1)
+    counts = ", ".join(f"{kind}: {detected[kind]} of {total[kind]} detected" for kind in sorted(total))
+    typer.echo(f"{counts}; seed {seed}")
+    raise typer.Exit(0 if detected == total else 1)
+
+
+def tests_of(module: str) -> str:
+    """The file with the tests of a module: `tests` mirrors the folders of both packages."""
+    path = Path(module)
+    folder = path.parent if path.parts[0] == "analytic" else path.parent.relative_to("fembearing")
+    return (Path("tests") / folder / f"test_{path.name}").as_posix()
 
 
 def mutations(root: Path, module: str) -> list[Mutation]:
-    """All places of a module's functions where a formula can be changed; not those of messages."""
-    tree = ast.parse((root / "analytic" / f"{module}.py").read_text("utf-8"))
-    told = {
-        id(node) for told in ast.walk(tree) if isinstance(told, ast.Raise | ast.JoinedStr) for node in ast.walk(told)
+    """All changes to formulas in the functions of a module. Error messages are left alone."""
+    tree = ast.parse((root / module).read_text("utf-8"))
+    in_message = {
+        id(node) for part in ast.walk(tree) if isinstance(part, ast.Raise | ast.JoinedStr) for node in ast.walk(part)
     }
     inside = {id(node) for part in ast.walk(tree) if isinstance(part, ast.FunctionDef) for node in ast.walk(part)}
-    found = []
+    result = []
     for place, node in enumerate(ast.walk(tree)):
-        if id(node) in told or id(node) not in inside:
+        if id(node) in in_message or id(node) not in inside:
             continue
         after = changed(node)
         if after is not None:
             kind = "exponent" if is_power(node) else KINDS[type(node.op)] if isinstance(node, ast.BinOp) else "factor"
             words = [ast.unparse(part) for part in (node, after)]
-            found.append(Mutation(module, place, kind, node.lineno, *words))  # pyright: ignore[reportAttributeAccessIssue]
-    return found
+            result.append(Mutation(module, place, kind, node.lineno, *words))  # pyright: ignore[reportAttributeAccessIssue]
+    return result
 
 
 def is_power(node: ast.AST) -> bool:
@@ -100,7 +116,7 @@ def is_power(node: ast.AST) -> bool:
 
 
 def changed(node: ast.AST) -> ast.expr | None:
-    """What becomes of a node; None for one that is left alone."""
+    """The node that replaces this one; None if this one is left alone."""
     match node:
         case ast.BinOp(op=ast.Pow(), right=power):
             other = deepcopy(node)
@@ -115,8 +131,8 @@ def changed(node: ast.AST) -> ast.expr | None:
     return None
 
 
-class At(ast.NodeTransformer):
-    """Puts a changed node in place of one."""
+class Replacement(ast.NodeTransformer):
+    """Replaces one node of a tree by another."""
 
     def __init__(self, target: ast.AST, other: ast.AST) -> None:
         self.target, self.other = target, other
@@ -125,20 +141,20 @@ class At(ast.NodeTransformer):
         return self.other if node is self.target else self.generic_visit(node)
 
 
-def is_seen(number: int, mutation: Mutation, *, base: Path) -> bool:
-    """Whether the module's tests turn red."""
+def is_detected(number: int, mutation: Mutation, *, base: Path) -> bool:
+    """Whether the tests of the module fail."""
     copy = base.parent / str(number)
     shutil.copytree(base, copy, symlinks=True)
-    file = copy / "analytic" / f"{mutation.module}.py"
+    file = copy / mutation.module
     tree = ast.parse(file.read_text("utf-8"))
     target = list(ast.walk(tree))[mutation.place]
     other = changed(target)
     assert other is not None
-    file.write_text(ast.unparse(ast.fix_missing_locations(At(target, other).visit(tree))), "utf-8")
+    file.write_text(ast.unparse(ast.fix_missing_locations(Replacement(target, other).visit(tree))), "utf-8")
     command = [sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider"]
     try:
         done = subprocess.run(
-            [*command, f"tests/analytic/test_{mutation.module}.py"],
+            [*command, tests_of(mutation.module)],
             cwd=copy,
             env=os.environ | {"PYTHONPATH": str(copy), "CI": "true"},
             capture_output=True,
@@ -149,7 +165,7 @@ def is_seen(number: int, mutation: Mutation, *, base: Path) -> bool:
         return True
     finally:
         shutil.rmtree(copy)
-    if done.returncode not in (0, 1, 2):  # 2: red before the first test, as the module does not even load
+    if done.returncode not in (0, 1, 2):  # 2: pytest fails before the first test, because the module cannot be imported
         raise RuntimeError(f"{mutation}: {done.stdout.decode()[-500:]}")
     return done.returncode > 0
 

@@ -1,9 +1,9 @@
-"""The scenes beside the paper's numbers and conclusions: python validation/paper.py [--out FOLDER]
+"""Comparison of the scenes with [Paper]: python validation/paper.py [--out FOLDER]
 
-Which of the paper's curves each scene comes to, by which inputs that the paper does not give, and which of its
-conclusions hold. The paper's numbers are computed too: nothing here is a validation, and a scene whose inputs were
-chosen to come out right is a calibration, which predicts nothing. Prints tables, and writes paper.csv (the numbers),
-paper.json (all of it, SI) and paper.png into the folder (validation/reports).
+Shows which curves of the paper each scene matches, the inputs that the paper does not give and the scene assumes, and
+which of the paper's conclusions hold. The paper's numbers are computed as well, so nothing here is a validation. A
+scene whose inputs were chosen to match is a calibration, which predicts nothing. Prints tables, and writes paper.csv
+(the numbers), paper.json (everything, SI) and paper.png into the folder (validation/reports).
 """
 
 import argparse
@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from rich.table import Table
 
-from beside_paper import (
+from paper_comparison import (
     FLAT,
     MATCH,
     ROUGH,
@@ -27,9 +27,9 @@ from beside_paper import (
     SCENES,
     SMOOTH,
     UNITS,
-    Beside,
     Comparison,
     Point,
+    PointComparison,
     compare,
     load,
     published,
@@ -46,51 +46,51 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=HERE / "reports", help="folder for paper.csv, .json and .png")
     folder = parser.parse_args().out
     points = published()
-    found = [compare(name, points) for name in SCENES]
+    comparisons = [compare(name, points) for name in SCENES]
     jumps = printed_jumps(load("as printed"))
-    report(found, jumps, Console(width=118, soft_wrap=False))
+    report(comparisons, jumps, Console(width=118, soft_wrap=False))
     folder.mkdir(parents=True, exist_ok=True)
-    write_csv(found, folder / "paper.csv")
-    write_json(found, jumps, folder / "paper.json")
-    draw(found, points, folder / "paper.png")
+    write_csv(comparisons, folder / "paper.csv")
+    write_json(comparisons, jumps, folder / "paper.json")
+    draw(comparisons, points, folder / "paper.png")
 
 
-def report(found: list[Comparison], jumps: list[Jump], out: Console) -> None:
-    inputs = Table("input that the paper does not give", *(one.name for one in found), title="Assumed inputs")
-    for name in found[0].assumed:
-        inputs.add_row(name, *(one.assumed[name] for one in found))
+def report(comparisons: list[Comparison], jumps: list[Jump], out: Console) -> None:
+    inputs = Table("input that the paper does not give", *(one.name for one in comparisons), title="Assumed inputs")
+    for name in comparisons[0].assumed:
+        inputs.add_row(name, *(one.assumed[name] for one in comparisons))
     out.print(inputs)
-    for one in found:
+    for one in comparisons:
         out.print(f"{one.name}: {one.kind}.")
     out.print()
-    numbers = Table("quantity", "Sq, um", "rpm", "paper", *(one.name for one in found), title="Numbers")
-    for row, first in enumerate(found[0].beside):
+    numbers = Table("quantity", "Sq, um", "rpm", "paper", *(one.name for one in comparisons), title="Numbers")
+    for row, first in enumerate(comparisons[0].points):
         point = first.point
         scale = UNITS[point.unit]
         numbers.add_row(
             point.quantity.replace("_", " "), f"{point.rms_roughness * 1e6:g}", f"{point.inner_speed / RPM:.0f}",
             f"{'about ' if point.note == 'about' else ''}{point.value / scale:.4g} {point.unit}",
-            *(_cell(one.beside[row], scale) for one in found),
+            *(_cell(one.points[row], scale) for one in comparisons),
         )  # fmt: skip
     out.print(numbers)
-    out.print("*: without the cage, which is in the paper's number and not in these scenes.\n")
-    verdicts = Table("curve", "Sq, um", *(one.name for one in found), title=f"Curves, matched within {MATCH:.0%}")
-    for row, curve in enumerate(found[0].curves):
+    out.print("*: without the cage, which the paper's number includes and these scenes do not.\n")
+    verdicts = Table("curve", "Sq, um", *(one.name for one in comparisons), title=f"Curves, matched within {MATCH:.0%}")
+    for row, curve in enumerate(comparisons[0].curves):
         verdicts.add_row(
             curve.quantity.replace("_", " "), f"{curve.rms_roughness * 1e6:g}",
-            *(one.curves[row].verdict for one in found),
+            *(one.curves[row].verdict for one in comparisons),
         )  # fmt: skip
     out.print(verdicts)
-    out.print("The race torques are four rounded numbers, met with more chosen inputs: no evidence for the model.\n")
-    conclusions = Table("conclusion of the paper", *(one.name for one in found), title="Trends")
+    out.print("The race torques are four rounded numbers, matched by more chosen inputs: no evidence for the model.\n")
+    conclusions = Table("conclusion of the paper", *(one.name for one in comparisons), title="Trends")
     words = {True: "held", False: "not held", None: ""}
-    for row, trend in enumerate(found[0].trends):
-        cells = [one.trends[row] for one in found]
+    for row, trend in enumerate(comparisons[0].trends):
+        cells = [one.trends[row] for one in comparisons]
         conclusions.add_row(trend.claim, *(f"{words[cell.held]} {cell.detail}".strip() for cell in cells))
     out.print(conclusions)
     out.print(
-        f"Changes are from the slowest to the fastest point, those at Sq 1 um and of the inner race first. Flat and "
-        f"almost constant mean within {FLAT:.0%}.\n"
+        f"Changes are from the slowest to the fastest point, at Sq 1 um and on the inner race first. Flat and almost "
+        f"constant mean within {FLAT:.0%}.\n"
     )
     sides = Table("where", "quantity", "as printed", "derived", title="Jumps of equations 2 to 7 as printed")
     for jump in jumps:
@@ -98,22 +98,24 @@ def report(found: list[Comparison], jumps: list[Jump], out: Console) -> None:
         printed, derived = (f"{pair[0] / scale:.4f} -> {pair[1] / scale:.4f}" for pair in (jump.printed, jump.derived))
         sides.add_row(jump.where, f"{jump.quantity}, {jump.unit}", printed, derived)
     out.print(sides)
-    out.print(f"Spin-to-roll ratios on both sides, {ASIDE:g} apart; at 0, without any spin and with that little.")
+    out.print(
+        f"The two values are at ratios {ASIDE:g} below and above a jump; at ratio 0, without spin and at {ASIDE:g}."
+    )
 
 
-def _cell(one: Beside, scale: float) -> str:
+def _cell(one: PointComparison, scale: float) -> str:
     if one.computed is None or one.deviation is None:
         return "not computed yet"
     return f"{one.computed / scale:.4g}{'' if one.complete else '*'} ({100 * one.deviation:+.0f} %)"
 
 
-def write_csv(found: list[Comparison], path: Path) -> None:
+def write_csv(comparisons: list[Comparison], path: Path) -> None:
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(("scene", "quantity", "rms_roughness_um", "inner_speed_rpm", "paper", "computed", "deviation",
                          "unit", "note"))  # fmt: skip
-        for one in found:
-            for row in one.beside:
+        for one in comparisons:
+            for row in one.points:
                 point, scale = row.point, UNITS[row.point.unit]
                 writer.writerow(
                     (one.name, point.quantity, f"{point.rms_roughness * 1e6:g}", f"{point.inner_speed / RPM:.0f}",
@@ -123,8 +125,8 @@ def write_csv(found: list[Comparison], path: Path) -> None:
                 )  # fmt: skip
 
 
-def write_json(found: list[Comparison], jumps: list[Jump], path: Path) -> None:
-    """All SI; six digits, so that two machines write the same."""
+def write_json(comparisons: list[Comparison], jumps: list[Jump], path: Path) -> None:
+    """All values SI, with six digits, so that different machines write the same file."""
     content = {
         "paper": "Effect of Surface Roughness on the Friction Moment in a Ball Bearing",
         "scenes": [
@@ -134,12 +136,12 @@ def write_json(found: list[Comparison], jumps: list[Jump], path: Path) -> None:
                 "file": SCENES[one.name][0],
                 "assumed": dict(one.assumed),
                 "series": {"1e-06": dict(one.rough), "1e-07": dict(one.smooth)},
-                "beside": [asdict(row) | {"deviation": row.deviation} for row in one.beside],
+                "beside": [asdict(row) | {"deviation": row.deviation} for row in one.points],
                 "curves": [asdict(curve) for curve in one.curves],
                 "trends": [asdict(trend) for trend in one.trends],
                 "warnings": list(one.warnings),
             }
-            for one in found
+            for one in comparisons
         ],
         "jumps": [asdict(jump) for jump in jumps],
     }
@@ -159,13 +161,13 @@ def _rounded(value: Any) -> Any:
     return value
 
 
-def draw(found: list[Comparison], points: list[Point], path: Path) -> None:
+def draw(comparisons: list[Comparison], points: list[Point], path: Path) -> None:
     figure = Figure(figsize=(9.0, 5.6), layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)
     for axis, quantity, title in zip(
         axes, ("race_torque", "total_torque"), ("Ball on race", "Whole bearing"), strict=True
     ):
-        for number, one in enumerate(found):
+        for number, one in enumerate(comparisons):
             for roughness, values, style in ((ROUGH, one.rough, "-"), (SMOOTH, one.smooth, "--")):
                 torque, speed = values[quantity], values["inner_speed"]
                 assert torque is not None
@@ -181,7 +183,9 @@ def draw(found: list[Comparison], points: list[Point], path: Path) -> None:
         axis.set(title=title, xlabel="speed of the inner ring, rpm", ylim=(0, None))
     axes[0].set_ylabel("friction torque, N mm")
     figure.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=4, frameon=False, fontsize=8)
-    lacking = "; its whole bearing has the cage, which ours lacks" if found[0].rough["cage_torque"] is None else ""
+    lacking = (
+        "; its whole bearing has the cage, which ours lacks" if comparisons[0].rough["cage_torque"] is None else ""
+    )
     figure.supxlabel(
         "6205 under 1000 N thrust. Points: what the paper prints (race torque as about), computed and not measured"
         f"{lacking}.\nThe calibrated scene is a fit of its inputs to the paper's race torque, no prediction; as "

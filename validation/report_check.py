@@ -1,9 +1,9 @@
-"""A report's page in a real browser: python validation/report_check.py REPORT.html [--shots FOLDER]
+"""Check of a report page in a real browser: python validation/report_check.py REPORT.html [--shots FOLDER]
 
-Opens the page in a headless Chromium or Chrome, found on PATH, at the width of a desk and of a telephone, and asserts
-that no script or loader complains, that nothing is wider than the window, that every picture is there, and that the
-page names no address outside itself. With --shots it keeps what the browser shows, and the pages that it would print
-(A4). Exit status: 0 all holds, 1 something does not, 2 no browser or no page.
+Opens the page in a headless Chromium or Chrome from PATH at the widths of a desktop and of a telephone, and checks that
+the console shows no message, that nothing is wider than the window, that every picture is loaded, and that the page
+names no address outside itself. --shots keeps screenshots and the printed pages (A4). Exit status: 0 all checks pass,
+1 a check fails, 2 no browser or no page.
 """
 
 import argparse
@@ -21,22 +21,22 @@ from typing import Any, NoReturn
 from rich.console import Console
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-SILENT = (  # no window, no first-run questions, no traffic of its own
+SILENT = (  # no window, no first-run questions, no network traffic of the browser itself
     *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--hide-scrollbars"),
     *("--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions"),
-    "--enable-unsafe-swiftshader",  # views need WebGL, and there may be no graphics card; the page is our own
+    "--enable-unsafe-swiftshader",  # 3D views need WebGL, and there may be no graphics card; the page is trusted
     *("--enable-logging=stderr", "--v=0", "--virtual-time-budget=5000"),
 )
-WIDTHS = (1100, 390)  # pixels: a desk, a telephone
+WIDTHS = (1100, 390)  # pixels: desktop, telephone
 HEIGHT = 900
-PATIENCE = 120  # s for one look
-# The page stands in a frame, which may be narrower than the browser lets its window be. The probe runs in the page when
-# all is loaded and tells the frame's owner what it found, who leaves it where --dump-dom shows it.
+PATIENCE = 120  # s, time limit of one browser run
+# The page is in a frame, which may be narrower than the least window of the browser. The probe runs in the page after
+# loading and sends its result to the outer page, which writes it where --dump-dom shows it.
 FRAME = """<!DOCTYPE html><body style="margin: 0"><script>
-addEventListener("message", (told) => {{
+addEventListener("message", (event) => {{
   const note = document.createElement("pre");
   note.id = "probe";
-  note.textContent = told.data;
+  note.textContent = event.data;
   document.body.append(note);
 }});
 </script><iframe src="page.html" style="border: 0; width: {width}px; height: {height}px"></iframe></body>"""
@@ -48,7 +48,7 @@ addEventListener("load", () => {
     return !scrolled && part.getBoundingClientRect().right > wide + 1;
   });
   const scrolling = [...document.querySelectorAll(".wide")].filter((part) => part.scrollWidth > part.clientWidth + 1);
-  const found = {
+  const result = {
     width: wide,
     scroll: document.documentElement.scrollWidth,
     beyond: beyond.slice(0, 5).map((part) => part.outerHTML.slice(0, 80)),
@@ -57,67 +57,67 @@ addEventListener("load", () => {
     broken: [...document.images].filter((image) => !image.naturalWidth).map((image) => image.alt),
     fetched: performance.getEntriesByType("resource").map((entry) => entry.name).filter((name) => !/^data:/.test(name)),
   };
-  parent.postMessage(JSON.stringify(found), "*");
+  parent.postMessage(JSON.stringify(result), "*");
 });
 </script>"""
 ADDRESS = re.compile(
     r"""(?:src|href|action|data|poster)\s*=\s*["'](?!data:|#)([^"']+)|url\(\s*["']?(?!data:|#)([^)"']+)"""
 )
-# What the console says, but for what a graphics driver tells of its own speed.
+# Console messages, except those of a graphics driver on its performance.
 COMPLAINT = re.compile(r"CONSOLE[^\]]*\]\s*(?!.*GL Driver Message \(OpenGL, Performance)(.*)")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Look:
-    """What a browser found at one width."""
+    """The result of the probe at one width."""
 
-    asked: int  # pixels
-    found: dict[str, Any]
+    width: int  # pixels
+    result: dict[str, Any]
     complaints: tuple[str, ...]
 
     def faults(self, *, desk: bool) -> list[str]:
-        """Of this look, in words; tables may scroll in their own frame on a telephone alone."""
-        found, at = self.found, f"at {self.asked} pixels"
+        """The failed checks, in words. Tables may scroll in their own frame, but only on a telephone."""
+        result, at = self.result, f"at {self.width} pixels"
         faults = [f"{at}: the console says {text}" for text in self.complaints]
-        if found["width"] != self.asked:
-            faults.append(f"{at}: the window is {found['width']} wide: nothing can be said")
-        if found["scroll"] > found["width"]:
-            faults.append(f"{at}: the page is {found['scroll']} pixels wide")
-        faults += [f"{at}: reaches beyond the window: {part}" for part in found["beyond"]]
-        faults += [f"{at}: a table scrolls: {part}" for part in found["scrolling"] if desk]
-        faults += [f"{at}: the picture {name!r} is not loaded" for name in found["broken"]]
-        faults += [f"{at}: fetches {name}" for name in found["fetched"]]
+        if result["width"] != self.width:
+            faults.append(f"{at}: the window is {result['width']} pixels wide, so the width cannot be checked")
+        if result["scroll"] > result["width"]:
+            faults.append(f"{at}: the page is {result['scroll']} pixels wide")
+        faults += [f"{at}: reaches beyond the window: {part}" for part in result["beyond"]]
+        faults += [f"{at}: a table scrolls: {part}" for part in result["scrolling"] if desk]
+        faults += [f"{at}: the picture {name!r} is not loaded" for name in result["broken"]]
+        faults += [f"{at}: fetches {name}" for name in result["fetched"]]
         return faults
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", type=Path, metavar="REPORT.html")
-    parser.add_argument("--shots", type=Path, help="folder for what the browser shows and prints")
-    asked = parser.parse_args()
+    parser.add_argument("--shots", type=Path, help="folder for screenshots and printed pages")
+    options = parser.parse_args()
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None:
         _leave(f"no browser on PATH: looked for {', '.join(BROWSERS)}", 2)
     try:
-        text = asked.page.read_text("utf-8")
+        text = options.page.read_text("utf-8")
     except (OSError, UnicodeDecodeError) as problem:
-        _leave(f"{asked.page} cannot be read: {problem}", 2)
+        _leave(f"{options.page} cannot be read: {problem}", 2)
     looks = [look(browser, text, width) for width in WIDTHS]
-    faults = [fault for one in looks for fault in one.faults(desk=one.asked == WIDTHS[0])]
+    faults = [fault for one in looks for fault in one.faults(desk=one.width == WIDTHS[0])]
     faults += [f"names the address {address}" for address in addresses(text)]
-    if asked.shots is not None:
-        shoot(browser, asked.page, asked.shots)
+    if options.shots is not None:
+        shoot(browser, options.page, options.shots)
     out = Console(highlight=False, markup=False, soft_wrap=True)
     for one in looks:
-        out.print(f"{one.asked} pixels: {one.found['images']} pictures, page {one.found['scroll']} wide")
+        out.print(f"{one.width} pixels: {one.result['images']} pictures, page {one.result['scroll']} pixels wide")
     for fault in faults:
         out.print(fault)
-    out.print("all holds" if not faults else f"{len(faults)} faults")
+    out.print("all checks pass" if not faults else f"{len(faults)} faults")
     sys.exit(1 if faults else 0)
 
 
 def look(browser: str, text: str, width: int) -> Look:
-    """Open the page in a frame of this width, with the probe in it."""
+    """Open the page with the probe in a frame of this width."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "page.html").write_text(text.replace("</body>", f"{PROBE}</body>"), "utf-8")
         frame = Path(folder) / "frame.html"
@@ -126,16 +126,16 @@ def look(browser: str, text: str, width: int) -> Look:
     note = re.search(r'<pre id="probe">(.*?)</pre>', done.stdout, re.DOTALL)
     if note is None:
         _leave(f"the page did not load within {PATIENCE} s: {done.stderr.strip()[-200:]}", 1)
-    return Look(asked=width, found=json.loads(unescape(note[1])), complaints=tuple(COMPLAINT.findall(done.stderr)))
+    return Look(width=width, result=json.loads(unescape(note[1])), complaints=tuple(COMPLAINT.findall(done.stderr)))
 
 
 def addresses(text: str) -> list[str]:
-    """Outside the page: what an element or a style would fetch, or a link leads to."""
+    """Addresses outside the page that an element or a style would fetch or a link names."""
     return sorted({first or second for first, second in ADDRESS.findall(text)})
 
 
 def shoot(browser: str, page: Path, folder: Path) -> None:
-    """Keep what the browser shows at each width, and the printed pages."""
+    """Write a screenshot at each width, and the printed pages."""
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as profile:
         for width in WIDTHS:

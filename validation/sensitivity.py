@@ -1,8 +1,8 @@
-"""Which undeclared inputs move the torque most: python validation/sensitivity.py [--out FOLDER]
+"""Sensitivity of the torque to assumed inputs: python validation/sensitivity.py [--out FOLDER]
 
-The paper's 6205 with the physics of 6205_physical.toml at Sq 1 um: one input at a time goes to either end of a
-plausible range, and the total torque at the slowest and the fastest point is computed again. Ranges are judgements,
-each with its source or with none; what happens when several inputs move together is not in it. Prints a table, and
+Takes the 6205 of [Paper] with the physics of 6205_physical.toml at Sq 1 um. One input at a time takes each end of a
+plausible range, and the total torque at the slowest and the fastest point is computed again. The ranges are judgements;
+each names its source or says that there is none. Joint changes of several inputs are not covered. Prints a table, and
 writes sensitivity.csv and the tornado plot sensitivity.png into the folder (validation/reports).
 """
 
@@ -28,14 +28,14 @@ mpl.use("agg")
 
 HERE = Path(__file__).parent
 SCENE = HERE / "scenes" / "6205_physical.toml"
-ROUNDING = 5e-6  # m: half of the last digit of the paper's radii and ball diameter
-DRAWS, SEED = 200_000, 6205  # of the rounding; quantiles are good to 0.1 degree
+ROUNDING = 5e-6  # m, half of the last digit of the radii and the ball diameter in [Paper]
+DRAWS, SEED = 200_000, 6205  # of the rounding; quantiles are accurate to 0.1 degree
 RPM = np.pi / 30
 
 
 @dataclass(frozen=True, kw_only=True)
 class End:
-    """One end of a range, or one of the other choices."""
+    """One end of a range, or another choice."""
 
     label: str  # with its unit
     scene: Scene
@@ -44,17 +44,17 @@ class End:
 
 @dataclass(frozen=True, kw_only=True)
 class Variation:
-    """An input that the scene had to assume."""
+    """An input that the scene assumes."""
 
     name: str
     base: str  # its value in the scene
-    ends: tuple[End, ...]  # one where the scene has the other, or two
+    ends: tuple[End, ...]  # two, or one if the scene has the other
     source: str  # of the range
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Swing:
-    """What a variation does to the total torque, relative to the scene's; each end (n,) over the operating points."""
+    """The relative change of the total torque by a variation; for each end (n,) over the operating points."""
 
     variation: Variation
     changes: tuple[Array, ...]
@@ -70,11 +70,11 @@ def main() -> None:
     folder = parser.parse_args().out
     scene = slowest_and_fastest(load_scene(SCENE))
     torque = friction_torque(scene).torque.total
-    found = swings(scene)
-    report(found, scene, torque, Console(width=140))
+    result = swings(scene)
+    report(result, scene, torque, Console(width=140))
     folder.mkdir(parents=True, exist_ok=True)
-    write(found, scene, folder / "sensitivity.csv")
-    draw(found, scene, torque, folder / "sensitivity.png")
+    write(result, scene, folder / "sensitivity.csv")
+    draw(result, scene, torque, folder / "sensitivity.png")
 
 
 def slowest_and_fastest(scene: Scene) -> Scene:
@@ -93,9 +93,9 @@ def slowest_and_fastest(scene: Scene) -> Scene:
 
 
 def swings(scene: Scene) -> list[Swing]:
-    """Of every variation, the largest first."""
+    """The swings of all variations, the largest first."""
     base = friction_torque(scene).torque.total
-    found = [
+    result = [
         Swing(
             variation=variation,
             changes=tuple(
@@ -105,7 +105,7 @@ def swings(scene: Scene) -> list[Swing]:
         )
         for variation in variations(scene)
     ]
-    return sorted(found, key=lambda swing: swing.largest, reverse=True)
+    return sorted(result, key=lambda swing: swing.largest, reverse=True)
 
 
 def variations(scene: Scene) -> Iterator[Variation]:
@@ -138,21 +138,21 @@ def variations(scene: Scene) -> Iterator[Variation]:
             ),
         )
 
-    def seen_at(spacing: float) -> End:
-        seen = Autocorrelation(kind="exponential", length=correlation.length, spacing=spacing)
-        return End(label=f"exponential, seen at {spacing * 1e6:g} µm", scene=of_surface(autocorrelation=seen))
+    def sampled_at(spacing: float) -> End:
+        sampled = Autocorrelation(kind="exponential", length=correlation.length, spacing=spacing)
+        return End(label=f"exponential, sampled at {spacing * 1e6:g} µm", scene=of_surface(autocorrelation=sampled))
 
     def between(
-        name: str, unit: str, scale: float, base: float, low: float, high: float, change: Callable[[float], Scene],
+        name: str, unit: str, scale: float, base: float, span: tuple[float, float], change: Callable[[float], Scene],
         source: str,
     ) -> Variation:  # fmt: skip
-        """A number between low and high, all SI; scale: what one of the unit is in SI."""
-        ends = tuple(End(label=f"{value / scale:.3g} {unit}".strip(), scene=change(value)) for value in (low, high))
+        """A number that takes both ends of a span, SI; scale : one unit in SI."""
+        ends = tuple(End(label=f"{value / scale:.3g} {unit}".strip(), scene=change(value)) for value in span)
         return Variation(name=name, base=f"{base / scale:.3g} {unit}".strip(), ends=ends, source=source)
 
     no_source = "usual, no source seen"
     yield between(
-        "Young's modulus", "GPa", 1e9, steel.youngs_modulus, 190e9, 210e9, lambda v: of_steel(youngs_modulus=v),
+        "Young's modulus", "GPa", 1e9, steel.youngs_modulus, (190e9, 210e9), lambda v: of_steel(youngs_modulus=v),
         "suppliers' sheets of 52100 (AISI)",
     )  # fmt: skip
     yield Variation(
@@ -162,47 +162,52 @@ def variations(scene: Scene) -> Iterator[Variation]:
         source="0.27 to 0.3, suppliers' sheets of 52100 (AISI)",
     )
     yield between(
-        "hardness", "GPa", 1e9, surface.hardness or np.nan, 6.8e9, 8.8e9, lambda v: of_surface(hardness=v),
+        "hardness", "GPa", 1e9, surface.hardness or np.nan, (6.8e9, 8.8e9), lambda v: of_surface(hardness=v),
         "60 to 67 HRC, suppliers' sheets of 52100; 697 to 900 HV (table not seen)",
     )  # fmt: skip
     yield between(
-        "viscosity", "Pa s", 1, oil.viscosity, 0.028, 0.087, lambda v: of_oil(viscosity=v),
+        "viscosity", "Pa s", 1, oil.viscosity, (0.028, 0.087), lambda v: of_oil(viscosity=v),
         "VG 32 to VG 100 at 40 degC, 870 kg/m^3",
     )  # fmt: skip
     yield between(
-        "pressure-viscosity", "1/GPa", 1e-9, oil.pressure_viscosity, 14e-9, 28e-9,
+        "pressure-viscosity", "1/GPa", 1e-9, oil.pressure_viscosity, (14e-9, 28e-9),
         lambda v: of_oil(pressure_viscosity=v),
-        "oil of the measured films; machine oils of 0.03 to 0.05 Pa s in Stachowiak and Batchelor, Engineering "
-        "Tribology, table 2.3",
+        "oil of the measured films; machine oils of 0.03 to 0.05 Pa s in [Stachowiak] table 2.3",
     )  # fmt: skip
     yield between(
-        "Eyring stress", "MPa", 1e6, oil.eyring_stress, 2e6, 10e6, lambda v: of_oil(eyring_stress=v), no_source
+        "Eyring stress", "MPa", 1e6, oil.eyring_stress, (2e6, 10e6), lambda v: of_oil(eyring_stress=v), no_source
     )
     yield between(
-        "limiting shear", "of pressure", 1, oil.limiting_shear, 0.05, 0.08, lambda v: of_oil(limiting_shear=v),
+        "limiting shear", "of pressure", 1, oil.limiting_shear, (0.05, 0.08), lambda v: of_oil(limiting_shear=v),
         no_source,
     )  # fmt: skip
     yield between(
-        "boundary friction", "", 1, surface.boundary_friction, 0.08, 0.15, lambda v: of_surface(boundary_friction=v),
+        "boundary friction", "", 1, surface.boundary_friction, (0.08, 0.15), lambda v: of_surface(boundary_friction=v),
         no_source,
     )  # fmt: skip
     yield between(
-        "hysteresis loss", "", 1, scene.hysteresis_loss or np.nan, 0.004, 0.01,
+        "hysteresis loss", "", 1, scene.hysteresis_loss or np.nan, (0.004, 0.01),
         lambda v: replace(scene, hysteresis_loss=v), "bearing steel, no source seen",
     )  # fmt: skip
     yield between(
-        "correlation length", "µm", 1e-6, correlation.length, 20e-6, 200e-6, of_correlation, "judgement, no source seen"
+        "correlation length",
+        "µm",
+        1e-6,
+        correlation.length,
+        (20e-6, 200e-6),
+        of_correlation,
+        "judgement, no source seen",
     )
     yield Variation(
         name="rms roughness",
         base=f"{surface.rms_roughness * 1e6:g} µm",
         ends=(End(label="0.1 µm", scene=of_surface(rms_roughness=0.1e-6)),),
-        source="the paper's other surface: declared, for scale",
+        source="the other surface of the paper: given there, shown for scale",
     )
     yield Variation(
         name="autocorrelation",
         base=correlation.kind,
-        ends=(seen_at(8e-6), seen_at(1e-6)),
+        ends=(sampled_at(8e-6), sampled_at(1e-6)),
         source="the other usual kind; its summits depend on the spacing",
     )
     yield Variation(
@@ -220,13 +225,13 @@ def variations(scene: Scene) -> Iterator[Variation]:
                 scene=replace(scene, contact_angle=ContactAngle(rule="given", value=angle.free)),
             ),
         ),
-        source="both readings of Table 1; as the loaded angle it cannot carry 1000 N",
+        source="both readings of Table 1; 1000 N is impossible with it as the loaded angle",
     )
-    low, high = free_angles_within_rounding(scene)
+    free_angles = free_angles_within_rounding(scene)
     yield between(
-        "clearance", "deg free angle", np.pi / 180, angle.free, low, high,
+        "clearance", "deg free angle", np.pi / 180, angle.free, free_angles,
         lambda v: replace(scene, contact_angle=ContactAngle(rule="solved", free=v)),
-        "5 to 95 % of what Table 1 leaves within its rounding",
+        "5 to 95 % quantile within the rounding of Table 1",
     )  # fmt: skip
     yield Variation(
         name="spin rule",
@@ -241,7 +246,7 @@ def variations(scene: Scene) -> Iterator[Variation]:
         name="shear of the oil",
         base="sinh law",
         ends=(End(label="constant Eyring stress", scene=of_oil(traction="eyring_constant")),),
-        source="both readings of the paper's sentence",
+        source="both readings of a sentence in the paper",
     )
     yield Variation(
         name="film formula",
@@ -255,10 +260,10 @@ def variations(scene: Scene) -> Iterator[Variation]:
 
 
 def free_angles_within_rounding(scene: Scene) -> tuple[float, float]:
-    """5 % and 95 % quantile of the free contact angle, rad, of bearings whose dimensions round to the scene's.
+    """5 % and 95 % quantile of the free contact angle, rad, over bearings whose rounded dimensions are the scene's.
 
-    cos(al0) = 1 - P_d/(2 A_0); both bottom and both groove radii and the ball diameter are uniform within half of their
-    last digit. Without clearance the angle is 0.
+    cos(al0) = 1 - P_d/(2 A_0). Both bottom radii, both groove radii and the ball diameter are distributed uniformly
+    within half of their last digit. Without clearance the angle is 0.
     """
     bearing, draw = scene.bearing, np.random.default_rng(SEED)
     inner, outer, inner_groove, outer_groove, diameter = (
@@ -277,10 +282,10 @@ def free_angles_within_rounding(scene: Scene) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def report(found: list[Swing], scene: Scene, torque: Array, out: Console) -> None:
+def report(swings: list[Swing], scene: Scene, torque: Array, out: Console) -> None:
     speeds = [f"{speed / RPM:.0f} rpm" for speed in scene.operation.inner_speed]
     table = Table("input", "scene", "other", *(f"at {speed}, %" for speed in speeds), "range from")
-    for swing in found:
+    for swing in swings:
         for row, (end, change) in enumerate(zip(swing.variation.ends, swing.changes, strict=True)):
             first = row == 0
             table.add_row(
@@ -292,26 +297,26 @@ def report(found: list[Swing], scene: Scene, torque: Array, out: Console) -> Non
     out.print(f"{scene.name}: total torque {totals}, without a cage.")
 
 
-def write(found: list[Swing], scene: Scene, path: Path) -> None:
+def write(swings: list[Swing], scene: Scene, path: Path) -> None:
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         speeds = (f"change_at_{speed / RPM:.0f}_rpm" for speed in scene.operation.inner_speed)
         writer.writerow(("input", "scene", "other", *speeds, "source"))
-        for swing in found:
+        for swing in swings:
             for end, change in zip(swing.variation.ends, swing.changes, strict=True):
                 name, base, source = swing.variation.name, swing.variation.base, swing.variation.source
                 writer.writerow((name, base, end.label, *(f"{value:.4f}" for value in change), source))
 
 
-def draw(found: list[Swing], scene: Scene, torque: Array, path: Path) -> None:
+def draw(swings: list[Swing], scene: Scene, torque: Array, path: Path) -> None:
     figure = Figure(figsize=(11.0, 7.2), layout="constrained")
     axes = figure.subplots(1, torque.size, sharey=True, sharex=True)
-    rows = np.arange(len(found))
-    low, high = (100 * limit(limit(change.min(), change.max()) for swing in found for change in swing.changes)
+    rows = np.arange(len(swings))
+    low, high = (100 * limit(limit(change.min(), change.max()) for swing in swings for change in swing.changes)
                  for limit in (min, max))  # fmt: skip
     margin = 0.55 * (high - low)  # for the labels
     for point, axis in enumerate(axes):
-        for row, swing in zip(rows, found, strict=True):
+        for row, swing in zip(rows, swings, strict=True):
             changes = [100 * change[point] for change in swing.changes]
             same_side = len(changes) == 2 and changes[0] * changes[1] >= 0
             for number, (end, change) in enumerate(zip(swing.variation.ends, changes, strict=True)):
@@ -326,12 +331,12 @@ def draw(found: list[Swing], scene: Scene, torque: Array, path: Path) -> None:
         speed = scene.operation.inner_speed[point] / RPM
         axis.set(title=f"{speed:.0f} rpm: {torque[point] * 1e3:.1f} N mm", xlabel="change of the total torque, %")
         axis.set_xlim(low - margin, high + margin)
-    axes[0].set_yticks(rows, [f"{swing.variation.name}\n({swing.variation.base})" for swing in found], fontsize=8)
+    axes[0].set_yticks(rows, [f"{swing.variation.name}\n({swing.variation.base})" for swing in swings], fontsize=8)
     axes[0].invert_yaxis()
     figure.supxlabel(
         "6205 under 1000 N thrust, Sq 1 µm, loaded angle, sinh traction, hydrodynamic rolling; no cage. One input at a "
-        "time goes from the scene's value\n(in brackets) to each end of its range (on the bar, the first end in blue); "
-        "the ranges are judgements, listed with their sources in sensitivity.csv.",
+        "time goes from the scene's value\n(in brackets) to each end of its range (named on the bar, the first end in "
+        "blue). The ranges are judgements; sensitivity.csv lists their sources.",
         fontsize=8,
     )
     figure.savefig(path, dpi=130, metadata={"Software": None})

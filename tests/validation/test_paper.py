@@ -13,8 +13,8 @@ SPEEDS = np.array([100.0, 300.0, 500.0]) * np.pi / 30
 
 
 @pytest.fixture(scope="module")
-def beside(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("beside_paper")
+def comparison(script: Callable[[str], ModuleType]) -> ModuleType:
+    return script("paper_comparison")
 
 
 @pytest.fixture(scope="module")
@@ -42,21 +42,21 @@ def held(trends: list[Any], words: str) -> bool | None:
     return trend.held
 
 
-def test_the_published_numbers_are_read_in_si(beside: ModuleType) -> None:
-    found = {(p.quantity, p.rms_roughness, round(p.inner_speed * 30 / np.pi)): p for p in beside.published()}
+def test_the_published_numbers_are_read_in_si(comparison: ModuleType) -> None:
+    found = {(p.quantity, p.rms_roughness, round(p.inner_speed * 30 / np.pi)): p for p in comparison.published()}
     assert len(found) == 16
     assert found["total_torque", 0.1e-6, 500].value == pytest.approx(12.90e-3)  # as in its text
     assert found["cage_max_force", 1e-6, 100].value == pytest.approx(2.71)
     assert {p.note for p in found.values() if p.quantity == "race_torque"} == {"about"}
 
 
-def test_a_curve_is_matched_if_all_its_points_are(beside: ModuleType) -> None:
+def test_a_curve_is_matched_if_all_its_points_are(comparison: ModuleType) -> None:
     def verdict(quantity: str, slow: float, fast: float, *, cage: bool) -> str:
         given = points([3.0, 3.0, 3.0], race=[slow, 5e-3, fast]) if quantity == "race_torque" else points(
             [slow, 5e-3, fast], **({"cage": [1.0, 1.0, 1.0]} if cage else {}))  # fmt: skip
-        found = beside.series(given)
-        rows = tuple(beside.beside(p, found) for p in beside.published() if p.rms_roughness == 0.1e-6)
-        (curve,) = [curve for curve in beside.curves(rows) if curve.quantity == quantity]
+        found = comparison.series(given)
+        rows = tuple(comparison.compare_point(p, found) for p in comparison.published() if p.rms_roughness == 0.1e-6)
+        (curve,) = [curve for curve in comparison.curves(rows) if curve.quantity == quantity]
         return curve.verdict
 
     assert verdict("race_torque", 8e-3 * 1.09, 7e-3 * 0.91, cage=False) == "matched"
@@ -67,10 +67,10 @@ def test_a_curve_is_matched_if_all_its_points_are(beside: ModuleType) -> None:
     assert verdict("total_torque", 8.67e-3, 12.9e-3, cage=True) == "matched"
 
 
-def test_trends_follow_the_numbers_and_those_of_a_cage_need_one(beside: ModuleType) -> None:
+def test_trends_follow_the_numbers_and_those_of_a_cage_need_one(comparison: ModuleType) -> None:
     rough = points([9.0, 11.0, 14.0], race=[7.0, 7.2, 7.1], inner=[0.08, 0.081, 0.079], outer=[0.07, 0.071, 0.07])
     smooth = points([5.0, 4.0, 6.0], race=[5.0, 4.0, 3.0], inner=[0.03, 0.031, 0.04], outer=[0.02, 0.021, 0.02])
-    found = beside.trends(beside.series(rough), beside.series(smooth))
+    found = comparison.trends(comparison.series(rough), comparison.series(smooth))
     assert held(found, "rougher raises the total") is True
     assert held(found, "the total torque rises") is False  # the smooth one falls first
     assert held(found, "rougher raises the friction coefficients of both races") is True
@@ -80,11 +80,11 @@ def test_trends_follow_the_numbers_and_those_of_a_cage_need_one(beside: ModuleTy
     assert [trend.held for trend in found if "cage" in trend.claim or "pocket" in trend.claim] == [None] * 6
 
 
-def test_trends_of_a_cage_are_judged_once_it_is_computed(beside: ModuleType) -> None:
+def test_trends_of_a_cage_are_judged_once_it_is_computed(comparison: ModuleType) -> None:
     race: dict[str, list[float]] = {name: [0.05, 0.05, 0.05] for name in ("race", "inner", "outer")}
     rough = points([9.0, 11.0, 14.0], **race, cage=[1, 3, 6], max_force=[2, 9, 28], pocket=[0.11, 0.11, 0.1])
     smooth = points([5.0, 6.0, 7.0], **race, cage=[0.5, 2, 7], max_force=[3, 2, 1], pocket=[0.1, 0.07, 0.05])
-    found = beside.trends(beside.series(rough), beside.series(smooth))
+    found = comparison.trends(comparison.series(rough), comparison.series(smooth))
     assert held(found, "cage torque rises") is True
     assert held(found, "rougher raises the cage torque") is False  # not at the last speed
     assert held(found, "largest cage force rises") is False
@@ -93,8 +93,8 @@ def test_trends_of_a_cage_are_judged_once_it_is_computed(beside: ModuleType) -> 
     assert held(found, "rougher raises the pocket's") is True
 
 
-def test_the_printed_equations_jump_and_the_derived_ones_do_not(beside: ModuleType, jumps: ModuleType) -> None:
-    found = jumps.printed_jumps(beside.load("as printed"))
+def test_the_printed_equations_jump_and_the_derived_ones_do_not(comparison: ModuleType, jumps: ModuleType) -> None:
+    found = jumps.printed_jumps(comparison.load("as printed"))
     assert len(found) == 6
     scale = max(max(jump.printed) for jump in found if jump.quantity != "torque")
     for jump in found:
@@ -105,9 +105,9 @@ def test_the_printed_equations_jump_and_the_derived_ones_do_not(beside: ModuleTy
         assert abs(jump.printed[1] - jump.printed[0]) > 0.04 * whole
     radius = 2 * 4.21 * 7.94 / (2 * 4.21 + 7.94)  # R of the outer contact, mm; the printed ones have the ball's
     assert found[0].printed[0] / found[1].derived[0] == pytest.approx(radius / 3.97 / 0.322285, rel=1e-5)  # six digits
-    # Beside 0 and 1/2 the printed torque is the derived one, but for the ball's radius, up to 4 %.
+    # Away from 0 and 1/2 the printed torque differs from the derived one by up to 4 %, because of the ball's radius.
     assert found[4].printed[1] == pytest.approx(found[4].derived[1], rel=0.04)
-    # With all printed moments in the wrong place at 1/2, rolling is braked by what should brake the spin.
+    # At 1/2 the printed moments are exchanged: the moment against spin brakes rolling.
     assert found[5].printed[1] > 10 * found[5].derived[1]
 
 

@@ -58,7 +58,7 @@ def test_boundary_elements_hertz_and_ours_agree_on_the_ellipse_of_the_6205(run_s
     run_script("peers/run.py", "--out", tmp_path, "--cases", "ellipse", "--peers", "tamaas", "ours", "--steps", "3")
     errors = {(row["peer"], row["refinement"]): row["errors"] for row in peers_json(tmp_path)["rows"]}
     boundary, ours = errors["tamaas", 64], errors["ours", 3]
-    assert max(map(abs, boundary.values())) < 5e-4  # 64 points a side resolve the edge to 0.02 %
+    assert max(map(abs, boundary.values())) < 5e-4  # 64 points along a side resolve the edge to 0.02 %
     assert max(map(abs, ours.values())) < 2e-3  # the third level of our recipe is 0.1 % off
     for name, error in boundary.items():  # and with each other
         assert ours[name] == pytest.approx(error, abs=2e-3), name

@@ -47,7 +47,7 @@ def test_the_hysteresis_part_is_proportional_to_its_loss(scene: Scene, swings: d
 def test_the_boundary_part_is_what_asperities_carry(swings: dict[str, Any]) -> None:
     """Torque by slip is a straight line over the coefficient of boundary friction, so both ends lie on it."""
     low, high = swings["boundary friction"].changes
-    # The share of spin shifts a little with the coefficients: 5 % is far above that, and far below any other law.
+    # The share of spin changes slightly with the coefficients: 5 % is far above that, and far below any other law.
     np.testing.assert_allclose(low / (0.08 - 0.12), high / (0.15 - 0.12), rtol=0.05)
     assert np.all(low < 0)
 

@@ -1,8 +1,8 @@
-"""Price and accuracy of the cage's motion: python validation/benchmarks/cage.py [--repeats 5] [--duration 0.2]
+"""Cost and accuracy of the cage's motion: python validation/benchmarks/cage.py [--repeats 5] [--duration 0.2]
 
-A 6205 at 500 rpm with 0.2 mm of pocket clearance. Prints the processor time of one step, warm, on one core; the energy
-that a cage without losses gains or loses over fifty bounces, by the step; how far the torque and the largest force of
-single seeds spread; how torque and force settle with the step; and both closed forms beside the motion.
+A 6205 at 500 rpm with 0.2 mm of pocket clearance. Prints the processor time of one step, warm, on one core; the drift
+of the energy of a cage without losses over fifty bounces, against the step; the spread of torque and largest force
+between seeds; the convergence of torque and force with the step; and the motion against both closed forms.
 """
 
 import argparse
@@ -34,21 +34,21 @@ out = Console(width=110)
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--repeats", type=int, default=5, help="of each timing; the least counts")
-    parser.add_argument("--duration", type=float, default=0.2, help="measured of each seed, s")
-    parser.add_argument("--bounces", type=int, default=50)
-    asked = parser.parse_args()
+    parser.add_argument("--repeats", type=int, default=5, help="repeats of each timing; the least counts")
+    parser.add_argument("--duration", type=float, default=0.2, help="measured time of each seed, s")
+    parser.add_argument("--bounces", type=int, default=50, help="of the cage without losses")
+    options = parser.parse_args()
     out.print(f"{machine()}; {versions('numba', 'numpy')}")
     cage = example()
-    prices(cage, repeats=asked.repeats, duration=asked.duration)
-    energy(cage, bounces=asked.bounces)
-    spread(cage, duration=asked.duration)
-    steps(cage, duration=asked.duration)
-    closed_forms(cage, duration=asked.duration)
+    times(cage, repeats=options.repeats, duration=options.duration)
+    energy(cage, bounces=options.bounces)
+    spread(cage, duration=options.duration)
+    steps(cage, duration=options.duration)
+    closed_forms(cage, duration=options.duration)
 
 
 def example() -> DrivenCage:
-    """Of the built-in scene, with the friction that it gives the races."""
+    """The cage of the built-in scene, with the scene's friction coefficient of the races."""
     scene = load_scene(builtin_scene("6205"))
     bearing, cage = scene.bearing, scene.cage
     assert cage is not None
@@ -70,22 +70,21 @@ def example() -> DrivenCage:
     )
 
 
-def prices(cage: DrivenCage, *, repeats: int, duration: float) -> None:
+def times(cage: DrivenCage, *, repeats: int, duration: float) -> None:
     table = Table("motion", "steps", "processor time, us a step (least)", title="Nine balls, one core, warm")
     for start in STARTS:
         motion = CageMotion(cage, begin=start, seed=0)
-        motion.advance(duration / 10)
-        spent = []
+        count, seconds = round(motion.advance(duration / 10).duration / motion.step), []
         for _ in range(repeats):
-            begun = time.process_time()
-            passed = motion.advance(duration / 10)
-            spent.append((time.process_time() - begun) / (passed.duration / motion.step))
-        table.add_row(start, f"{round(passed.duration / motion.step)}", f"{min(spent) * 1e6:.3f}")
+            started = time.process_time()
+            motion.advance(duration / 10)
+            seconds.append((time.process_time() - started) / count)
+        table.add_row(start, f"{count}", f"{min(seconds) * 1e6:.3f}")
     out.print(table)
 
 
 def energy(cage: DrivenCage, *, bounces: int) -> None:
-    """Where the cage flies freely, over its energy at the start."""
+    """Drift of the kinetic energy over its start, taken where the cage touches no ball."""
     free = replace(cage, friction_coefficient=0.0, restitution=1.0, gravity=(0.0, 0.0, 0.0), orbit_speed=0.0)
     table = Table("steps a contact", "largest drift of the energy", title=f"Without losses, {bounces} bounces")
     usual = Cage.steps_per_contact
@@ -118,17 +117,17 @@ def spread(cage: DrivenCage, *, duration: float) -> None:
     )
     for name, case in (("", cage), (", balls leading 60 um", replace(cage, ball_lead=60e-6))):
         for start in STARTS:
-            found = measured_motion(case, start=start, duration=duration)
-            low, high = found.torque_interval
-            force_low, force_high = found.max_force_interval
+            result = measured_motion(case, start=start, duration=duration)
+            low, high = result.torque_interval
+            force_low, force_high = result.max_force_interval
             table.add_row(
                 f"{start}{name}",
-                found.state,
-                f"{found.torque * 1e3:.4g}",
-                f"{(high - low) / 2 / found.torque:.2%}",
-                f"{found.max_force:.3g} ({force_low:.3g} .. {force_high:.3g})",
-                f"{found.largest_force:.3g}",
-                f"{found.damping_torque * 1e3:.3g}",
+                result.state,
+                f"{result.torque * 1e3:.4g}",
+                f"{(high - low) / 2 / result.torque:.2%}",
+                f"{result.max_force:.3g} ({force_low:.3g} .. {force_high:.3g})",
+                f"{result.largest_force:.3g}",
+                f"{result.damping_torque * 1e3:.3g}",
             )
     out.print(table)
 
@@ -138,8 +137,8 @@ def steps(cage: DrivenCage, *, duration: float) -> None:
     for steps_per_contact in (10, 20, 40, 80):
         row = [f"{steps_per_contact}"]
         for case in (cage, replace(cage, ball_lead=60e-6)):
-            found = measured_motion(case, start="whirl", duration=duration / 2, steps_per_contact=steps_per_contact)
-            row += [f"{found.torque * 1e3:.4f}", f"{found.max_force:.3f}"]
+            result = measured_motion(case, start="whirl", duration=duration / 2, steps_per_contact=steps_per_contact)
+            row += [f"{result.torque * 1e3:.4f}", f"{result.max_force:.3f}"]
         table.add_row(*row)
     out.print(table)
 
@@ -152,10 +151,10 @@ def closed_forms(cage: DrivenCage, *, duration: float) -> None:
         "ball_radius": cage.ball_radius,
         "contact_angle": ANGLE,
     }
-    table = Table("motion", "quantity", "closed form", "motion", "difference")
+    table = Table("motion", "quantity", "closed form", "simulated", "difference")
 
-    def add(name: str, quantity: str, closed: float, found: float) -> None:
-        table.add_row(name, quantity, f"{closed:.4g}", f"{found:.4g}", f"{found / closed - 1:+.2%}")
+    def add(name: str, quantity: str, closed: float, simulated: float) -> None:
+        table.add_row(name, quantity, f"{closed:.4g}", f"{simulated:.4g}", f"{simulated / closed - 1:+.2%}")
 
     resting = measured_motion(cage, start="rest", duration=duration)
     add("rest", "torque, N mm", float(rest_torque(cage_mass=cage.mass, **sliding)) * 1e3, resting.torque * 1e3)
@@ -165,7 +164,7 @@ def closed_forms(cage: DrivenCage, *, duration: float) -> None:
     ):
         motion = CageMotion(case, begin="whirl", seed=0)
         motion.advance(duration)
-        found = motion.advance(duration)
+        record = motion.advance(duration)
         whirl = whirl_speed(
             ball_speed=cage.ball_speed,
             ball_radius=cage.ball_radius,
@@ -175,11 +174,11 @@ def closed_forms(cage: DrivenCage, *, duration: float) -> None:
         force = whirl_force(
             cage_mass=cage.mass, whirl=whirl, orbit_speed=cage.orbit_speed, half_clearance=cage.half_clearance
         )
-        add(name, "speed, rad/s", float(whirl) + cage.orbit_speed, found.circling)
-        add(name, "sum of normal forces, N", float(force), found.force)
+        add(name, "speed, rad/s", float(whirl) + cage.orbit_speed, record.circling)
+        add(name, "sum of normal forces, N", float(force), record.force)
         if leaning:
             torque = float(whirl_torque(force=force, **sliding))
-            add(name, "torque, N mm", torque * 1e3, found.slip_power / cage.ring_speed * 1e3)
+            add(name, "torque, N mm", torque * 1e3, record.slip_power / cage.ring_speed * 1e3)
     out.print(table)
 
 

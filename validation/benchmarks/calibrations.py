@@ -1,8 +1,8 @@
-"""Measured constants of the solver, measured again: python validation/benchmarks/calibrations.py [--contacts 14]
+"""The solver's measured constants, measured again: python validation/benchmarks/calibrations.py [--contacts 14]
 
-Each line names the constant, its value and what is measured beside it, on random contacts of `intervals.py` as half
-spaces, where Hertz is exact, or beside boundary elements. Those that `intervals.py` itself tries (`HALF`, `FINEST`,
-`UNSTEADY`, `LEAST`) are not repeated; `FADING` is held by tests/compare/contact/test_discrepancy.py.
+Each line names a constant, its value and the new measurement, on random contacts of `intervals.py` as half spaces,
+where Hertz is exact, or against boundary elements. Not repeated here: `HALF`, `FINEST`, `UNSTEADY` and `LEAST`, which
+`intervals.py` tests, and `FADING`, which tests/compare/contact/test_discrepancy.py tests.
 """
 
 from dataclasses import replace
@@ -27,39 +27,42 @@ from fembearing.fem.solution import GOOD_GUESSES, condensed_pair, fitted_solutio
 from fembearing.mesh.recipe import load_recipe
 from intervals import random_contact
 
-SIZES = np.linspace(0.65, 1.35, 33)  # of an ellipse, over the one that its mesh is made for
+SIZES = np.linspace(0.65, 1.35, 33)  # size of an ellipse over the size for which its mesh is made
 SEED = 3000
-SHOULDERS = (0.4e-3, 0.55e-3, 0.8e-3)  # m, where Hertz's ellipse is 0.95 mm across
-POINTS = 256  # of the boundary elements, each way
+SHOULDERS = (0.4e-3, 0.55e-3, 0.8e-3)  # m; the transverse semi-axis of Hertz's ellipse is 0.95 mm
+POINTS = 256  # of the boundary elements, in each direction
 out = Console(width=120, highlight=False)
 
 
-def main(contacts: Annotated[int, typer.Option(help="Random contacts.")] = 14) -> None:
+def main(contacts: Annotated[int, typer.Option(help="Number of random contacts.")] = 14) -> None:
     chosen = [ideal_contact(seed) for seed in range(SEED, SEED + contacts)]
     sized = [mesh_size_errors(each) for each in track(chosen, description="sizes", console=Console(stderr=True))]
     first, shift = np.array([part[0] for part in sized]), np.array([part[1] for part in sized])
     out.print(
-        f"GOOD_GUESSES {GOOD_GUESSES}: the first level measures an ellipse up to {np.abs(first).max():.1%} off; a mesh "
-        f"that is {GOOD_GUESSES[1]:.0%} off moves a quantity of the third level by at most "
-        f"{np.max(shift[:, 0]):.3%}, {np.max(shift[:, 1]):.1f} times that level's own error where it is most"
+        f"GOOD_GUESSES {GOOD_GUESSES}: the semi-axes of the first level have errors up to {np.abs(first).max():.1%}; "
+        f"a mesh for an ellipse {GOOD_GUESSES[1]:.0%} too large changes a quantity of the third level by at most "
+        f"{np.max(shift[:, 0]):.3%}, and by at most {np.max(shift[:, 1]):.1f} times that level's own error"
     )
     beyond, plain = zip(*(off_mesh_errors(each) for each in track(chosen, console=Console(stderr=True))), strict=True)
     inside = (SIZES >= NARROWEST) & (SIZES <= WIDEST)
     out.print(
-        f"OFF_MESH {OFF_MESH:.2%}: at {SIZES.size} sizes from {SIZES[0]:g} to {SIZES[-1]:g} of the mesh's, beyond what "
-        f"the levels show, {np.quantile(beyond, 0.95):.2%} in 95 of 100, worst {np.max(beyond):.2%}"
+        f"OFF_MESH {OFF_MESH:.2%}: at {SIZES.size} sizes from {SIZES[0]:g} to {SIZES[-1]:g} of the mesh's, the error "
+        f"beyond the interval from the levels is {np.quantile(beyond, 0.95):.2%} (95 % quantile), worst "
+        f"{np.max(beyond):.2%}"
     )
     out.print(
-        f"NARROWEST, WIDEST {NARROWEST:g}, {WIDEST:g}: between them the third level's approach is at most "
-        f"{np.abs(np.array(plain)[:, inside]).max():.2%} off, outside {np.abs(np.array(plain)[:, ~inside]).max():.2%}"
+        f"NARROWEST, WIDEST {NARROWEST:g}, {WIDEST:g}: between them the largest error of the third level's approach is "
+        f"{np.abs(np.array(plain)[:, inside]).max():.2%}, outside {np.abs(np.array(plain)[:, ~inside]).max():.2%}"
     )
     try:
-        shares = [strip_shares(room) for room in SHOULDERS]
+        shares = [strip_shares(distance) for distance in SHOULDERS]
     except ModuleNotFoundError as problem:
         out.print(f"STRIP_LEAST {STRIP_LEAST:.0%}: not measured, {problem.name} is not installed")
         return
-    off = ", ".join(f"{ours / other - 1:+.1%}" for ours, other in shares)
-    out.print(f"STRIP_LEAST {STRIP_LEAST:.0%}: the third level's strip over that of boundary elements, less one: {off}")
+    errors = ", ".join(f"{ours / other - 1:+.1%}" for ours, other in shares)
+    out.print(
+        f"STRIP_LEAST {STRIP_LEAST:.0%}: error of the third level's strip share against boundary elements: {errors}"
+    )
 
 
 def ideal_contact(seed: int) -> Contact:
@@ -67,22 +70,25 @@ def ideal_contact(seed: int) -> Contact:
 
 
 def mesh_size_errors(contact: Contact) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Misfit of the first level's semi-axes; the largest change that a mesh 1 % off makes, and over its error."""
+    """Relative errors of the first level's semi-axes, and two numbers on a mesh made for an ellipse 1 % too large.
+
+    These are the largest relative change of a quantity of the third level, and its ratio to that level's error.
+    """
     recipe, exact = load_recipe("hertzian"), vars(hertz_quantities(contact))
     ellipse = exact["semi_axis_rolling"], exact["semi_axis_transverse"]
     rough = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=ellipse).semi_axes
-    off = (ellipse[0] * (1 + GOOD_GUESSES[1]), ellipse[1] * (1 + GOOD_GUESSES[1]))
-    made, missed = (
+    enlarged = (ellipse[0] * (1 + GOOD_GUESSES[1]), ellipse[1] * (1 + GOOD_GUESSES[1]))
+    exact_mesh, other_mesh = (
         vars(solve_on_mesh(contact, recipe=recipe, level=recipe.levels[2], semi_axes=axes).quantities)
-        for axes in (ellipse, off)
+        for axes in (ellipse, enlarged)
     )
-    change = max(abs(missed[name] / made[name] - 1) for name in COMPARED)
-    error = max(abs(made[name] / exact[name] - 1) for name in COMPARED)
+    change = max(abs(other_mesh[name] / exact_mesh[name] - 1) for name in COMPARED)
+    error = max(abs(exact_mesh[name] / exact[name] - 1) for name in COMPARED)
     return (rough[0] / ellipse[0] - 1, rough[1] / ellipse[1] - 1), (change, change / error)
 
 
 def off_mesh_errors(contact: Contact) -> tuple[np.ndarray, np.ndarray]:
-    """At each of `SIZES`, of the approach: what its interval leaves open of its error, and the third level's error."""
+    """Of the approach at each of `SIZES`: its error beyond its interval, and the error of the third level."""
     recipe, hertz = load_recipe("hertzian"), hertz_quantities(contact)
     order = FORMAL_ORDERS["approach"]
     assert order is not None
@@ -101,24 +107,27 @@ def off_mesh_errors(contact: Contact) -> tuple[np.ndarray, np.ndarray]:
     return np.array(beyond), np.array(plain)
 
 
-def strip_shares(room: float) -> tuple[float, float]:
-    """Of the load, what the strip beside a shoulder carries: the third level's, and that of boundary elements."""
+def strip_shares(distance: float) -> tuple[float, float]:
+    """The share of the load on the strip next to a shoulder, by the third level and by boundary elements.
+
+    distance : of the shoulder from the centre of the contact, m
+    """
     bearing, recipe = load_scene(builtin_scene("6205")).bearing, load_recipe("hertzian")
-    contact = replace(race_contact(bearing, "inner", contact_angle=0.3031, ball_load=372.0), shoulder=room)
+    contact = replace(race_contact(bearing, "inner", contact_angle=0.3031, ball_load=372.0), shoulder=distance)
     semi_axes = fitted_solution(contact, recipe=recipe).pair.semi_axes
     ours = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[2], semi_axes=semi_axes).shoulder
-    assert ours is not None  # the ellipse reaches over
+    assert ours is not None  # the ellipse reaches over the shoulder
     return ours.strip_share, boundary_elements(contact, semi_axes=semi_axes, points=POINTS)["strip_share"]
 
 
 def boundary_elements(contact: Contact, *, semi_axes: tuple[float, float], points: int) -> dict[str, float]:
-    """The half space of Tamaas against a paraboloid that ends at the shoulder: its grid ends there.
+    """The half space of Tamaas against a paraboloid that ends at the shoulder, where the grid ends as well.
 
     Raises ModuleNotFoundError where Tamaas is not installed.
     """
     import tamaas as installed
 
-    tamaas: Any = installed  # its stubs know none of this
+    tamaas: Any = installed  # its stubs lack these names
     tamaas.set_log_level(tamaas.LogLevel.error)
     low, high = -1.2 * semi_axes[1], contact.shoulder
     sides = [2.4 * semi_axes[0], high - low]
@@ -129,7 +138,9 @@ def boundary_elements(contact: Contact, *, semi_axes: tuple[float, float], point
     x, y = np.meshgrid((middle - 0.5) * sides[0], low + middle * sides[1], indexing="ij")
     curvature_x, curvature_y = relative_curvatures(contact)
     surface = -(float(curvature_x) * x**2 + float(curvature_y) * y**2) / 2
-    solver = tamaas.PolonskyKeerRey(model, surface, 1e-9)  # of the conjugate gradients; at 1e-12 they stagnate
+    solver = tamaas.PolonskyKeerRey(
+        model, surface, 1e-9
+    )  # tolerance of the conjugate gradients; they stagnate at 1e-12
     solver.setIntegralOperator("half space")
     solver.solve(contact.load / (sides[0] * sides[1]))
     model.operators["half space"](model.traction, model.displacement)

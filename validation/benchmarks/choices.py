@@ -1,12 +1,12 @@
-"""Do the bounds hold by which a method is chosen? python validation/benchmarks/choices.py [--scenes 100] [--meshes 20]
+"""Do the bounds hold that choose a method? python validation/benchmarks/choices.py [--scenes 100] [--meshes 20]
 
-Random scenes (validation/benchmarks/random_scenes.py), one seed each: every method of every ladder is run once, and its
-bound, known before the reference is, is set beside its error against the reference. Prints for each method in how many
-scenes the bound covers the error, the median of bound over error, and the worst scene; then for each ladder how often
-the cheapest method within 10, 1 and 0.1 % by its bound is within it by its error. With --meshes, contacts of that many
-scenes are solved on every level of the recipe, and the seconds predicted for each level set beside those that it took.
-With --cages, so many scenes get a cage, whose motion is run in steps of four lengths.
-Seeds 61000 to 61029 and 62000 to 62099 served to choose the constants; any others are a test of them.
+Takes random scenes (validation/benchmarks/random_scenes.py), one seed each, runs every method of every ladder once, and
+compares its bound, which is known before the reference, with its error against the reference. Prints for each method in
+how many scenes the bound covers the error, the median of bound over error, and the worst scene. For each ladder it then
+prints how often the cheapest method whose bound is within 10, 1 and 0.1 % has an error within it. With --meshes, the
+contacts of that many scenes are solved on every level of the recipe, and the predicted seconds of each level are
+compared with the measured ones. With --cages, that many scenes get a cage, whose motion is run with four step lengths.
+Seeds 61000 to 61029 and 62000 to 62099 were used to choose the constants; all others are a test of them.
 """
 
 import os
@@ -36,8 +36,8 @@ from machine import machine, versions
 from random_scenes import random_scene, with_cage
 
 TOLERANCES = (0.1, 0.01, 0.001)
-FLOOR = 1e-10  # errors below are round-off of iterations, and their ratios say nothing
-WITHIN = 2.0  # factor that a predicted time may be off
+FLOOR = 1e-10  # smaller errors are round-off of iterations, and their ratios mean nothing
+WITHIN = 2.0  # factor between a predicted and a measured time that counts as agreement
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Checked:
 
     @property
     def used(self) -> float:
-        """Of the bound, by the error; where both are round-off, all."""
+        """Error over bound; 1 where both are round-off."""
         return max(self.error, FLOOR) / max(self.bound, FLOOR)
 
     @property
@@ -60,18 +60,18 @@ class Checked:
 
 def main(
     scenes: Annotated[int, typer.Option(help="Random scenes for the ladders of formulas.")] = 100,
-    meshes: Annotated[int, typer.Option(help="Of them, those whose contact is solved by finite elements.")] = 20,
-    cages: Annotated[int, typer.Option(help="Of them, those that get a cage.")] = 20,
-    seed: Annotated[int, typer.Option(help="The first; each scene has one of its own.")] = 63000,
+    meshes: Annotated[int, typer.Option(help="Of these, the number whose contact is solved by finite elements.")] = 20,
+    cages: Annotated[int, typer.Option(help="Of these, the number that get a cage.")] = 20,
+    seed: Annotated[int, typer.Option(help="First seed; each scene has its own.")] = 63000,
 ) -> None:
     out = Console(width=110)
-    ladder.FORMULA_REPEATS, ladder.SAMPLE, contact_ladder.MESH_REPEATS = 1, 0.0, 1  # errors are asked, and no seconds
-    found: dict[tuple[str, str], list[Checked]] = defaultdict(list)
+    ladder.FORMULA_REPEATS, ladder.SAMPLE, contact_ladder.MESH_REPEATS = 1, 0.0, 1  # errors matter here, seconds do not
+    checks: dict[tuple[str, str], list[Checked]] = defaultdict(list)
     choices: dict[tuple[str, float], list[bool]] = defaultdict(list)
     seconds: dict[str, list[float]] = defaultdict(list)
     absent: dict[str, int] = defaultdict(int)
     for number in track(range(seed, seed + scenes), console=Console(stderr=True)):
-        formula_ladders.SEED = number  # of the generated surfaces
+        formula_ladders.SEED = number  # seed of the generated surfaces
         rng = np.random.default_rng(number)
         scene = random_scene(rng)
         if number - seed < cages:
@@ -79,7 +79,7 @@ def main(
         for one in ladders_of(scene, absent, with_meshes=number - seed < meshes, race=number % 2):
             for method in one.methods:
                 if method.error is not None and method.bound is not None:
-                    found[one.quantity, method.name].append(Checked(number, method.error, method.bound))
+                    checks[one.quantity, method.name].append(Checked(number, method.error, method.bound))
                 if method.predicted and method.seconds:
                     seconds[method.name].append(method.predicted / method.seconds)
             for tolerance in TOLERANCES:
@@ -87,11 +87,11 @@ def main(
                 if chosen is not None:
                     choices[one.quantity, tolerance].append((chosen.error or 0.0) <= tolerance)
     out.print(f"{machine()}; {versions('fembearing', 'numpy', 'scipy')}; seeds {seed} to {seed + scenes - 1}")
-    show(found, out)
+    show(checks, out)
     for quantity, count in absent.items():
-        out.print(f"{quantity}: {count} scenes have no such ladder")
+        out.print(f"{quantity}: {count} scenes lack this ladder")
     for (quantity, tolerance), held in choices.items():
-        out.print(f"{quantity} at {100 * tolerance:g} %: {sum(held)} of {len(held)} choices are within it")
+        out.print(f"{quantity} at {100 * tolerance:g} %: {sum(held)} of {len(held)} choices are within the tolerance")
     for name, ratios in seconds.items():
         within = sum(1 / WITHIN <= ratio <= WITHIN for ratio in ratios)
         words = f"{min(ratios):.2g} to {max(ratios):.2g}; {within} of {len(ratios)} within a factor of {WITHIN:g}"
@@ -99,35 +99,35 @@ def main(
 
 
 def ladders_of(scene: Scene, absent: dict[str, int], *, with_meshes: bool, race: int) -> list[Ladder]:
-    found = []
+    ladders = []
     for quantity, methods in FORMULA_LADDERS:
         try:
-            found.append(ladder.measured(methods(scene), tolerance=scene.tolerance))
+            ladders.append(ladder.measured(methods(scene), tolerance=scene.tolerance))
         except InputError:
             absent[quantity] += 1
     if with_meshes:
         try:
             contact = contact_of(scene, pair="outer" if race else "inner")
             recipe = load_recipe(RECIPES["real"])
-            found.append(contact_ladder.measured_contact(contact, recipe=recipe, tolerance=scene.tolerance))
+            ladders.append(contact_ladder.measured_contact(contact, recipe=recipe, tolerance=scene.tolerance))
         except FembearingError:
             absent["contact"] += 1
-    return found
+    return ladders
 
 
-def show(found: dict[tuple[str, str], list[Checked]], out: Console) -> None:
+def show(checks: dict[tuple[str, str], list[Checked]], out: Console) -> None:
     table = Table(
         "quantity", "method", "covers", "bound/error, median", "error, median", "error/bound, worst", "at seed"
     )
-    for (quantity, name), checked in found.items():
+    for (quantity, name), checked in checks.items():
         errors, ratios = np.transpose([(each.error, 1 / each.used) for each in checked])
         worst = max(checked, key=lambda each: each.used)
         covers = f"{sum(each.covered for each in checked)} of {len(checked)}"
         numbers = f"{np.median(ratios):.3g}", f"{np.median(errors):.2g}", f"{worst.used:.2g}"
         table.add_row(quantity, name, covers, *numbers, str(worst.seed))
     out.print(table)
-    ratios = [1 / each.used for checked in found.values() for each in checked]
-    covered = sum(each.covered for checked in found.values() for each in checked)
+    ratios = [1 / each.used for checked in checks.values() for each in checked]
+    covered = sum(each.covered for checked in checks.values() for each in checked)
     out.print(f"all: {covered} of {len(ratios)} covered; bound over error {np.median(ratios):.3g}, median")
 
 

@@ -1,12 +1,11 @@
-"""Accuracy and price of the contacts: python validation/benchmarks/contacts.py
+"""Accuracy and cost of the contacts: python validation/benchmarks/contacts.py
 
-Prints the wall time and memory of `fembearing validate --out`, what forty loads take beyond one, the errors of the
-finite elements against exact Hertz on the Hertzian idealisation, and those of the Hertz formulas against 50 digits.
-Times are the machine's.
+Prints the wall time and memory of `fembearing validate --out`, the extra time of forty loads over one, the errors of
+the finite elements against exact Hertz on the Hertzian idealisation, and the errors of the Hertz formulas against 50
+digits. Times depend on the machine.
 """
 
 import os
-import platform
 import resource
 import statistics
 import subprocess
@@ -22,6 +21,7 @@ from rich.table import Table
 from analytic import hertz_contact, load_scene
 from analytic.scenefile.read import builtin_scene
 from fembearing import solve_contact, solve_load_series
+from machine import machine
 
 LOADS = (50.0, 200.0, 620.0, 2000.0)  # N
 RATIOS = (1.0, 1.0 + 1e-12, 1.37, 9.4, 310.0, 2.3e4, 1e6)
@@ -30,9 +30,7 @@ out = Console(width=110)
 
 
 def main() -> None:
-    out.print(
-        f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}"
-    )
+    out.print(machine())
     time_validate()
     time_load_series()
     errors_of_idealisation()
@@ -40,7 +38,7 @@ def main() -> None:
 
 
 def time_validate() -> None:
-    """Whole processes; the first of each has no compiled kernels to fall back on."""
+    """Time of whole processes, each with an empty cache of compiled kernels."""
     seconds = []
     for _ in range(REPEATS):
         with tempfile.TemporaryDirectory() as folder:
@@ -59,16 +57,16 @@ def time_validate() -> None:
 
 
 def time_load_series() -> None:
-    """Forty loads within a factor of six beside one in their middle, warm; then a factor of a hundred."""
+    """Forty loads within a factor of six against one in their middle, warm; then within a factor of a hundred."""
     scene = load_scene(builtin_scene("6205"))
     series = {"1": [245.0], "40": np.geomspace(100, 600, 40), "40 wide": np.geomspace(10, 1000, 40)}
     for pair in ("inner", "outer"):
         solve_load_series(scene, pair=pair, loads=series["1"])
         seconds, meshes, law = {}, {}, None
         for name, loads in series.items():
-            found = [solve_load_series(scene, pair=pair, loads=loads) for _ in range(REPEATS)]
-            seconds[name] = statistics.median(part.seconds for part in found)
-            meshes[name], law = found[0].meshes, found[0].law
+            runs = [solve_load_series(scene, pair=pair, loads=loads) for _ in range(REPEATS)]
+            seconds[name] = statistics.median(run.seconds for run in runs)
+            meshes[name], law = runs[0].meshes, runs[0].law
         assert law is not None
         out.print(
             f"{pair}: one load {seconds['1']:.2f} s; 40 from 100 to 600 N {seconds['40'] - seconds['1']:.2f} s more on "
@@ -86,30 +84,30 @@ def errors_of_idealisation() -> None:
     worst = 0.0
     for pair in ("inner", "outer"):
         for load in LOADS:
-            found = solve_contact(scene, pair=pair, load=load, geometry="hertzian", tolerance=1e-4)
-            errors = {name: getattr(found.reference, name) / getattr(found.hertz, name) - 1 for name in names}
+            solution = solve_contact(scene, pair=pair, load=load, geometry="hertzian", tolerance=1e-4)
+            errors = {name: getattr(solution.reference, name) / getattr(solution.hertz, name) - 1 for name in names}
             worst = max(worst, *map(abs, errors.values()))
             shown = [f"{100 * errors[name]:+.4f}" for name in names]
-            table.add_row(pair, f"{load:g}", *shown, f"{found.seconds:.1f}", str(found.meshes[-1].unknowns))
+            table.add_row(pair, f"{load:g}", *shown, f"{solution.seconds:.1f}", str(solution.meshes[-1].unknowns))
     out.print("Finite elements against exact Hertz on the Hertzian idealisation, finest level:", table)
     out.print(f"worst: {100 * worst:.4f} %")
 
 
 def errors_of_hertz() -> None:
-    """Against the defining equation in 50 digits, every ratio both ways round."""
+    """Errors against the defining equation in 50 digits, each curvature ratio in both orientations."""
     load, modulus, curvature = 620.0, 113.2e9, 37.0
     worst = 0.0
-    with mpmath.workdps(80):  # the text book's form loses digits near the circle: 50 are left
+    with mpmath.workdps(80):  # the textbook form loses digits near the circle; 50 remain
         for ratio in RATIOS:
             axis, pressure, approach = reference(ratio, load, modulus, curvature)
             for swapped in (False, True):
                 pair = (curvature, ratio * curvature) if swapped else (ratio * curvature, curvature)
-                found = hertz_contact(curvature_x=pair[0], curvature_y=pair[1], load=load, modulus=modulus)
-                major = found.semi_axis_x if swapped else found.semi_axis_y
+                contact = hertz_contact(curvature_x=pair[0], curvature_y=pair[1], load=load, modulus=modulus)
+                major = contact.semi_axis_x if swapped else contact.semi_axis_y
                 errors = (
                     mpmath.mpf(float(major)) / axis - 1,
-                    mpmath.mpf(float(found.peak_pressure)) / pressure - 1,
-                    mpmath.mpf(float(found.approach)) / approach - 1,
+                    mpmath.mpf(float(contact.peak_pressure)) / pressure - 1,
+                    mpmath.mpf(float(contact.approach)) / approach - 1,
                 )
                 worst = max(worst, *(abs(float(error)) for error in errors))
     out.print(f"Hertz against 50 digits, curvature ratios {RATIOS[0]:g} to {RATIOS[-1]:g}: worst {worst:.1e}")
@@ -122,7 +120,7 @@ def errors_of_hertz() -> None:
 
 
 def reference(ratio: float, load: float, modulus: float, curvature: float) -> tuple[mpmath.mpf, ...]:
-    """Major semi-axis, peak pressure and approach from the elliptic integrals as the text books print them."""
+    """Major semi-axis, peak pressure and approach from the elliptic integrals as in textbooks."""
     exact = mpmath.mpf(ratio)
 
     def integrals(logarithm: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:

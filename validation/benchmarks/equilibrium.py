@@ -1,8 +1,9 @@
-"""Accuracy and price of the load equilibria: python validation/benchmarks/equilibrium.py
+"""Accuracy and cost of the load equilibria: python validation/benchmarks/equilibrium.py
 
-Prints the processor time of a thrust point, of a long series and of ring equilibria, how far the ring's pure thrust is
-from the closed form, and two cross-checks with numbers of others in validation/published: a program's ring
-displacements and a maker's axial rigidity of a preloaded pair. Times are the machine's, of one thread.
+Prints the processor time of a thrust point, of a long series and of ring equilibria, the deviation of the ring under
+pure thrust from the closed form, and two cross-checks with published numbers (validation/published): ring displacements
+from another program [MASTA] and a maker's axial rigidity of a preloaded pair [GMN]. Times depend on the machine and are
+those of one thread.
 """
 
 import os
@@ -24,13 +25,13 @@ from analytic.scenefile.read import builtin_scene
 
 PUBLISHED = Path(__file__).parents[1] / "published"
 SOLVED = ContactAngle(rule="solved")
-GROOVES = (0.515, 0.52, 0.525)  # over the ball diameter: the maker does not say
+GROOVES = (0.515, 0.52, 0.525)  # groove radii over the ball diameter; the maker gives none
 steel = Material(name="steel", youngs_modulus=210e9, poisson_ratio=0.3, density=7850.0, source="usual values")
 out = Console(width=110)
 
 
 def main() -> None:
-    times()
+    processor_times()
     thrust_limit()
     displacements()
     rigidity()
@@ -39,15 +40,15 @@ def main() -> None:
 def seconds(call: Callable[[], object], *, repeats: int) -> float:
     """Least processor time of a warm call."""
     call()
-    spent = []
+    times = []
     for _ in range(repeats):
         start = time.process_time()
         call()
-        spent.append(time.process_time() - start)
-    return min(spent)
+        times.append(time.process_time() - start)
+    return min(times)
 
 
-def times() -> None:
+def processor_times() -> None:
     scene = load_scene(builtin_scene("6205"))
     bearing, rule = scene.bearing, scene.contact_angle
     random = np.random.default_rng(5)
@@ -92,8 +93,10 @@ def displacements() -> None:
     table = Table("clearance, um", "radial, N", "axial, N", "moment, N mm", "radial, um", "axial, um", "tilt, mrad")
     for row in rows:
         pitch = 43.5e-3
-        bearing = made(ball=11.5e-3, pitch=pitch, count=7, grooves=(0.52, 0.53), clearance=row["clearance_mm"] * 1e-3)
-        # There the tilt acts, and the moment is taken, at half the pitch; here at the circle of groove centres.
+        bearing = steel_bearing(
+            ball=11.5e-3, pitch=pitch, count=7, grooves=(0.52, 0.53), clearance=row["clearance_mm"] * 1e-3
+        )
+        # Their tilt and moment refer to half the pitch diameter, ours to the circle of groove centres.
         arms = (bearing.inner.bottom_radius + bearing.inner.groove_radius) / (pitch / 2)
         axial, x, y, tilt_x, tilt_y = ring_equilibrium(
             bearing,
@@ -108,29 +111,29 @@ def displacements() -> None:
         table.add_row(
             f"{row['clearance_mm'] * 1e3:g}", *(f"{row[k]:g}" for k in ("radial_N", "axial_N", "moment_N_mm")), *pairs
         )
-    out.print("Ring displacement, and in brackets that of MASTA as noted by others (cross-check):", table)
+    out.print("Ring displacement, and in brackets that of MASTA as noted by a third party (cross-check):", table)
 
 
 def rigidity() -> None:
     rows = np.genfromtxt(PUBLISHED / "gmn_axial_rigidity.csv", delimiter=",", names=True, skip_header=2)
     table = Table("preload, N", "maker", *(f"groove radius {groove:g} D" for groove in GROOVES))
-    found = [axial_rigidity_of_pair(groove, rows["preload_N"]) for groove in GROOVES]
+    rigidities = [axial_rigidity_of_pair(groove, rows["preload_N"]) for groove in GROOVES]
     for index, row in enumerate(rows):
         maker = f"{row['axial_rigidity_of_pair_N_per_um']:g}"
-        table.add_row(f"{row['preload_N']:g}", maker, *(f"{values[index] / 1e6:.1f}" for values in found))
+        table.add_row(f"{row['preload_N']:g}", maker, *(f"{values[index] / 1e6:.1f}" for values in rigidities))
     out.print("Axial rigidity of a preloaded pair GMN S 6205 C TA, N/um (cross-check: groove radii unknown):", table)
 
 
 def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
-    """N/m of two equal bearings set against each other by a rigid preload: twice the tangent of one."""
+    """Axial rigidity of two equal bearings under a rigid preload, N/m: twice the tangent stiffness of one."""
     ball = 7.938e-3
     clearance = 2 * (2 * groove - 1) * ball * (1 - np.cos(np.radians(15)))
-    bearing = made(ball=ball, pitch=38.5e-3, count=13, grooves=(groove, groove), clearance=clearance)
+    bearing = steel_bearing(ball=ball, pitch=38.5e-3, count=13, grooves=(groove, groove), clearance=clearance)
     return 2 * ring_equilibrium(bearing, SOLVED, axial_load=preload).stiffness[:, 0, 0]
 
 
-def made(*, ball: float, pitch: float, count: int, grooves: tuple[float, float], clearance: float) -> Bearing:
-    """A steel bearing from its ball and pitch diameter and the groove radii over the ball's diameter."""
+def steel_bearing(*, ball: float, pitch: float, count: int, grooves: tuple[float, float], clearance: float) -> Bearing:
+    """A steel bearing from its ball and pitch diameter; groove radii relative to the ball diameter."""
     inner, outer = (
         Groove(
             bottom_radius=pitch / 2 + side * (ball / 2 + clearance / 4),
@@ -141,7 +144,7 @@ def made(*, ball: float, pitch: float, count: int, grooves: tuple[float, float],
         for side, groove in zip((-1, 1), grooves, strict=True)
     )
     return Bearing(
-        name="made",
+        name="steel bearing",
         ball_count=count,
         ball_diameter=ball,
         ball_mass=steel.density * np.pi / 6 * ball**3,

@@ -1,10 +1,10 @@
 """Do the intervals hold? python validation/benchmarks/intervals.py [--ideal 100] [--real 40] [--seed 8000] [--jobs 1]
 
-Solves random contacts to each of two asked accuracies and compares the four quantities with their true values: on the
-Hertzian idealisation Hertz's, exactly; on true shapes those of `converged`, another mesh of other proportions. Prints
-how often the 95 % interval holds the true value, the median of half-width over true error, and how far `converged` is
-itself off where Hertz is exact. Seeds 0 to 59, 1000 to 1099, 5000 to 5019 and 7000 to 7099 were used to choose the
-factors of `fembearing.compare.contact.grid_convergence`; any others are a test of them.
+Solves random contacts to two accuracies and compares the four quantities with their true values. On the Hertzian
+idealisation these are Hertz's, which are exact; on true shapes they come from `converged`, on a mesh of other
+proportions. Prints how often the 95 % interval contains the true value, the median of half-width over true error, and
+the error of `converged` itself where Hertz is exact. Seeds 0 to 59, 1000 to 1099, 5000 to 5019 and 7000 to 7099 were
+used to choose the factors of `fembearing.compare.contact.grid_convergence`; all others are a test of them.
 """
 
 import time
@@ -28,7 +28,7 @@ from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_rec
 from fembearing.progress import silent
 
 ACCURACIES = (2e-3, 1e-3)
-SHARE_OF_POCKETS = 0.25  # of the idealised contacts; on true shapes none: a seat's approach has no converged value
+SHARE_OF_POCKETS = 0.25  # of the idealised contacts; true shapes have none, as a seat's approach does not converge
 MATERIALS = [
     Material(name=name, youngs_modulus=modulus, poisson_ratio=ratio, density=1.0, source="typical")
     for name, modulus, ratio in (
@@ -38,26 +38,26 @@ MATERIALS = [
         ("peek", 3.6e9, 0.38),
     )
 ]
-# The converged solution shares no proportion with the recipes but the grading towards the edge. Halving its cells
-# leaves a sixteenth of the error or less (seen on the idealisation), which is taken as extrapolation. Its block is
-# twice as wide, and what doubling it once more does is added: a sixteenth of the far boundary's effect is left.
+# The mesh of the converged solution shares only the grading towards the edge with the recipes. Halving its cells leaves
+# a sixteenth of the error or less (observed on the idealisation); this factor extrapolates it. Its block is twice as
+# wide, and the change by doubling it once more is added, which leaves a sixteenth of the effect of the far boundary.
 OTHER_CELLS = Cells(core=2, inside=3, margin=2, outside=5, depth=6)
 OTHER_PATCH = Patch(core_size=0.5, core_bulge=0.7, edge_grading=1.5, margin_size=1.35)
 OTHER_DEPTH = Depth(layer=1.0, share=0.45)
 OTHER_GROWTH, WIDER = 2.5, 2.0
 LEFT = 1 / 16
-CHECKED = 4  # contacts on which the converged solution is itself set beside exact Hertz
+CHECKED = 4  # contacts on which the converged solution is itself compared with exact Hertz
 Kind = Literal["hertzian", "race"]
 out = Console(width=100)
 
 
 @dataclass(frozen=True)
 class Trial:
-    """One contact; relative, keyed by accuracy, then quantity."""
+    """One contact: relative values by accuracy and quantity."""
 
     error: dict[float, dict[str, float]]
     uncertainty: dict[float, dict[str, float]]
-    seconds: dict[float, float]  # of the processor
+    seconds: dict[float, float]  # processor time
 
 
 def main(
@@ -73,40 +73,40 @@ def main(
                 continue
             seeds = range(seed, seed + count)
             answers = pool.map(partial(trial, kind=kind), seeds)
-            found = list(track(answers, total=count, description=kind, console=Console(stderr=True)))
-            for number, each in zip(seeds, found, strict=True):
+            results = list(track(answers, total=count, description=kind, console=Console(stderr=True)))
+            for number, each in zip(seeds, results, strict=True):
                 if isinstance(each, str):
                     out.print(f"seed {number}: {each}", highlight=False)
-            solved = [each for each in found if isinstance(each, Trial)]
+            solved = [each for each in results if isinstance(each, Trial)]
             for accuracy in ACCURACIES:
                 show(kind, solved, accuracy=accuracy, first=seed, count=count)
             if kind == "race":
-                off = list(pool.map(misfit_of_converged, seeds[:CHECKED]))
-                worst = {name: max(abs(each[name]) for each in off) for name in COMPARED}
+                errors = list(pool.map(error_of_converged, seeds[:CHECKED]))
+                worst = {name: max(abs(each[name]) for each in errors) for name in COMPARED}
                 words = ", ".join(f"{name} {error:.4%}" for name, error in worst.items())
                 out.print(
-                    f"The converged solution on the idealisation of the first {len(off)}, worst: {words}\n",
+                    f"Worst error of the converged solution on the idealisation of the first {len(errors)}: {words}\n",
                     highlight=False,
                 )
 
 
 def trial(seed: int, *, kind: Kind) -> Trial | str:
-    """One random contact; where it cannot be solved, why."""
+    """One random contact, or the reason why it cannot be solved."""
     recipe = load_recipe(kind)
     contact = random_contact(np.random.default_rng(seed), pockets=SHARE_OF_POCKETS if kind == "hertzian" else 0.0)
-    found, seconds = {}, {}
+    references, seconds = {}, {}
     try:
         for accuracy in ACCURACIES:
             start = time.process_time()
-            found[accuracy] = solve_reference(contact, recipe=recipe, accuracy=accuracy, progress=silent)
+            references[accuracy] = solve_reference(contact, recipe=recipe, accuracy=accuracy, progress=silent)
             seconds[accuracy] = time.process_time() - start
         if kind == "hertzian":
             truth = vars(hertz_quantities(contact))
         else:
-            truth = converged(contact, recipe=recipe, semi_axes=found[ACCURACIES[0]].meshes[1].pair.semi_axes)
+            truth = converged(contact, recipe=recipe, semi_axes=references[ACCURACIES[0]].meshes[1].pair.semi_axes)
     except FembearingError as problem:
         return str(problem)
-    parts = {accuracy: {name: each.estimates[name] for name in COMPARED} for accuracy, each in found.items()}
+    parts = {accuracy: {name: each.estimates[name] for name in COMPARED} for accuracy, each in references.items()}
     return Trial(
         error={
             accuracy: {name: abs(part.value / truth[name] - 1) for name, part in each.items()}
@@ -118,7 +118,10 @@ def trial(seed: int, *, kind: Kind) -> Trial | str:
 
 
 def random_contact(rng: np.random.Generator, *, pockets: float = SHARE_OF_POCKETS) -> Contact:
-    """Conformity 0.5025 to 0.6, semi-axes up to a fifth of the ball's radius; `pockets` is their share, else races."""
+    """Conformity 0.5025 to 0.6, semi-axes up to a fifth of the ball's radius.
+
+    pockets : probability that the contact is one of ball and pocket instead of ball and race
+    """
     radius = 10 ** rng.uniform(-3, np.log10(0.02))
     groove = 2 * radius * (0.5025 + 0.0975 * rng.random() ** 2)
     angle = rng.uniform(0, 0.7)
@@ -145,7 +148,7 @@ def random_contact(rng: np.random.Generator, *, pockets: float = SHARE_OF_POCKET
 
 
 def converged(contact: Contact, *, recipe: Recipe, semi_axes: tuple[float, float]) -> dict[str, float]:
-    """The four quantities on meshes that are no refinement of the recipe's, extrapolated, on a wider block."""
+    """The four quantities, extrapolated, on a wider block with meshes that do not refine those of the recipe."""
     other = replace(
         recipe,
         cells=OTHER_CELLS,
@@ -162,14 +165,14 @@ def converged(contact: Contact, *, recipe: Recipe, semi_axes: tuple[float, float
     }
 
 
-def misfit_of_converged(seed: int) -> dict[str, float]:
-    """`converged` over exact Hertz, less one, on the idealisation of a contact of true shape."""
+def error_of_converged(seed: int) -> dict[str, float]:
+    """Relative error of `converged` against exact Hertz on the idealisation of a contact of true shape."""
     contact = random_contact(np.random.default_rng(seed), pockets=0.0)
     recipe = load_recipe("hertzian")
     contact = replace(contact, shoulder=np.inf)
-    found = converged(contact, recipe=recipe, semi_axes=fitted_solution(contact, recipe=recipe).pair.semi_axes)
+    values = converged(contact, recipe=recipe, semi_axes=fitted_solution(contact, recipe=recipe).pair.semi_axes)
     exact = vars(hertz_quantities(contact))
-    return {name: found[name] / exact[name] - 1 for name in COMPARED}
+    return {name: values[name] / exact[name] - 1 for name in COMPARED}
 
 
 def show(kind: Kind, trials: list[Trial], *, accuracy: float, first: int, count: int) -> None:
@@ -192,8 +195,8 @@ def show(kind: Kind, trials: list[Trial], *, accuracy: float, first: int, count:
     out.print(table)
     seconds = np.median([each.seconds[accuracy] for each in trials])
     out.print(
-        f"All four hold in {np.count_nonzero(all_hold)} of {len(trials)}; {seconds:.1f} s of processor a contact, "
-        "median\n",
+        f"All four hold in {np.count_nonzero(all_hold)} of {len(trials)}; "
+        f"median processor time {seconds:.1f} s a contact\n",
         highlight=False,
     )
 

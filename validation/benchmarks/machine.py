@@ -1,4 +1,4 @@
-"""What a benchmark ran on, as the first lines of its numbers."""
+"""The machine and versions of a benchmark run, for the head of its results. Standard library only."""
 
 import os
 import platform

@@ -1,6 +1,6 @@
-"""Random scenes that the model takes: bearings like a 6205 under loads, speeds, oils and finishes of ordinary size.
+"""Random scenes within the model's limits: bearings like a 6205 under usual loads, speeds, oils and finishes.
 
-Ranges are wide on purpose: grooves from tight to open, films from dry to full, from creeping to 16 000 rpm.
+Ranges are wide on purpose: tight to open grooves, dry to full films, creep to 16 000 rpm.
 """
 
 from dataclasses import replace
@@ -14,12 +14,12 @@ from analytic.scenefile.read import builtin_scene, load_scene
 
 CAGE = load_scene(builtin_scene("6205")).cage
 BASE = load_scene(Path(__file__).parents[1] / "scenes" / "6205_physical.toml")
-SHOULDER = 3.6e-3  # m: high ones, so that an open groove's contact stays on its race
-LUBRICATED, THRUST_ONLY = 0.7, 0.6  # of the scenes
+SHOULDER = 3.6e-3  # m, high, so that the contact of an open groove stays on its race
+LUBRICATED, THRUST_ONLY = 0.7, 0.6  # shares of the scenes
 
 
 def random_scene(rng: np.random.Generator) -> Scene:
-    """Any: friction given or of oil and finish, radial load or none."""
+    """Any scene: friction from oil and finish or given, with or without radial load."""
     friction = of_oil_and_finish(rng) if rng.random() < LUBRICATED else given(rng)
     scene = thrust_scene(rng, **friction)
     if rng.random() < THRUST_ONLY:
@@ -29,7 +29,10 @@ def random_scene(rng: np.random.Generator) -> Scene:
 
 
 def thrust_scene(rng: np.random.Generator, **friction: Any) -> Scene:
-    """One operating point without radial load, rubbing as it is told."""
+    """One operating point without radial load.
+
+    friction : fields of the scene that set its friction
+    """
     bearing = BASE.bearing
     inner, outer = (
         replace(groove, groove_radius=rng.uniform(0.505, 0.56) * bearing.ball_diameter, shoulder_half_width=SHOULDER)
@@ -67,7 +70,7 @@ def of_oil_and_finish(rng: np.random.Generator) -> dict[str, Any]:
 
 
 def given(rng: np.random.Generator) -> dict[str, Any]:
-    """A coefficient, with or without an oil to roll in."""
+    """Friction by a coefficient, with or without an oil for hydrodynamic rolling."""
     return {
         "lubricant": BASE.lubricant if rng.random() < 0.5 else None,
         "surface": None,
@@ -76,7 +79,7 @@ def given(rng: np.random.Generator) -> dict[str, Any]:
 
 
 def with_cage(rng: np.random.Generator, scene: Scene) -> Scene:
-    """The same with a cage: tight to loose, light to heavy, from any start."""
+    """The same scene with a cage: tight to loose, light to heavy, with any start."""
     assert CAGE is not None
     pocket = scene.bearing.ball_diameter + rng.uniform(0.08e-3, 0.4e-3)
     cage = replace(

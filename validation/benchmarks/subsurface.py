@@ -1,8 +1,8 @@
-"""How far off are stresses below a contact? python validation/benchmarks/subsurface.py [--contacts 20] [--seed 3000]
+"""Errors of the stresses below a contact: python validation/benchmarks/subsurface.py [--contacts 20] [--seed 3000]
 
 Solves random contacts of half spaces, where the closed forms are exact: conformity 0.505 to 0.6 and circles, Poisson
-ratios 0 to 0.4999, unequal materials. Prints for each level of the mesh recipe the errors of the greatest shear and von
-Mises stress, relative, and of their depths, in minor semi-axes; and how often the intervals hold.
+ratios 0 to 0.4999, unequal materials. Prints for each level of the mesh recipe the relative errors of the largest shear
+and von Mises stress, the errors of their depths in minor semi-axes, and how often the intervals hold.
 """
 
 from dataclasses import replace
@@ -28,7 +28,7 @@ out = Console(width=100)
 
 
 def main(
-    contacts: Annotated[int, typer.Option(help="Random contacts; both bodies of each are looked at.")] = 20,
+    contacts: Annotated[int, typer.Option(help="Random contacts; both bodies of each are compared.")] = 20,
     seed: Annotated[int, typer.Option(help="First seed.")] = 3000,
 ) -> None:
     recipe = load_recipe("hertzian")
@@ -36,29 +36,29 @@ def main(
     held = {level: dict.fromkeys(NAMES, 0) for level in LEVELS}
     for number in track(range(seed, seed + contacts), console=Console(stderr=True)):
         contact = random_contact(np.random.default_rng(number))
-        found = compare_contact(contact, recipe=recipe, tolerance=TOLERANCE)
-        axes = found.meshes[-1].pair.semi_axes
+        solution = compare_contact(contact, recipe=recipe, tolerance=TOLERANCE)
+        axes = solution.meshes[-1].pair.semi_axes
         meshes = [solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes) for level in (1, *LEVELS)]
         for finest, level in enumerate(LEVELS, start=1):
-            look(replace(found, meshes=tuple(meshes[: finest + 1])), errors[level], held[level])
+            add_errors(replace(solution, meshes=tuple(meshes[: finest + 1])), errors[level], held[level])
     table = Table(title=f"{contacts} contacts, seeds {seed} to {seed + contacts - 1}")
     for head in ("finest level", "quantity", "error, median", "error, worst", "interval holds"):
         table.add_column(head, justify="left" if head == "quantity" else "right")
     for level in LEVELS:
         for name in NAMES:
-            off = np.array(errors[level][name])
+            error = np.array(errors[level][name])
             table.add_row(
                 str(level),
                 name.replace("_", " "),
-                f"{np.median(off):.2%}",
-                f"{off.max():.2%}",
-                f"{held[level][name]} of {off.size}",
+                f"{np.median(error):.2%}",
+                f"{error.max():.2%}",
+                f"{held[level][name]} of {error.size}",
             )
     out.print(table)
 
 
 def random_contact(rng: np.random.Generator) -> Contact:
-    """The 6205's balls on other grooves, every fourth on a round seat."""
+    """Balls of the 6205 on other grooves, one in four on a spherical seat."""
     pair = "inner" if rng.random() < 0.5 else "outer"
     contact = contact_of(load_scene(builtin_scene("6205")), pair=pair, load=float(rng.uniform(50.0, 1000.0)))
     ball, race = (replace(contact.ball_material, poisson_ratio=float(ratio)) for ratio in rng.uniform(0, 0.4999, 2))
@@ -69,15 +69,15 @@ def random_contact(rng: np.random.Generator) -> Contact:
     return replace(contact, groove_radius=2 * contact.ball_radius * float(rng.uniform(0.505, 0.6)))
 
 
-def look(solution: ContactSolution, errors: dict[str, list[float]], held: dict[str, int]) -> None:
-    """Both bodies; depths in minor semi-axes."""
+def add_errors(solution: ContactSolution, errors: dict[str, list[float]], held: dict[str, int]) -> None:
+    """Append the errors of both bodies and count the intervals that hold; depths in minor semi-axes."""
     minor = min(solution.hertz.semi_axis_rolling, solution.hertz.semi_axis_transverse)
     for side in ("upper", "lower"):
-        found = compare_subsurface(solution, side=side)
+        stresses = compare_subsurface(solution, side=side)
         for name in NAMES:
-            scale = minor if "depth" in name else found.hertz[name]
-            errors[name].append(abs(found.fe[name] - found.hertz[name]) / scale)
-            held[name] += not found.exceeds(name)
+            scale = minor if "depth" in name else stresses.hertz[name]
+            errors[name].append(abs(stresses.fe[name] - stresses.hertz[name]) / scale)
+            held[name] += not stresses.exceeds(name)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,12 @@
 """How fast is a sweep? python validation/benchmarks/sweep.py [--points 100000] [--contacts 100] [--workers 2]
 
-Runs `fembearing sweep` as a person does, start of Python and maps included: a torque map over load and speed of a tenth
-of the points and of all, which shows what memory does, each process by itself; the same command once more, when all is
-there; and contacts on one worker and on several. The contacts are of half spaces, where finite elements take half the
-time that they take for true shapes, at 5 %: some minutes in all. Every process has one thread, so that workers are
-compared and not threads. Prints seconds by the clock, so that the machine should be idle.
+Runs the command `fembearing sweep`, including the start of Python and the maps:
+- a torque map over load and speed, with a tenth of the points and with all, which shows how memory grows;
+- the same command again, when all points are stored;
+- contacts on one worker and on several. They are contacts of half spaces at 5 %, for which finite elements take half
+  the time of true shapes: some minutes in all.
+Every process has one thread, so that workers are compared and not threads. Prints wall times: the machine should be
+idle.
 """
 
 import json
@@ -44,8 +46,8 @@ out = Console(width=100)
 
 
 def main(
-    points: Annotated[int, typer.Option(help="Of the torque map, at least 80.")] = 100_000,
-    contacts: Annotated[int, typer.Option(help="Of the contact sweep, at least 4; 0: none.")] = 100,
+    points: Annotated[int, typer.Option(help="Points of the torque map, at least 80.")] = 100_000,
+    contacts: Annotated[int, typer.Option(help="Points of the contact sweep, at least 4; 0: none.")] = 100,
     workers: Annotated[int, typer.Option(help="Processes.")] = 2,
 ) -> None:
     table = Table(title=f"{machine()}; {versions('numpy', 'scipy', 'xarray')}")
@@ -53,9 +55,11 @@ def main(
         table.add_column(head, justify="left" if head == "sweep" else "right")
 
     def measure(name: str, grid: str, folder: Path, count: int) -> float:
-        seconds, found = timed(grid, folder, count)
-        memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024  # so far: sweeps go from small to large
-        table.add_row(name, str(found), str(count), f"{seconds:.2f}", f"{memory:.0f}")
+        seconds, computed = timed(grid, folder, count)
+        memory = (
+            resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+        )  # largest so far: sweeps go from small to large
+        table.add_row(name, str(computed), str(count), f"{seconds:.2f}", f"{memory:.0f}")
         return seconds
 
     with TemporaryDirectory() as place:
@@ -79,10 +83,10 @@ def timed(grid: str, folder: Path, workers: int) -> tuple[float, int]:
     file = folder.with_suffix(".toml")
     file.write_text(grid, "utf-8")
     command = [sys.executable, "-m", "fembearing.cli", "sweep", str(file), "--out", str(folder), "--json"]
-    alone = os.environ | {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    begun = time.perf_counter()
-    done = subprocess.run([*command, "--workers", str(workers)], stdout=subprocess.PIPE, env=alone, check=True)
-    return time.perf_counter() - begun, json.loads(done.stdout)["points"]
+    one_thread = os.environ | {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    started = time.perf_counter()
+    done = subprocess.run([*command, "--workers", str(workers)], stdout=subprocess.PIPE, env=one_thread, check=True)
+    return time.perf_counter() - started, json.loads(done.stdout)["points"]
 
 
 if __name__ == "__main__":

@@ -1,16 +1,20 @@
 """How fast is the friction torque? python validation/benchmarks/torque.py [--points 100000] [--contacts 1000000]
 
-Wall times, medians with the least and the greatest: the import in fresh interpreters; one thrust point, warm, and long
-series of random thrust points (100 to 2000 N, from 10 rad/s to where inertia of the balls is left out and to where it
-is not, as the worst point decides) on one and on two processes, for three ways in which balls rub; exact Hertz
-contacts; the equilibrium of the ring and the torque on it; with each the rungs chosen at a tolerance of 5 %. A series
-that would take too long is cut, and told with the points that are left. Prints a table and writes torque_benchmark.csv
-into the folder (validation/reports). Times are the machine's: let nothing else run.
+Wall times, as median, least and greatest, of
+- the import in fresh interpreters;
+- one thrust point, warm, and long series of random thrust points on one and on two processes, each with three laws of
+  friction. Loads are 100 to 2000 N, speeds 10 to 150 and 10 to 300 rad/s. The inertia of the balls is left out in the
+  first range and not in the second, because the worst point decides for the series;
+- exact Hertz contacts;
+- the equilibrium of the ring, and the torque with it.
+The table also shows the methods chosen at a tolerance of 5 %. A series that would take too long is shortened and listed
+with its reduced number of points. Prints a table and writes torque_benchmark.csv into the folder (validation/reports).
+Times depend on the machine: let nothing else run.
 """
 
 import os
 
-os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads: a process stands for a core
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads; one process uses one core
 os.environ.setdefault("MKL_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
@@ -32,7 +36,7 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic import friction_torque, hertz_contact, load_scene, ring_equilibrium
-from analytic.effects.ledger import COMPUTED
+from analytic.effects.table import COMPUTED
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import builtin_scene
@@ -41,13 +45,13 @@ from machine import machine, versions
 VALIDATION = Path(__file__).parents[1]
 TOLERANCE = 0.05
 SEED = 5
-FASTEST = (150.0, 300.0)  # rad/s
+FASTEST = (150.0, 300.0)  # rad/s; the inertia of the balls is left out up to the first, not up to the second
 PROCESSES = 2
 FEW, GROWTH = 10, 10  # points
-SHORT = 0.2  # s: shorter calls are timed many at a time
+SHORT = 0.2  # s; shorter calls are repeated within one timing
 IMPORTS = {
     "import analytic": "import analytic",
-    "with what it names": "from analytic import friction_torque, load_scene",
+    "and the two functions": "from analytic import friction_torque, load_scene",
 }
 
 
@@ -60,7 +64,7 @@ class Row:
     processes: int = 1
     seconds: list[float]
     limit: float | None = None  # s, to be reached
-    rungs: str = ""
+    methods: str = ""
     effects: str = ""  # that were computed
 
     @property
@@ -69,11 +73,11 @@ class Row:
 
 
 def main(
-    points: Annotated[int, typer.Option(help="Of the series of thrust points.")] = 100_000,
-    contacts: Annotated[int, typer.Option(help="Hertz contacts.")] = 1_000_000,
-    ring_points: Annotated[int, typer.Option(help="Of the series under radial load.")] = 1000,
-    longest: Annotated[float, typer.Option(help="Seconds that a series may take; else it is made shorter.")] = 30.0,
-    repeats: Annotated[int, typer.Option(help="Of each time.")] = 5,
+    points: Annotated[int, typer.Option(help="Points of a series of thrust points.")] = 100_000,
+    contacts: Annotated[int, typer.Option(help="Number of Hertz contacts.")] = 1_000_000,
+    ring_points: Annotated[int, typer.Option(help="Points of the series under radial load.")] = 1000,
+    longest: Annotated[float, typer.Option(help="Seconds that a series may take; a longer one is shortened.")] = 30.0,
+    repeats: Annotated[int, typer.Option(help="Repeats of each timing.")] = 5,
     out: Annotated[Path, typer.Option(help="Folder for torque_benchmark.csv.")] = VALIDATION / "reports",
 ) -> None:
     shown = Console(width=150)
@@ -93,17 +97,17 @@ def main(
 
 
 def scenes() -> dict[str, Scene]:
-    """The same bearing, rubbing in three ways; each runs at what its series says."""
+    """The same bearing with three laws of friction; loads and speeds come from each series."""
     physical = load_scene(VALIDATION / "scenes" / "6205_physical.toml")
     assert physical.lubricant is not None
     constant = replace(physical, lubricant=replace(physical.lubricant, traction="eyring_constant"))
     given = replace(load_scene(builtin_scene("6205")), cage=None)
-    found = {"given coefficient": given, "constant Eyring stress": constant, "sinh traction": physical}
-    return {name: replace(scene, tolerance=TOLERANCE) for name, scene in found.items()}
+    laws = {"given coefficient": given, "constant Eyring stress": constant, "sinh traction": physical}
+    return {name: replace(scene, tolerance=TOLERANCE) for name, scene in laws.items()}
 
 
 def imports(repeats: int) -> list[Row]:
-    """In fresh interpreters, after one that leaves compiled files behind."""
+    """Times of imports in fresh interpreters; the first, which compiles the files, does not count."""
     rows = []
     for name, statement in IMPORTS.items():
         program = f"import time; started = time.perf_counter(); {statement}; print(time.perf_counter() - started)"
@@ -117,14 +121,14 @@ def imports(repeats: int) -> list[Row]:
 
 def one_point(name: str, scene: Scene, repeats: int) -> Row:
     point = replace(scene, operation=Operation(axial_load=np.array([1000.0]), inner_speed=np.array([52.0])))
-    found = friction_torque(point)
+    result = friction_torque(point)
     return Row(
         what="1 thrust point",
         scene=name,
         seconds=timed(lambda: friction_torque(point), repeats),
         limit=1e-3,
-        rungs=rungs(found),
-        effects=computed(found),
+        methods=methods(result),
+        effects=computed(result),
     )
 
 
@@ -141,21 +145,24 @@ def series(
     long, half = some(slice(points)), points // PROCESSES
     parts = [some(slice(half)), some(slice(half, points))]
     what, limit = f"{points} thrust points to {fastest:g} rad/s", 2 * points / 100_000
-    found = totals(long)
-    rows = [Row(what=what, scene=name, seconds=timed(lambda: totals(long), repeats), rungs=found[1], effects=found[2])]
-    halves = list(pool.map(totals, parts))  # not timed: processes start and import
+    _, chosen, effects = totals(long)
+    rows = [Row(what=what, scene=name, seconds=timed(lambda: totals(long), repeats), methods=chosen, effects=effects)]
+    (_, *first), (_, *second) = pool.map(totals, parts)  # not timed: the processes start and import here
     seconds = timed(lambda: list(pool.map(totals, parts)), repeats)
-    both = [" and ".join(dict.fromkeys(half[part] for half in halves)) for part in (1, 2)]
+    chosen, effects = (" and ".join(dict.fromkeys(pair)) for pair in zip(first, second, strict=True))
     return [
         *rows,
         Row(
-            what=what, scene=name, processes=PROCESSES, seconds=seconds, limit=limit, rungs=both[0], effects=both[1]
+            what=what, scene=name, processes=PROCESSES, seconds=seconds, limit=limit, methods=chosen, effects=effects
         ),
     ]  # fmt: skip
 
 
 def affordable(call: Callable[[int], object], points: int, longest: float) -> int:
-    """At most so many points that one call takes so long: tried by ten times as many each time, as few tell little."""
+    """The number of points whose call takes about `longest` seconds, at most `points`.
+
+    Starts with few points and takes ten times as many until one call takes a tenth of that time.
+    """
     few = FEW
     while few < points:
         [seconds] = timed(lambda few=few: call(few), 1)
@@ -166,9 +173,9 @@ def affordable(call: Callable[[int], object], points: int, longest: float) -> in
 
 
 def totals(scene: Scene) -> tuple[Array, str, str]:
-    """What a process hands back: torques, N m, rungs and effects."""
-    found = friction_torque(scene)
-    return found.torque.total, rungs(found), computed(found)
+    """The result of a process: torques, N m, methods and effects."""
+    result = friction_torque(scene)
+    return result.torque.total, methods(result), computed(result)
 
 
 def hertz(contacts: int, repeats: int) -> Row:
@@ -180,12 +187,12 @@ def hertz(contacts: int, repeats: int) -> Row:
             lambda: hertz_contact(curvature_x=curvatures, curvature_y=37.0, load=620.0, modulus=1.13e11), repeats
         ),
         limit=0.5 * contacts / 1e6,
-        rungs="exact",
+        methods="exact",
     )
 
 
 def ring(points: int, longest: float, repeats: int) -> list[Row]:
-    """Thrust and radial load of like size, at speed: the equilibrium, and the torque of its unequal balls."""
+    """Thrust and radial load of similar size, at speed: the equilibrium, and the torque of its unequal balls."""
     axial, radial = np.random.default_rng(SEED).uniform(100, 2000, (2, points))
     speed = np.random.default_rng(SEED + 1).uniform(10, 300, points)
     sinh = scenes()["sinh traction"]
@@ -196,7 +203,7 @@ def ring(points: int, longest: float, repeats: int) -> list[Row]:
 
     few = affordable(lambda few: friction_torque(some(few)), points, longest)
     scene, plural = some(few), "" if few == 1 else "s"
-    found = friction_torque(scene)
+    result = friction_torque(scene)
     return [
         Row(
             what=f"ring, {points} point{'' if points == 1 else 's'}",
@@ -207,20 +214,20 @@ def ring(points: int, longest: float, repeats: int) -> list[Row]:
                 ),
                 repeats,
             ),
-            rungs="equilibrium of the ring",
+            methods="equilibrium of the ring",
         ),
         Row(
-            what=f"torque on it, {few} point{plural}",
+            what=f"torque with it, {few} point{plural}",
             scene="sinh traction",
             seconds=timed(lambda: friction_torque(scene), repeats),
-            rungs=rungs(found),
-            effects=computed(found),
+            methods=methods(result),
+            effects=computed(result),
         ),
     ]
 
 
 def timed(call: Callable[[], object], repeats: int) -> list[float]:
-    """Seconds a call, warm; short ones many at a time."""
+    """Seconds of one call, warm; short calls are repeated within one timing."""
     started = time.perf_counter()
     call()
     once = time.perf_counter() - started
@@ -234,25 +241,29 @@ def timed(call: Callable[[], object], repeats: int) -> list[float]:
     return seconds
 
 
-def rungs(found: FrictionTorque) -> str:
-    return "; ".join(found.provenance[name] for name in ("loads", "contacts", "sliding"))
+def methods(result: FrictionTorque) -> str:
+    return "; ".join(result.provenance[name] for name in ("loads", "contacts", "sliding"))
 
 
-def computed(found: FrictionTorque) -> str:
+def computed(result: FrictionTorque) -> str:
     return ", ".join(
-        effect.name.replace("_", " ") for effect in found.effects if effect.name in COMPUTED and effect.decision == "on"
+        effect.name.replace("_", " ")
+        for effect in result.effects
+        if effect.name in COMPUTED and effect.decision == "on"
     )
 
 
 def show(rows: list[Row], out: Console) -> None:
-    table = Table("what", "scene", "processes", "median", "least to greatest", "to reach", "rungs", "effects computed")
+    table = Table(
+        "what", "scene", "processes", "median", "least to greatest", "to reach", "methods", "effects computed"
+    )
     for row in rows:
         unit, name = (1.0, "s") if row.median >= 0.1 else (1e3, "ms")
         table.add_row(
             *(row.what, row.scene, str(row.processes), f"{unit * row.median:.3g} {name}"),
             f"{unit * min(row.seconds):.3g} to {unit * max(row.seconds):.3g} {name}",
             "" if row.limit is None else f"{unit * row.limit:.3g} {name}",
-            *(row.rungs, row.effects),
+            *(row.methods, row.effects),
         )
     out.print(table)
 
@@ -263,13 +274,13 @@ def write(rows: list[Row], path: Path) -> None:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(
             (*("what", "scene", "processes", "median_s", "least_s", "greatest_s", "repeats", "to_reach_s"),
-             *("rungs", "effects_computed"))
+             *("methods", "effects_computed"))
         )  # fmt: skip
         for row in rows:
             times = (f"{value:.4g}" for value in (row.median, min(row.seconds), max(row.seconds)))
             limit = "" if row.limit is None else f"{row.limit:.4g}"
             writer.writerow(
-                (row.what, row.scene, row.processes, *times, len(row.seconds), limit, row.rungs, row.effects)
+                (row.what, row.scene, row.processes, *times, len(row.seconds), limit, row.methods, row.effects)
             )
 
 

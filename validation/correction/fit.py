@@ -1,12 +1,12 @@
-"""The correction of Hertz from its solves: python validation/correction/fit.py
+"""Fit of the correction of Hertz to the solves: python validation/correction/fit.py
 
-Chooses terms and coefficients for each quantity from the set `fit` of solves.csv, tries them on the sets `held out` and
-`bearing`, prints how far off they are, and writes analytic/catalog/corrections/finite_geometry.toml. Takes a second.
+Chooses terms and coefficients for each quantity from the set `fit` of solves.csv, tests them on the sets `held out` and
+`bearing`, prints their errors, and writes analytic/catalog/corrections/finite_geometry.toml. Takes a second.
 
-Least squares, weighted with the solves' uncertainties. Terms come one at a time, each the candidate that lowers the
-error at the point left out most (exact: a point's error without it is its residual over 1 - leverage). The fewest are
-kept whose mean square at left-out points is within one standard error of the least, or is down to what the solves
-themselves may be off: from there on, terms would follow the meshes' errors.
+Least squares, weighted with the uncertainties of the solves. Terms are added one at a time, each the candidate that
+lowers the leave-one-out error most (exact: the error at a point that the fit leaves out is its residual over 1 -
+leverage). The fit keeps the fewest terms whose mean square leave-one-out error is within one standard error of the
+least, or as small as the errors of the solves: further terms would follow the errors of the meshes.
 """
 
 from collections.abc import Iterator
@@ -24,9 +24,9 @@ from analytic.contact.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, 
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40
-PARALLEL = 0.03  # of a column's length: with less of its own beside those chosen, it would swing with the noise
-LEAST_UNCERTAINTY = 3e-4  # of a solve, half-width: below it the fit's own misfit, not the solves, sets the error
-NOISE = 0.25  # mean square error of a solve, in its half-widths of 95 %, which are two standard deviations
+PARALLEL = 0.03  # least part of a column, of its length, that is independent of the chosen ones; less amplifies noise
+LEAST_UNCERTAINTY = 3e-4  # half-width of a solve; below it the misfit of the fit dominates the error
+NOISE = 0.25  # mean square error of a solve in units of its 95 % half-width, which is two standard deviations
 Array = NDArray[np.float64]
 Powers = dict[str, int]
 out = Console(width=120)
@@ -37,7 +37,7 @@ class Solves:
     """One set of solves; arrays (n,)."""
 
     shape: ContactShape
-    ratio: dict[str, Array]  # of finite elements to Hertz
+    ratio: dict[str, Array]  # finite elements over Hertz
     uncertainty: dict[str, Array]  # half-width
     name: list[str]
     solver: set[str]
@@ -45,11 +45,11 @@ class Solves:
 
 @dataclass(frozen=True)
 class Fit:
-    """One quantity."""
+    """The fit of one quantity."""
 
     terms: list[Powers]
     coefficients: Array
-    left_out: Array  # (n,) error at each point of a fit without it
+    left_out: Array  # (n,) leave-one-out errors
 
     def error(self, solves: Solves, quantity: str) -> Array:
         bases = shape_bases(solves.shape)
@@ -63,7 +63,7 @@ def main() -> None:
     STORED.parent.mkdir(exist_ok=True)
     STORED.write_text("\n".join(toml(fits, fitted, held_out, bearings)) + "\n", "utf-8")
     heads = ("quantity", "terms", "set", "contacts", "Hertz rms", "rms", "95 %", "worst", "solves +-")
-    table = Table(*heads, title="Corrected Hertz over finite elements, less one")
+    table = Table(*heads, title="Relative error of the corrected Hertz against finite elements")
     for name, fit in fits.items():
         sets = (("left out", fitted, fit.left_out), ("held out", held_out, None), ("bearing", bearings, None))
         for group, solves, known in sets:
@@ -75,7 +75,7 @@ def main() -> None:
 
 
 def solves_of(group: str) -> Solves:
-    """Those of a set that settled and lie in the box."""
+    """The converged solves of a set that lie in the box."""
     rows = [row for row in read_rows() if row["set"] == group and not row["trouble"]]
     rows = [row for row in rows if float(row["size"]) <= BOX["size"][1]]
     rows = [row for row in rows if float(row["shoulder"]) >= OFF_SHOULDER * float(row["size"])]
@@ -93,11 +93,11 @@ def solves_of(group: str) -> Solves:
 
 
 def candidates() -> Iterator[Powers]:
-    """Terms to choose from, each vanishing with the size.
+    """Candidate terms, each of which vanishes with the size.
 
-    First order: displacements that do not know the contact's size (ball to its middle plane, race to its far field,
-    with the curvatures and the shoulder that bend them), the logarithm, and the surfaces that the load draws together
-    on a slope. Higher order: the shape of the gap, with what the bodies' elasticity may make of it.
+    First order: displacements that are independent of the size of the contact (ball to its middle plane, race to its
+    far field, with the effect of curvatures and shoulder), the logarithm, and the surfaces that the load draws together
+    on a slope. Higher order: the shape of the gap, with its dependence on the elasticity of the bodies.
     """
     race: list[Powers] = [{}, *({name: 1} for name in ("rolling_curvature", "openness", "shoulder_curvature"))]
     yield {"relative_load": 1, "log_drift": 1}
@@ -119,21 +119,23 @@ def candidates() -> Iterator[Powers]:
 
 
 def fit_of(solves: Solves, quantity: str) -> Fit:
-    """The fit of one quantity; see the head of this file."""
+    """The fit of one quantity by the procedure at the head of this file."""
     terms, bases = list(candidates()), shape_bases(solves.shape)
     weight = 1 / np.maximum(solves.uncertainty[quantity], LEAST_UNCERTAINTY)
     columns = np.column_stack([monomial(bases, term) for term in terms])
     change = solves.ratio[quantity] - 1
     chosen = chosen_terms(columns * weight[:, None], change * weight)
     kept, *_ = np.linalg.qr(columns[:, chosen] * weight[:, None])
-    coefficients = np.linalg.lstsq(columns[:, chosen] * weight[:, None], change * weight, rcond=None)[0]
+    coefficients = np.asarray(
+        np.linalg.lstsq(columns[:, chosen] * weight[:, None], change * weight, rcond=None)[0], dtype=np.float64
+    )
     residual = columns[:, chosen] @ coefficients - change
     leverage = np.sum(kept**2, axis=1)
     return Fit(terms=[terms[n] for n in chosen], coefficients=coefficients, left_out=residual / (1 - leverage))
 
 
 def chosen_terms(columns: Array, values: Array) -> list[int]:
-    """Which columns (n, m) explain the values (n,), in the order in which they were taken."""
+    """The columns (n, m) that explain the values (n,), in the order of their choice."""
     rest = columns / np.linalg.norm(columns, axis=0)
     residual, leverage = values, np.zeros(values.size)
     chosen, mean, error = [], [float(np.mean(values**2))], [0.0]
@@ -154,7 +156,7 @@ def chosen_terms(columns: Array, values: Array) -> list[int]:
 
 
 def uncertainty_of(fit: Fit, solves: Solves, quantity: str) -> float:
-    """Half-width, 95 %, of all but the smallest contacts: of the fit at points left out, and of the solves, added."""
+    """Half-width, 95 %, over all but the smallest contacts: leave-one-out error plus uncertainty of the solves."""
     large = np.asarray(solves.shape.size) >= SMALL
     interpolation = float(np.quantile(np.abs(fit.left_out[large]), 0.95))
     return interpolation + float(np.median(solves.uncertainty[quantity][large]))
@@ -172,8 +174,8 @@ def spread(error: Array) -> dict[str, float]:
 def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solves) -> Iterator[str]:
     """The stored file, line by line."""
     (head, *rest) = (line for line in (HERE / "solves.csv").read_text("utf-8").splitlines() if line.startswith("#"))
-    yield "# Hertz's contact corrected for the true shape of ball and groove: read by analytic/contact/finite_geometry.py,"
-    yield "# written by validation/correction/fit.py from solves.csv beside it. Errors and uncertainties are relative."
+    yield "# Correction of Hertz for the true shape of ball and groove, written by validation/correction/fit.py"
+    yield "# from solves.csv, read by analytic/contact/finite_geometry.py. Errors and uncertainties are relative."
     dates = sorted({row["date"] for row in read_rows()})
     yield ""
     yield "[provenance]"

@@ -1,14 +1,13 @@
-"""The solves behind the correction of Hertz for finite geometry: python validation/correction/solve.py
+"""Solves for the correction of Hertz for finite geometry: python validation/correction/solve.py
 
 Solves contacts of true shape by finite elements and stores each quantity over Hertz's, with its uncertainty, in
-solves.csv, where fit.py finds them. Three sets: `fit`, a Sobol sequence over the box below; `held out`, random
-contacts of that box; `bearing`, both races of the bearings in bearings.toml under random loads. The fit sees the first
-alone.
+solves.csv for fit.py. There are three sets: `fit`, a Sobol sequence over the box below; `held out`, random contacts of
+that box; `bearing`, both races of the bearings in bearings.toml under random loads. The fit uses the first set only.
 
-A contact is what `analytic.contact.finite_geometry.ContactShape` holds; nothing else matters in elasticity. Rolling curvatures
-are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (of the heavy series 64), r/R is g/(1 - g)
-on the inner and -g/(1 + g) on the outer race, from -0.25 to 0.48.
-A run that was interrupted goes on where it stopped.
+`analytic.contact.finite_geometry.ContactShape` describes a contact; in elasticity nothing else matters. The rolling
+curvatures are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (the heavy series 64), r/R is
+g/(1 - g) on the inner and -g/(1 + g) on the outer race, from -0.25 to 0.48.
+An interrupted run continues where it stopped.
 """
 
 import csv
@@ -41,14 +40,14 @@ HERE = Path(__file__).parent
 SOLVES, BEARINGS = HERE / "solves.csv", HERE / "bearings.toml"
 SEED = 20250
 ACCURACY = 1e-3
-LEVELS = (1, 2, 3)  # of the recipe: the fourth takes three times as long, for half the uncertainty
-BOX = {  # lowest and highest of each
+LEVELS = (1, 2, 3)  # of the recipe; the fourth takes three times as long and halves the uncertainty
+BOX = {  # least and greatest value
     "conformity": (0.505, 0.58),  # r_g/D
     "rolling_curvature": (-0.26, 0.48),  # r/R, below 0 on an outer race
     "size": (0.01, 0.45),  # Hertz's b/r; the mesh holds up to 0.5
     "ball_poisson_ratio": (0.2, 0.4),
     "race_poisson_ratio": (0.2, 0.4),
-    "ball_share": (0.01, 0.99),  # of the compliance 1/E* that is the ball's
+    "ball_share": (0.01, 0.99),  # share of the ball in the compliance 1/E*
     "shoulder": (0.42, 0.9),  # distance from the contact's centre over r
 }
 QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
@@ -57,22 +56,22 @@ COLUMNS = [
     *(f"{name}_uncertainty" for name in QUANTITIES),
     *("level", "solver", "date", "trouble"),
 ]
-PRESSURES = (0.007, 0.028)  # p0/E* on the bearings: 0.8 to 3.2 GPa on steel
-# What a solve depends on
+PRESSURES = (0.007, 0.028)  # p0/E* in the bearings: 0.8 to 3.2 GPa on steel
+# Parts of fembearing on which a solve depends
 SOLVER = ("fem", "mesh", "compare/contact/mesh_refinement.py", "compare/contact/grid_convergence.py")
 MATERIALS = {  # E, nu; typical values
     "steel": (206e9, 0.3),
     "silicon nitride": (310e9, 0.26),
     "peek": (3.6e9, 0.38),
 }
-RADIUS, MODULUS = 5e-3, 113e9  # r, m; E*, Pa: the ratios do not depend on them
+RADIUS, MODULUS = 5e-3, 113e9  # r, m; E*, Pa; the ratios do not depend on them
 Row = dict[str, str]
 
 
 def main(
-    fit: Annotated[int, typer.Option(help="Contacts to fit.")] = 192,
-    held_out: Annotated[int, typer.Option(help="Random contacts that the fit does not see.")] = 48,
-    bearings: Annotated[bool, typer.Option(help="Solve the bearings too.")] = True,
+    fit: Annotated[int, typer.Option(help="Contacts of the set `fit`.")] = 192,
+    held_out: Annotated[int, typer.Option(help="Contacts of the set `held out`.")] = 48,
+    bearings: Annotated[bool, typer.Option(help="Solve the set `bearing` as well.")] = True,
 ) -> None:
     rows = read_rows()
     done = {(row["set"], row["number"]) for row in rows}
@@ -86,7 +85,7 @@ def main(
 
 
 def drawn(group: str, count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
-    """Shapes of the box: evenly spread for the fit, at random to be held out."""
+    """Shapes in the box: evenly spread for the fit, random for the held-out set."""
     if group == "fit":
         units = qmc.Sobol(len(BOX), rng=np.random.default_rng(SEED)).random_base2(int(np.ceil(np.log2(max(count, 1)))))
     else:
@@ -125,7 +124,7 @@ def of_bearings() -> Iterator[tuple[str, int, str, dict[str, float]]]:
 
 
 def contact_of_shape(shape: dict[str, float]) -> Contact:
-    """A contact of the given ratios; its load gives Hertz's b the size that is asked."""
+    """A contact with the ratios of `shape`; its load gives Hertz's b/r the value `size`."""
     bodies = []
     for body, share in (("ball", shape["ball_share"]), ("race", 1 - shape["ball_share"])):
         ratio = shape[f"{body}_poisson_ratio"]
@@ -139,7 +138,7 @@ def contact_of_shape(shape: dict[str, float]) -> Contact:
         groove_radius=2 * RADIUS * shape["conformity"],
         rolling_radius=RADIUS / curvature,
         shoulder=RADIUS * shape["shoulder"],
-        contact_angle=0.0,  # of a symmetric groove: the shoulder is where it is
+        contact_angle=0.0,  # symmetric groove: the shoulder keeps its place
         load=1.0,
         ball_material=bodies[0],
         race_material=bodies[1],
@@ -154,22 +153,22 @@ def solved(shape: dict[str, float]) -> Row:
     contact = contact_of_shape(shape)
     recipe = replace(load_recipe("race"), levels=LEVELS)
     try:
-        found = solve_reference(contact, recipe=recipe, accuracy=ACCURACY, progress=silent)
+        reference = solve_reference(contact, recipe=recipe, accuracy=ACCURACY, progress=silent)
     except FembearingError as problem:
         return row | {"trouble": " ".join(str(problem).split())}
     hertz = vars(hertz_quantities(contact))
     for name in QUANTITIES:
-        part = found.estimates[name]
+        part = reference.estimates[name]
         row |= {name: f"{part.value / hertz[name]:.7f}", f"{name}_uncertainty": f"{part.total:.2e}"}
-    unsettled = [name for name in QUANTITIES if not found.estimates[name].settled]
+    unsettled = [name for name in QUANTITIES if not reference.estimates[name].settled]
     return row | {
-        "level": str(found.meshes[-1].level),
+        "level": str(reference.meshes[-1].level),
         "trouble": f"meshes do not settle in {' '.join(unsettled)}" if unsettled else "",
     }
 
 
 def read_rows() -> list[Row]:
-    """What is stored; nothing where there is no file yet."""
+    """The stored rows; none if there is no file yet."""
     if not SOLVES.exists():
         return []
     lines = (line for line in SOLVES.read_text("utf-8").splitlines() if not line.startswith("#"))
@@ -177,7 +176,7 @@ def read_rows() -> list[Row]:
 
 
 def write_rows(rows: list[Row]) -> None:
-    """Replace the file in one step, so that an interrupted run leaves a whole one."""
+    """Replace the file in one step, so that an interrupted run leaves a complete one."""
     fresh = SOLVES.with_suffix(".new")
     with fresh.open("w", encoding="utf-8", newline="") as file:
         file.writelines(f"# {line}\n" for line in provenance())
@@ -197,7 +196,7 @@ def provenance() -> Iterator[str]:
 
 
 def solver_commit() -> str:
-    """The last commit that touched what solves, marked + if that has changed since."""
+    """The last commit that changed the solver, with + if the solver has changed since."""
     files = ["--", *(f"fembearing/{part}" for part in SOLVER), "meshes"]
     git = ["git", "-C", str(HERE.parents[1])]
     last = subprocess.run(

@@ -1,7 +1,8 @@
 """Peer: CalculiX, 20-node hexahedra with reduced integration (C3D20R), penalty contact between surfaces.
 
-Refinement: level of our mesh recipe. By symmetry each of two equal half spaces sees a rigid paraboloid of half the gap:
-here one layer of cells that moves as one, pushed by the load. Lengths are written in mm, stresses in MPa.
+The refinement is the level of our mesh recipe. By symmetry, each of two equal half spaces is pressed against a rigid
+paraboloid with half the gap. Here the paraboloid is one layer of cells that moves as one body under the load. Lengths
+are written in mm, stresses in MPa.
 """
 
 import os
@@ -19,10 +20,10 @@ if TYPE_CHECKING:
 
     from idealised import Quarter
 
-# Contact acts along the paraboloid's normal, which leans by 2 % at the edge; Hertz knows no lean. Flattening the
-# paraboloid by this factor and stiffening the steel by as much leaves pressure and ellipse as they are.
+# Contact acts along the normal of the paraboloid, which is inclined by 2 % at the edge; Hertz neglects this. Flattening
+# the paraboloid by this factor and stiffening the steel by its inverse leaves pressure and ellipse unchanged.
 FLATTENING = 1e-3
-PENALTY = 1e4  # times the modulus over the minor semi-axis; 1e3 shows in the second digit of the finest errors
+PENALTY = 1e4  # times the modulus over the minor semi-axis; 1e3 changes the second digit of the finest errors
 MM = 1e3  # in a metre
 PROGRAM = "ccx"
 
@@ -56,7 +57,7 @@ def load() -> Solve:
             printed = job.with_suffix(".dat").read_text("ascii") if job.with_suffix(".dat").exists() else ""
         if done.returncode or "forces" not in printed:
             raise RuntimeError(f"{PROGRAM} ended with status {done.returncode}: {(done.stdout + done.stderr)[-500:]}")
-        force = table(printed, "forces")[:, 3]  # N, on the paraboloid's nodes: the integrals of pressure times shape
+        force = table(printed, "forces")[:, 3]  # N, nodal forces: integrals of pressure times shape function
         axes = semi_axis(x, force), semi_axis(y, force)
         points_x, points_y, area, pressure = at_gauss_points(x, y, faces, force)
         sunk = table(printed, "displacements")[0, 3] / (MM * FLATTENING)
@@ -79,7 +80,10 @@ def deck(
     faces: "NDArray[np.intp]",
     paraboloid: "NDArray[np.float64]",
 ) -> Iterator[str]:
-    """The input file. `supports`: cell and face of the block where it may touch; `faces`: 8 nodes of the paraboloid."""
+    """The lines of the input file.
+
+    supports : cells and faces of the block that may touch;  faces : their 8 nodes on the paraboloid
+    """
     import numpy as np
 
     position, count = block.position, len(block.position)
@@ -91,7 +95,7 @@ def deck(
     yield "*NODE"
     for number, place in enumerate(np.vstack([position * MM, lower, upper, middle]), start=1):
         yield f"{number},{place[0]:.12g},{place[1]:.12g},{place[2]:.12g}"
-    first = count + 1  # node of the paraboloid: it carries the load and leads the others
+    first = count + 1  # node of the paraboloid that carries the load; the others follow it
     last = count + 2 * rigid + corners.size
     yield "*ELEMENT,TYPE=C3D20R,ELSET=BLOCK"
     for number, cell in enumerate(block.cells, start=1):
@@ -134,7 +138,7 @@ def deck(
 
 
 def rows(numbers: Iterable[int], width: int) -> Iterator[str]:
-    """Numbers in lines of at most `width`, all but the last ending in a comma."""
+    """Numbers in lines of at most `width`; all lines but the last end in a comma."""
     words = [str(number) for number in numbers]
     lines = [",".join(words[start : start + width]) for start in range(0, len(words), width)]
     yield ",\n".join(lines)
@@ -159,9 +163,9 @@ def table(printed: str, head: str) -> "NDArray[np.float64]":
 def at_gauss_points(
     x: "NDArray[np.float64]", y: "NDArray[np.float64]", faces: "NDArray[np.intp]", force: "NDArray[np.float64]"
 ) -> tuple["NDArray[np.float64]", ...]:
-    """x, y, area and pressure at 2 by 2 points of each face, of the field whose integrals are the nodal forces.
+    """x, y, area and pressure at 2 by 2 Gauss points of each face, of the field whose integrals are the nodal forces.
 
-    Between these points a field of 8-node faces swings: at its nodes the peak pressure is 1 to 8 % high.
+    Away from these points a field on 8-node faces oscillates: at its nodes the peak pressure is 1 to 8 % too high.
     """
     import numpy as np
 
@@ -171,7 +175,7 @@ def at_gauss_points(
             shape, area = on_face(x, y, faces, s, t)
             for face, each in zip(faces, area, strict=True):
                 mass[np.ix_(face, face)] += weight_s * weight_t * each * np.outer(shape, shape)
-    pressure = np.linalg.solve(mass, -force)  # the surface below pushes the paraboloid up: the printed force holds it
+    pressure = np.linalg.solve(mass, -force)  # the printed force holds the paraboloid down, the surface pushes it up
     parts = []
     for s in (-(3**-0.5), 3**-0.5):
         for t in (-(3**-0.5), 3**-0.5):
@@ -187,16 +191,16 @@ def on_face(
     import numpy as np
 
     S, T = np.array([-1, 1, 1, -1]), np.array([-1, -1, 1, 1])
-    along, across = 1 + s * S, 1 + t * T
-    shape = [*(along * across * (s * S + t * T - 1) / 4)]
+    linear_s, linear_t = 1 + s * S, 1 + t * T
+    shape = [*(linear_s * linear_t * (s * S + t * T - 1) / 4)]
     shape += [
         (1 - s * s) * (1 - t) / 2,
         (1 + s) * (1 - t * t) / 2,
         (1 - s * s) * (1 + t) / 2,
         (1 - s) * (1 - t * t) / 2,
     ]
-    by_s = [*(S * across * (2 * s * S + t * T) / 4), -s * (1 - t), (1 - t * t) / 2, -s * (1 + t), (t * t - 1) / 2]
-    by_t = [*(T * along * (s * S + 2 * t * T) / 4), (s * s - 1) / 2, -t * (1 + s), (1 - s * s) / 2, -t * (1 - s)]
+    by_s = [*(S * linear_t * (2 * s * S + t * T) / 4), -s * (1 - t), (1 - t * t) / 2, -s * (1 + t), (t * t - 1) / 2]
+    by_t = [*(T * linear_s * (s * S + 2 * t * T) / 4), (s * s - 1) / 2, -t * (1 + s), (1 - s * s) / 2, -t * (1 - s)]
     corner = x[faces] @ np.array(by_s), y[faces] @ np.array(by_t), x[faces] @ np.array(by_t), y[faces] @ np.array(by_s)
     return np.array(shape), np.abs(corner[0] * corner[1] - corner[2] * corner[3])
 

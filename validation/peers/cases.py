@@ -1,4 +1,4 @@
-"""The contacts that all peers compute, and how fine each computes them. Standard library only: see `run.py`."""
+"""The contacts that all peers compute. Standard library only, see `run.py`."""
 
 from dataclasses import dataclass
 from math import cos
@@ -12,17 +12,17 @@ class Case:
 
     name: str
     title: str
-    curvature_x: float  # 1/m, along rolling
+    curvature_x: float  # 1/m, rolling
     curvature_y: float  # 1/m, transverse
     load: float  # N
-    semi_axes: tuple[float, float]  # m, along x and y, to 1 %: every peer sizes its mesh by them
+    semi_axes: tuple[float, float]  # m, in x and y, to 1 %; every peer sizes its mesh by them
     youngs_modulus: float = STEEL[0]  # Pa
     poisson_ratio: float = STEEL[1]
 
 
 BALL, GROOVE, PITCH = 3.97e-3, 4.13e-3, 39.01e-3  # m: ball and inner groove radius, pitch diameter of the 6205
 ANGLE = 0.18  # rad, contact angle
-ALONG = 1 / BALL + cos(ANGLE) / (PITCH / 2 - BALL * cos(ANGLE))  # 1/m
+ROLLING = 1 / BALL + cos(ANGLE) / (PITCH / 2 - BALL * cos(ANGLE))  # 1/m
 
 CASES = {
     case.name: case
@@ -38,7 +38,7 @@ CASES = {
         Case(
             name="ellipse",
             title="6205, ball on inner race, 620.63 N",
-            curvature_x=ALONG,
+            curvature_x=ROLLING,
             curvature_y=1 / BALL - 1 / GROOVE,
             load=620.63,
             semi_axes=(0.121e-3, 1.12e-3),

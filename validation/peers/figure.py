@@ -1,4 +1,4 @@
-"""Error of the peers against what it costs, as a picture."""
+"""The figure of the peers: error against cost."""
 
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ PER_CENT = 100.0
 
 
 def draw(result: dict[str, Any], path: Path, *, names: dict[str, str]) -> None:
-    """A row for each case, a column for each cost; lines run over a peer's refinements."""
+    """One row for each case, one column for each cost, one line over the refinements of each peer."""
     cases = result["cases"]
     figure = Figure(figsize=(10, 0.8 + 3.6 * len(cases)), layout="constrained")
     panels = figure.subplots(len(cases), len(COSTS), squeeze=False, sharey="row")
@@ -29,7 +29,7 @@ def draw(result: dict[str, Any], path: Path, *, names: dict[str, str]) -> None:
                     panel.loglog(*zip(*points, strict=True), marker=mark, color=colour, label=names[peer])
             panel.xaxis.set_major_formatter("{x:g}")
             panel.yaxis.set_major_formatter("{x:g}")
-            if cost == "memory":  # spans little more than one power of ten
+            if cost == "memory":  # spans little more than a factor of ten
                 panel.set_xscale("log", base=2)
                 panel.xaxis.set_major_formatter("{x:g}")
             panel.set_xlabel(label)
@@ -37,6 +37,6 @@ def draw(result: dict[str, Any], path: Path, *, names: dict[str, str]) -> None:
             panel.grid(which="major", alpha=0.4)
         row[0].set_ylabel("worst error of approach, semi-axes\nand peak pressure against Hertz, %")
     panels[0, 0].legend(fontsize="small")
-    note = f"Two half spaces of steel. {result['machine']}. Importing is not in the time, but is in the memory."
+    note = f"Two half spaces of steel. {result['machine']}. The time excludes imports; the memory includes them."
     figure.supxlabel(note, fontsize="small")
     figure.savefig(path, dpi=130)

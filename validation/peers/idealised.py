@@ -1,7 +1,7 @@
-"""A case as fembearing sees it, and the quarter of a half space that all finite-element peers solve on.
+"""A case as a contact of fembearing, and the quarter of a half space for all finite-element peers.
 
-They get our mesh and our far field, so that what differs is the solver: a block cut off without one is wrong by a per
-cent of the approach at thirty contact radii.
+The peers use our mesh and our far field, so that only the solver differs. A block without a far field, cut off at
+thirty contact radii, has an error of 1 % of the approach.
 """
 
 from dataclasses import dataclass
@@ -21,19 +21,19 @@ Nodes = NDArray[np.intp]
 
 
 def idealised_contact(case: dict[str, Any]) -> Contact:
-    """A case as a contact whose curvatures are the case's; curvature_x must not be below curvature_y."""
-    across = case["curvature_x"] - case["curvature_y"]  # 1/m, of the groove
+    """A contact with the curvatures of the case; curvature_x must not be below curvature_y."""
+    groove = case["curvature_x"] - case["curvature_y"]  # 1/m, of the groove
     steel = Material(
         name="steel",
         youngs_modulus=case["youngs_modulus"],
         poisson_ratio=case["poisson_ratio"],
-        density=7850.0,  # kg/m^3, of no effect
+        density=7850.0,  # kg/m^3, has no effect
         source="case",
     )
     return Contact(
         pair="inner",
         ball_radius=1 / case["curvature_x"],
-        groove_radius=1 / across if across else float("inf"),
+        groove_radius=1 / groove if groove else float("inf"),
         rolling_radius=float("inf"),
         shoulder=float("inf"),
         contact_angle=0.0,
@@ -45,17 +45,17 @@ def idealised_contact(case: dict[str, Any]) -> Contact:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Quarter:
-    """Quarter of a half space z < 0 that fills x > 0, y > 0, in hexahedra of 20 nodes in Abaqus's order."""
+    """The quarter x > 0, y > 0 of a half space z < 0, in hexahedra of 20 nodes in the order of Abaqus."""
 
     position: Array  # (nodes, 3), m
     cells: Nodes  # (cells, 20): corners, then middles of the edges
     top: NDArray[np.bool_]  # (nodes,) on the surface z = 0
-    touching: NDArray[np.bool_]  # (nodes,) that may come into contact
+    touching: NDArray[np.bool_]  # (nodes,) may come into contact
     far: NDArray[np.bool_]  # (nodes,) on the outer faces
     displacement: Array  # (nodes, 3), m, of a half space under the case's load; zero off the outer faces
 
     def contact_faces(self) -> list[tuple[int, int, Nodes]]:
-        """Cell, face and its 8 nodes, corners first, of each face that may touch."""
+        """Cell, face and its 8 nodes, corners first, of each face that may come into contact."""
         return [
             (cell, face, nodes[[*corners, *middles]])
             for cell, nodes in enumerate(self.cells)

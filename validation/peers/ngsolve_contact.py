@@ -1,8 +1,8 @@
-"""Peer: NGSolve, quadratic hexahedra pressed on a rigid paraboloid. Refinement: level of our mesh recipe.
+"""Peer: NGSolve, quadratic hexahedra pressed on a rigid paraboloid. The refinement is the level of our mesh recipe.
 
-By symmetry each of two equal half spaces sees a rigid paraboloid of half the gap. The pressure is a penalty times the
-penetration; the points that penetrate are renewed until they carry the load. Of NGSolve's direct solvers
-`sparsecholesky` was the fastest: UMFPACK took five times as long on 20 000 unknowns.
+By symmetry, each of two equal half spaces is pressed against a rigid paraboloid with half the gap. The pressure is a
+penalty times the penetration; the set of penetrating points is updated until it carries the load. `sparsecholesky` was
+the fastest direct solver of NGSolve: UMFPACK took five times as long with 20 000 unknowns.
 """
 
 from typing import Any
@@ -16,8 +16,8 @@ NAMES = ("x", "y", "far", "contact", "free")  # of the outer faces
 
 
 def load() -> Solve:
-    import netgen.meshing as netgen
-    import ngsolve as ng
+    import netgen.meshing as netgen  # pyright: ignore[reportMissingImports]
+    import ngsolve as ng  # pyright: ignore[reportMissingImports]
     import numpy as np
 
     from idealised import FACES, Quarter, quarter
@@ -58,7 +58,7 @@ def load() -> Solve:
                 fixed = ng.Integrate(spring * gap * surface, mesh) + ng.InnerProduct(by_approach, closed)
                 stiffness = ng.Integrate(spring * surface, mesh) - ng.InnerProduct(by_approach, freed)
                 approach = (case["load"] / 4 + fixed) / stiffness
-                field = ng.GridFunction(space)  # a new one: the last points that touch are a function of it
+                field = ng.GridFunction(space)  # a new one, as the set of touching points depends on the old one
                 field.vec.data = closed + approach * freed
                 penetration = approach - gap + field[2]
                 touches = ng.IfPos(penetration, 1, 0)
@@ -66,33 +66,33 @@ def load() -> Solve:
                 if abs(ng.Integrate(pressure * surface, mesh) / (case["load"] / 4) - 1) < BALANCED:
                     break
             else:
-                raise RuntimeError(f"the contact did not settle in {MOST_ROUNDS} rounds")
+                raise RuntimeError(f"the contact did not converge in {MOST_ROUNDS} rounds")
         axes = tuple(
-            float(5 * ng.Integrate(pressure * along**2 * surface, mesh) / (case["load"] / 4)) ** 0.5
-            for along in (ng.x, ng.y)
+            float(5 * ng.Integrate(pressure * position**2 * surface, mesh) / (case["load"] / 4)) ** 0.5
+            for position in (ng.x, ng.y)
         )
         rule = ng.IntegrationRule(ng.ET.QUAD, 4)
         points = mesh.MapToAllElements(rule, mesh.Boundaries("contact"))
-        x, y, found, size = (np.ravel(part(points)) for part in (ng.x, ng.y, pressure, ng.specialcf.mesh_size))
+        x, y, values, size = (np.ravel(part(points)) for part in (ng.x, ng.y, pressure, ng.specialcf.mesh_size))
         area = size**2 * np.tile([point.weight for point in rule], x.size // len(rule))
         return {
             "semi_axis_x": axes[0],
             "semi_axis_y": axes[1],
-            "peak_pressure": peak_pressure(x, y, found, area, semi_axes=axes),
+            "peak_pressure": peak_pressure(x, y, values, area, semi_axes=axes),
             "approach": 2 * approach,
             "unknowns": space.ndof,
         }
 
     def meshed(block: Quarter) -> ng.Mesh:
-        """The block's cells with straight edges, their outer faces named."""
+        """The cells of the block with straight edges and named outer faces."""
         used, cells = np.unique(block.cells[:, :8], return_inverse=True)
         cells = cells.reshape(-1, 8)
         position = block.position[used]
-        made = netgen.Mesh(dim=3)
-        points = [made.Add(netgen.MeshPoint(netgen.Pnt(*place))) for place in position.tolist()]
+        mesh = netgen.Mesh(dim=3)
+        points = [mesh.Add(netgen.MeshPoint(netgen.Pnt(*place))) for place in position.tolist()]
         for number, name in enumerate(NAMES):
-            made.Add(netgen.FaceDescriptor(surfnr=number + 1, domin=1, bc=number + 1))
-            made.SetBCName(number, name)
+            mesh.Add(netgen.FaceDescriptor(surfnr=number + 1, domin=1, bc=number + 1))
+            mesh.SetBCName(number, name)
         faces = cells[:, FACES].reshape(-1, 4)
         _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
         planes = (position[:, 0] < 1e-9 * position.max(), position[:, 1] < 1e-9 * position.max(), block.far[used])
@@ -101,13 +101,13 @@ def load() -> Solve:
                 name = "contact" if block.touching[used[face]].any() else "free"
             else:
                 name = NAMES[next(number for number, plane in enumerate(planes) if plane[face].all())]
-            made.Add(netgen.Element2D(NAMES.index(name) + 1, [points[node] for node in face]))
+            mesh.Add(netgen.Element2D(NAMES.index(name) + 1, [points[node] for node in face]))
         for cell in cells:
-            made.Add(netgen.Element3D(1, [points[node] for node in cell]))
-        return ng.Mesh(made)
+            mesh.Add(netgen.Element3D(1, [points[node] for node in cell]))
+        return ng.Mesh(mesh)
 
     def far_field(case: dict[str, Any]) -> ng.CoefficientFunction:
-        """Boussinesq's displacement, m, of four point loads with the pressure's second moments."""
+        """Boussinesq's displacement, m, of four point loads with the second moments of the pressure."""
         ratio = case["poisson_ratio"]
         scale = case["load"] / 4 * (1 + ratio) / (2 * np.pi * case["youngs_modulus"])
         shifts = [axis / 5**0.5 for axis in case["semi_axes"]]

@@ -1,4 +1,4 @@
-"""Peer: fembearing's own finite elements on the Hertzian idealisation. Refinement: level of the mesh recipe."""
+"""Peer: the finite elements of fembearing on the Hertzian idealisation. The refinement is the level of the recipe."""
 
 from typing import Any
 
@@ -11,15 +11,15 @@ def load() -> Solve:
     from idealised import idealised_contact
 
     def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
-        found = solve_on_mesh(
+        solution = solve_on_mesh(
             idealised_contact(case), recipe=load_recipe("hertzian"), level=level, semi_axes=tuple(case["semi_axes"])
         )
         return {
-            "semi_axis_x": found.quantities.semi_axis_rolling,
-            "semi_axis_y": found.quantities.semi_axis_transverse,
-            "peak_pressure": found.quantities.peak_pressure,
-            "approach": found.quantities.approach,
-            "unknowns": found.unknowns,
+            "semi_axis_x": solution.quantities.semi_axis_rolling,
+            "semi_axis_y": solution.quantities.semi_axis_transverse,
+            "peak_pressure": solution.quantities.peak_pressure,
+            "approach": solution.quantities.approach,
+            "unknowns": solution.unknowns,
         }
 
     return solve

@@ -1,11 +1,11 @@
-"""Our finite elements beside other solvers, on cases that Hertz answers exactly: python validation/peers/run.py
+"""Our finite elements against other solvers, on cases with an exact answer by Hertz: python validation/peers/run.py
 
-Each solver computes each case ever finer, every time in a process of its own. Prints the errors against exact Hertz
-with seconds and memory, writes peers.json and peers.png. A solver that is not installed is skipped; one that fails is
-listed, and the exit status is then 1. --long adds the finest refinement of each solver.
+Each solver computes each case with several refinements, each in its own process. Prints the errors against exact Hertz
+with seconds and memory, and writes peers.json and peers.png. A solver that is not installed is skipped. A solver that
+fails is listed, and the exit status is then 1. --long adds the finest refinement of each solver.
 """
 
-# Standard library only, until every peer has run: a child's record of its largest memory starts at that of its parent.
+# Standard library only until every peer has run: the peak memory of a child starts at the memory of its parent.
 import argparse
 import contextlib
 import json
@@ -25,7 +25,7 @@ from cases import CASES, Case
 HERE = Path(__file__).resolve().parent
 REPORTS = HERE.parent / "reports"
 LIMIT = 600.0  # s, for one process
-# Program, what it is, its refinements, and those added by --long
+# Program, description, refinements, and those added by --long
 PEERS: dict[str, tuple[str, str, tuple[int, ...], tuple[int, ...]]] = {
     "ours": ("ours.py", "fembearing, finite elements", (1, 2, 3, 4), (6,)),
     "tamaas": ("tamaas_bem.py", "Tamaas, boundary elements", (16, 32, 64, 128, 256), (512,)),
@@ -39,23 +39,23 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--peers", nargs="+", choices=PEERS, default=list(PEERS), metavar="PEER", help=", ".join(PEERS))
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), metavar="CASE", help=", ".join(CASES))
     parser.add_argument("--out", type=Path, default=REPORTS, help="folder for peers.json and peers.png")
-    parser.add_argument("--repeats", type=int, default=1, help="processes for each row, of which the median counts")
-    parser.add_argument("--steps", type=int, help="only so many refinements of each solver, the coarsest first")
+    parser.add_argument("--repeats", type=int, default=1, help="processes for each row; their median counts")
+    parser.add_argument("--steps", type=int, help="number of refinements of each solver, coarsest first")
     parser.add_argument("--long", action="store_true", help="add the finest refinement of each solver")
-    asked = parser.parse_args(argv)
+    options = parser.parse_args(argv)
     for name in ("repeats", "steps"):
-        if getattr(asked, name) is not None and getattr(asked, name) < 1:
-            parser.error(f"--{name} must be at least 1, got {getattr(asked, name)}")
+        if getattr(options, name) is not None and getattr(options, name) < 1:
+            parser.error(f"--{name} must be at least 1, got {getattr(options, name)}")
     start = time.perf_counter()
     rows, skipped = [], {}
-    for peer in dict.fromkeys(asked.peers):
+    for peer in dict.fromkeys(options.peers):
         _, _, ordinary, finest = PEERS[peer]
-        ladder = (ordinary + (finest if asked.long else ()))[: asked.steps]
-        for case in map(CASES.__getitem__, dict.fromkeys(asked.cases)):
+        ladder = (ordinary + (finest if options.long else ()))[: options.steps]
+        for case in map(CASES.__getitem__, dict.fromkeys(options.cases)):
             for refinement in ladder:
                 if peer in skipped:
                     break
-                row = measured(peer, case, refinement, repeats=asked.repeats)
+                row = measured(peer, case, refinement, repeats=options.repeats)
                 if "skipped" in row:
                     skipped[peer] = row["skipped"]
                     sys.stderr.write(f"{peer} skipped: {row['skipped']}\n")
@@ -65,40 +65,40 @@ def main(argv: list[str] | None = None) -> int:
                 sys.stderr.write(f"{peer} {case.name} {refinement}: {word}\n")
     from table import exact_answers, print_table, with_errors
 
-    exact = exact_answers([CASES[name] for name in asked.cases])
+    exact = exact_answers([CASES[name] for name in options.cases])
     result = {
         "command": sys.argv if argv is None else ["run.py", *argv],
         "machine": f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}, "
         f"Python {platform.python_version()}",
         "versions": versions(),
         "seconds": time.perf_counter() - start,
-        "cases": {name: asdict(CASES[name]) | {"exact": exact[name]} for name in asked.cases},
+        "cases": {name: asdict(CASES[name]) | {"exact": exact[name]} for name in options.cases},
         "rows": with_errors(rows, exact),
         "skipped": skipped,
     }
-    asked.out.mkdir(parents=True, exist_ok=True)
-    (asked.out / "peers.json").write_text(json.dumps(result, indent=1) + "\n", "utf-8")
+    options.out.mkdir(parents=True, exist_ok=True)
+    (options.out / "peers.json").write_text(json.dumps(result, indent=1) + "\n", "utf-8")
     print_table(result)
     if any("errors" in row for row in result["rows"]):
         from figure import draw
 
-        draw(result, asked.out / "peers.png", names={peer: PEERS[peer][1] for peer in PEERS})
+        draw(result, options.out / "peers.png", names={peer: PEERS[peer][1] for peer in PEERS})
     return 1 if any("failed" in row for row in rows) else 0
 
 
 def versions() -> dict[str, str]:
-    """Of the peers that are here, by package or program."""
-    found = {}
+    """Versions of the installed peers, by package or program."""
+    installed = {}
     for package in ("fembearing", "tamaas", "ngsolve"):
         with contextlib.suppress(PackageNotFoundError):
-            found[package] = version(package)
+            installed[package] = version(package)
     with contextlib.suppress(OSError):
-        found["ccx"] = subprocess.run(["ccx", "-v"], capture_output=True, text=True).stdout.split()[-1]
-    return found
+        installed["ccx"] = subprocess.run(["ccx", "-v"], capture_output=True, text=True).stdout.split()[-1]
+    return installed
 
 
 def measured(peer: str, case: Case, refinement: int, *, repeats: int) -> dict[str, Any]:
-    """One row: the peer's answer, with the median seconds of its processes and the largest of their memory."""
+    """One row: the answer of the peer, with median seconds and largest memory over its processes."""
     answers = []
     for _ in range(repeats):
         answers.append(answer_of(peer, case, refinement))
@@ -117,17 +117,17 @@ def measured(peer: str, case: Case, refinement: int, *, repeats: int) -> dict[st
 
 
 def answer_of(peer: str, case: Case, refinement: int) -> dict[str, Any]:
-    """What the peer's program says of a case: an answer, `skipped` or `failed`."""
+    """The answer of the peer's program to a case, or `skipped` or `failed` with the reason."""
     program = HERE / PEERS[peer][0]
-    asked = json.dumps({**asdict(case), "refinement": refinement})
+    question = json.dumps({**asdict(case), "refinement": refinement})
     start = time.perf_counter()
     try:
-        done = subprocess.run([sys.executable, program], input=asked, capture_output=True, text=True, timeout=LIMIT)
+        done = subprocess.run([sys.executable, program], input=question, capture_output=True, text=True, timeout=LIMIT)
         lines = done.stdout.splitlines()
         if done.returncode or not lines:
-            last = (done.stderr.splitlines() or ["without a word"])[-1]
+            last = (done.stderr.splitlines() or ["no message"])[-1]
             return {"failed": f"ended with status {done.returncode}: {last}"}
-        answer = json.loads(lines[-1])  # a library may print before it
+        answer = json.loads(lines[-1])  # a library may print earlier lines
     except subprocess.TimeoutExpired:
         return {"failed": f"no answer within {LIMIT:g} s"}
     except (OSError, json.JSONDecodeError) as problem:

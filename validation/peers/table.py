@@ -1,4 +1,4 @@
-"""Errors of the peers against exact Hertz, and the table of them."""
+"""Errors of the peers against exact Hertz, and their table."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -13,8 +13,8 @@ COLUMNS = {"approach": "delta", "semi_axis_x": "a", "semi_axis_y": "b", "peak_pr
 
 
 def exact_answers(cases: Iterable[Case]) -> dict[str, dict[str, float]]:
-    """Hertz's answer to each case, SI; the tests hold the formula to 40 digits."""
-    found = {}
+    """Hertz's answer to each case, SI; the tests check the formula against 40 digits."""
+    exact = {}
     for case in cases:
         hertz = hertz_contact(
             curvature_x=case.curvature_x,
@@ -22,20 +22,20 @@ def exact_answers(cases: Iterable[Case]) -> dict[str, dict[str, float]]:
             load=case.load,
             modulus=case.youngs_modulus / (2 * (1 - case.poisson_ratio**2)),
         )
-        found[case.name] = {name: float(getattr(hertz, name)) for name in COLUMNS}
-    return found
+        exact[case.name] = {name: float(getattr(hertz, name)) for name in COLUMNS}
+    return exact
 
 
 def with_errors(rows: Sequence[dict[str, Any]], exact: dict[str, dict[str, float]]) -> list[dict[str, Any]]:
-    """The rows with the relative error of each quantity and the worst of them; a row that failed stays as it is."""
-    found = []
+    """The rows with the relative error of each quantity and the worst error; failed rows stay as they are."""
+    result = []
     for row in rows:
         if "failed" in row:
-            found.append(row)
+            result.append(row)
             continue
         errors = {name: row[name] / value - 1 for name, value in exact[row["case"]].items()}
-        found.append({**row, "errors": errors, "worst": max(map(abs, errors.values()))})
-    return found
+        result.append({**row, "errors": errors, "worst": max(map(abs, errors.values()))})
+    return result
 
 
 def print_table(result: dict[str, Any]) -> None:
@@ -60,4 +60,4 @@ def print_table(result: dict[str, Any]) -> None:
     for row in result["rows"]:
         if "failed" in row:
             out.print(f"{row['peer']}, {row['case']}, refinement {row['refinement']} failed: {row['failed']}")
-    out.print(f"Errors against exact Hertz. Solving excludes importing. {result['seconds']:.0f} s in all.")
+    out.print(f"Errors against exact Hertz. Solve times exclude imports. {result['seconds']:.0f} s in all.")

@@ -1,14 +1,15 @@
-"""Peer: Tamaas, boundary elements on half spaces by FFT. Shares nothing with ours, neither mesh nor method.
+"""Peer: Tamaas, boundary elements on half spaces by FFT. It shares neither mesh nor method with fembearing.
 
-Refinement: grid points along each side. The surface is one elastic half space of modulus E* against a rigid paraboloid.
+The refinement is the number of grid points along each side. One elastic half space of modulus E* is pressed against a
+rigid paraboloid.
 """
 
 from typing import Any
 
 from peer import Solve, peak_pressure, semi_axis, serve
 
-REACH = 1.1  # half a side of the grid, in semi-axes: just holds the contact
-TOLERANCE = 1e-9  # of the conjugate gradients; at 1e-12 they stagnate
+REACH = 1.1  # half a side of the grid, in semi-axes; just contains the contact
+TOLERANCE = 1e-9  # of the conjugate gradients; they stagnate at 1e-12
 
 
 def load() -> Solve:
@@ -28,7 +29,7 @@ def load() -> Solve:
         solver = tm.PolonskyKeerRey(model, surface, TOLERANCE)
         solver.setIntegralOperator("half space")
         solver.solve(case["load"] / (sides[0] * sides[1]))
-        # The displacement that the solver leaves behind is only known up to a constant.
+        # The displacement from the solver is known only up to a constant, so it is computed from the pressure.
         model.operators["half space"](model.traction, model.displacement)
         pressure = np.array(model.traction)
         axes = semi_axis(x, pressure), semi_axis(y, pressure)

@@ -1,4 +1,4 @@
-"""What a scene gives beside the paper's numbers, and which of the paper's conclusions it shares."""
+"""Comparison of a scene with the numbers and conclusions of [Paper]."""
 
 import csv
 from collections.abc import Iterable, Mapping
@@ -14,7 +14,7 @@ from analytic.torque import friction_torque
 
 HERE = Path(__file__).parent
 PUBLISHED = HERE / "published" / "paper_torque.csv"
-SCENES = {  # name -> file, and what it is
+SCENES = {  # name -> file and description
     "calibrated": ("6205_paper_calibrated.toml", "calibration: inputs chosen so that the race torque comes out"),
     "as printed": (
         "6205_paper_as_printed.toml",
@@ -25,7 +25,7 @@ SCENES = {  # name -> file, and what it is
 ROUGH, SMOOTH = 1e-6, 0.1e-6  # Sq, m
 RPM = np.pi / 30
 UNITS = {"N mm": 1e-3, "N": 1.0}
-# quantity -> where it stands in a point of the torque's JSON; None there is not computed.
+# quantity -> its two keys in a point of the torque's JSON; None there means not computed.
 QUANTITIES = {
     "total_torque": ("torque", "total"),
     "race_torque": ("torque", "race"),
@@ -35,51 +35,51 @@ QUANTITIES = {
     "outer_coefficient": ("friction_coefficient", "outer"),
     "pocket_coefficient": ("friction_coefficient", "pocket"),
 }
-MATCH = 0.1  # of a value: the paper rounds some to 7 %, as 7 N mm is
-FLAT = 0.1  # from the lowest to the highest: "minimal impact", "almost constant" in the paper's words
+MATCH = 0.1  # relative; rounding makes some published values uncertain by 7 %, for example 7 N mm
+FLAT = 0.1  # relative, lowest to highest value: "minimal impact" or "almost constant" in the paper
 
 Series = Mapping[str, Array | None]  # of the quantities above and inner_speed, SI, each (n,)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Point:
-    """A number of the paper, SI."""
+    """A number from the paper, SI."""
 
     quantity: str
     rms_roughness: float
     inner_speed: float
     value: float
-    unit: str  # that it is shown in
-    note: str  # printed, or printed as about
+    unit: str  # in which it is shown
+    note: str  # "printed" or "about"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Beside:
-    """What a scene gives at a point of the paper; None is not computed."""
+class PointComparison:
+    """The value of a scene at a point of the paper; None means not computed."""
 
     point: Point
     computed: float | None
-    complete: bool  # False for a total that lacks the cage
+    complete: bool  # False for a total without the cage
 
     @property
     def deviation(self) -> float | None:
-        """Computed less published, over published."""
+        """Computed over published, minus 1."""
         return None if self.computed is None else self.computed / self.point.value - 1
 
 
 @dataclass(frozen=True, kw_only=True)
 class Curve:
-    """A quantity of the paper over speed at one roughness."""
+    """A quantity from the paper over speed at one roughness."""
 
     quantity: str
     rms_roughness: float
-    deviations: tuple[float, ...]  # at the speeds that the paper gives; empty where nothing is computed
+    deviations: tuple[float, ...]  # at the speeds in the paper; empty if nothing is computed
     verdict: str
 
 
 @dataclass(frozen=True, kw_only=True)
 class Trend:
-    """A conclusion of the paper."""
+    """A conclusion of the paper and whether it holds."""
 
     claim: str
     held: bool | None  # None: not computed yet
@@ -88,20 +88,21 @@ class Trend:
 
 @dataclass(frozen=True, kw_only=True)
 class Comparison:
-    """One scene beside the paper."""
+    """The comparison of one scene with the paper."""
 
     name: str
     kind: str
     assumed: Mapping[str, str]
     rough: Series
     smooth: Series
-    beside: tuple[Beside, ...]
+    points: tuple[PointComparison, ...]
     curves: tuple[Curve, ...]
     trends: tuple[Trend, ...]
     warnings: tuple[str, ...]
 
 
 def published() -> list[Point]:
+    """The numbers from the paper."""
     lines = [line for line in PUBLISHED.read_text("utf-8").splitlines() if not line.startswith("#")]
     return [
         Point(
@@ -128,41 +129,42 @@ def compare(name: str, points: list[Point]) -> Comparison:
         for roughness in (ROUGH, SMOOTH)
     ]
     rough, smooth = (series(torque.to_json()["points"]) for torque in torques)
-    found = tuple(beside(point, rough if point.rms_roughness == ROUGH else smooth) for point in points)
+    compared = tuple(compare_point(point, rough if point.rms_roughness == ROUGH else smooth) for point in points)
     return Comparison(
         name=name,
         kind=SCENES[name][1],
         assumed=assumed_inputs(scene),
         rough=rough,
         smooth=smooth,
-        beside=found,
-        curves=tuple(curves(found)),
+        points=compared,
+        curves=tuple(curves(compared)),
         trends=tuple(trends(rough, smooth)),
         warnings=tuple(dict.fromkeys(text for torque in torques for text in torque.warnings)),
     )
 
 
 def series(points: list[dict[str, Any]]) -> Series:
-    """Of the points of a torque's JSON; None for a quantity that is not computed at every one of them."""
-    found: dict[str, Array | None] = {"inner_speed": np.array([point["inner_speed"] for point in points])}
+    """Quantities over the points of a torque's JSON; None for one that is not computed at every point."""
+    quantities: dict[str, Array | None] = {"inner_speed": np.array([point["inner_speed"] for point in points])}
     for quantity, (group, name) in QUANTITIES.items():
         values = [point[group][name] for point in points]
-        found[quantity] = None if None in values else np.array(values)
-    return found
+        quantities[quantity] = None if None in values else np.array(values)
+    return quantities
 
 
-def beside(point: Point, found: Series) -> Beside:
-    values, speeds = found[point.quantity], found["inner_speed"]
+def compare_point(point: Point, series: Series) -> PointComparison:
+    """The value of the series at the speed of a point, interpolated."""
+    values, speeds = series[point.quantity], series["inner_speed"]
     assert speeds is not None
     computed = None if values is None else float(np.interp(point.inner_speed, speeds, values))
-    complete = point.quantity != "total_torque" or found["cage_torque"] is not None
-    return Beside(point=point, computed=computed, complete=complete)
+    complete = point.quantity != "total_torque" or series["cage_torque"] is not None
+    return PointComparison(point=point, computed=computed, complete=complete)
 
 
-def curves(found: tuple[Beside, ...]) -> list[Curve]:
-    """One for each quantity and roughness, in the order of the points."""
-    groups: dict[tuple[str, float], list[Beside]] = {}
-    for one in found:
+def curves(points: tuple[PointComparison, ...]) -> list[Curve]:
+    """One curve for each quantity and roughness, in the order of the points."""
+    groups: dict[tuple[str, float], list[PointComparison]] = {}
+    for one in points:
         groups.setdefault((one.point.quantity, one.point.rms_roughness), []).append(one)
     result = []
     for (quantity, roughness), members in groups.items():
@@ -178,7 +180,7 @@ def curves(found: tuple[Beside, ...]) -> list[Curve]:
 
 
 def trends(rough: Series, smooth: Series) -> list[Trend]:
-    """The paper's conclusions, in its order."""
+    """The conclusions of the paper, in its order."""
     both = (rough, smooth)
     races = ("inner_coefficient", "outer_coefficient")
     lacks_cage = "" if rough["cage_torque"] is not None else ", without the cage"
@@ -205,34 +207,34 @@ def trends(rough: Series, smooth: Series) -> list[Trend]:
     ]  # fmt: skip
 
 
-Finding = tuple[bool, list[str]] | None  # held, and the numbers that say so; None: not computed
+Outcome = tuple[bool, list[str]] | None  # whether a conclusion holds, with its numbers; None: not computed
 
 
-def _trend(claim: str, finding: Finding, remark: str = "") -> Trend:
-    if finding is None:
+def _trend(claim: str, outcome: Outcome, remark: str = "") -> Trend:
+    if outcome is None:
         return Trend(claim=claim, held=None, detail="not computed yet")
-    held, numbers = finding
+    held, numbers = outcome
     return Trend(claim=claim, held=held, detail="; ".join(numbers) + remark)
 
 
-def _together(findings: Iterable[Finding]) -> Finding:
-    """All of them have to hold."""
-    found: list[Finding] = list(findings)
-    known = [one for one in found if one is not None]
-    if len(known) < len(found):
+def _together(parts: Iterable[Outcome]) -> Outcome:
+    """Holds if all parts hold."""
+    outcomes = list(parts)
+    known = [one for one in outcomes if one is not None]
+    if len(known) < len(outcomes):
         return None
     return all(held for held, _ in known), [number for _, numbers in known for number in numbers]
 
 
-def _change(values: Array | None, direction: int) -> Finding:
-    """Whether it rises (1) or falls (-1) from each speed to the next, or is flat (0)."""
+def _change(values: Array | None, direction: int) -> Outcome:
+    """Whether the values rise (1) or fall (-1) from each speed to the next, or are flat (0)."""
     if values is None:
         return None
     held = np.ptp(values) <= FLAT * values.min() if direction == 0 else np.all(direction * np.diff(values) > 0)
     return bool(held), [f"{100 * (values[-1] / values[0] - 1):+.1f} %"]
 
 
-def _rougher_is_more(rough: Series, smooth: Series, quantity: str) -> Finding:
+def _rougher_is_more(rough: Series, smooth: Series, quantity: str) -> Outcome:
     more, less = rough[quantity], smooth[quantity]
     if more is None or less is None:
         return None
@@ -241,15 +243,15 @@ def _rougher_is_more(rough: Series, smooth: Series, quantity: str) -> Finding:
 
 
 def assumed_inputs(scene: Scene) -> dict[str, str]:
-    """What the paper does not give and the scene therefore sets; the same for all roughnesses."""
+    """Inputs that the paper does not give and the scene assumes; the same for both roughnesses."""
     ball, angle, oil, surface = scene.bearing.ball_material, scene.contact_angle, scene.lubricant, scene.surface
     assert oil is not None
     assert surface is not None
     assert surface.autocorrelation is not None
     correlation, hardness = surface.autocorrelation, surface.hardness or ball.hardness or np.nan
-    read = "loaded" if angle.rule == "given" else "free"
+    meaning = "loaded" if angle.rule == "given" else "free"
     return {
-        "0.18 rad read as": f"{read} angle",
+        "0.18 rad read as": f"{meaning} angle",
         "elasticity": f"{ball.youngs_modulus / 1e9:g} GPa, Poisson {ball.poisson_ratio:g}",
         "hardness": f"{hardness / 1e9:g} GPa",
         "viscosity": f"{oil.viscosity:g} Pa s",
