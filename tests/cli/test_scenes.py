@@ -61,6 +61,7 @@ def solved(command: Any, scene: str, *options: str) -> dict[str, Any]:
     return json.loads(out)
 
 
+@pytest.mark.usefixtures("coarse")
 @pytest.mark.parametrize(
     ("scene", "pair", "materials"),
     [
@@ -90,6 +91,7 @@ def test_a_pocket_of_peek_is_solved(command) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("coarse")
 def test_a_ring_without_its_bore_is_checked_but_for_the_ring(command) -> None:
     """And without a [cage] there is no pocket; standard output holds JSON alone, the warning is in it."""
     status, out, err = command("validate", "no bore", "--json")
