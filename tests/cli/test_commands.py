@@ -4,7 +4,6 @@ import csv
 import io
 import json
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,13 +13,13 @@ import pytest
 from analytic.scenefile.read import builtin_scene, load_scene
 from fembearing import cli
 from fembearing.compare import validation
-from fembearing.compare.contact import discrepancy, scene_contact
+from fembearing.compare.contact import discrepancy
 from fembearing.compare.cost import contact_ladder, ladder
 from fembearing.compare.cost import scene_cost as cost
 from fembearing.compare.hard import table as hard_cases
 from fembearing.compare.hard.case import HardCase
 from fembearing.fem import solution
-from fembearing.mesh.recipe import Recipe, load_recipe
+from fembearing.mesh.recipe import load_recipe
 from tests.analytic.scenefile.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
@@ -30,12 +29,6 @@ QUANTITIES = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "app
 @pytest.fixture(scope="module")
 def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("main") / "report"
-
-
-@pytest.fixture
-def coarse(shallow: Callable[[str], Recipe], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Meshes of few cells: what is tested is how an answer is shown."""
-    monkeypatch.setattr(scene_contact, "load_recipe", shallow)
 
 
 @pytest.fixture(scope="module")
@@ -225,6 +218,7 @@ def test_table_names_axes_and_units(command) -> None:
         assert words in result.out
 
 
+@pytest.mark.usefixtures("coarse")
 def test_several_loads_make_a_series_with_its_law(command) -> None:
     """Within 80 columns, in the order given, and with the numbers of the JSON."""
     arguments = [part for load in ("310 N", "1e-6 N", "120 N") for part in ("--load", load)]
@@ -248,6 +242,7 @@ def test_a_series_of_two_loads_states_its_assumption(command) -> None:
     assert "two loads fit any power law" in result.err
 
 
+@pytest.mark.usefixtures("coarse")
 def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -> None:
     """A narrow groove: the ellipse of 700 N reaches beyond its shoulder."""
     scene = tmp_path / "narrow.toml"

@@ -55,6 +55,7 @@ def solved(run: Any, scene: str, *options: str) -> dict[str, Any]:
     return json.loads(out)
 
 
+@pytest.mark.usefixtures("coarse")
 @pytest.mark.parametrize(
     ("scene", "pair", "materials"),
     [
@@ -84,6 +85,7 @@ def test_a_pocket_of_peek_is_solved(run) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.usefixtures("coarse")
 def test_without_its_bore_everything_but_the_ring_is_checked(run) -> None:
     """And without a [cage] there is no pocket; standard output holds JSON alone, the warning is in it."""
     status, out, err = run("validate", "no bore", "--json")

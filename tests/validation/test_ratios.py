@@ -15,6 +15,6 @@ def test_the_file_holds_what_is_printed(run_script, tmp_path: Path) -> None:
         assert 1e-6 < row["worst"] == max(map(abs, row["errors"].values())) <= row["accuracy"]
         assert row["memory"] > 2**24  # bytes: an interpreter with NumPy takes more
         assert row["seconds"] > 0
-        assert f"{100 * row['errors']['approach']:+.4f}%" in printed
+        assert f"{100 * row['errors']['approach']:+.4f}%" in line
     errors = rows[0]["errors"]  # on a circle both would be equal
     assert abs(errors["semi_axis_rolling"] - errors["semi_axis_transverse"]) > 1e-4
