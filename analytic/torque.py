@@ -27,7 +27,7 @@ from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.lubricated_races import LubricatedRaces, lubricated_races
+from analytic.oil.lubricated_races import LubricatedRaces, lubricate_races
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import (
     InletFactors,
@@ -84,7 +84,7 @@ def friction_torque(
     slides = conforms or scene.effects.get("spin") != "off"
     if slides:
         if scene.lubricant is not None and scene.surface is not None:
-            oiled = lubricated_races(
+            oiled = lubricate_races(
                 scene.bearing,
                 balls,
                 lubricant=scene.lubricant,

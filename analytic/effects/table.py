@@ -45,7 +45,8 @@ def _ring_diameters(scene: Scene) -> str | None:
 
 def _hysteresis_loss(scene: Scene) -> str | None:
     if scene.hysteresis_loss is None:
-        return "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle, for steel 0.004-0.01"
+        lost = "the share of elastic energy lost in each cycle, for steel 0.004-0.01"
+        return f"friction.hysteresis_loss is not given: {lost}"
     return None
 
 

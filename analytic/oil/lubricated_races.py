@@ -117,7 +117,7 @@ class LubricatedRaces:
         )
 
 
-def lubricated_races(
+def lubricate_races(
     bearing: Bearing,
     balls: LoadedBalls,
     *,

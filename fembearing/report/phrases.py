@@ -122,7 +122,7 @@ def short_name(method: str) -> str:
 def choices_line(ladder: Ladder) -> str:
     """Which method each of some tolerances takes, and how many times as much the next digit costs."""
     parts = []
-    for rung, run in groupby(ladder.choices, key=attrgetter("rung")):
+    for rung, run in groupby(ladder.choices, key=attrgetter("method")):
         choices = list(run)
         tolerances = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
         taken = "none" if rung is None else f"{short_name(rung.name)}, {rung.seconds:.2g} s"

@@ -155,7 +155,7 @@ def test_film_and_share_reach_the_json(scene: Scene) -> None:
 
 
 def test_what_does_not_slide_needs_no_film(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("analytic.torque.lubricated_races", None)  # would raise if it were called
+    monkeypatch.setattr("analytic.torque.lubricate_races", None)  # would raise if it were called
     found = friction_torque(replace(scene, hysteresis_loss=0.006, effects={"spin": "off", "conformity": "off"}))
     point = found.to_json()["points"][0]
     assert point["film"] == point["asperity_share"] == {"inner": None, "outer": None}

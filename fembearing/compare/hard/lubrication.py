@@ -74,23 +74,23 @@ def share(rms_roughness: float, **changed: float) -> float:
     return float(shared(rms_roughness, **changed).asperity_share)
 
 
-def friction(oil: Lubricant, contact: MixedContact, *, load: float, slip: float) -> float:
+def friction(oil: Lubricant, mixed: MixedContact, *, load: float, slip: float) -> float:
     """Friction, N, of a contact that slides with slip, m/s."""
     traction = MixedTraction(
         lubricant=oil,
         boundary_friction=BOUNDARY_FRICTION,
-        asperity_share=contact.asperity_share,
-        area_fraction=contact.area_fraction,
-        film_thickness=contact.film_thickness,
+        asperity_share=mixed.asperity_share,
+        area_fraction=mixed.area_fraction,
+        film_thickness=mixed.film_thickness,
     )
     return float(traction.force(contact(load))(np.asarray(slip)))
 
 
 def light_friction(load: float) -> float:
     """Friction, N, of oil at constant shear stress; NaN unless the film is marked as capped by the gap."""
-    contact = shared(0.3e-6, load=load)
-    force = friction(replace(OIL, traction="eyring_constant"), contact, load=load, slip=0.02)
-    return force if bool(contact.capped) else math.nan
+    mixed = shared(0.3e-6, load=load)
+    force = friction(replace(OIL, traction="eyring_constant"), mixed, load=load, slip=0.02)
+    return force if bool(mixed.capped) else math.nan
 
 
 def thickened(

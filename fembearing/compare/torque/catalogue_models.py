@@ -1,10 +1,9 @@
-"""What bearing catalogues say of friction torque: two empirical models as a band, never as truth.
+"""Two empirical models of friction torque from bearing catalogues: a band of values, not a reference.
 
-For an open deep-groove ball bearing of series 62, one row, without seals. Both are fits to unpublished tests with
-generous constants of their own, and in pure thrust they disagree by factors: they show the order of magnitude, and
-neither checks nor validates anything. Inside, the printed units: mm, mm^2/s, rev/min, N and N mm.
-Sources: SKF, Rolling bearings, chapter Friction (excerpts seen: the friction coefficient's weight and mu_EHL; an older
-edition has 0.15 for mu_bl). A. Palmgren, Ball and Roller Bearing Engineering, 3rd ed. (1959) (not seen).
+They hold for an open deep-groove ball bearing of series 62, one row, without seals. Both are fits to unpublished tests,
+and under pure thrust they differ by factors. They show the order of magnitude; neither checks nor validates anything.
+The formulas take their printed units: mm, mm^2/s, rev/min, N and N mm.
+Sources: [SKF2018], chapter on friction (an older edition has 0.15 for mu_bl), and [Palmgren1959].
 """
 
 from collections.abc import Mapping
@@ -31,7 +30,7 @@ BOUNDARY_FRICTION = 0.12  # mu_bl
 FILM_FRICTION = 0.05  # mu_EHL, mineral oil
 PALMGREN_VISCOUS = 2.0  # f_0
 PALMGREN_LOAD = (4e-4, 6e-4)  # z of f_1 = z (P_0/C_0)^0.55
-# Series 62, bore to outside diameter, mm: boundary dimensions of ISO 15, as every maker lists them (standard not seen).
+# Series 62, bore to outside diameter, mm: boundary dimensions of [ISO15].
 SERIES_62 = {
     10: 30,
     12: 32,

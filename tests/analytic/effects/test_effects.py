@@ -161,7 +161,7 @@ def test_balls_that_do_not_spin_share_no_spin(scene: Scene, how: str, monkeypatc
 def test_what_is_a_part_of_the_torque_and_left_out_never_runs(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     hysteresis = Calls(monkeypatch, analytic.torque, "hysteresis_moment")
     rolling = Calls(monkeypatch, analytic.torque, "hydrodynamic_rolling")
-    oiled = Calls(monkeypatch, analytic.torque, "lubricated_races")
+    oiled = Calls(monkeypatch, analytic.torque, "lubricate_races")
     slides = Calls(monkeypatch, analytic.torque, "race_sliding")
     friction_torque(replace(scene, hysteresis_loss=None, effects={"rolling": "off"}))  # auto: no loss is known
     assert (len(hysteresis), len(rolling), len(oiled), len(slides)) == (0, 0, 1, 1)

@@ -160,9 +160,10 @@ def test_the_ring_without_side_load_is_the_closed_form(scene: Scene) -> None:
     ring, closed = balls_of(thrust), loaded_balls(scene.bearing, scene.contact_angle, thrust.operation, LoadEffects())
     assert (ring.method, closed.method) == ("ring", "thrust")
     np.testing.assert_allclose(ring.total(ring.load), closed.total(closed.load), rtol=1e-9)
-    for name in ("load", "contact_angle", "rolling_rate", "deformed_radius"):
-        every = np.broadcast_to(getattr(closed, name), getattr(ring, name).shape)
-        np.testing.assert_allclose(getattr(ring, name), every, rtol=1e-9)
+    np.testing.assert_allclose(ring.contact_angle, np.broadcast_to(closed.contact_angle, ring.load.shape), rtol=1e-9)
+    for name in ("load", "rolling_rate", "deformed_radius"):
+        each, every = getattr(ring.contacts, name), getattr(closed.contacts, name)
+        np.testing.assert_allclose(each, np.broadcast_to(every, each.shape), rtol=1e-9)
 
 
 @pytest.mark.parametrize("count", [8, 9])

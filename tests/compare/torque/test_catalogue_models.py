@@ -129,12 +129,12 @@ def test_the_jumps_are_the_models_own() -> None:
 def test_both_factors_lie_between_0_and_1_and_fall_with_speed(speed: float, viscosity: float) -> None:
     for factor in (
         lambda w: inlet_shear_factor(mean_diameter=38.5e-3, ring_speed=w, kinematic_viscosity=viscosity),
-        lambda w: replenishment_factor(**RINGS, ring_speed=w, kinematic_viscosity=viscosity, lubrication="oil_bath"),
+        lambda w: replenishment_factor(**RINGS, ring_speed=w, kinematic_viscosity=viscosity, supply="oil_bath"),
     ):
         assert factor(0.0) == 1
         assert 0 <= factor(1.3 * speed) < factor(speed) < 1 or factor(speed) < 1e-300  # gone from double precision
-    greased = replenishment_factor(**RINGS, ring_speed=speed, kinematic_viscosity=viscosity, lubrication="grease")
-    oiled = replenishment_factor(**RINGS, ring_speed=speed, kinematic_viscosity=viscosity, lubrication="oil_bath")
+    greased = replenishment_factor(**RINGS, ring_speed=speed, kinematic_viscosity=viscosity, supply="grease")
+    oiled = replenishment_factor(**RINGS, ring_speed=speed, kinematic_viscosity=viscosity, supply="oil_bath")
     np.testing.assert_allclose(greased, oiled**2, rtol=1e-10, atol=1e-300)  # twice the exponent, which round-off grows
 
 

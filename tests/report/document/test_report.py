@@ -75,7 +75,7 @@ def test_writing_computes_nothing(checked: Validation, monkeypatch: pytest.Monke
     for name in (
         "torque.catalogue.scene_band",
         "torque.published.printed_numbers",
-        "contact.corrected.corrected_hertz",
+        "contact.hertz.corrected_hertz",
     ):
         monkeypatch.setattr(f"fembearing.compare.{name}", None)
     monkeypatch.setattr("fembearing.compare.memory.peak_memory", None)
