@@ -26,7 +26,7 @@ def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: 
     elif ledger.decide("cage"):
         _decide_motion(scene, drive, ledger, race=race)
     else:
-        ledger.settle("cage_dynamics", on=False, reason="the cage is left out")
+        ledger.settle("cage_dynamics", on=False, reason='the cage is left out: give effects.cage = "auto"')
 
 
 def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Array) -> None:

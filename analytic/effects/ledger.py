@@ -58,16 +58,18 @@ class Ledger:
     def decide(self, name: str, *, bound: Array | None = None, lacks: str | None = None) -> bool:
         """Whether to compute the effect.
 
-        bound : (n,) bound on its share of the torque; None: none is known, or none without the missing input
-        lacks : why nothing can be computed for it, where another reason than a missing input is known, in words
+        bound : (n,) bound on its share of the torque; None: no bound is known, or it needs the missing input
+        lacks : a reason besides a missing input why the effect cannot act, in words
         Raises InputError if the scene says on and nothing can be computed.
         """
-        wanted, lacks = self.scene.effects.get(name, "auto"), ENTRIES[name].lacks(self.scene) or lacks
-        if lacks is not None:
-            return self._settle(name, on=False, share=bound, reason=lacks)
+        wanted, missing = self.scene.effects.get(name, "auto"), ENTRIES[name].lacks(self.scene)
+        if missing is not None:
+            return self._settle(name, on=False, share=bound, reason=missing)
         if wanted == "off":
             unknown = "; how much it would add is not computed" if bound is None else ""
             return self._settle(name, on=False, share=bound, reason=f"the scene says off{unknown}")
+        if lacks is not None:
+            return self._settle(name, on=False, share=bound, reason=lacks)
         if wanted == "on":
             return self._settle(name, on=True, share=bound, reason="the scene says on")
         if bound is None:

@@ -1,7 +1,7 @@
 """Decisions about asperities, inlet heating, starvation and spin, before anything slides.
 
-Shares are relative to the least torque that the scene can have: rolling without spin on oil alone. Each is a bound on
-what the effect adds: stresses are taken at the mean pressure of each contact, on a long ellipse, times the largest
+Shares are relative to the least torque that the scene can have: no spin, oil alone. Each is a bound on what the effect
+adds: stresses are taken at the mean pressure of each contact, on a long ellipse, times the largest
 error of that (`analytic.sliding.methods.largest_error`).
 """
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from analytic.effects.ledger import Ledger, share_in
+from analytic.effects.ledger import Ledger
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.rolling import InletFactors
@@ -45,21 +45,23 @@ def decide_sliding(
     oiled : None where the friction coefficient is given
     rolled : torques of what rolls without sliding, by effect, (n,), N m;  inlets : None without a lubricant
     """
-    friction = _least_friction(scene, balls, oiled, beside=_least_rolling(rolled, inlets))
+    beside = _least_rolling(rolled, inlets)
+    friction = _least_friction(scene, balls, oiled, conforms=ledger.is_on("conformity"), beside=beside)
     friction = _asperities(oiled, ledger, friction)
     friction = _inlets(balls, oiled, ledger, friction, rolled=rolled, inlets=inlets)
     rise = friction.uneven * (friction.spinning * (friction.rolls + friction.spins) - friction.rolling * friction.rolls)
     least = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
-    ledger.decide("spin", bound=share_in(balls.total(least[None]), friction.floor))
+    ledger.decide("spin", bound=_over_floor(balls.total(least[None]), friction.floor))
 
 
 def decide_without_sliding(ledger: Ledger, *, rolled: dict[str, Array], inlets: InletFactors | None) -> None:
     """Settle the same four where neither spin nor conformity is computed: inlets then act on rolling alone."""
     nothing = "neither spin nor conformity is computed, so nothing slides"
-    ledger.decide("asperities", lacks=nothing)
+    ledger.decide("asperities", lacks=f'{nothing}: give effects.conformity = "auto"')
     floor, rolling = _least_rolling(rolled, inlets), rolled.get("rolling")
-    heated = None if rolling is None or inlets is None else share_in((1 - inlets.heating) * rolling, floor)
-    ledger.decide("inlet_heating", bound=heated, lacks=f"{nothing} or rolls in oil" if heated is None else None)
+    heated = None if rolling is None or inlets is None else _over_floor((1 - inlets.heating) * rolling, floor)
+    lacks = f'{nothing} or rolls in oil: give effects.rolling = "auto"' if heated is None else None
+    ledger.decide("inlet_heating", bound=heated, lacks=lacks)
     _starvation(ledger, floor, rolling, inlets)
     ledger.decide("spin")
 
@@ -73,9 +75,11 @@ def _least_rolling(rolled: dict[str, Array], inlets: InletFactors | None) -> Arr
     return np.asarray(sum(least.values(), start=0.0))
 
 
-def _least_friction(scene: Scene, balls: LoadedBalls, oiled: LubricatedRaces | None, *, beside: Array) -> _Friction:
-    """Oil alone, or the given coefficient; beside : (n,) N m, the least of what else there is."""
-    rolls = rolling_lever(balls)
+def _least_friction(
+    scene: Scene, balls: LoadedBalls, oiled: LubricatedRaces | None, *, conforms: bool, beside: Array
+) -> _Friction:
+    """Oil alone, or the given coefficient; beside : (n,) N m, the least of the other torques."""
+    rolls = rolling_lever(balls) * conforms  # only what counts: without conformity the least sliding torque is 0
     if oiled is None:
         rolling = spinning = np.asarray(scene.friction_coefficient) * balls.load
     else:
@@ -113,7 +117,7 @@ def _asperities(oiled: LubricatedRaces | None, ledger: Ledger, friction: _Fricti
     relieved = np.maximum(*thin) * friction.uneven / np.maximum(thinned, LEAST_FILM)
     most = np.maximum(touching, relieved) * (friction.rolls + friction.spins)
     total = oiled.balls.total
-    if not ledger.decide("asperities", bound=share_in(total(most), friction.floor)):
+    if not ledger.decide("asperities", bound=_over_floor(total(most), friction.floor)):
         return friction
     lost = np.minimum(relieved / friction.uneven, (1 - LEAST_FILM) * friction.rolling) * friction.rolls
     return replace(
@@ -152,8 +156,8 @@ def _inlets(
     acts = rolling is not None or oiled is not None
     heated = ledger.decide(
         "inlet_heating",
-        bound=share_in(np.asarray(loss), friction.floor),
-        lacks=None if acts else "the friction coefficient is given and rolling is left out: nothing depends on it",
+        bound=_over_floor(np.asarray(loss), friction.floor),
+        lacks=None if acts else 'no film is computed and rolling is left out: give effects.rolling = "auto"',
     )
     if heated:
         rolling = None if rolling is None else rolling * inlets.heating
@@ -165,9 +169,16 @@ def _inlets(
 def _starvation(ledger: Ledger, floor: Array, rolling: Array | None, inlets: InletFactors | None) -> None:
     """rolling : (n,) N m, with inlets that heat where that is on; None: left out."""
     if rolling is None or inlets is None or inlets.starvation is None:
-        ledger.decide("starvation", lacks="rolling is left out: nothing depends on it")
+        lacks = 'rolling is left out, and only rolling starves: give effects.rolling = "auto"'
+        ledger.decide("starvation", bound=np.zeros_like(floor), lacks=lacks)
     else:
-        ledger.decide("starvation", bound=share_in((1 - inlets.starvation) * rolling, floor))
+        ledger.decide("starvation", bound=_over_floor((1 - inlets.starvation) * rolling, floor))
+
+
+def _over_floor(part: Array, floor: Array) -> Array:
+    """part/floor: a bound on the share of an effect; infinite where there is no other torque."""
+    part, floor = np.broadcast_arrays(part, floor)
+    return np.divide(part, floor, out=np.where(part > 0, np.inf, 0.0), where=floor > 0)
 
 
 def _boundary(oiled: LubricatedRaces) -> Array:

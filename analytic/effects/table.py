@@ -34,7 +34,7 @@ def _lubricant(scene: Scene) -> str | None:
 
 
 def _lubricated_surface(scene: Scene) -> str | None:
-    return None if scene.friction_coefficient is None else "the friction coefficient is given"
+    return None if scene.friction_coefficient is None else "the friction coefficient is given: give [surface] instead"
 
 
 def _ring_diameters(scene: Scene) -> str | None:
@@ -51,7 +51,7 @@ def _hysteresis_loss(scene: Scene) -> str | None:
 
 
 def _cage(scene: Scene) -> str | None:
-    return "no cage is given" if scene.cage is None else None
+    return "no cage is given: add a table [cage]" if scene.cage is None else None
 
 
 TABLE = (

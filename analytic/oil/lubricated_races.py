@@ -64,7 +64,7 @@ class LubricatedRaces:
                     log_share = table.log_pressure((self.film.thickness * heating_factor)[race])
                     log_share = log_share + np.log(self.balls.contacts.area[race] / self.balls.load[race])
                 share[race] = np.exp(np.minimum(np.nan_to_num(log_share, nan=-np.inf), 0.0))
-        return np.where(self.film.thickness > 0, share, 1.0)
+        return self._without_film(share)
 
     def largest_asperity_area(self, heating_factor: Array | float = 1.0) -> Array:
         """Bound on the asperities' share of the area: A_a/A_H at the film of smooth surfaces."""
@@ -73,7 +73,12 @@ class LubricatedRaces:
             np.zeros(height.shape) if table is None else table.area_fraction(height)
             for table, height in zip(self.tables, film, strict=True)
         ]
-        return np.where(self.film.thickness > 0, np.stack(fractions), 1.0)
+        return self._without_film(np.stack(fractions))
+
+    def _without_film(self, share: Array) -> Array:
+        """The share, and 1 where rough surfaces have no film between them."""
+        rough = np.reshape([table is not None for table in self.tables], (2, 1, 1))
+        return np.where(rough & (self.film.thickness <= 0), 1.0, share)
 
     def oil_friction(self, slip_speed: Array, *, oil_share: Array | float = 1.0) -> Array:
         """(2, n, m) tau A_H, N, of smooth surfaces at slip_speed, m/s, with the oil's share of the mean pressure."""

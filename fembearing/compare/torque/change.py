@@ -21,8 +21,8 @@ SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
 LEFT_OUT = ("finite_geometry", "cage_dynamics")  # in both torques: see NOTE
 NOTE = (
-    "Both torques show what the contacts of the races change: the motion of the cage and the fit for finite geometry "
-    "are left out of them, so that neither need be the total above."
+    "Both torques differ by the contacts on the races alone. The fit for finite geometry and any motion of the cage "
+    "are left out of them, so neither has to equal the total above."
 )
 PARTS = ("total", "race", "spin", "conformity", "hysteresis", "rolling")
 

@@ -32,6 +32,10 @@ class SceneTorque:
         return tuple(self._doubts())
 
     def _doubts(self) -> Iterator[str]:
+        if not self.within_tolerance:
+            worst = float(np.max(self.friction.numerical_uncertainty))
+            limit = self.scene.tolerance
+            yield f"The numerical uncertainty of the torque, {worst:.2g}, is beyond the tolerance {limit:g}."
         for race in ("inner", "outer"):
             yield from static_doubt(race, getattr(self.friction, race).peak_pressure)
         band, total = self.catalogue.band, self.friction.torque.total

@@ -1,0 +1,1 @@
+"""The document of a report: what report.json holds, as typed models."""

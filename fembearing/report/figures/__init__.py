@@ -1,0 +1,1 @@
+"""Plots of a report and of sweeps, drawn from the document."""

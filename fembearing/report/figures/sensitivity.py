@@ -81,8 +81,7 @@ def _caption(sensitivity: Sensitivity, quantity: str, still: list[str]) -> str:
         f"One input at a time goes from the scene's value, below its name, to the low end of its range (blue) and the "
         f"high end (orange), and the {quantity} is computed again by the production model, "
         + (
-            "without a cage in motion and as `fembearing torque` has it: Hertz corrected for finite geometry where the "
-            "tolerance asks for that. "
+            "with the cage at rest, so that it is not the total where a cage moves. "
             if quantity == NAMES["total_torque"]
             else "by Hertz. "
         )

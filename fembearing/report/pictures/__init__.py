@@ -1,0 +1,1 @@
+"""Pictures of contacts and cages, made without a screen."""

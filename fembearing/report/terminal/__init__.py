@@ -1,0 +1,1 @@
+"""Results as tables of text for a terminal."""

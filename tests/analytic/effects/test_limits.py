@@ -67,7 +67,7 @@ def test_every_watched_effect_is_listed_with_its_number(scene: Scene) -> None:
 def test_nothing_slides_and_no_cage(scene: Scene) -> None:
     found = friction_torque(replace(scene, cage=None, effects={"spin": "off", "conformity": "off"}))
     assert reason_of(found, "elastic_creep") == "nothing slides"
-    assert reason_of(found, "cage") == "no cage is given"
+    assert reason_of(found, "cage") == "no cage is given: add a table [cage]"
 
 
 def test_each_limit_is_warned_of_when_it_is_passed(scene: Scene) -> None:

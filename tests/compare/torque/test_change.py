@@ -208,4 +208,4 @@ def test_the_motion_of_the_cage_and_the_fit_are_in_neither_torque() -> None:
         )
         assert hertz["finite_geometry"] == "off"
         assert hertz["cage_dynamics"] == corrected["cage_dynamics"] == "off"
-        assert "motion of the cage and the fit for finite geometry are left out" in found.to_json()["note"]
+        assert "fit for finite geometry and any motion of the cage are left out" in found.to_json()["note"]
