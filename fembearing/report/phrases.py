@@ -16,6 +16,7 @@ if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from fembearing.report.document.torque import OperatingPoint
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
+LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
 PLAIN: dict[str, Any] = {  # a table of a terminal
     "title_justify": "left",
@@ -50,6 +51,16 @@ def title_of(pair: str, geometry: str, contact_angle: float, load: str) -> str:
     return f"{capital(place_of(pair, geometry))}{angle}: {load}"
 
 
+def contact_title(contact: "Contact") -> str:
+    """Place and load of a contact, for the head of its table."""
+    return title_of(contact.pair, contact.geometry, contact.contact_angle, f"{contact.load:.4g} N")
+
+
+def contact_place(contact: "Contact") -> str:
+    """The place of a contact, as it begins a sentence."""
+    return capital(place_of(contact.pair, contact.geometry))
+
+
 def ring_line(ring: "Ring") -> str:
     """What the ring adds to the approach, in one sentence."""
     return (
@@ -79,9 +90,23 @@ def capital(words: str) -> str:
     return words[:1].upper() + words[1:]
 
 
-def digits(value: float, count: int = 5) -> str:
+def digits(value: float | None, factor: float = 1.0, count: int = 5, *, absent: str = "-") -> str:
     """A value with its significant digits, zeros at the end included: numbers below each other are as exact."""
-    return f"{value:#.{count}g}".removesuffix(".")
+    return absent if value is None else f"{value * factor:#.{count}g}".removesuffix(".")
+
+
+def shown(value: float | None, form: str, factor: float = 1.0, unit: str = "", *, absent: str = "-") -> str:
+    """A value in the unit of a table, `factor` times the SI value."""
+    return absent if value is None else f"{value * factor:{form}}{unit}"
+
+
+def listed(values: float | Sequence[float], factor: float = 1.0) -> str:
+    """Distinct values in their order; a long series by its ends."""
+    series = values if isinstance(values, Sequence) else [values]
+    distinct = list(dict.fromkeys(f"{value * factor:.4g}" for value in series))
+    if len(distinct) > LONGEST_LIST:
+        return f"{distinct[0]} to {distinct[-1]}, {len(distinct)} values"
+    return ", ".join(distinct)
 
 
 def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:

@@ -55,6 +55,11 @@ class VerdictRow(Table):
     comparison: Comparison
     verdict: Verdict
 
+    @property
+    def relative_uncertainty(self) -> float:
+        """u_val over the reference."""
+        return self.comparison.total / abs(self.reference)
+
 
 class Uncertainties(Table):
     """Where each uncertainty of a comparison comes from, in words."""
@@ -206,6 +211,11 @@ class Report(Table):
     def contact_at(self, pair: Pair, geometry: Geometry) -> Contact | None:
         """The contact of a picture or of a verdict; None where there is none."""
         return next((each for each in self.contacts if (each.pair, each.geometry) == (pair, geometry)), None)
+
+    @property
+    def pocket_load(self) -> str:
+        """The load of the pocket, N, as the page says it."""
+        return f"{self.contacts[-1].load:g}"
 
     def verdicts_on(self, contact: Contact) -> dict[str, VerdictRow]:
         """The verdicts on one contact, by quantity."""

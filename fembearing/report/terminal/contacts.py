@@ -36,16 +36,15 @@ def print_contact(out: Console, contact: Contact, verdicts: Mapping[str, str]) -
     out.print(table)
     _print_corrected(out, contact)
     for line in shoulder_lines(contact):
-        out.print(line, highlight=False)
+        out.print(line)
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
         "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
         f"{contact.rung}, {contact.cost.seconds:.1f} s\n",
         style="dim",
-        highlight=False,
     )
     if contact.ring is not None:
-        out.print(f"{ring_line(contact.ring)}\n", highlight=False)
+        out.print(f"{ring_line(contact.ring)}\n")
 
 
 def _print_corrected(out: Console, contact: Contact) -> None:
@@ -60,8 +59,7 @@ def _print_corrected(out: Console, contact: Contact) -> None:
         values.append(f"{quantity.name} {value:.5g} {quantity.shown.name} ({error:+.2%})")
     out.print(
         f"Hertz corrected for finite geometry (its interpolation error, over FE - 1): {', '.join(values)}; "
-        f"stated 95 % uncertainty at most {max(each for _, each in corrected.uncertainty):.2%}.",
-        highlight=False,
+        f"stated 95 % uncertainty at most {max(each for _, each in corrected.uncertainty):.2%}."
     )
 
 
@@ -114,15 +112,13 @@ def print_series(out: Console, series: LoadSeries) -> None:
             exponent += f" +- {law.exponent_uncertainty:.4f}"
         out.print(
             f"F = K delta^n: K {stiffness}, n {exponent} by finite elements; "
-            f"{series.hertz_stiffness * 1e-9:.5g} GN/m^1.5 and 1.5 by Hertz.",
-            highlight=False,
+            f"{series.hertz_stiffness * 1e-9:.5g} GN/m^1.5 and 1.5 by Hertz."
         )
     out.print(
         "F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads; +-: numerical uncertainty, 95 %; *: "
         f"the difference exceeds it.\nfinite elements, {series.geometry}, {series.meshes} "
         f"{'mesh' if series.meshes == 1 else 'meshes'} for all loads, {series.seconds:.1f} s\n",
         style="dim",
-        highlight=False,
     )
     verdict = series.verdict if series.judged else "shown, not judged"
-    out.print(f"{verdict}: tolerance {series.tolerance:g}", highlight=False)
+    out.print(f"{verdict}: tolerance {series.tolerance:g}")

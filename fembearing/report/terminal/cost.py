@@ -13,7 +13,7 @@ def print_cost(out: Console, cost: Cost) -> None:
     for ladder in cost.ladders:
         title = capital(ladder.quantity)
         if ladder.absent is not None:
-            out.print(f"{title}: does not apply: {ladder.absent}.\n", highlight=False, markup=False)
+            out.print(f"{title}: does not apply: {ladder.absent}.\n", markup=False)
             continue
         table = Table(title=title, **PLAIN)
         for head in ("", "rung", "error", "bound", "seconds", "spread", "first", "GiB"):
@@ -32,9 +32,9 @@ def print_cost(out: Console, cost: Cost) -> None:
         out.print(table)
         for rung in ladder.rungs:
             if rung.failed:
-                out.print(f"{rung.name} failed: {rung.failed}", highlight=False, markup=False)
-        out.print(f"Price of the next digit: {choices_line(ladder)}.", highlight=False)
-        out.print(f"Reference: {ladder.reference}.\n", style="dim", highlight=False)
+                out.print(f"{rung.name} failed: {rung.failed}", markup=False)
+        out.print(f"Price of the next digit: {choices_line(ladder)}.")
+        out.print(f"Reference: {ladder.reference}.\n", style="dim")
     machine = provenance_of(cost.scene)
     versions = ", ".join(f"{name} {version}" for name, version in machine["versions"].items() if version)
     out.print(
@@ -42,6 +42,5 @@ def print_cost(out: Console, cost: Cost) -> None:
         "known before the reference is. Seconds: median of the repeats; first: the call before them; GiB: resident "
         f"memory at most while it ran. {cost.seconds:.0f} s in all.\n"
         f"{machine['processor']}, {machine['cores']} cores, {machine['platform']}, Python {machine['python']}; "
-        f"{versions}.",
-        highlight=False,
+        f"{versions}."
     )

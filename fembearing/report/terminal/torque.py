@@ -29,14 +29,13 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     points = shown_points(count)
     _print_parts(out, result, points)
     if len(points) < count:
-        out.print(f"{len(points)} of {count} operating points; --json has all of them.", highlight=False)
+        out.print(f"{len(points)} of {count} operating points; --json has all of them.")
     scene = result.scene
     model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
     out.print(
         f"In N mm about the bearing axis; +-: numerical uncertainty. {uncertainty_of(model)}\n"
         f"{capital(result.catalogue.note)}.\n",
         style="dim",
-        highlight=False,
         markup=False,
     )
     _print_contacts(out, friction, points)
@@ -45,14 +44,13 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     names = ("loads", "contacts", "sliding", *(() if friction.cage is None else ("cage",)))
     methods = [f"{name} by {friction.provenance[name]}".replace("_", " ") for name in names]
     source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
-    out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.\n", highlight=False, markup=False)
+    out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.\n", markup=False)
     for doubt in result.doubts:
-        out.print(doubt, highlight=False)
+        out.print(doubt)
     reached = float(np.max(friction.numerical_uncertainty, initial=0.0))
     out.print(
         f"{'within' if result.within_tolerance else 'beyond'} the tolerance {result.scene.tolerance:g}: numerical "
-        f"uncertainty {percent(reached)}, {friction.seconds:.2g} s",
-        highlight=False,
+        f"uncertainty {percent(reached)}, {friction.seconds:.2g} s"
     )
 
 
@@ -81,7 +79,7 @@ def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> No
     friction, band = result.friction, result.catalogue.band
     columns, fixed = point_columns({name: getattr(friction, name).tolist() for name in COORDINATES})
     words = ", ".join([f"Friction torque of {result.scene.bearing.name}", *fixed])
-    out.print(words, style="italic", highlight=False, markup=False)
+    out.print(words, style="italic", markup=False)
     table = Table(**PLAIN)
     parts = {name: values for name in HEADS if (values := getattr(friction.torque, name)) is not None}
     for head in ("#", *columns, *(HEADS[name] for name in parts)):
@@ -132,7 +130,6 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
         + ("; asperities: their share of the load" if "asperities" in known else "")
         + ".\n",
         style="dim",
-        highlight=False,
     )
 
 
@@ -162,7 +159,6 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
     out.print(
         f"All forces: mean of their sum. Largest: of one ball on its pocket, in {blocks:.2g} s (median of blocks).\n",
         style="dim",
-        highlight=False,
     )
 
 
@@ -176,7 +172,7 @@ def _print_effects(out: Console, friction: FrictionTorque) -> None:
             effect["name"], effect["decision"], share_of(effect["share_is"], effect["share"]), escape(effect["reason"])
         )
     out.print(table)
-    out.print(f"{SHARES}\n", style="dim", highlight=False)
+    out.print(f"{SHARES}\n", style="dim")
 
 
 def percent(value: float | None) -> str:

@@ -8,50 +8,13 @@ from fembearing.report.phrases import place_of, quantities_of
 
 
 def next_section(document: Report) -> dict[str, Any]:
-    """The list of the section on what to run next."""
-    return {"next_steps": next_steps(document)}
-
-
-def next_steps(document: Report) -> list[tuple[str, str]]:
-    """Why, and what to do; a command in the second begins with "fembearing"."""
-    scene, torque = document.provenance.scene_content, document.torque
-    uncertain = [] if torque is None else [point.uncertainty.numerical for point in torque.points]
-    steps = [step for contact in document.contacts if contact.judged for step in _of_contact(document, contact)]
-    rows = (
-        (
-            any(case.outcome == "wrong" for case in document.hard),
-            "a hard case went wrong, on this machine or in this version",
-            "tell its authors, and rely on no number until then",
-        ),
-        (
-            not document.hard,
-            "whether this installation gets hard cases right is not tried",
-            "fembearing validate SCENE --hard",
-        ),
-        (not document.cost.measured, "what a tighter tolerance costs is not measured", "fembearing cost SCENE"),
-        (
-            torque is None,
-            "there is no torque",
-            "give [friction] coefficient, or [lubricant] and [surface], in the scene",
-        ),
-        (
-            torque is not None and scene.friction_coefficient is not None,
-            "friction does not depend on speed, oil or finish",
-            "give [lubricant] and [surface] in place of the coefficient",
-        ),
-        (
-            any(part is None or part > document.tolerance for part in uncertain),
-            "the torque's numerical uncertainty exceeds the tolerance or is not known",
-            "switch on what is left out, see the effects",
-        ),
-        (
-            torque is not None,
-            "the torque is not validated",
-            "measure it on this bearing with load, speed, oil, its temperature and the finish known, and set it beside "
-            "the total",
-        ),
-    )
-    return steps + [(why, what) for applies, why, what in rows if applies]
+    """Why, and what to do, for each contact; a command begins with "fembearing". The template has the other steps."""
+    points = [] if document.torque is None else document.torque.points
+    numerical = [point.uncertainty.numerical for point in points]
+    return {
+        "next_steps": [s for each in document.contacts if each.judged for s in _of_contact(document, each)],
+        "uncertain": any(part is None or part > document.tolerance for part in numerical),
+    }
 
 
 def _of_contact(document: Report, contact: Contact) -> list[tuple[str, str]]:
