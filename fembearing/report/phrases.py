@@ -3,9 +3,7 @@
 from collections.abc import Sequence
 from itertools import groupby
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
-
-from rich.box import SIMPLE_HEAD
+from typing import TYPE_CHECKING
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from fembearing.compare.cost.ladder import Ladder
@@ -18,13 +16,6 @@ if TYPE_CHECKING:  # pydantic's models: only a report pays for them
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
-PLAIN: dict[str, Any] = {  # a table of a terminal
-    "title_justify": "left",
-    "box": SIMPLE_HEAD,
-    "padding": (0, 1, 0, 0),
-    "pad_edge": False,
-    "show_edge": False,
-}
 SHARES = (
     "Share: of the total, the largest of all operating points; with <= no part of its own but a bound, on what leaving "
     "the effect out would change. What the scene says off is left out on purpose: no uncertainty of the torque counts "
@@ -147,10 +138,10 @@ def short_name(method: str) -> str:
 def choices_line(ladder: Ladder) -> str:
     """Which method each of some tolerances takes, and how many times as much the next digit costs."""
     parts = []
-    for rung, run in groupby(ladder.choices, key=attrgetter("rung")):
+    for method, run in groupby(ladder.choices, key=attrgetter("method")):
         choices = list(run)
         tolerances = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
-        taken = "none" if rung is None else f"{short_name(rung.name)}, {rung.seconds:.2g} s"
+        taken = "none" if method is None else f"{short_name(method.name)}, {method.seconds:.2g} s"
         price = choices[0].price
         parts.append(f"{tolerances} %: {taken}" + ("" if price is None else f", {price:.2g} times as much"))
     return "; ".join(parts)

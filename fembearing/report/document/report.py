@@ -100,7 +100,7 @@ class Published(Table):
     rows: list[Printed]
 
 
-class Rung(Table):
+class Method(Table):
     """One method to compute a quantity, with its error and its price."""
 
     name: Label
@@ -133,7 +133,7 @@ class Ladder(Table):
     quantity: Label
     reference: str
     absent: str | None
-    rungs: list[Rung]
+    rungs: list[Method]
     choices: list[Choice]
 
 

@@ -4,15 +4,15 @@ from collections import Counter
 from collections.abc import Sequence
 
 from rich.console import Console
-from rich.table import Table
 
 from analytic.result import COORDINATES
 from fembearing.quantities import CONTACT, PER_MINUTE
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import HardCase, Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
-from fembearing.report.phrases import PLAIN, friction_of, loads_of, present_loads
+from fembearing.report.phrases import friction_of, loads_of, present_loads
 from fembearing.report.terminal.contacts import print_contact
+from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.torque import percent, point_columns, shown_points
 
 
@@ -55,9 +55,8 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
     columns, fixed = point_columns({name: [getattr(point, name) for point in points] for name in COORDINATES})
     low, high = torque.catalogue_band.low, torque.catalogue_band.high
     sides = None if low is None or high is None else list(zip(low, high, strict=True))
-    table = Table(title=", ".join(["Friction torque", *fixed]), **PLAIN)
-    for head in ("#", *columns, "total, N mm", "+-", *(() if sides is None else ("catalogue",))):
-        table.add_column(head, justify="right", no_wrap=True)
+    heads = ("#", *columns, "total, N mm", "+-", *(() if sides is None else ("catalogue",)))
+    table = table_of(heads, title=", ".join(["Friction torque", *fixed]), fixed=heads)
     shown = shown_points(len(points))
     for number in shown:
         table.add_row(
@@ -109,7 +108,8 @@ def _heaviest(point: Point) -> float:
 
 def _print_hard(out: Console, outcomes: Sequence[HardCase]) -> None:
     """Every case with its outcome, and the detail of those that went wrong."""
-    table = Table("hard case", "outcome", title="Hard cases", **PLAIN)
+    heads = ("hard case", "outcome")
+    table = table_of(heads, title="Hard cases", left=heads)
     for case in outcomes:
         table.add_row(case.case, case.outcome)
     out.print(table)
