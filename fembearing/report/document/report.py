@@ -6,24 +6,8 @@ from pydantic import Field, model_validator
 
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.scene import Scene
-from fembearing.report.document.table import (
-    Count,
-    Geometry,
-    Label,
-    OfQuantities,
-    Pair,
-    Positive,
-    Table,
-    Verdict,
-)
-from fembearing.report.document.torque import (
-    CageAtRest,
-    CageRecord,
-    MovedCage,
-    Sensitivity,
-    Torque,
-    TorqueChange,
-)
+from fembearing.report.document.table import Count, Geometry, Label, OfQuantities, Pair, Positive, Table, Verdict
+from fembearing.report.document.torque import CageAtRest, CageRecord, MovedCage, Sensitivity, Torque, TorqueChange
 
 KIND, FORMAT = "fembearing validation", 2  # what the JSON is; the number rises when a key changes its meaning
 Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]

@@ -27,8 +27,8 @@ UNITS = {"seconds": (1.0, "time, s"), "memory": (2.0**-30, "memory, GiB")}
 def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
     """A panel for each quantity, error of each method against its median time, and one for the memory of all of them.
 
-    A bar reaches from the error to its bound. The reference is hollow and stands at its own bound; the chosen method has
-    a ring. Memory is drawn where it was measured. All panels share the error's scale, those of time the time's.
+    A bar reaches from the error to its bound. The reference is hollow and stands at its own bound. A ring marks the
+    chosen method. Memory is drawn where it was measured. All panels share the error's scale, those of time the time's.
     """
     shown = [ladder for ladder in ladders if ladder.rungs]
     with_memory = [ladder for ladder in shown if any(method.memory for method in ladder.rungs)]
