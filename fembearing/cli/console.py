@@ -29,7 +29,7 @@ class Output(Console):
         raise typer.Exit(PIPE_CLOSED)
 
 
-out, err = Output(), Console(stderr=True)
+out, err = Output(highlight=False), Console(stderr=True)
 
 
 def close_output() -> None:
@@ -55,7 +55,7 @@ def shown_progress() -> Iterator[Callable[[float, str], None]]:
 
 
 def print_json(content: dict[str, Any]) -> None:
-    out.out(json.dumps(content, indent=1, allow_nan=False), highlight=False)
+    out.out(json.dumps(content, indent=1, allow_nan=False))
 
 
 def print_warnings(warnings: tuple[str, ...]) -> None:

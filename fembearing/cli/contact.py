@@ -68,7 +68,7 @@ def _one_contact(
         if below is not None:
             print_subsurface(out, below)
         if result.judged:
-            out.print(f"Hertz by the scene's tolerance of {result.tolerance:.3g}: {result.verdict}", highlight=False)
+            out.print(f"Hertz by the scene's tolerance of {result.tolerance:.3g}: {result.verdict}")
         print_warnings(result.warnings)
     names = COMPARED if result.judged else SHOWN_OF_A_SHEET
     raise typer.Exit(_status({name: result.estimates[name].total for name in names}, accuracy))

@@ -26,6 +26,6 @@ def report(
     if as_json:
         print_json(result.to_json())
     else:
-        out.print(f"page: {result.file}", highlight=False, soft_wrap=True, markup=False)
+        out.print(f"page: {result.file}", soft_wrap=True, markup=False)
     for name in result.missing:
         typer.echo(f"fembearing: the picture {name} does not lie beside {numbers}; the page says so", err=True)

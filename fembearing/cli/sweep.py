@@ -60,7 +60,7 @@ def _maps(result: "Sweep") -> list[Path]:
 
 def _print(result: "Sweep", maps: list[Path]) -> None:
     def line(text: str) -> None:
-        out.print(text, highlight=False, soft_wrap=True, markup=False)
+        out.print(text, soft_wrap=True, markup=False)
 
     line(
         f"{result.points} points: {result.computed} computed, {result.kept} from before, {result.failed} failed; "

@@ -28,7 +28,7 @@ def torque(
         print_torque(out, result)
         print_warnings(result.friction.warnings)
         if folder is not None:
-            out.print(f"folder: {folder}", highlight=False, soft_wrap=True, markup=False)
+            out.print(f"folder: {folder}", soft_wrap=True, markup=False)
     if lacking is not None:
         typer.echo(f"fembearing: {lacking}", err=True)
     raise typer.Exit(DONE if result.within_tolerance else NOT_SOLVED)

@@ -36,5 +36,5 @@ def validate(
         print_validation(out, document)
         print_warnings(result.warnings)
         if folder is not None:
-            out.print(f"report: {folder / 'report.html'}", highlight=False, soft_wrap=True, markup=False)
+            out.print(f"report: {folder / 'report.html'}", soft_wrap=True, markup=False)
     raise typer.Exit(STATUS[result.verdict])

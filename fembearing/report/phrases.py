@@ -3,9 +3,7 @@
 from collections.abc import Sequence
 from itertools import groupby
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
-
-from rich.box import SIMPLE_HEAD
+from typing import TYPE_CHECKING
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from fembearing.compare.cost.ladder import Ladder
@@ -16,14 +14,8 @@ if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from fembearing.report.document.torque import OperatingPoint
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
+LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
-PLAIN: dict[str, Any] = {  # a table of a terminal
-    "title_justify": "left",
-    "box": SIMPLE_HEAD,
-    "padding": (0, 1, 0, 0),
-    "pad_edge": False,
-    "show_edge": False,
-}
 SHARES = (
     "Share: of the total, the largest of all operating points; with <= no part of its own but a bound, on what leaving "
     "the effect out would change. What the scene says off is left out on purpose: no uncertainty of the torque counts "
@@ -48,6 +40,16 @@ def title_of(pair: str, geometry: str, contact_angle: float, load: str) -> str:
     """Place and load, for the head of a table or a picture."""
     angle = "" if pair == "pocket" else f" at {contact_angle:.4f} rad"
     return f"{capital(place_of(pair, geometry))}{angle}: {load}"
+
+
+def contact_title(contact: "Contact") -> str:
+    """Place and load of a contact, for the head of its table."""
+    return title_of(contact.pair, contact.geometry, contact.contact_angle, f"{contact.load:.4g} N")
+
+
+def contact_place(contact: "Contact") -> str:
+    """The place of a contact, as it begins a sentence."""
+    return capital(place_of(contact.pair, contact.geometry))
 
 
 def ring_line(ring: "Ring") -> str:
@@ -79,9 +81,23 @@ def capital(words: str) -> str:
     return words[:1].upper() + words[1:]
 
 
-def digits(value: float, count: int = 5) -> str:
+def digits(value: float | None, factor: float = 1.0, count: int = 5, *, absent: str = "-") -> str:
     """A value with its significant digits, zeros at the end included: numbers below each other are as exact."""
-    return f"{value:#.{count}g}".removesuffix(".")
+    return absent if value is None else f"{value * factor:#.{count}g}".removesuffix(".")
+
+
+def shown(value: float | None, form: str, factor: float = 1.0, unit: str = "", *, absent: str = "-") -> str:
+    """A value in the unit of a table, `factor` times the SI value."""
+    return absent if value is None else f"{value * factor:{form}}{unit}"
+
+
+def listed(values: float | Sequence[float], factor: float = 1.0) -> str:
+    """Distinct values in their order; a long series by its ends."""
+    series = values if isinstance(values, Sequence) else [values]
+    distinct = list(dict.fromkeys(f"{value * factor:.4g}" for value in series))
+    if len(distinct) > LONGEST_LIST:
+        return f"{distinct[0]} to {distinct[-1]}, {len(distinct)} values"
+    return ", ".join(distinct)
 
 
 def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:
@@ -122,10 +138,10 @@ def short_name(method: str) -> str:
 def choices_line(ladder: Ladder) -> str:
     """Which method each of some tolerances takes, and how many times as much the next digit costs."""
     parts = []
-    for rung, run in groupby(ladder.choices, key=attrgetter("method")):
+    for method, run in groupby(ladder.choices, key=attrgetter("method")):
         choices = list(run)
         tolerances = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
-        taken = "none" if rung is None else f"{short_name(rung.name)}, {rung.seconds:.2g} s"
+        taken = "none" if method is None else f"{short_name(method.name)}, {method.seconds:.2g} s"
         price = choices[0].price
         parts.append(f"{tolerances} %: {taken}" + ("" if price is None else f", {price:.2g} times as much"))
     return "; ".join(parts)

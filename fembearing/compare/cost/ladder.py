@@ -15,6 +15,7 @@ import numpy as np
 from analytic.errors import FembearingError
 from analytic.scene import Array
 from fembearing.compare.memory import peak_while
+from fembearing.plain import plain
 
 FORMULA_REPEATS = 15  # their median leaves out the effect of other programs on a short timing
 FEWEST_REPEATS, LONGEST = 3, 1.0  # of a slow formula; s, limit for all repeats together
@@ -41,9 +42,6 @@ class Method:
     known_error: float | None = None  # compared with a tolerance, see `known_error`; None: unknown
     chosen: bool = False  # the cheapest within the tolerance
     failed: str | None = None  # why it gave no answer, in one line
-
-    def to_json(self) -> dict[str, Any]:
-        return dict(vars(self))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -102,7 +100,7 @@ class Ladder:
             "quantity": self.quantity,
             "reference": self.reference,
             "absent": self.absent,
-            "rungs": [method.to_json() for method in self.methods],
+            "rungs": plain(self.methods),
             "choices": [choice.to_json() for choice in self.choices],
         }
 

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, Literal
+from typing import Literal
 
 from analytic.errors import ConvergenceError, FembearingError, InputError
 
@@ -39,9 +39,6 @@ class HardOutcome:
     case: str
     outcome: Outcome
     detail: str
-
-    def to_json(self) -> dict[str, Any]:
-        return dict(vars(self))
 
 
 def outcome_of(case: HardCase) -> HardOutcome:

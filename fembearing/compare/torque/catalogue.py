@@ -6,6 +6,7 @@ from typing import Any
 from analytic.errors import InputError
 from analytic.scene import Scene
 from fembearing.compare.torque.catalogue_models import CatalogueBand, scene_band
+from fembearing.plain import plain
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -17,14 +18,8 @@ class BesideCatalogue:
 
     def to_json(self) -> dict[str, Any]:
         """Plain types, SI; low and high are None where there is no band."""
-        if self.band is None:
-            return {"low": None, "high": None, "values": {}, "note": self.note}
-        return {
-            "low": self.band.low.tolist(),
-            "high": self.band.high.tolist(),
-            "values": {name: values.tolist() for name, values in self.band.values.items()},
-            "note": self.note,
-        }
+        band = {"low": None, "high": None, "values": {}} if self.band is None else plain(self.band)
+        return band | {"note": self.note}
 
 
 def beside_catalogue(scene: Scene) -> BesideCatalogue:

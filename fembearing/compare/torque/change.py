@@ -16,6 +16,7 @@ from analytic.torque import friction_torque
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.scene_contact import balls_of
 from fembearing.compare.contact.verdict import Verdict, worst
+from fembearing.plain import plain
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
@@ -84,7 +85,6 @@ class TorqueChange:
 
     def to_json(self) -> dict[str, Any]:
         """Lists over the operating points; SI, changes relative."""
-        changes = {part: self.relative(part) for part in PARTS}
         return {
             "contact_angle": {
                 "hertz": self.hertz.contact_angle.tolist(),
@@ -94,9 +94,7 @@ class TorqueChange:
                 "hertz": self.hertz.torque.total.tolist(),
                 "corrected": _known(self.corrected.torque.total, self.is_solved),
             },
-            "change": {
-                part: None if change is None else _known(change, self.is_solved) for part, change in changes.items()
-            },
+            "change": {part: plain(self.relative(part)) for part in PARTS},
             "uncertainty": self.uncertainty,
             "uncertainties": self.uncertainties,
             "finite_geometry": self.fitted.to_json(),
@@ -113,8 +111,8 @@ def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolu
     finite geometry knows every load and every ball, and shows the change at each operating point.
     Raises InputError as friction_torque does.
     """
-    plain = replace(scene, effects={**scene.effects, **dict.fromkeys(LEFT_OUT, "off")})
-    hertz = friction_torque(plain)
+    reduced = replace(scene, effects={**scene.effects, **dict.fromkeys(LEFT_OUT, "off")})
+    hertz = friction_torque(reduced)
     scene = replace(scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in CHOSEN})
     corrected = _corrected(scene, factors(inner), factors(outer))
     solved = int(np.argmax(hertz.ball_load))
@@ -164,10 +162,9 @@ def _fitted(scene: Scene, hertz: FrictionTorque) -> FittedChange:
 
 def _moved(corrections: RaceCorrections, name: str) -> Iterator[ContactCorrection]:
     """With one factor of one race moved up by its uncertainty."""
-    plain = corrections.correction
     for race, side in (("inner", corrections.inner), ("outer", corrections.outer)):
         up = getattr(side.factors, name) * (1 + np.nan_to_num(side.uncertainty[name]))
-        yield replace(plain, **{race: replace(side.factors, **{name: up})})
+        yield replace(corrections.correction, **{race: replace(side.factors, **{name: up})})
 
 
 def _change(after: np.ndarray, before: np.ndarray) -> np.ndarray:

@@ -11,23 +11,17 @@ from fembearing.report.document.table import (
     OfQuantities,
     Pair,
     Positive,
+    Series,
     Table,
     Verdict,
-    check_lengths,
 )
 
 
-class Profile(Table):
+class Profile(Series):
     """Pressure along one axis."""
 
     position: Numbers
     pressure: Numbers
-
-    @model_validator(mode="after")
-    def each_place_has_its_pressure(self) -> "Profile":
-        """Refuse a profile whose lists differ in length."""
-        check_lengths(self.position, self.pressure)
-        return self
 
 
 class BothProfiles(Table):
@@ -44,19 +38,13 @@ class PressureProfile(Table):
     transverse: BothProfiles
 
 
-class ApproachCurve(Table):
+class ApproachCurve(Series):
     """Approach over load; None where the fit for finite geometry ends."""
 
     load: Numbers
     hertz: Annotated[list[Positive], Field(min_length=1)]
     corrected: list[float | None]
     uncertainty: list[float | None]
-
-    @model_validator(mode="after")
-    def each_load_has_its_approaches(self) -> "ApproachCurve":
-        """Refuse a curve whose lists differ in length."""
-        check_lengths(self.load, self.hertz, self.corrected, self.uncertainty)
-        return self
 
 
 class Corrected(Table):

@@ -6,24 +6,8 @@ from pydantic import Field, model_validator
 
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.scene import Scene
-from fembearing.report.document.table import (
-    Count,
-    Geometry,
-    Label,
-    OfQuantities,
-    Pair,
-    Positive,
-    Table,
-    Verdict,
-)
-from fembearing.report.document.torque import (
-    CageAtRest,
-    CageRecord,
-    MovedCage,
-    Sensitivity,
-    Torque,
-    TorqueChange,
-)
+from fembearing.report.document.table import Count, Geometry, Label, OfQuantities, Pair, Positive, Table, Verdict
+from fembearing.report.document.torque import CageAtRest, CageRecord, MovedCage, Sensitivity, Torque, TorqueChange
 
 KIND, FORMAT = "fembearing validation", 2  # what the JSON is; the number rises when a key changes its meaning
 Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
@@ -54,6 +38,11 @@ class VerdictRow(Table):
     exceeds_uncertainty: bool
     comparison: Comparison
     verdict: Verdict
+
+    @property
+    def relative_uncertainty(self) -> float:
+        """u_val over the reference."""
+        return self.comparison.total / abs(self.reference)
 
 
 class Uncertainties(Table):
@@ -95,7 +84,7 @@ class Published(Table):
     rows: list[Printed]
 
 
-class Rung(Table):
+class Method(Table):
     """One method to compute a quantity, with its error and its price."""
 
     name: Label
@@ -128,7 +117,7 @@ class Ladder(Table):
     quantity: Label
     reference: str
     absent: str | None
-    rungs: list[Rung]
+    rungs: list[Method]
     choices: list[Choice]
 
 
@@ -206,6 +195,11 @@ class Report(Table):
     def contact_at(self, pair: Pair, geometry: Geometry) -> Contact | None:
         """The contact of a picture or of a verdict; None where there is none."""
         return next((each for each in self.contacts if (each.pair, each.geometry) == (pair, geometry)), None)
+
+    @property
+    def pocket_load(self) -> str:
+        """The load of the pocket, N, as the page says it."""
+        return f"{self.contacts[-1].load:g}"
 
     def verdicts_on(self, contact: Contact) -> dict[str, VerdictRow]:
         """The verdicts on one contact, by quantity."""

@@ -127,3 +127,16 @@ class Scene(Noun):
     friction_coefficient: float | None
     spin_rule: str
     calibration: str | None
+
+    @property
+    def is_lubricated(self) -> bool:
+        """Whether the scene gives all that a film takes."""
+        return self.lubricant is not None and self.surface is not None
+
+    @property
+    def materials(self) -> list[Material]:
+        """Each material once: of the balls, the rings and the cage."""
+        bearing = self.bearing
+        bodies = [bearing.ball_material, bearing.inner.material, bearing.outer.material]
+        bodies += [] if self.cage is None else [self.cage.material]
+        return [material for number, material in enumerate(bodies) if material not in bodies[:number]]

@@ -1,8 +1,8 @@
 """What all tables of the document share: strict types, numbers that are finite, and lists that belong together."""
 
-from typing import Annotated, Generic, Literal, TypeVar
+from typing import Annotated, Generic, Literal, Self, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 T = TypeVar("T")
 Pair = Literal["inner", "outer", "pocket"]
@@ -45,6 +45,16 @@ class OnContacts(OnRaces):
     """A number of each race and of the pocket."""
 
     pocket: float | None
+
+
+class Series(Table):
+    """Lists of one length, whose entries belong together."""
+
+    @model_validator(mode="after")
+    def each_entry_has_its_others(self) -> Self:
+        """Refuse lists that differ in length."""
+        check_lengths(*(values for _, values in self))
+        return self
 
 
 def check_lengths(*lists: list[object] | list[float] | list[float | None]) -> None:

@@ -10,6 +10,7 @@ from fembearing.report.document.table import (
     OnContacts,
     OnRaces,
     Positive,
+    Series,
     Table,
     Two,
     Verdict,
@@ -244,31 +245,19 @@ class Orbit(Table):
     measured: Annotated[list[Two], Field(min_length=1)]
 
 
-class Forces(Table):
+class Forces(Series):
     """Forces of balls on the cage over time."""
 
     time: Numbers
     largest: Numbers
     sum: Numbers
 
-    @model_validator(mode="after")
-    def each_instant_has_its_forces(self) -> "Forces":
-        """Refuse lists that differ in length."""
-        check_lengths(self.time, self.largest, self.sum)
-        return self
 
-
-class Exceedance(Table):
+class Exceedance(Series):
     """How often each force is exceeded."""
 
     force: list[Positive]
     share: list[Positive]
-
-    @model_validator(mode="after")
-    def each_force_has_its_share(self) -> "Exceedance":
-        """Refuse lists that differ in length."""
-        check_lengths(self.force, self.share)
-        return self
 
 
 class CageRecord(Table):

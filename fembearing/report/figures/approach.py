@@ -7,8 +7,8 @@ from matplotlib.figure import Figure
 from fembearing.quantities import CONTACT
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
-from fembearing.report.figures.style import BLACK, BLUE, RED, column_width
-from fembearing.report.phrases import capital, place_of
+from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
+from fembearing.report.phrases import contact_place
 
 APPROACH = CONTACT["approach"]
 MICRO = APPROACH.shown.factor
@@ -21,18 +21,8 @@ CAPTION = (
 
 def approach_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
-    contacts = document.contacts
-    figure = Figure(figsize=(column_width(len(contacts)) * max(len(contacts), 2), 6.2), layout="constrained")
-    above, below = figure.subplots(2, len(contacts), squeeze=False, height_ratios=(1.3, 1))
-    for panel, contact in zip(above, contacts, strict=True):
-        _curve(panel, contact)
-    for panel, contact in zip(below, contacts, strict=True):
-        _apart(panel, contact)
-    above[0].set_ylabel("load, N")
-    below[0].set_ylabel("approach over Hertz's,\nless 1, %")
-    handles, labels = above[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False, fontsize=9)
-    return figure, CAPTION
+    labels = ("load, N", "approach over Hertz's,\nless 1, %")
+    return contact_columns(document.contacts, _curve, _apart, height=6.2, labels=labels), CAPTION
 
 
 def _curve(panel: Axes, contact: Contact) -> None:
@@ -49,10 +39,8 @@ def _curve(panel: Axes, contact: Contact) -> None:
         markersize=5,
         label="finite elements",
     )
-    panel.set_title(capital(place_of(contact.pair, contact.geometry)).replace(", ", ",\n"), fontsize=9)
+    panel.set_title(contact_place(contact).replace(", ", ",\n"), fontsize=9)
     panel.set(xlabel=APPROACH.heading, xlim=(0, None), ylim=(0, None))
-    panel.tick_params(labelsize=8)
-    panel.grid(alpha=0.3)
 
 
 def _apart(panel: Axes, contact: Contact) -> None:
@@ -76,8 +64,6 @@ def _apart(panel: Axes, contact: Contact) -> None:
     )
     panel.set(xlabel="load, N", xlim=(0, None))
     panel.margins(y=0.25)
-    panel.tick_params(labelsize=8)
-    panel.grid(alpha=0.3)
 
 
 def _known(values: list[float | None]) -> np.ndarray:

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter
 
-from fembearing.report.document.report import Ladder, Rung
+from fembearing.report.document.report import Ladder, Method
 from fembearing.report.phrases import capital, short_name
 
 LEAST, MOST = 1e-4, 500.0  # %: what is nearer to the reference, or farther off, is drawn here
@@ -25,19 +25,19 @@ UNITS = {"seconds": (1.0, "time, s"), "memory": (2.0**-30, "memory, GiB")}
 
 
 def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
-    """A panel for each quantity, error of each rung against its median time, and one for the memory of all of them.
+    """A panel for each quantity, error of each method against its median time, and one for the memory of all of them.
 
-    A bar reaches from the error to its bound. The reference is hollow and stands at its own bound; the chosen rung has
-    a ring. Memory is drawn where it was measured. All panels share the error's scale, those of time the time's.
+    A bar reaches from the error to its bound. The reference is hollow and stands at its own bound. A ring marks the
+    chosen method. Memory is drawn where it was measured. All panels share the error's scale, those of time the time's.
     """
     shown = [ladder for ladder in ladders if ladder.rungs]
-    with_memory = [ladder for ladder in shown if any(rung.memory for rung in ladder.rungs)]
+    with_memory = [ladder for ladder in shown if any(method.memory for method in ladder.rungs)]
     count = max(len(shown) + bool(with_memory), 1)
     columns = min(count, ABREAST)
     rows = -(-count // columns)
     figure = Figure(figsize=(WIDE * columns + 0.6, HIGH * rows), layout="constrained")
     panels = [figure.add_subplot(rows, columns, 1 + place) for place in range(count)]
-    times = [place[0] for ladder in shown for rung in ladder.rungs if (place := _place(rung, "seconds"))]
+    times = [place[0] for ladder in shown for method in ladder.rungs if (place := _place(method, "seconds"))]
     low, high = 10 ** np.floor(np.log10(min(times, default=1))), 10 ** np.floor(np.log10(max(times, default=1)) + 1)
     for panel in panels:
         panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
@@ -59,7 +59,7 @@ def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
         _draw(panel, ladder, "seconds")
         _number(panel, ladder)
     if with_memory:
-        sizes = [place[0] for ladder in with_memory for rung in ladder.rungs if (place := _place(rung, "memory"))]
+        sizes = [place[0] for ladder in with_memory for method in ladder.rungs if (place := _place(method, "memory"))]
         panels[-1].set(xlabel=UNITS["memory"][1], xscale="linear", xlim=(0, 1.1 * max(sizes)))
         panels[-1].set_title("Memory", fontsize=10)
         for ladder in with_memory:
@@ -69,31 +69,31 @@ def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
 
 
 def _draw(panel: Axes, ladder: Ladder, price: str) -> None:
-    """One ladder over what its rungs take: seconds, or memory."""
-    drawn = [(rung, *place) for rung in ladder.rungs if (place := _place(rung, price))]
-    compared = [(x, y) for rung, x, y in drawn if rung.error is not None]
+    """One ladder over what its methods take: seconds, or memory."""
+    drawn = [(method, *place) for method in ladder.rungs if (place := _place(method, price))]
+    compared = [(x, y) for method, x, y in drawn if method.error is not None]
     x, y = np.transpose(compared or np.empty((0, 2)))
     (line,) = panel.plot(x, y, "o-", label=ladder.quantity, markersize=5, linewidth=1)
     colour = line.get_color()
-    for rung, x, y in drawn:
-        if rung.error is None:
+    for method, x, y in drawn:
+        if method.error is None:
             panel.plot([x], [y], "o", color=colour, markersize=5, markerfacecolor="white")
-        elif rung.bound is not None:
-            panel.plot([x, x], [y, _height(rung.bound)], "-_", color=colour, alpha=0.6, linewidth=1, markevery=[1])
-        if rung.chosen:
+        elif method.bound is not None:
+            panel.plot([x, x], [y, _height(method.bound)], "-_", color=colour, alpha=0.6, linewidth=1, markevery=[1])
+        if method.chosen:
             panel.plot([x], [y], "o", color=colour, markersize=11, markerfacecolor="none")
 
 
 def _number(panel: Axes, ladder: Ladder) -> None:
-    """Rungs by number, with the names below the panel: names beside the points would lie on each other."""
+    """Methods by number, with the names below the panel: names beside the points would lie on each other."""
     key = []
-    for number, rung in enumerate(ladder.rungs, start=1):
-        place = _place(rung, "seconds")
+    for number, method in enumerate(ladder.rungs, start=1):
+        place = _place(method, "seconds")
         if place is None:
             continue
-        beside = (4, -9) if rung.error is None else (4, 3)  # points; the reference often stands on the last rung
+        beside = (4, -9) if method.error is None else (4, 3)  # points; the reference often stands on the last method
         panel.annotate(f"{number}", place, xytext=beside, textcoords="offset points", fontsize=8)
-        key.append(Line2D([], [], linestyle="none", label=f"{number} {short_name(rung.name)}"))
+        key.append(Line2D([], [], linestyle="none", label=f"{number} {short_name(method.name)}"))
     panel.legend(
         handles=key,
         loc="upper left",
@@ -107,9 +107,9 @@ def _number(panel: Axes, ladder: Ladder) -> None:
     )
 
 
-def _place(rung: Rung, price: str) -> tuple[float, float] | None:
-    """Where a rung is drawn: its price, and its error in per cent, the reference's bound; None if it is not known."""
-    taken, known = getattr(rung, price), rung.bound if rung.error is None else rung.error
+def _place(method: Method, price: str) -> tuple[float, float] | None:
+    """Where a method is drawn: its price, and its error in per cent, the reference's bound; None if it is not known."""
+    taken, known = getattr(method, price), method.bound if method.error is None else method.error
     return None if taken is None or known is None else (UNITS[price][0] * taken, _height(known))
 
 
@@ -118,13 +118,13 @@ def _height(error: float) -> float:
 
 
 def cost_table(ladders: Sequence[Ladder]) -> str:
-    """Every rung as a line of comma-separated values, SI, errors relative; an absent ladder with its reason."""
+    """Every method as a line of comma-separated values, SI, errors relative; an absent ladder with its reason."""
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("quantity", "reference", *COLUMNS))
     for ladder in ladders:
-        for rung in ladder.rungs:
-            writer.writerow((ladder.quantity, ladder.reference, *(getattr(rung, column) for column in COLUMNS)))
+        for method in ladder.rungs:
+            writer.writerow((ladder.quantity, ladder.reference, *(getattr(method, column) for column in COLUMNS)))
         if ladder.absent is not None:
             writer.writerow((ladder.quantity, f"absent: {ladder.absent}", *("" for _ in COLUMNS)))
     return text.getvalue()

@@ -54,10 +54,10 @@ def embedded(content: bytes) -> str:
 
 
 def _cost(document: Report) -> tuple[Figure, str]:
-    ran = " and its memory" if document.cost.measured else ", for the rungs that this check ran"
+    ran = " and its memory" if document.cost.measured else ", for the methods that this check ran"
     return cost_figure(document.cost.ladders, tolerance=document.tolerance), (
-        f"Error of each rung against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "
-        "seconds. A bar reaches to the bound on the error; the reference is hollow. Rungs whose error and bound are "
+        f"Error of each method against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "
+        "seconds. A bar reaches to the bound on the error; the reference is hollow. Methods whose error and bound are "
         "below the dotted line are within the tolerance; the cheapest of them is enough, and has a ring."
     )
 

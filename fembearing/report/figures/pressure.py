@@ -8,8 +8,8 @@ from analytic.scene import Array
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
 from fembearing.report.document.table import OfQuantities
-from fembearing.report.figures.style import BLACK, BLUE, RED, column_width
-from fembearing.report.phrases import capital, place_of
+from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
+from fembearing.report.phrases import contact_place
 
 GIGA, MILLI = 1e-9, 1e3
 ALONG = {  # axis of the profile -> semi-axis, words, colour, mark, line
@@ -32,18 +32,9 @@ CUT = (
 
 def pressure_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
-    contacts = document.contacts
-    figure = Figure(figsize=(column_width(len(contacts)) * max(len(contacts), 2), 6.4), layout="constrained")
-    above, below = figure.subplots(2, len(contacts), squeeze=False, sharex="col", height_ratios=(1.3, 1))
-    for panel, contact in zip(above, contacts, strict=True):
-        _profile(panel, contact)
-    for panel, contact in zip(below, contacts, strict=True):
-        _difference(panel, contact)
-    above[0].set_ylabel("pressure, GPa")
-    below[0].set_ylabel("finite elements less Hertz,\n% of Hertz's peak")
-    handles, labels = above[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False, fontsize=9)
-    cut = any(contact.shoulder for contact in contacts)
+    labels = ("pressure, GPa", "finite elements less Hertz,\n% of Hertz's peak")
+    figure = contact_columns(document.contacts, _profile, _difference, height=6.4, labels=labels, shared="col")
+    cut = any(contact.shoulder for contact in document.contacts)
     return figure, CAPTION + (CUT if cut else "")
 
 
@@ -62,12 +53,10 @@ def _profile(panel: Axes, contact: Contact) -> None:
     panel.plot(position, pressure, color=BLACK, linewidth=1, label="Hertz")
     for y in _shoulders(contact):
         panel.axvline(y / hertz.semi_axis_transverse, color=RED, linewidth=1, linestyle=":")
-    place = capital(place_of(contact.pair, contact.geometry)).replace(", ", ",\n")
+    place = contact_place(contact).replace(", ", ",\n")
     axes = f"a {hertz.semi_axis_rolling * MILLI:.4g}, b {hertz.semi_axis_transverse * MILLI:.4g} mm"
     panel.set_title(f"{place}\n{contact.load:.4g} N; {axes}", fontsize=9)
     panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * GIGA * hertz.peak_pressure))
-    panel.tick_params(labelsize=8)
-    panel.grid(alpha=0.3)
 
 
 def _difference(panel: Axes, contact: Contact) -> None:
@@ -88,8 +77,6 @@ def _difference(panel: Axes, contact: Contact) -> None:
     panel.axhline(0, color=BLACK, linewidth=1)
     panel.set_ylim(-2.5 * max(largest, 0.4), 2.5 * max(largest, 0.4))
     panel.set_xlabel("position in Hertz's semi-axes")
-    panel.tick_params(labelsize=8)
-    panel.grid(alpha=0.3)
 
 
 def _semi_ellipse(position: Array, quantities: OfQuantities[float], semi_axis: str) -> Array:

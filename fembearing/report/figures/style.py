@@ -1,11 +1,15 @@
 """What all figures share: colours that a colour-blind reader tells apart, legends below the data, scales, the file."""
 
+from collections.abc import Callable, Sequence
 from io import BytesIO
+from typing import Literal
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter, ScalarFormatter
+
+from fembearing.report.document.contact import Contact
 
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"  # the palette of M. Okabe and K. Ito
 PURPLE, SKY, YELLOW = "#CC79A7", "#56B4E9", "#F0E442"
@@ -17,7 +21,8 @@ CONTACTS = {  # pair and geometry -> colour and mark
     ("pocket", "wall"): (PURPLE, "D"),
 }
 DECADE = 10.0  # what spans more is drawn on a logarithmic scale
-PAGE, WIDEST_COLUMN = 11.0, 3.4  # inches
+PAGE, WIDEST_COLUMN = 11.0, 3.4  # inches: panels together are no wider than the page, so that letters stay as large
+DrawContact = Callable[[Axes, Contact], None]
 DOTS = 110  # per inch
 MANY = 25  # points on a line: more have no marks
 
@@ -34,9 +39,30 @@ def look_of(pair: str, geometry: str) -> tuple[str, str]:
     return CONTACTS.get((pair, geometry), (BLACK, "x"))
 
 
-def column_width(columns: int) -> float:
-    """Inches, of panels side by side, together no wider than the page: letters then stay as large as drawn."""
-    return min(WIDEST_COLUMN, PAGE / columns)
+def contact_columns(
+    contacts: Sequence[Contact],
+    *rows: DrawContact,
+    height: float,
+    labels: tuple[str, str],
+    shared: Literal["none", "col"] = "none",
+) -> Figure:
+    """Two panels for each contact, one above the other, with one legend for all.
+
+    rows : what draws the upper and the lower panel;  labels : of the vertical axis of both rows
+    shared : "col" where both panels of a contact have one horizontal axis
+    """
+    columns = len(contacts)
+    figure = Figure(figsize=(min(WIDEST_COLUMN, PAGE / columns) * max(columns, 2), height), layout="constrained")
+    panels = figure.subplots(2, columns, squeeze=False, sharex=shared, height_ratios=(1.3, 1))
+    for row, draw, label in zip(panels, rows, labels, strict=True):
+        row[0].set_ylabel(label)
+        for panel, contact in zip(row, contacts, strict=True):
+            draw(panel, contact)
+            panel.tick_params(labelsize=8)
+            panel.grid(alpha=0.3)
+    handles, words = panels[0, 0].get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside lower center", ncols=len(words), frameon=False, fontsize=9)
+    return figure
 
 
 def legend_below(panel: Axes, *, columns: int = 2, size: float = 8) -> None:

@@ -9,21 +9,17 @@ from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.result import COORDINATES
+from fembearing.quantities import PER_MINUTE
+from fembearing.report import phrases
 from fembearing.report.document.report import PictureFile, Report
+from fembearing.report.document.torque import MovedCage
 from fembearing.report.figures.page_plots import PLOTS, embedded, plots_of
-from fembearing.report.page.sections.cost import cost_section
-from fembearing.report.page.sections.meshes import mesh_section
 from fembearing.report.page.sections.next_steps import next_section
-from fembearing.report.page.sections.published import published_section
-from fembearing.report.page.sections.scene import scene_section
 from fembearing.report.page.sections.torque import torque_section
-from fembearing.report.page.sections.use import use_section
-from fembearing.report.page.sections.verdicts import contact_title, verdict_section
+from fembearing.report.page.sections.verdicts import verdict_section
 
-SECTIONS = (
-    *(use_section, scene_section, verdict_section, torque_section, mesh_section, cost_section),
-    *(published_section, next_section),
-)
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
 PNG, VIEW = b"\x89PNG\r\n\x1a\n", b"<!DOCTYPE html>"  # how such a file begins
@@ -41,9 +37,7 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    context: dict[str, Any] = {}
-    for section in SECTIONS:
-        context |= section(document)
+    environment.filters |= {"shown": phrases.shown, "digits": phrases.digits, "listed": phrases.listed}
     page = environment.get_template("page.html").render(
         document=document,
         generator=GENERATOR,
@@ -51,8 +45,15 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
         plots=plots_of(document, PLOTS),
         pictures=[_picture(picture, document, folder) for picture in document.pictures],
         trouble=None if document.renderer == "VTK" else document.renderer,
-        provenance=document.provenance,
-        **context,
+        scene=document.provenance.scene_content,
+        moved=[each for each in document.cage_motion or () if isinstance(each, MovedCage)],
+        phrases=phrases,
+        per_minute=PER_MINUTE,
+        coordinates=COORDINATES,
+        film_uncertainty=FORMULA_UNCERTAINTY,
+        **verdict_section(document),
+        **torque_section(document),
+        **next_section(document),
     )
     file.write_text(page, "utf-8", newline="\n")
 
@@ -61,7 +62,13 @@ def _picture(picture: PictureFile, document: Report, folder: Path) -> dict[str, 
     """One picture with its contact's title and the file itself; where there is none, why."""
     contact = document.contact_at(picture.pair, picture.geometry)
     assert contact is not None  # the document holds it
-    shown = {"title": contact_title(contact), "caption": picture.caption, "source": None, "view": None, "missing": None}
+    shown = {
+        "title": phrases.contact_title(contact),
+        "caption": picture.caption,
+        "source": None,
+        "view": None,
+        "missing": None,
+    }
     try:
         content = (folder / picture.file).read_bytes()
     except OSError:

@@ -16,22 +16,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from matplotlib import colormaps
 from matplotlib.colors import to_rgb
 
-from fembearing.report.pictures.render_mesh import (
-    BODIES,
-    COLOURS,
-    HERTZ,
-    INK,
-    LEAST_SHOWN,
-    LINES,
-    MM,
-    SHOULDER,
-    STEEP,
-    across,
-    distinct_edges,
-    mirrored,
-    outer_faces,
-    scaled,
-)
+from fembearing.report.pictures import render_mesh as mesh
 
 SHADES = 256  # of the colour scale
 SHOWN = 1.3, 1.7  # from the middle to the nearer edges at first, in longer and in shorter semi-axes
@@ -39,29 +24,29 @@ SHOWN = 1.3, 1.7  # from the middle to the nearer edges at first, in longer and 
 
 def contact_view(job: dict[str, Any]) -> str:
     """The page; lengths in mm, pressure in the job's unit."""
-    bodies = {side: mirrored(scaled(job[side], job), (0, *across(job))) for side in BODIES}
-    parts = [drawn_body(body, BODIES[side]) for side, body in bodies.items()]
-    shoulders = [MM * y for y in job["shoulders"]]
-    inks = (HERTZ, "hertz", 0.0), (INK, "computed", MM * job["centroid"])
+    bodies = {side: mesh.mirrored(mesh.scaled(job[side], job), (0, *mesh.across(job))) for side in mesh.BODIES}
+    parts = [drawn_body(body, mesh.BODIES[side]) for side, body in bodies.items()]
+    shoulders = [mesh.MM * y for y in job["shoulders"]]
+    inks = (mesh.HERTZ, "hertz", 0.0), (mesh.INK, "computed", mesh.MM * job["centroid"])
     scene = {
         "title": job["title"],
         "unit": job["unit"],
         "peak": job["peak"],
         "ticks": job["ticks"],
-        "least": LEAST_SHOWN * job["peak"],
+        "least": mesh.LEAST_SHOWN * job["peak"],
         "faces": sum(part["faces"] for part in parts),
         "bodies": parts,
         "reach": float(max(np.linalg.norm(body.points, axis=-1).max() for body in bodies.values())),
         "shoulders": [max((y for y in shoulders if y < 0), default=None), max(shoulders, default=None)],
         "ellipses": [
-            {"colour": to_rgb(ink), "semi_axes": [MM * part for part in job[name]], "middle": middle}
+            {"colour": to_rgb(ink), "semi_axes": [mesh.MM * part for part in job[name]], "middle": middle}
             for ink, name, middle in inks
         ],
-        "lines": to_rgb(LINES),
-        "shoulder": to_rgb(SHOULDER),
-        "shades": packed(colormaps[COLOURS](np.linspace(0, 1, SHADES), bytes=True), "u1"),
-        "eye": STEEP.tolist(),
-        "half_size": MM * max(SHOWN[0] * max(job["computed"]), SHOWN[1] * min(job["computed"])),
+        "lines": to_rgb(mesh.LINES),
+        "shoulder": to_rgb(mesh.SHOULDER),
+        "shades": packed(colormaps[mesh.COLOURS](np.linspace(0, 1, SHADES), bytes=True), "u1"),
+        "eye": mesh.STEEP.tolist(),
+        "half_size": mesh.MM * max(SHOWN[0] * max(job["computed"]), SHOWN[1] * min(job["computed"])),
     }
     environment = Environment(
         loader=PackageLoader("fembearing.report.page"), autoescape=True, undefined=StrictUndefined, trim_blocks=True
@@ -74,7 +59,7 @@ def drawn_body(body: pv.DataSet, colour: str) -> dict[str, Any]:
 
     Each vertex has its place, the outward normal there, and the pressure: seven numbers.
     """
-    edges, centres, within = outer_faces(body, loaded=True)
+    edges, centres, within = mesh.outer_faces(body, loaded=True)
     halves = edges[..., [0, 2, 2, 1]].reshape(-1, 2)  # eight to a face
     triangles = np.column_stack([halves, np.repeat(centres, 8)])
     away = body.points[triangles[:, 2]] - body.points[np.repeat(within, 8)]
@@ -86,7 +71,7 @@ def drawn_body(body: pv.DataSet, colour: str) -> dict[str, Any]:
     for corner in numbers.T:
         np.add.at(smooth, corner, normals(points[numbers]))
     smooth /= np.linalg.norm(smooth, axis=-1, keepdims=True)
-    lines = distinct_edges(edges)[:, [0, 2, 2, 1]].reshape(-1, 2)
+    lines = mesh.distinct_edges(edges)[:, [0, 2, 2, 1]].reshape(-1, 2)
     pressure = np.maximum(body.point_data["pressure"][used], 0.0)
     return {
         "colour": to_rgb(colour),

@@ -3,24 +3,22 @@
 from collections.abc import Mapping
 
 from rich.console import Console
-from rich.table import Table
 
 from fembearing.compare.contact.load_series import LoadSeries
 from fembearing.compare.contact.subsurface import SubsurfaceComparison
 from fembearing.quantities import CONTACT, STRESSES
 from fembearing.report.document.contact import Contact
-from fembearing.report.phrases import AXES, PLAIN, quantities_of, ring_line, shoulder_lines, title_of
+from fembearing.report.phrases import AXES, contact_title, quantities_of, ring_line, shoulder_lines, title_of
+from fembearing.report.terminal.table import table_of
 
 COLUMNS = {"quantity": 19, "Hertz": 9, "FE": 9, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
 
 
 def print_contact(out: Console, contact: Contact, verdicts: Mapping[str, str]) -> None:
     """Print one contact: its quantities by Hertz and by finite elements, with their verdicts if it is judged."""
-    title = title_of(contact.pair, contact.geometry, contact.contact_angle, f"{contact.load:.4g} N")
-    table = Table(title=title, **PLAIN)
-    for head, width in COLUMNS.items():
-        left = head in ("quantity", "verdict")
-        table.add_column(head, justify="left" if left else "right", no_wrap=True, min_width=width)
+    table = table_of(COLUMNS, title=contact_title(contact), left=("quantity", "verdict"), fixed=COLUMNS)
+    for column, width in zip(table.columns, COLUMNS.values(), strict=True):
+        column.min_width = width
     for name, quantity in quantities_of(contact).items():
         discrepancy, uncertainty, factor = contact.discrepancy[name], contact.uncertainty[name], quantity.shown.factor
         order = contact.convergence[name].order
@@ -36,16 +34,15 @@ def print_contact(out: Console, contact: Contact, verdicts: Mapping[str, str]) -
     out.print(table)
     _print_corrected(out, contact)
     for line in shoulder_lines(contact):
-        out.print(line, highlight=False)
+        out.print(line)
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
         "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
         f"{contact.rung}, {contact.cost.seconds:.1f} s\n",
         style="dim",
-        highlight=False,
     )
     if contact.ring is not None:
-        out.print(f"{ring_line(contact.ring)}\n", highlight=False)
+        out.print(f"{ring_line(contact.ring)}\n")
 
 
 def _print_corrected(out: Console, contact: Contact) -> None:
@@ -60,16 +57,19 @@ def _print_corrected(out: Console, contact: Contact) -> None:
         values.append(f"{quantity.name} {value:.5g} {quantity.shown.name} ({error:+.2%})")
     out.print(
         f"Hertz corrected for finite geometry (its interpolation error, over FE - 1): {', '.join(values)}; "
-        f"stated 95 % uncertainty at most {max(each for _, each in corrected.uncertainty):.2%}.",
-        highlight=False,
+        f"stated 95 % uncertainty at most {max(each for _, each in corrected.uncertainty):.2%}."
     )
 
 
 def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
     """Where fatigue begins, in the body under the ball."""
-    table = Table(title="Greatest stress under the centre, in the lower body", **PLAIN)
-    for head in ("quantity", "Hertz", "FE", "Hertz/FE-1", "+-"):
-        table.add_column(head, justify="left" if head == "quantity" else "right", no_wrap=True, min_width=10)
+    title, heads = (
+        "Greatest stress under the centre, in the lower body",
+        ("quantity", "Hertz", "FE", "Hertz/FE-1", "+-"),
+    )
+    table = table_of(heads, title=title, left=("quantity",), fixed=heads)
+    for column in table.columns:
+        column.min_width = 10
     for name, quantity in STRESSES.items():
         shown = quantity.shown
         discrepancy, uncertain = below.discrepancy(name), below.uncertainty[name]
@@ -88,9 +88,8 @@ def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
 def print_series(out: Console, series: LoadSeries) -> None:
     """Each load with approach and tangent stiffness, and the law through all of them."""
     place = series.contact.pair, series.geometry, series.contact.contact_angle
-    table = Table(title=title_of(*place, f"{len(series.points)} loads"), **PLAIN)
-    for head in ("load, N", "Hertz, um", "FE, um", "Hertz/FE-1", "+-", "tangent FE, N/um", "+-", "Hertz"):
-        table.add_column(head, justify="right")
+    heads = ("load, N", "Hertz, um", "FE, um", "Hertz/FE-1", "+-", "tangent FE, N/um", "+-", "Hertz")
+    table = table_of(heads, title=title_of(*place, f"{len(series.points)} loads"))
     for point in series.points:
         table.add_row(
             f"{point.load:.4g}",
@@ -114,15 +113,13 @@ def print_series(out: Console, series: LoadSeries) -> None:
             exponent += f" +- {law.exponent_uncertainty:.4f}"
         out.print(
             f"F = K delta^n: K {stiffness}, n {exponent} by finite elements; "
-            f"{series.hertz_stiffness * 1e-9:.5g} GN/m^1.5 and 1.5 by Hertz.",
-            highlight=False,
+            f"{series.hertz_stiffness * 1e-9:.5g} GN/m^1.5 and 1.5 by Hertz."
         )
     out.print(
         "F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads; +-: numerical uncertainty, 95 %; *: "
         f"the difference exceeds it.\nfinite elements, {series.geometry}, {series.meshes} "
         f"{'mesh' if series.meshes == 1 else 'meshes'} for all loads, {series.seconds:.1f} s\n",
         style="dim",
-        highlight=False,
     )
     verdict = series.verdict if series.judged else "shown, not judged"
-    out.print(f"{verdict}: tolerance {series.tolerance:g}", highlight=False)
+    out.print(f"{verdict}: tolerance {series.tolerance:g}")

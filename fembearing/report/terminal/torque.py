@@ -5,12 +5,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from rich.console import Console
 from rich.markup import escape
-from rich.table import Table
 
 from analytic.result import COORDINATES, FrictionTorque
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.quantities import CONTACT, PER_MINUTE, QUANTITIES
-from fembearing.report.phrases import LOADS, PLAIN, SHARES, capital, friction_of, share_of, uncertainty_of
+from fembearing.report.phrases import LOADS, SHARES, capital, friction_of, share_of, uncertainty_of
+from fembearing.report.terminal.table import table_of
 
 MOST_POINTS = 12  # shown; the JSON has all
 HEADS = {
@@ -29,14 +29,13 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     points = shown_points(count)
     _print_parts(out, result, points)
     if len(points) < count:
-        out.print(f"{len(points)} of {count} operating points; --json has all of them.", highlight=False)
+        out.print(f"{len(points)} of {count} operating points; --json has all of them.")
     scene = result.scene
     model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
     out.print(
         f"In N mm about the bearing axis; +-: numerical uncertainty. {uncertainty_of(model)}\n"
         f"{capital(result.catalogue.note)}.\n",
         style="dim",
-        highlight=False,
         markup=False,
     )
     _print_contacts(out, friction, points)
@@ -45,14 +44,13 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     names = ("loads", "contacts", "sliding", *(() if friction.cage is None else ("cage",)))
     methods = [f"{name} by {friction.provenance[name]}".replace("_", " ") for name in names]
     source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
-    out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.\n", highlight=False, markup=False)
+    out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.\n", markup=False)
     for doubt in result.doubts:
-        out.print(doubt, highlight=False)
+        out.print(doubt)
     reached = float(np.max(friction.numerical_uncertainty, initial=0.0))
     out.print(
         f"{'within' if result.within_tolerance else 'beyond'} the tolerance {result.scene.tolerance:g}: numerical "
-        f"uncertainty {percent(reached)}, {friction.seconds:.2g} s",
-        highlight=False,
+        f"uncertainty {percent(reached)}, {friction.seconds:.2g} s"
     )
 
 
@@ -81,13 +79,10 @@ def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> No
     friction, band = result.friction, result.catalogue.band
     columns, fixed = point_columns({name: getattr(friction, name).tolist() for name in COORDINATES})
     words = ", ".join([f"Friction torque of {result.scene.bearing.name}", *fixed])
-    out.print(words, style="italic", highlight=False, markup=False)
-    table = Table(**PLAIN)
+    out.print(words, style="italic", markup=False)
     parts = {name: values for name in HEADS if (values := getattr(friction.torque, name)) is not None}
-    for head in ("#", *columns, *(HEADS[name] for name in parts)):
-        table.add_column(head, justify="right")
-    for head in ("total", "+-", *(("catalogue",) if band is not None else ())):
-        table.add_column(head, justify="right", no_wrap=True)
+    totals = ("total", "+-", *(("catalogue",) if band is not None else ()))
+    table = table_of(("#", *columns, *(HEADS[name] for name in parts), *totals), fixed=totals)
     for point in points:
         table.add_row(
             str(point + 1),
@@ -111,9 +106,7 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
         "asperities": (shares, 1.0),
     }
     known = {head: (group, factor) for head, (group, factor) in optional.items() if group.inner is not None}
-    table = Table(title="Heaviest ball", **PLAIN)
-    for head in (*heads, *known):
-        table.add_column(head, justify="left" if head == "race" else "right")
+    table = table_of((*heads, *known), title="Heaviest ball", left=("race",))
     for point in points:
         for race in ("inner", "outer"):
             contact = getattr(friction, race)
@@ -132,7 +125,6 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
         + ("; asperities: their share of the load" if "asperities" in known else "")
         + ".\n",
         style="dim",
-        highlight=False,
     )
 
 
@@ -140,9 +132,8 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
     """The cage at the points where it moved."""
     if friction.cage is None or not any(friction.cage.motion):
         return
-    table = Table(title="Cage in motion", **PLAIN)
-    for head in ("#", "state", "all forces, N", "largest, N", "95 %", "torque, N mm", "95 %"):
-        table.add_column(head, justify="left" if head == "state" else "right")
+    heads = ("#", "state", "all forces, N", "largest, N", "95 %", "torque, N mm", "95 %")
+    table = table_of(heads, title="Cage in motion", left=("state",))
     blocks = 0.0
     for point in points:
         motion = friction.cage.motion[point]
@@ -162,21 +153,18 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
     out.print(
         f"All forces: mean of their sum. Largest: of one ball on its pocket, in {blocks:.2g} s (median of blocks).\n",
         style="dim",
-        highlight=False,
     )
 
 
 def _print_effects(out: Console, friction: FrictionTorque) -> None:
-    table = Table(title="Effects", **PLAIN)
-    for head in ("effect", "", "share"):
-        table.add_column(head, justify="right" if head == "share" else "left", no_wrap=True)
-    table.add_column("reason")
+    words = ("effect", "", "reason")
+    table = table_of(("effect", "", "share", "reason"), title="Effects", left=words, fixed=("effect", "", "share"))
     for effect in friction.effects_to_json():
         table.add_row(
             effect["name"], effect["decision"], share_of(effect["share_is"], effect["share"]), escape(effect["reason"])
         )
     out.print(table)
-    out.print(f"{SHARES}\n", style="dim", highlight=False)
+    out.print(f"{SHARES}\n", style="dim")
 
 
 def percent(value: float | None) -> str:

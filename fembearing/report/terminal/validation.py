@@ -4,15 +4,15 @@ from collections import Counter
 from collections.abc import Sequence
 
 from rich.console import Console
-from rich.table import Table
 
 from analytic.result import COORDINATES
 from fembearing.quantities import CONTACT, PER_MINUTE
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import HardCase, Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
-from fembearing.report.phrases import PLAIN, friction_of, loads_of, present_loads
+from fembearing.report.phrases import friction_of, loads_of, present_loads
 from fembearing.report.terminal.contacts import print_contact
+from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.torque import percent, point_columns, shown_points
 
 
@@ -25,20 +25,16 @@ def print_validation(out: Console, document: Report) -> None:
         _print_pocket(out, *document.contacts[2:])
     if document.torque is not None and document.torque_change is not None:
         scene = document.provenance.scene_content
-        is_lubricated = scene.lubricant is not None and scene.surface is not None
-        friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=is_lubricated)
+        friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
         _print_totals(out, document.torque, friction)
         _print_change(out, document.torque, document.torque_change)
     else:
-        out.print(
-            "No friction coefficient, lubricant or surface is given, so there is no torque.\n",
-            highlight=False,
-        )
+        out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
     if document.hard:
         _print_hard(out, document.hard)
     for doubt in document.doubts:
-        out.print(doubt, highlight=False)
-    out.print(f"{document.verdict}: tolerance {document.tolerance:g}, {document.cost.seconds:.1f} s", highlight=False)
+        out.print(doubt)
+    out.print(f"{document.verdict}: tolerance {document.tolerance:g}, {document.cost.seconds:.1f} s")
 
 
 def _print_pocket(out: Console, seat: Contact, sheet: Contact) -> None:
@@ -49,8 +45,7 @@ def _print_pocket(out: Console, seat: Contact, sheet: Contact) -> None:
     )
     out.print(
         f"Pocket, F = K_pb delta^1.5: K_pb {formula:.4g} {shown.name} by Hertz, {thick:.4g} in a thick seat, "
-        f"{thin:.4g} with the sheet on its rim ({thin / formula - 1:+.0%}).\n",
-        highlight=False,
+        f"{thin:.4g} with the sheet on its rim ({thin / formula - 1:+.0%}).\n"
     )
 
 
@@ -60,9 +55,8 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
     columns, fixed = point_columns({name: [getattr(point, name) for point in points] for name in COORDINATES})
     low, high = torque.catalogue_band.low, torque.catalogue_band.high
     sides = None if low is None or high is None else list(zip(low, high, strict=True))
-    table = Table(title=", ".join(["Friction torque", *fixed]), **PLAIN)
-    for head in ("#", *columns, "total, N mm", "+-", *(() if sides is None else ("catalogue",))):
-        table.add_column(head, justify="right", no_wrap=True)
+    heads = ("#", *columns, "total, N mm", "+-", *(() if sides is None else ("catalogue",)))
+    table = table_of(heads, title=", ".join(["Friction torque", *fixed]), fixed=heads)
     shown = shown_points(len(points))
     for number in shown:
         table.add_row(
@@ -74,12 +68,11 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
         )
     out.print(table)
     if len(shown) < len(points):
-        out.print(f"{len(shown)} of {len(points)} operating points; --json has all of them.", highlight=False)
+        out.print(f"{len(shown)} of {len(points)} operating points; --json has all of them.")
     out.print(
         f"Total about the bearing axis, as `fembearing torque` computes it; +-: numerical uncertainty. Friction: "
         f"{friction}.\n",
         style="dim",
-        highlight=False,
     )
 
 
@@ -93,8 +86,7 @@ def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
     out.print(
         f"What finite-element contacts change at {place}: with Hertz's contacts {before * 1e3:.4g} N mm, with "
         f"those of FE {after * 1e3:.4g} N mm: {relative:+.2%} +- {change.uncertainty:.2%} (numerical); contact angle "
-        f"{angle:.4f} rad and {corrected:.4f} rad.\n{change.note}\n",
-        highlight=False,
+        f"{angle:.4f} rad and {corrected:.4f} rad.\n{change.note}\n"
     )
     fitted = change.finite_geometry
     known = [value for value in fitted.change if value is not None]
@@ -103,11 +95,10 @@ def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
         out.print(
             f"With Hertz's contacts corrected for finite geometry {' to '.join(ends)} +- "
             f"{max(value for value in fitted.uncertainty if value is not None):.2%} over {len(known)} of "
-            f"{len(fitted.change)} operating points.\n",
-            highlight=False,
+            f"{len(fitted.change)} operating points.\n"
         )
     if change.verdict != "pass":
-        out.print(f"The race contacts are not all within the tolerance: {change.verdict}.\n", highlight=False)
+        out.print(f"The race contacts are not all within the tolerance: {change.verdict}.\n")
 
 
 def _heaviest(point: Point) -> float:
@@ -117,16 +108,16 @@ def _heaviest(point: Point) -> float:
 
 def _print_hard(out: Console, outcomes: Sequence[HardCase]) -> None:
     """Every case with its outcome, and the detail of those that went wrong."""
-    table = Table("hard case", "outcome", title="Hard cases", **PLAIN)
+    heads = ("hard case", "outcome")
+    table = table_of(heads, title="Hard cases", left=heads)
     for case in outcomes:
         table.add_row(case.case, case.outcome)
     out.print(table)
     for case in outcomes:
         if case.outcome == "wrong":
-            out.print(f"{case.case}: {case.detail}", highlight=False, markup=False)
+            out.print(f"{case.case}: {case.detail}", markup=False)
     count = Counter(case.outcome for case in outcomes)
     out.print(
         f"{len(outcomes)} hard cases: {count['right']} right, {count['refused']} refused as they should be, "
-        f"{count['wrong']} wrong\n",
-        highlight=False,
+        f"{count['wrong']} wrong\n"
     )

@@ -12,6 +12,7 @@ from fembearing.compare.hard import contacts as hard_contacts
 from fembearing.compare.hard import meshes as hard_meshes
 from fembearing.compare.hard import table as hard_cases
 from fembearing.compare.hard.table import HARD_CASES, HardCase, outcome_of, run_hard_cases
+from fembearing.plain import plain
 from tests.compare.hard.cage_exact import CAGE
 from tests.compare.hard.contact_exact import CONTACT
 from tests.compare.hard.lubrication_exact import LUBRICATION
@@ -136,7 +137,7 @@ def test_one_bug_does_not_stop_the_table() -> None:
     outcomes = run_hard_cases(cases=cases, progress=lambda share, _: shares.append(share))
     assert [each.outcome for each in outcomes] == ["wrong", "right"]
     assert shares == [0, 0.5]
-    document = json.loads(json.dumps([each.to_json() for each in outcomes]))
+    document = json.loads(json.dumps(plain(outcomes)))
     assert document[1].keys() == {"case", "outcome", "detail"}
 
 
