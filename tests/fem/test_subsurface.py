@@ -101,9 +101,8 @@ def test_the_third_level_agrees_with_the_closed_form(contact: Contact, side: Sid
     stress, depth = np.split(np.abs(errors(found, contact, side)), 2)
     assert stress.max() < 1e-3  # 5e-4 measured; the aim is 5e-3
     assert depth.max() < 1e-2  # 4e-3 measured, for a maximum is flat; the aim is 2e-2
-    assert (
-        curve_error(found, contact, side) < 3e-3
-    )  # 2e-3 measured, on the surface, where the spline has data below only
+    # Measured: 2e-3, on the surface, where the spline has data below only
+    assert curve_error(found, contact, side) < 3e-3
 
 
 @pytest.mark.slow

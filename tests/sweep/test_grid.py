@@ -24,12 +24,9 @@ def test_values_come_out_in_si_and_in_order(grid_file: Callable[..., Path]) -> N
     )
     load, speed, roughness = grid.axes
     assert load.values == (100.0, 700.0)
-    np.testing.assert_allclose(
-        np.array(speed.values, float), 2 * np.pi * np.array([1.0, 5.5, 10.0]), rtol=1e-14
-    )  # round-off
-    np.testing.assert_allclose(
-        np.array(roughness.values, float), [1e-7, 2e-7, 4e-7, 8e-7, 1.6e-6], rtol=1e-14
-    )  # round-off
+    # Tolerance: round-off
+    np.testing.assert_allclose(np.array(speed.values, float), 2 * np.pi * np.array([1.0, 5.5, 10.0]), rtol=1e-14)
+    np.testing.assert_allclose(np.array(roughness.values, float), [1e-7, 2e-7, 4e-7, 8e-7, 1.6e-6], rtol=1e-14)
     assert [axis.key for axis in grid.order] == [
         "surface.rms_roughness",
         "operation.axial_load",

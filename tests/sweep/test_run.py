@@ -314,9 +314,8 @@ def test_points_that_fail_give_a_reason_and_leave_the_others_alone(grid_file: Wr
     assert "groove" in reasons[0, 0]
     assert not any(re.search(r"\n", reason) for reason in reasons.ravel())
     kept = found["torque_total"].isel(conformity=1, axial_load=[0, 2]).values
-    np.testing.assert_allclose(
-        kept, known["torque_total"].isel(conformity=0).values, rtol=1e-9
-    )  # the angle is iterated
+    # Tolerance: the angle is iterated
+    np.testing.assert_allclose(kept, known["torque_total"].isel(conformity=0).values, rtol=1e-9)
     again = run_sweep(grid_file(more), out=tmp_path / "more")
     assert (again.computed, again.failed) == (0, 4)
 

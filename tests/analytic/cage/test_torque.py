@@ -159,9 +159,8 @@ def test_friction_comes_from_cage_oil_or_races() -> None:
     resting = friction_torque(oiled)
     one = friction_in_pocket(oiled, load=6.58e-3 * 9.80665 / 9, surface_speed=0.49016 * np.array([0.04, 1.0]))
     assert resting.friction_coefficient.pocket is not None
-    np.testing.assert_allclose(
-        resting.friction_coefficient.pocket, one.coefficient, rtol=1e-4
-    )  # the digits of the speed
+    # Tolerance: the digits of the speed
+    np.testing.assert_allclose(resting.friction_coefficient.pocket, one.coefficient, rtol=1e-4)
     (warning,) = fast.warnings
     assert "thicker than their clearance" in warning
     with pytest.raises(InputError, match="friction of ball on pocket is not known"):

@@ -158,9 +158,8 @@ def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[s
     assert solution.verdict == "pass"
 
 
-@pytest.mark.parametrize(
-    ("distance", "valid"), [(1.04, False), (1.06, True)]
-)  # semi-axes from the middle to the shoulder
+# Semi-axes from the middle to the shoulder
+@pytest.mark.parametrize(("distance", "valid"), [(1.04, False), (1.06, True)])
 def test_an_ellipse_within_a_twentieth_of_its_shoulder_is_not_judged(
     contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, distance: float, valid: bool
 ) -> None:

@@ -104,9 +104,8 @@ def test_below_the_formal_order_roaches_index_is_three_times_the_error(formal: f
     """The sequence has one order, so its error is known."""
     part = estimate(sequence(7.3, 0.4, order), SIZES, formal_order=formal)
     assert part.index is not None
-    np.testing.assert_allclose(
-        part.index, 3 * abs(7.3 / part.values[-1] - 1), rtol=1e-5
-    )  # the order comes from a root search
+    # Tolerance: the order comes from a root search
+    np.testing.assert_allclose(part.index, 3 * abs(7.3 / part.values[-1] - 1), rtol=1e-5)
 
 
 @pytest.mark.parametrize(("formal", "order"), [(3.0, 4.4), (None, 3.9)])

@@ -102,9 +102,8 @@ def test_an_uncertain_input_counts_as_much_as_that_change_of_it(race: str) -> No
     sure, other = solution(), "outer" if race == "inner" else "inner"
     uncertainty = change_of_torque(SOLVED, **{race: solution(uncertainty=0.01), other: sure}).uncertainty
     moved = [change_of_torque(SOLVED, **{race: solution(**{name: 1.01}), other: sure}) for name in NAMES]
-    np.testing.assert_allclose(
-        uncertainty, sum(abs(relative(each, "total")[-1]) for each in moved), rtol=1e-6
-    )  # the angle's root
+    # Tolerance: that of the angle's root
+    np.testing.assert_allclose(uncertainty, sum(abs(relative(each, "total")[-1]) for each in moved), rtol=1e-6)
 
 
 def test_each_part_and_the_angle_are_as_uncertain_as_their_own_change() -> None:

@@ -32,9 +32,8 @@ def panels(document: Report) -> dict[str, Axes]:
 
 def test_meshes_with_an_order_are_drawn_by_their_distance_from_the_limit(panels: dict[str, Axes]) -> None:
     inner = line_of(panels["approach"], "ball on inner race")
-    check_points(
-        inner, [1200, 9500, 31000], [82.5 / 5.225, 16.5 / 5.225, 27.5 / 5.225]
-    )  # 4.4, 5.06 and 5.5 against 5.225, %
+    # 4.4, 5.06 and 5.5 against 5.225, %
+    check_points(inner, [1200, 9500, 31000], [82.5 / 5.225, 16.5 / 5.225, 27.5 / 5.225])
     assert inner.get_linestyle() == "-"
     assert inner.get_label() == "ball on inner race: order 3.6"
     outer = line_of(panels["peak pressure"], "ball on outer race")
