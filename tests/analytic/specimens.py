@@ -1,7 +1,7 @@
 """Specimens of the tests: the bearing 6205 with its cage, an oil, a finish, contacts, operating points and scenes."""
 
 from dataclasses import fields, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -56,6 +56,7 @@ FINISH = Surface(
     hardness=7.3e9,
     boundary_friction=0.11,
 )
+Value = TypeVar("Value")
 DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque without oil
 # The closed forms of textbooks at any tolerance
 AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
@@ -162,7 +163,11 @@ def dry(bearing: Bearing) -> Scene:
     )
 
 
+def present(value: Value | None) -> Value:
+    """The value, which must not be None."""
+    assert value is not None
+    return value
+
+
 def part(torque: TorqueParts, name: str) -> np.ndarray:
-    values = getattr(torque, name)
-    assert values is not None
-    return values
+    return present(getattr(torque, name))

@@ -12,6 +12,7 @@ from analytic.loads.finite_geometry import thrust_correction
 from analytic.scenefile.read import parse_scene
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.torque.change import TorqueChange, change_of_torque
+from tests.analytic.specimens import present
 
 SCENE = """
 name = "held angle"
@@ -46,8 +47,7 @@ def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
 
 
 def relative(found: TorqueChange, part: str) -> NDArray[np.float64]:
-    change = found.relative(part)
-    assert change is not None
+    change = present(found.relative(part))
     return change[found.is_solved]
 
 
@@ -135,8 +135,7 @@ def test_the_numbers_are_plain_in_json() -> None:
 
 def test_nothing_is_claimed_at_loads_that_were_not_solved() -> None:
     """700 N and 900 N: the contacts are those of the heavier ball, and their ratios to Hertz fade with the load."""
-    change = change_of_torque(SOLVED, inner=solution(approach=0.97), outer=solution()).relative("total")
-    assert change is not None
+    change = present(change_of_torque(SOLVED, inner=solution(approach=0.97), outer=solution()).relative("total"))
     assert np.isnan(change[0])
     assert np.isfinite(change[1])
 
@@ -158,9 +157,7 @@ def test_the_correction_for_finite_geometry_knows_every_load() -> None:
     factors = thrust_correction(bearing, FIXED.contact_angle, axial_load=load)
     squares = [np.asarray(side.factors.semi_axis_transverse) ** 2 for side in (factors.inner, factors.outer)]
     plain, changed = change.hertz.torque, found.torque.torque
-    assert plain.conformity is not None
-    assert changed.conformity is not None
-    ratio = changed.conformity / plain.conformity
+    ratio = present(changed.conformity) / present(plain.conformity)
     assert (np.minimum(*squares) < ratio).all()
     assert (ratio < np.maximum(*squares)).all()
     assert (found.uncertainty > 0).all()

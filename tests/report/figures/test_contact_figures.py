@@ -13,6 +13,7 @@ from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.pressure import pressure_plot
+from tests.analytic.specimens import present
 from tests.report.conftest import INNER
 from tests.report.figures.figure_reader import labels_of, line_of, points_of
 
@@ -26,8 +27,7 @@ def check_points(line: Line2D, x: list[float], y: list[float]) -> None:
 @pytest.fixture(scope="module")
 def panels(document: Report) -> dict[str, Axes]:
     figure, _ = convergence_plot(document)
-    assert figure is not None
-    return {axes.get_title(): axes for axes in figure.axes if axes.get_title()}
+    return {axes.get_title(): axes for axes in present(figure).axes if axes.get_title()}
 
 
 def test_meshes_with_an_order_are_drawn_by_their_distance_from_the_limit(panels: dict[str, Axes]) -> None:
@@ -69,8 +69,7 @@ def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
 
 def test_a_cut_contact_has_no_formal_order(document: Report, cut_contact: ContactSolution) -> None:
     figure, _ = convergence_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
-    assert figure is not None
-    assert not any("formal" in label for axes in figure.axes for label in labels_of(axes))
+    assert not any("formal" in label for axes in present(figure).axes for label in labels_of(axes))
 
 
 def bars_of(axes: Axes) -> list[ErrorbarContainer]:
@@ -128,8 +127,7 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(
     document: Report, cut_contact: ContactSolution
 ) -> None:
     figure, caption = pressure_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
-    assert figure is not None
-    above, below = figure.axes
+    above, below = present(figure).axes
     semi_axis = cut_contact.hertz.semi_axis_transverse
     across = points_of(line_of(above, "across rolling"))
     assert across[0, 0] < -0.9

@@ -18,6 +18,7 @@ from fembearing.report.document.torque import CageRecord as Motion
 from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
+from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, line_of, points_of
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
 
@@ -53,9 +54,7 @@ def motion_of(record: CageRecord) -> Motion:
 def record() -> CageRecord:
     """A cage at rest: below the middle, a little to the right."""
     scene = parse_scene(MOVING, origin="here")
-    found = record_cage(scene, friction_torque(scene), 0)
-    assert found is not None
-    return found
+    return present(record_cage(scene, friction_torque(scene), 0))
 
 
 @pytest.fixture(scope="module")
@@ -183,9 +182,7 @@ def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -
 
 
 def box_of(part: Artist | None) -> BboxBase:
-    box = None if part is None else part.get_tightbbox()
-    assert box is not None
-    return box
+    return present(present(part).get_tightbbox())
 
 
 def check_apart(figure: Figure) -> None:
