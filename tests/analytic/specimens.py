@@ -16,13 +16,12 @@ from analytic.scene import (
     Decision,
     Groove,
     Lubricant,
-    Material,
     Operation,
     Scene,
     Surface,
 )
+from tests.contacts import STEEL
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
 # Table 1 of the paper, typed in a second time, so that an error in the catalog shows.
 BEARING_6205 = Bearing(
     name="6205",

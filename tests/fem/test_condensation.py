@@ -9,12 +9,13 @@ from scipy.sparse import csr_matrix
 from scipy.sparse.linalg import spsolve
 
 from analytic.errors import ConvergenceError, SingularError
-from analytic.scene import Contact, Material
+from analytic.scene import Contact
 from fembearing.fem import condensation
 from fembearing.fem.condensation import HeldBody, condense, held_stiffness
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import load_recipe
+from tests.contacts import STEEL
 
 Array = NDArray[np.float64]
 CASES = [("race", "upper"), ("race", "lower"), ("hertzian", "upper"), ("hertzian", "lower")]
@@ -122,7 +123,6 @@ def test_two_half_spaces_are_mirror_images(
 
 
 NOTHING = np.array([], dtype=np.intp)
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
 
 
 @BOTH

@@ -12,6 +12,7 @@ from analytic.loads.finite_geometry import thrust_correction
 from analytic.scenefile.read import parse_scene
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.torque.change import TorqueChange, change_of_torque
+from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
 from tests.analytic.specimens import present
 
 SCENE = """
@@ -175,19 +176,9 @@ def test_where_the_correction_does_not_reach_nothing_is_claimed() -> None:
 
 def test_a_lubricated_scene_changes_by_angle_and_contacts() -> None:
     """Rolling has no contact of its own to correct: at a held angle it stays, and what slides moves."""
-    oil = """
-[lubricant]
-viscosity = "43 mPa s"
-pressure_viscosity = "1.9e-8 1/Pa"
-eyring_stress = "4.7 MPa"
-[surface]
-rms_roughness = "0.31 um"
-autocorrelation = { kind = "gaussian", length = "43 um", spacing = "2 um" }
-hardness = "7.3 GPa"
-"""
-    text = SCENE.replace("coefficient = 0.07\n", "").replace("RULE", "given").replace("VALUE", "value") + oil
+    text = SCENE.replace("coefficient = 0.07\n", "").replace("RULE", "given").replace("VALUE", "value")
     wide = solution(semi_axis_transverse=1.04)
-    found = change_of_torque(parse_scene(text, origin="test"), inner=wide, outer=wide)
+    found = change_of_torque(parse_scene(text + LUBRICANT + SURFACE, origin="test"), inner=wide, outer=wide)
     np.testing.assert_array_equal(relative(found, "rolling"), 0.0)
     assert (relative(found, "conformity") > 0).all()
     assert (relative(found, "total") > 0).all()
