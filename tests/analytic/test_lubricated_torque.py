@@ -18,6 +18,7 @@ from analytic.surface.asperity import asperity_contact
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
 from tests.analytic import specimens
+from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
 from tests.analytic.specimens import present
 
 OIL = replace(specimens.OIL, traction="eyring_constant")
@@ -182,20 +183,8 @@ def test_what_does_not_fit_together_is_refused(scene: Scene, change: dict, words
 
 def test_a_scene_file_with_oil_needs_no_coefficient(tmp_path: Path) -> None:
     text, _ = builtin_scene("6205").read_text("utf-8").split("[friction]")
-    text += """
-[friction]
-hysteresis_loss = 0.006
-spin_rule = "outer_control"
-[lubricant]
-viscosity = "43 mPa s"
-pressure_viscosity = "1.9e-8 1/Pa"
-eyring_stress = "4.7 MPa"
-[surface]
-rms_roughness = "0.31 um"
-autocorrelation = { kind = "gaussian", length = "43 um", spacing = "2 um" }
-hardness = "7.3 GPa"
-"""
-    scene = parse_scene(text, origin="here", folder=tmp_path)
+    friction = '[friction]\nhysteresis_loss = 0.006\nspin_rule = "outer_control"\n'
+    scene = parse_scene(text + friction + LUBRICANT + SURFACE, origin="here", folder=tmp_path)
     assert scene.has_friction
     assert (scene.friction_coefficient, scene.hysteresis_loss, scene.spin_rule) == (None, 0.006, "outer_control")
     found = friction_torque(scene)

@@ -67,7 +67,7 @@ def test_a_series_tells_where_it_comes_from_and_agrees_with_the_torque(made: Mad
     for point, rpm in enumerate((500, 200)):
         read = xarray.load_dataset(made.folder / f"{point + 1}-cage.nc")
         assert read.attrs["scene_sha256"] == provenance_of(made.scene)["scene_sha256"]
-        assert json.loads(read.attrs["scene_content"])["name"] == "moving"
+        assert json.loads(read.attrs["scene_content"])["name"] == "mine"
         assert json.loads(read.attrs["versions"])["numpy"] == np.__version__
         np.testing.assert_allclose(read.attrs["inner_speed_rad_per_s"], rpm * np.pi / 30)
         assert (read.attrs["start"], read.attrs["state_of_all_seeds"]) == ("rest", "rest")

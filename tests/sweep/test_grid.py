@@ -94,10 +94,7 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
         ('bearing.catalog = ["6205", "nought"]', r"catalog\[1\] = 'nought' is not in the catalog; give one of 6205"),
         ('bearing.catalog = { from = "6205", to = "6208", count = 2 }', "has no order to step through"),
         ('effects.spin = ["on", "perhaps"]', "'perhaps' is not a word known here; give 'auto', 'on' or 'off'"),
-        (
-            'operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]',
-            "axial_load is there twice",
-        ),
+        ('operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]', "axial_load is there twice"),
         (
             'conformity = [0.52]\nbearing.inner.groove_radius = ["4.2 mm"]',
             r"conformity sets bearing\.inner\.groove_radius too; leave one of them out",

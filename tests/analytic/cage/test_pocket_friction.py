@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.cage.pocket_friction import friction_in_pocket
+from analytic.contact.rolling_contact import elliptic_contact
 from analytic.oil.film import central_film
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from tests.analytic.specimens import FINISH, OIL, STAMPED_CAGE
@@ -40,11 +41,11 @@ def contact(scene: Scene) -> tuple[float, float]:
 
 
 def film(scene: Scene, entrainment_speed: np.ndarray) -> np.ndarray:
+    pocket = elliptic_contact(
+        curvature_rolling=1 / RADIUS, curvature_transverse=1 / RADIUS, load=LOAD, modulus=contact(scene)[0]
+    )
     computed = central_film(
-        curvature_x=1 / RADIUS,
-        curvature_y=1 / RADIUS,
-        load=LOAD,
-        modulus=contact(scene)[0],
+        pocket,
         entrainment_speed=entrainment_speed,
         viscosity=THIN.viscosity,
         pressure_viscosity=0.0,

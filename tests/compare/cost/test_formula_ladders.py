@@ -11,12 +11,7 @@ from analytic.errors import InputError
 from analytic.scene import Autocorrelation, Contact, ContactAngle, HeightMapFile, Scene, Surface
 from analytic.scenefile.read import builtin_scene, load_scene
 from fembearing.compare.cost import formula_ladders
-from fembearing.compare.cost.formula_ladders import (
-    friction_methods,
-    hertz_methods_of,
-    load_methods,
-    roughness_methods,
-)
+from fembearing.compare.cost.formula_ladders import friction_methods, hertz_methods_of, load_methods, roughness_methods
 from fembearing.compare.cost.ladder import Ladder, UntimedLadder, measured
 from tests.analytic.specimens import present
 
@@ -103,7 +98,7 @@ def test_methods_for_sliding_become_more_accurate(oiled: Scene) -> None:
     ladder = measured(friction_methods(oiled), tolerance=1e-3)
     single, along, few, over = ladder.methods
     assert [method.name.partition(",")[0] for method in ladder.methods] == [
-        *("single coefficient", "along axis", "over ellipse", "over ellipse"),
+        *("single coefficient", "along axis", "over ellipse", "over ellipse")
     ]
     assert present(single.error) > present(along.error) > 1e-3 > present(few.error) > 0
     assert over.chosen

@@ -31,10 +31,7 @@ def dry() -> Scene:
     """Without friction, its contact angle given: the balls' load is the thrust's share, whatever the contacts do."""
     scene = load_scene(builtin_scene("6205"))
     return replace(
-        scene,
-        friction_coefficient=None,
-        hysteresis_loss=None,
-        contact_angle=ContactAngle(rule="given", value=0.31),
+        scene, friction_coefficient=None, hysteresis_loss=None, contact_angle=ContactAngle(rule="given", value=0.31)
     )
 
 

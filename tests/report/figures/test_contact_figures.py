@@ -77,8 +77,7 @@ def bars_of(axes: Axes) -> list[ErrorbarContainer]:
 
 
 def test_approaches_are_in_micrometres_with_their_intervals(document: Report) -> None:
-    figure, _ = approach_plot(document)
-    assert figure is not None
+    figure = present(approach_plot(document)[0])
     above, below = figure.axes[0], figure.axes[4]
     assert (above.get_xlabel(), above.get_ylabel()) == ("approach, um", "load, N")
     hertz = points_of(line_of(above, "Hertz"))
@@ -99,8 +98,7 @@ def test_approaches_are_in_micrometres_with_their_intervals(document: Report) ->
 
 def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> None:
     document = report_of(checked)
-    figure, _ = pressure_plot(document)
-    assert figure is not None
+    figure = present(pressure_plot(document)[0])
     for column, contact in enumerate(document.contacts):
         above, below = figure.axes[column], figure.axes[4 + column]
         peak = contact.hertz.peak_pressure

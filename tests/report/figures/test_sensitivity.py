@@ -70,10 +70,7 @@ def test_bars_reach_to_the_changes_in_per_cent(document: Report) -> None:
     # Row by row, low before high; two on one side stand one above the other.
     np.testing.assert_allclose(bars_of(slow), [(0, 7), (0, -4), (0.82, 1), (1.18, 3), (2, 2)], atol=1e-12)
     np.testing.assert_allclose(bars_of(fast), [(0, 5), (0, -3), (1, -2), (1, 1.5), (2, 2.5)], atol=1e-12)
-    assert [slow.get_title(), fast.get_title()] == [
-        "100 rpm, 700 N axial: 21.5 N mm",
-        "900 rpm, 700 N axial: 44 N mm",
-    ]
+    assert [slow.get_title(), fast.get_title()] == ["100 rpm, 700 N axial: 21.5 N mm", "900 rpm, 700 N axial: 44 N mm"]
     assert slow.get_xlabel() == "change of the total torque, %"
     assert [text.get_text() for text in slow.get_yticklabels()] == [
         "modulus\n200 GPa",

@@ -201,8 +201,7 @@ def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(docum
 def test_many_points_that_no_line_joins_keep_their_marks(document: Document) -> None:
     points = document["torque"]["points"]
     document["torque"]["points"] = 10 * points  # speeds come again and again
-    figure, _ = friction_plot(as_document(document))
-    assert figure is not None
+    figure = present(friction_plot(as_document(document))[0])
     inner = line_of(figure.axes[0], "inner")
     assert (inner.get_marker(), inner.get_linestyle()) == ("o", "None")
     document["torque"]["points"] = [points[0] | {"inner_speed": 1.0 + number} for number in range(30)]
