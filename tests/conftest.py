@@ -48,33 +48,10 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
 @pytest.fixture(scope="session")
 def contacts() -> "dict[str, Contact]":
-    """The race contacts of a 6205, typed in by hand so that no formula takes part."""
-    from analytic.scene import Contact, Material  # it loads NumPy: not before the threads are set
+    """The race contacts of a 6205."""
+    from tests.contacts import INNER, OUTER  # it loads NumPy: not before the threads are set
 
-    steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
-    inner = Contact(
-        pair="inner",
-        ball_radius=3.97e-3,
-        groove_radius=4.13e-3,
-        rolling_radius=16.47e-3,
-        shoulder=2.14e-3,
-        contact_angle=0.303,
-        load=372.0,
-        ball_material=steel,
-        race_material=steel,
-    )
-    outer = Contact(
-        pair="outer",
-        ball_radius=3.97e-3,
-        groove_radius=4.21e-3,
-        rolling_radius=-24.41e-3,
-        shoulder=2.11e-3,
-        contact_angle=0.303,
-        load=372.0,
-        ball_material=steel,
-        race_material=steel,
-    )
-    return {"inner": inner, "outer": outer}
+    return {"inner": INNER, "outer": OUTER}
 
 
 @pytest.fixture(scope="session")

@@ -13,6 +13,7 @@ from analytic import friction_torque, load_scene
 from analytic.effects.table import COMPUTED
 from analytic.errors import InputError
 from analytic.scene import Autocorrelation, ContactAngle, Operation, Scene
+from tests.analytic.specimens import present
 
 BASE = load_scene(Path(__file__).parents[1] / "validation" / "scenes" / "6205_physical.toml")
 # From SKF's catalogue, fitted in millimetres and revolutions per minute: these formulas obey no scaling.
@@ -32,14 +33,12 @@ scenes = st.builds(
 
 def scene_of(load: float, speed: float, oil: float, finish: float, angle: float) -> Scene:
     """Every effect is computed, by the method that leaves nothing out."""
-    assert BASE.lubricant is not None
-    assert BASE.surface is not None
     effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on")
     return replace(
         BASE,
         operation=Operation(axial_load=np.array([load]), inner_speed=np.array([speed])),
-        lubricant=replace(BASE.lubricant, viscosity=oil),
-        surface=replace(BASE.surface, rms_roughness=finish),
+        lubricant=replace(present(BASE.lubricant), viscosity=oil),
+        surface=replace(present(BASE.surface), rms_roughness=finish),
         contact_angle=ContactAngle(rule="solved", free=angle),
         effects=effects,
         sliding="over_ellipse",
@@ -105,10 +104,9 @@ def test_a_mirrored_load_gives_the_same_torque(scene: Scene, radial: float, mome
 @given(scene=scenes)
 def test_the_torque_is_continuous_in_every_input(scene: Scene) -> None:
     """A small change of an input changes the torque a little: no formula has a step, and no input is clipped."""
-    assert scene.lubricant is not None
     assert scene.surface is not None
     before = torque_of(scene)
-    operation, oil = scene.operation, scene.lubricant
+    operation, oil = scene.operation, present(scene.lubricant)
     more = 1 + 1e-6
     for name, other in {
         "load": replace(scene, operation=replace(operation, axial_load=operation.axial_load * more)),
@@ -134,7 +132,6 @@ def test_a_given_coefficient_costs_more_under_more_load(scene: Scene, more: floa
 @given(scene=scenes, name=st.sampled_from(["viscosity", "eyring_stress", "axial_load", "inner_speed", "rms_roughness"]))
 def test_nan_and_infinity_are_refused(scene: Scene, name: str) -> None:
     """NaN or infinity in one input never gives a result."""
-    assert scene.lubricant is not None
     assert scene.surface is not None
     for bad in (np.nan, np.inf):
         if name in ("axial_load", "inner_speed"):
@@ -143,6 +140,6 @@ def test_nan_and_infinity_are_refused(scene: Scene, name: str) -> None:
             correlation = Autocorrelation(kind="gaussian", length=30e-6, spacing=2e-6)
             broken = replace(scene, surface=replace(scene.surface, rms_roughness=bad, autocorrelation=correlation))
         else:
-            broken = replace(scene, lubricant=replace(scene.lubricant, **{name: bad}))
+            broken = replace(scene, lubricant=replace(present(scene.lubricant), **{name: bad}))
         with pytest.raises(InputError):
             friction_torque(broken)

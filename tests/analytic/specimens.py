@@ -1,7 +1,7 @@
 """Specimens of the tests: the bearing 6205 with its cage, an oil, a finish, contacts, operating points and scenes."""
 
 from dataclasses import fields, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -16,13 +16,12 @@ from analytic.scene import (
     Decision,
     Groove,
     Lubricant,
-    Material,
     Operation,
     Scene,
     Surface,
 )
+from tests.contacts import STEEL
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
 # Table 1 of the paper, typed in a second time, so that an error in the catalog shows.
 BEARING_6205 = Bearing(
     name="6205",
@@ -56,6 +55,7 @@ FINISH = Surface(
     hardness=7.3e9,
     boundary_friction=0.11,
 )
+Value = TypeVar("Value")
 DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque without oil
 # The closed forms of textbooks at any tolerance
 AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
@@ -162,7 +162,11 @@ def dry(bearing: Bearing) -> Scene:
     )
 
 
+def present(value: Value | None) -> Value:
+    """The value, which must not be None."""
+    assert value is not None
+    return value
+
+
 def part(torque: TorqueParts, name: str) -> np.ndarray:
-    values = getattr(torque, name)
-    assert values is not None
-    return values
+    return present(getattr(torque, name))

@@ -18,6 +18,8 @@ from analytic.surface.asperity import asperity_contact
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
 from tests.analytic import specimens
+from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
+from tests.analytic.specimens import present
 
 OIL = replace(specimens.OIL, traction="eyring_constant")
 FINISH = replace(specimens.FINISH, rms_roughness=0.31e-6, ball_rms_roughness=0.13e-6)
@@ -181,25 +183,12 @@ def test_what_does_not_fit_together_is_refused(scene: Scene, change: dict, words
 
 def test_a_scene_file_with_oil_needs_no_coefficient(tmp_path: Path) -> None:
     text, _ = builtin_scene("6205").read_text("utf-8").split("[friction]")
-    text += """
-[friction]
-hysteresis_loss = 0.006
-spin_rule = "outer_control"
-[lubricant]
-viscosity = "43 mPa s"
-pressure_viscosity = "1.9e-8 1/Pa"
-eyring_stress = "4.7 MPa"
-[surface]
-rms_roughness = "0.31 um"
-autocorrelation = { kind = "gaussian", length = "43 um", spacing = "2 um" }
-hardness = "7.3 GPa"
-"""
-    scene = parse_scene(text, origin="here", folder=tmp_path)
+    friction = '[friction]\nhysteresis_loss = 0.006\nspin_rule = "outer_control"\n'
+    scene = parse_scene(text + friction + LUBRICANT + SURFACE, origin="here", folder=tmp_path)
     assert scene.has_friction
     assert (scene.friction_coefficient, scene.hysteresis_loss, scene.spin_rule) == (None, 0.006, "outer_control")
     found = friction_torque(scene)
-    assert found.film.inner is not None
-    assert np.all(np.diff(found.film.inner) > 0)  # with speed
+    assert np.all(np.diff(present(found.film.inner)) > 0)  # with speed
 
 
 def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
@@ -220,9 +209,7 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
         )
         assert found.torque.rolling is not None
         np.testing.assert_allclose(1e3 * found.torque.rolling, expected, atol=0.006)
-        assert found.torque.spin is not None
-        assert found.torque.conformity is not None
-        summed = found.torque.spin + found.torque.conformity + found.torque.rolling
+        summed = present(found.torque.spin) + present(found.torque.conformity) + found.torque.rolling
         np.testing.assert_allclose(found.torque.total, summed, rtol=1e-15)
         effect = {effect.name: effect for effect in found.effects}["rolling"]
         assert (effect.decision, effect.share) == ("on", np.max(found.torque.rolling / found.torque.total))
@@ -234,9 +221,7 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
 def test_rolling_stops_at_standstill_and_thins_with_heat(scene: Scene) -> None:
     assert friction_torque(at_rest(scene)).torque.rolling == 0
     cold, hot = (friction_torque(replace(scene, lubricant=replace(OIL, temperature=t))) for t in (313.15, 341.0))
-    assert cold.torque.rolling is not None
-    assert hot.torque.rolling is not None
-    assert np.all(hot.torque.rolling < cold.torque.rolling)
+    assert np.all(present(hot.torque.rolling) < present(cold.torque.rolling))
 
 
 def test_rolling_is_left_out_where_the_scene_says_so(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -125,10 +125,7 @@ def test_a_doubtful_contact_is_flagged_with_its_numbers(scene: Scene, load: floa
         ({"effects": {"rolling": "on"}}, r'effects\.rolling = "on" cannot be had: no lubricant'),
         ({"effects": {"cage": "on"}}, r'effects\.cage = "on" cannot be had'),
         ({"effects": {"seals": "off"}}, r"effects\.seals is not an effect to choose"),
-        (
-            {"effects": {"hysteresis": "on"}, "hysteresis_loss": None},
-            r"friction\.hysteresis_loss is not given",
-        ),
+        ({"effects": {"hysteresis": "on"}, "hysteresis_loss": None}, r"friction\.hysteresis_loss is not given"),
         ({"spin_rule": "race_control"}, "spin_rule must be"),
     ],
 )

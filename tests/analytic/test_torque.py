@@ -93,9 +93,8 @@ def test_conformity_never_ends_on_the_race_that_spins_less(scene: Scene, rule: S
     b, groove = getattr(found, race).semi_axis_transverse, getattr(scene.bearing, race).groove_radius
     moment = rolling * 0.1 * found.ball_load * b**2 / (2 * groove * 3.97e-3 / (groove + 3.97e-3))
     lever = 19.505e-3 + (1 if race == "inner" else -1) * 3.97e-3 * np.cos(0.18)
-    np.testing.assert_allclose(
-        part(found.torque, "conformity"), 9 * moment * lever / 7.94e-3, rtol=5e-4
-    )  # of b's ratio
+    # Tolerance: that of b's ratio
+    np.testing.assert_allclose(part(found.torque, "conformity"), 9 * moment * lever / 7.94e-3, rtol=5e-4)
 
 
 def distance(eps: float) -> float:

@@ -12,25 +12,10 @@ from analytic.scenefile.read import parse_scene
 from fembearing.cli.console import NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.terminal.torque import print_torque
+from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"
-OILED = """\
-name = "oiled"
-tolerance = "5 %"
-[bearing]
-catalog = "6205"
-contact_angle = { rule = "solved" }
-[operation]
-axial_load = ["900 N", "400 N"]
-inner_speed = ["500 rpm", "2000 rpm"]
-[lubricant]
-viscosity = "0.028 Pa s"
-pressure_viscosity = "2e-8 1/Pa"
-eyring_stress = "5 MPa"
-[surface]
-rms_roughness = "0.05 um"
-autocorrelation = { kind = "gaussian", length = "20 um", spacing = "1 um" }
-"""
+SERIES = changed('"700 N"', '["900 N", "400 N"]', changed(SPEEDS, '["500 rpm", "2000 rpm"]', OILED))
 
 
 def printed(text: str) -> str:
@@ -40,7 +25,7 @@ def printed(text: str) -> str:
 
 
 def test_the_tables_hold_the_numbers_of_the_result() -> None:
-    text = OILED + '[losses]\nseals = "5 N mm"\n'
+    text = SERIES + '[losses]\nseals = "5 N mm"\n'
     found = torque_of_scene(parse_scene(text, origin="here"))
     said = printed(text)
     assert max(map(len, said.splitlines())) <= 80
@@ -62,14 +47,14 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
         "Methods: loads by thrust, all balls alike; contacts by Hertz",
         "the film formula's, 22 % of the film",
         "neither truth nor a check",
-        "within the tolerance 0.05",
+        "within the tolerance 0.02",
         "declared by the scene",
     ):
         assert word in words
 
 
 def test_without_oil_the_band_is_left_out_with_a_reason() -> None:
-    said = printed(OILED.partition("[lubricant]")[0] + "[friction]\ncoefficient = 0.1\n")
+    said = printed(SERIES.partition("[lubricant]")[0] + "[friction]\ncoefficient = 0.1\n")
     assert "No catalogue band: no lubricant is given: add a table [lubricant]." in " ".join(said.split())
     assert "add a table [lubricant]" in " ".join(said.rpartition("Effects")[2].split())  # brackets are no markup
     assert "catalogue" not in said.splitlines()[1]
@@ -77,7 +62,7 @@ def test_without_oil_the_band_is_left_out_with_a_reason() -> None:
 
 def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
     """Centrifugal force of balls without thrust exceeds the torque; left out on purpose, it is in no uncertainty."""
-    text = OILED.replace('["900 N", "400 N"]', '"0 N"\nradial_load = "100 N"').replace("2000 rpm", "30000 rpm")
+    text = SERIES.replace('["900 N", "400 N"]', '"0 N"\nradial_load = "100 N"').replace("2000 rpm", "30000 rpm")
     off = parse_scene(text + '[effects]\ncentrifugal = "off"\n', origin="here")
     said = " ".join(printed(text + '[effects]\ncentrifugal = "off"\n').split())
     found = torque_of_scene(off)
@@ -93,7 +78,7 @@ def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
 
 def test_a_long_series_is_shown_in_part() -> None:
     many = ", ".join(f'"{100 + speed} rpm"' for speed in range(40))
-    text = OILED.replace('["500 rpm", "2000 rpm"]', f"[{many}]").replace('["900 N", "400 N"]', '"900 N"')
+    text = SERIES.replace('["500 rpm", "2000 rpm"]', f"[{many}]").replace('["900 N", "400 N"]', '"900 N"')
     said = printed(text)
     assert "12 of 40 operating points; --json has all of them." in said
     assert "axial load 900 N" in said.splitlines()[0]
@@ -101,7 +86,7 @@ def test_a_long_series_is_shown_in_part() -> None:
 
 
 def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Path) -> None:
-    (tmp_path / "a.toml").write_text(OILED, "utf-8")
+    (tmp_path / "a.toml").write_text(SERIES, "utf-8")
     status, out, err = command("torque", str(tmp_path / "a.toml"), "--json")
     found = json.loads(out)
     assert (status, err) == (0, "")
@@ -125,7 +110,7 @@ def test_beyond_the_tolerance_the_status_is_3(command) -> None:
 
 
 def test_a_tighter_tolerance_chooses_a_costlier_method(command, tmp_path: Path) -> None:
-    (tmp_path / "a.toml").write_text(OILED, "utf-8")
+    (tmp_path / "a.toml").write_text(SERIES, "utf-8")
     methods = []
     for tolerance in ("20 %", "0.1 %"):
         status, out, _ = command("torque", str(tmp_path / "a.toml"), "--tolerance", tolerance, "--json")
@@ -140,13 +125,13 @@ def test_a_tighter_tolerance_chooses_a_costlier_method(command, tmp_path: Path) 
     ("change", "words"),
     [
         (("[surface]", "[surfaces]"), "did you mean surface?"),
-        (('"0.05 um"', "0.05"), "surface.rms_roughness = 0.05 has no unit"),
+        (('"0.1 um"', "0.1"), "surface.rms_roughness = 0.1 has no unit"),
         (('["900 N", "400 N"]', '["900 N", "0 N"]'), "leaves a point without any load"),
         (('["900 N", "400 N"]', '"9000 kN"'), "race's shoulder: lower the load"),
     ],
 )
 def test_a_mistake_is_one_line(command, tmp_path: Path, change: tuple[str, str], words: str) -> None:
-    (tmp_path / "a.toml").write_text(OILED.replace(*change), "utf-8")
+    (tmp_path / "a.toml").write_text(SERIES.replace(*change), "utf-8")
     status, out, err = command("torque", str(tmp_path / "a.toml"))
     assert (status, out) == (2, "")
     assert err.count("\n") == 1

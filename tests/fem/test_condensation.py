@@ -9,17 +9,24 @@ from scipy.sparse import csr_matrix
 from scipy.sparse.linalg import spsolve
 
 from analytic.errors import ConvergenceError, SingularError
-from analytic.scene import Contact, Material
+from analytic.scene import Contact
 from fembearing.fem import condensation
 from fembearing.fem.condensation import HeldBody, condense, held_stiffness
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import load_recipe
+from tests.contacts import STEEL
 
 Array = NDArray[np.float64]
 CASES = [("race", "upper"), ("race", "lower"), ("hertzian", "upper"), ("hertzian", "lower")]
 SEMI_AXES = 0.10e-3, 0.93e-3  # m
-BOTH = pytest.mark.parametrize("solver", ["as installed", "scipy"])
+
+
+@pytest.fixture(params=["as installed", "scipy"])
+def solver(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The factorisation is that of the installed PARDISO, if any, or that of SciPy."""
+    if request.param == "scipy":
+        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
 
 
 @pytest.fixture(scope="module")
@@ -37,17 +44,12 @@ def pushed(pair: PairMesh, side: str) -> tuple[BodyMesh, Array]:
 @pytest.mark.skipif(condensation.PyPardisoSolver is None, reason="PARDISO is not available for this processor")
 @pytest.mark.parametrize(("recipe", "side"), CASES)
 def test_both_solvers_give_the_same(
-    contacts: dict[str, Contact],
-    pairs: dict[str, PairMesh],
-    recipe: str,
-    side: str,
-    monkeypatch: pytest.MonkeyPatch,
+    pairs: dict[str, PairMesh], recipe: str, side: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     body, force = pushed(pairs[recipe], side)
-    material = contacts["inner"].ball_material
-    by_pardiso = condense(body, material=material, force=force, semi_axes=SEMI_AXES)
+    by_pardiso = condense(body, material=STEEL, force=force, semi_axes=SEMI_AXES)
     monkeypatch.setattr(condensation, "PyPardisoSolver", None)
-    by_superlu = condense(body, material=material, force=force, semi_axes=SEMI_AXES)
+    by_superlu = condense(body, material=STEEL, force=force, semi_axes=SEMI_AXES)
     size = np.abs(by_superlu.compliance).max()
     # Round-off times the condition of a mesh whose cells differ a hundredfold, about 1e6.
     np.testing.assert_allclose(by_pardiso.compliance, by_superlu.compliance, atol=1e-9 * size, rtol=0)
@@ -56,23 +58,13 @@ def test_both_solvers_give_the_same(
     assert by_pardiso.unknowns == by_superlu.unknowns
 
 
-@BOTH
+@pytest.mark.usefixtures("solver")
 @pytest.mark.parametrize(("recipe", "side"), CASES)
-def test_condensed_nodes_move_as_in_the_whole_body(
-    contacts: dict[str, Contact],
-    pairs: dict[str, PairMesh],
-    recipe: str,
-    side: str,
-    solver: str,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_condensed_nodes_move_as_in_the_whole_body(pairs: dict[str, PairMesh], recipe: str, side: str) -> None:
     """Random forces and a far field together; a wrong node order, sign or scale of the far field fails here."""
-    if solver == "scipy":
-        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
     body, force = pushed(pairs[recipe], side)
-    material = contacts["inner"].race_material
-    condensed = condense(body, material=material, force=force, semi_axes=SEMI_AXES)
-    system = held_stiffness(body, material=material, semi_axes=SEMI_AXES)
+    condensed = condense(body, material=STEEL, force=force, semi_axes=SEMI_AXES)
+    system = held_stiffness(body, material=STEEL, semi_axes=SEMI_AXES)
     random = np.random.default_rng(21)
     for load in (0.0, 153.0):
         pushes = random.uniform(0.3, 2.9, body.touching.size)
@@ -87,11 +79,9 @@ def test_condensed_nodes_move_as_in_the_whole_body(
 
 
 @pytest.mark.parametrize(("recipe", "side"), CASES)
-def test_compliance_is_symmetric_and_positive_definite(
-    contacts: dict[str, Contact], pairs: dict[str, PairMesh], recipe: str, side: str
-) -> None:
+def test_compliance_is_symmetric_and_positive_definite(pairs: dict[str, PairMesh], recipe: str, side: str) -> None:
     body, force = pushed(pairs[recipe], side)
-    condensed = condense(body, material=contacts["inner"].ball_material, force=force, semi_axes=SEMI_AXES)
+    condensed = condense(body, material=STEEL, force=force, semi_axes=SEMI_AXES)
     np.testing.assert_array_equal(condensed.compliance, condensed.compliance.T)
     spectrum = np.linalg.eigvalsh(condensed.compliance)
     assert spectrum[0] > 1e-9 * spectrum[-1]  # above its round-off
@@ -102,12 +92,9 @@ def test_compliance_is_symmetric_and_positive_definite(
 
 
 @pytest.mark.parametrize("ratio", [0.0, 0.21, 0.45])
-def test_two_half_spaces_are_mirror_images(
-    contacts: dict[str, Contact], pairs: dict[str, PairMesh], ratio: float
-) -> None:
+def test_two_half_spaces_are_mirror_images(pairs: dict[str, PairMesh], ratio: float) -> None:
     """The solver condenses only one of them, which is right because the far field of the other is its mirror image."""
-    steel = contacts["inner"].ball_material
-    material = type(steel)(name="other", youngs_modulus=87e9, poisson_ratio=ratio, density=1.0, source="test")
+    material = replace(STEEL, youngs_modulus=87e9, poisson_ratio=ratio)
     upper, lower = (
         condense(
             *pushed(pairs["hertzian"], side)[:1],
@@ -122,10 +109,9 @@ def test_two_half_spaces_are_mirror_images(
 
 
 NOTHING = np.array([], dtype=np.intp)
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
 
 
-@BOTH
+@pytest.mark.usefixtures("solver")
 @pytest.mark.parametrize(
     ("fault", "words"),
     [
@@ -135,18 +121,9 @@ STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=
         ("Poisson ratio", "not finite and positive"),
     ],
 )
-def test_a_body_without_a_unique_solution_is_named(
-    contacts: dict[str, Contact],
-    pairs: dict[str, PairMesh],
-    fault: str,
-    words: str,
-    solver: str,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    if solver == "scipy":
-        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
+def test_a_body_without_a_unique_solution_is_named(pairs: dict[str, PairMesh], fault: str, words: str) -> None:
     body, force = pushed(pairs["hertzian"], "lower")
-    material = contacts["inner"].race_material
+    material = STEEL
     if fault == "no far boundary":  # free to sink
         body = replace(body, far=NOTHING)
     elif fault == "nothing held":
@@ -171,7 +148,7 @@ def springs(matrix: list[list[float]]) -> HeldBody:
     )
 
 
-@BOTH
+@pytest.mark.usefixtures("solver")
 @pytest.mark.parametrize(
     "matrix",
     [
@@ -181,19 +158,13 @@ def springs(matrix: list[list[float]]) -> HeldBody:
         [[2.0, 0.5, 0.0], [0.5, np.inf, 0.0], [0.0, 0.0, 1.5]],
     ],
 )
-def test_loose_springs_are_refused_with_a_message(
-    matrix: list[list[float]], solver: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    if solver == "scipy":
-        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
+def test_loose_springs_are_refused_with_a_message(matrix: list[list[float]]) -> None:
     with pytest.raises(SingularError, match=r"ball: its 3 equations have no single answer: .* Check that it is held"):
         springs(matrix).displacement(np.array([0.3, 0.7, 1.1]), load=0.0)
 
 
-@BOTH
-def test_a_body_too_large_for_the_memory_gets_a_remedy(solver: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    if solver == "scipy":
-        monkeypatch.setattr(condensation, "PyPardisoSolver", None)
+@pytest.mark.usefixtures("solver")
+def test_a_body_too_large_for_the_memory_gets_a_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
     short = MemoryError() if condensation.PyPardisoSolver is None else condensation.PyPardisoError(-2)
 
     def without_memory(*_: object) -> None:

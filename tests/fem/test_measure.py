@@ -44,9 +44,8 @@ def test_peak_pressure_is_fitted_through_scatter() -> None:
     area = random.uniform(0.4, 1.9, 300) * A * B / 300
     pressure = semi_ellipsoid(x, y)
     np.testing.assert_allclose(peak_pressure(x, y, pressure, area, semi_axes=(A, B)), PEAK, rtol=1e-12)  # round-off
-    np.testing.assert_allclose(
-        peak_pressure(x, y, pressure, area, semi_axes=(1.03 * A, 0.96 * B)), PEAK, rtol=1e-12
-    )  # the measured axes only choose the nodes
+    # The measured axes only choose the nodes
+    np.testing.assert_allclose(peak_pressure(x, y, pressure, area, semi_axes=(1.03 * A, 0.96 * B)), PEAK, rtol=1e-12)
     pressure[0] *= 1.3
     assert 0 < peak_pressure(x, y, pressure, area, semi_axes=(A, B)) / PEAK - 1 < 0.02  # one of 150 nodes, 30 % off
     area[0] *= 1e-8

@@ -8,31 +8,21 @@ import pytest
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError
-from analytic.scene import Bearing, Cage, Contact, Groove, Material
+from analytic.scene import Contact
 from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
+from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE
+from tests.contacts import PEEK, STEEL
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
-PEEK = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
-GROOVE = Groove(bottom_radius=15.53e-3, groove_radius=4.13e-3, shoulder_half_width=3.1e-3, material=STEEL)
-BEARING = Bearing(
-    name="test",
-    ball_count=9,
-    ball_diameter=7.94e-3,
-    ball_mass=2.04e-3,
-    ball_material=STEEL,
-    inner=GROOVE,
-    outer=replace(GROOVE, bottom_radius=23.48e-3, groove_radius=4.21e-3),
-)
-CAGE = Cage(pocket_diameter=8.14e-3, pocket_depth=3.9e-3, wall_thickness=0.9e-3, mass=6.58e-3, material=STEEL)
+CAGE = replace(STAMPED_CAGE, pocket_depth=3.9e-3)
 
 
 def pocket(load: float = 28.0, **changed: object) -> Contact:
-    return pocket_contact(BEARING, replace(CAGE, **changed), load=load)
+    return pocket_contact(BEARING_6205, replace(CAGE, **changed), load=load)
 
 
 def solve(contact: Contact, recipe: str, level: int = 2) -> MeshSolution:
@@ -101,9 +91,8 @@ def test_a_thick_seat_deviates_from_hertz_in_proportion_to_the_contact() -> None
         contact = pocket(load)
         departures.append(solve(contact, "race", level=3).quantities.approach / hertz_quantities(contact).approach - 1)
     assert departures[0] < -0.01
-    np.testing.assert_allclose(
-        departures[1] / departures[0], (2 / 28) ** (1 / 3), rtol=0.1
-    )  # 1e-3 of mesh error in 7e-3
+    # Tolerance: a mesh error of 1e-3 in 7e-3
+    np.testing.assert_allclose(departures[1] / departures[0], (2 / 28) ** (1 / 3), rtol=0.1)
 
 
 def test_a_sheet_deflects_as_a_shell() -> None:

@@ -15,27 +15,11 @@ from fembearing.compare.contact.ring import structure_of_ring
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
+from tests import contacts
+from tests.contacts import INNER_RING, OUTER_RING, STEEL
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
-INNER = Contact(
-    pair="inner",
-    ball_radius=3.97e-3,
-    groove_radius=4.13e-3,
-    rolling_radius=16.47e-3,
-    shoulder=2.14e-3,
-    contact_angle=0.3,
-    load=372.0,
-    ball_material=STEEL,
-    race_material=STEEL,
-    ring=Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_width=3.1e-3),
-)
-OUTER = replace(
-    INNER,
-    pair="outer",
-    groove_radius=4.21e-3,
-    rolling_radius=-24.41e-3,
-    ring=Ring(bottom_radius=23.48e-3, seat_radius=26e-3, width=15e-3, shoulder_half_width=3.1e-3),
-)
+INNER = replace(contacts.INNER, contact_angle=0.3, ring=INNER_RING)
+OUTER = replace(contacts.OUTER, contact_angle=0.3, shoulder=2.14e-3, ring=OUTER_RING)
 RACE = load_recipe("race")
 FLAT = 10.0  # m, of all radii: nothing of what is measured here bends by more than 1e-3 of its thickness
 

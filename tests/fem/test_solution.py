@@ -7,25 +7,15 @@ import pytest
 
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.errors import InputError
-from analytic.scene import Contact, Material
+from analytic.scene import Contact
 from fembearing.fem.contact import press
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
+from tests import contacts
+from tests.contacts import NITRIDE, STEEL
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
-NITRIDE = Material(name="silicon nitride", youngs_modulus=310e9, poisson_ratio=0.27, density=3200.0, source="test")
-INNER = Contact(
-    pair="inner",
-    ball_radius=3.97e-3,
-    groove_radius=4.13e-3,
-    rolling_radius=16.2e-3,
-    shoulder=2.6e-3,
-    contact_angle=0.18,
-    load=620.0,
-    ball_material=STEEL,
-    race_material=STEEL,
-)
+INNER = replace(contacts.INNER, rolling_radius=16.2e-3, shoulder=2.6e-3, contact_angle=0.18, load=620.0)
 OUTER = replace(INNER, pair="outer", groove_radius=4.21e-3, rolling_radius=-23.8e-3)
 NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 

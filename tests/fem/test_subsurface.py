@@ -15,21 +15,11 @@ from fembearing.fem.condensation import condense
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.subsurface import Side, SubsurfaceStress, body_displacement, subsurface_stress
 from fembearing.mesh.recipe import load_recipe
+from tests import contacts
+from tests.contacts import NITRIDE, STEEL
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
 RUBBER = replace(STEEL, name="rubber", youngs_modulus=2.9e9, poisson_ratio=0.4999)
-NITRIDE = Material(name="silicon nitride", youngs_modulus=310e9, poisson_ratio=0.27, density=3200.0, source="test")
-INNER = Contact(
-    pair="inner",
-    ball_radius=3.97e-3,
-    groove_radius=4.13e-3,
-    rolling_radius=15.85e-3,
-    shoulder=2.6e-3,
-    contact_angle=0.18,
-    load=620.63,
-    ball_material=STEEL,
-    race_material=STEEL,
-)
+INNER = replace(contacts.INNER, rolling_radius=15.85e-3, shoulder=2.6e-3, contact_angle=0.18, load=620.63)
 SPHERE = replace(INNER, groove_radius=1e9, rolling_radius=1e9)
 ACROSS = replace(INNER, rolling_radius=3.2e-3, groove_radius=31.0e-3)  # longer along rolling
 SIDES = pytest.mark.parametrize("side", ["upper", "lower"])
@@ -101,9 +91,8 @@ def test_the_third_level_agrees_with_the_closed_form(contact: Contact, side: Sid
     stress, depth = np.split(np.abs(errors(found, contact, side)), 2)
     assert stress.max() < 1e-3  # 5e-4 measured; the aim is 5e-3
     assert depth.max() < 1e-2  # 4e-3 measured, for a maximum is flat; the aim is 2e-2
-    assert (
-        curve_error(found, contact, side) < 3e-3
-    )  # 2e-3 measured, on the surface, where the spline has data below only
+    # Measured: 2e-3, on the surface, where the spline has data below only
+    assert curve_error(found, contact, side) < 3e-3
 
 
 @pytest.mark.slow

@@ -34,9 +34,8 @@ def surface(body: BodyMesh) -> Array:
 @pytest.mark.parametrize("pair", PAIRS)
 def test_no_cell_is_inside_out(contacts: dict[str, Contact], pair: str, recipe: str, level: int) -> None:
     """Over seven decades of load and grooves from tight to open; coarse cells fold most easily."""
-    sizes = (
-        (1e-3, 0.21, 37.0, 620.0, 5000.0) if level < 4 else (1e-3, 620.0)
-    )  # N; level 4 costs the most, folds the least
+    # N; level 4 costs the most and folds the least
+    sizes = (1e-3, 0.21, 37.0, 620.0, 5000.0) if level < 4 else (1e-3, 620.0)
     for load in sizes:
         for conformity in (0.507, 0.53, 0.71):
             contact = replace(contacts[pair], load=load, groove_radius=conformity * 7.94e-3)

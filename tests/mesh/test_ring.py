@@ -7,32 +7,28 @@ import pytest
 from skfem import Basis, ElementHex2
 
 from analytic.errors import InputError
-from analytic.scene import Contact, Material, Ring
+from analytic.scene import Contact, Ring
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.race import race_block
 from fembearing.mesh.recipe import load_recipe
 from fembearing.mesh.ring import into_ring, ring_piece
+from tests import contacts
+from tests.contacts import INNER_RING, OUTER_RING
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
-INNER = Contact(
-    pair="inner",
-    ball_radius=3.97e-3,
-    groove_radius=4.13e-3,
-    rolling_radius=15.53e-3 / np.cos(0.3) + 4.13e-3 * (1 / np.cos(0.3) - 1),
-    shoulder=2.14e-3,
+STEEPER = 1 / np.cos(0.3)
+INNER = replace(
+    contacts.INNER,
     contact_angle=0.3,
-    load=372.0,
-    ball_material=STEEL,
-    race_material=STEEL,
-    ring=Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_width=3.1e-3),
+    rolling_radius=15.53e-3 * STEEPER + 4.13e-3 * (STEEPER - 1),
+    ring=INNER_RING,
 )
 OUTER = replace(
-    INNER,
-    pair="outer",
-    groove_radius=4.21e-3,
-    rolling_radius=-23.48e-3 / np.cos(0.3) + 4.21e-3 * (1 / np.cos(0.3) - 1),
-    ring=Ring(bottom_radius=23.48e-3, seat_radius=26e-3, width=15e-3, shoulder_half_width=3.1e-3),
+    contacts.OUTER,
+    contact_angle=0.3,
+    rolling_radius=-23.48e-3 * STEEPER + 4.21e-3 * (STEEPER - 1),
+    shoulder=2.14e-3,
+    ring=OUTER_RING,
 )
 AXES = (0.103e-3, 0.93e-3)
 RACE = load_recipe("race")

@@ -18,6 +18,7 @@ from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
 from fembearing.provenance import provenance_of
 from fembearing.report import torque_folder as module
 from fembearing.report.torque_folder import torque_with_folder, write_torque
+from tests.analytic.specimens import present
 from tests.report.pictures.test_cage_pictures import MOVING
 
 TWO = MOVING.replace('inner_speed = "500 rpm"', 'inner_speed = ["500 rpm", "200 rpm"]')
@@ -62,12 +63,11 @@ def test_each_point_has_series_plot_and_picture(made: Made) -> None:
 
 
 def test_a_series_tells_where_it_comes_from_and_agrees_with_the_torque(made: Made) -> None:
-    torque = made.result.friction.torque.cage
-    assert torque is not None
+    torque = present(made.result.friction.torque.cage)
     for point, rpm in enumerate((500, 200)):
         read = xarray.load_dataset(made.folder / f"{point + 1}-cage.nc")
         assert read.attrs["scene_sha256"] == provenance_of(made.scene)["scene_sha256"]
-        assert json.loads(read.attrs["scene_content"])["name"] == "moving"
+        assert json.loads(read.attrs["scene_content"])["name"] == "mine"
         assert json.loads(read.attrs["versions"])["numpy"] == np.__version__
         np.testing.assert_allclose(read.attrs["inner_speed_rad_per_s"], rpm * np.pi / 30)
         assert (read.attrs["start"], read.attrs["state_of_all_seeds"]) == ("rest", "rest")
@@ -91,8 +91,7 @@ def test_without_a_moving_cage_there_are_numbers_and_the_reason(tmp_path: Path) 
 
 @pytest.mark.parametrize(("renderer", "word"), [(DIES, "signal 6"), (("/nowhere/python",), "could not be started")])
 def test_where_vtk_cannot_draw_all_else_is_there(tmp_path: Path, renderer: tuple[str, ...], word: str) -> None:
-    lacking = write_torque(torque_of_scene(parse_scene(MOVING, origin="here")), tmp_path, renderer=renderer)
-    assert lacking is not None
+    lacking = present(write_torque(torque_of_scene(parse_scene(MOVING, origin="here")), tmp_path, renderer=renderer))
     assert "there is no picture of the cage" in lacking
     assert word in lacking
     assert {path.name for path in tmp_path.iterdir()} == {"torque.json", "1-cage.nc", "1-cage-forces.png"}

@@ -24,12 +24,9 @@ def test_values_come_out_in_si_and_in_order(grid_file: Callable[..., Path]) -> N
     )
     load, speed, roughness = grid.axes
     assert load.values == (100.0, 700.0)
-    np.testing.assert_allclose(
-        np.array(speed.values, float), 2 * np.pi * np.array([1.0, 5.5, 10.0]), rtol=1e-14
-    )  # round-off
-    np.testing.assert_allclose(
-        np.array(roughness.values, float), [1e-7, 2e-7, 4e-7, 8e-7, 1.6e-6], rtol=1e-14
-    )  # round-off
+    # Tolerance: round-off
+    np.testing.assert_allclose(np.array(speed.values, float), 2 * np.pi * np.array([1.0, 5.5, 10.0]), rtol=1e-14)
+    np.testing.assert_allclose(np.array(roughness.values, float), [1e-7, 2e-7, 4e-7, 8e-7, 1.6e-6], rtol=1e-14)
     assert [axis.key for axis in grid.order] == [
         "surface.rms_roughness",
         "operation.axial_load",
@@ -97,10 +94,7 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
         ('bearing.catalog = ["6205", "nought"]', r"catalog\[1\] = 'nought' is not in the catalog; give one of 6205"),
         ('bearing.catalog = { from = "6205", to = "6208", count = 2 }', "has no order to step through"),
         ('effects.spin = ["on", "perhaps"]', "'perhaps' is not a word known here; give 'auto', 'on' or 'off'"),
-        (
-            'operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]',
-            "axial_load is there twice",
-        ),
+        ('operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]', "axial_load is there twice"),
         (
             'conformity = [0.52]\nbearing.inner.groove_radius = ["4.2 mm"]',
             r"conformity sets bearing\.inner\.groove_radius too; leave one of them out",

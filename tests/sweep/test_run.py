@@ -18,6 +18,7 @@ from fembearing.sweep import parts
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.run import run_sweep
 from fembearing.sweep.store import opened_store
+from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 from tests.sweep.swept import SCENE
 
 AXES = """
@@ -61,25 +62,6 @@ def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: 
         np.testing.assert_allclose(float(here["load_outer"]), alone.outer.load[0], rtol=1e-9)
 
 
-OILED = """
-name = "oiled"
-tolerance = "5 %"
-[bearing]
-catalog = "6205"
-contact_angle = { rule = "solved", free = "0.18 rad" }
-[operation]
-axial_load = "700 N"
-inner_speed = "300 rpm"
-[lubricant]
-viscosity = "0.06 Pa s"
-pressure_viscosity = "2e-8 1/Pa"
-eyring_stress = "5 MPa"
-[surface]
-rms_roughness = "0.1 um"
-autocorrelation = { kind = "gaussian", length = "60 um", spacing = "2 um" }
-"""
-
-
 @pytest.mark.usefixtures("in_process")
 def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -89,7 +71,8 @@ def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
     places, names = catalog.path, catalog.names
     monkeypatch.setattr(catalog, "path", lambda k, name: tmp_path / "6299.toml" if name == "6299" else places(k, name))
     monkeypatch.setattr(catalog, "names", lambda kind: (*names(kind), *(["6299"] if kind == "bearings" else [])))
-    (tmp_path / "oiled.toml").write_text(OILED, "utf-8")
+    oiled = changed(SPEEDS, '"300 rpm"', OILED)
+    (tmp_path / "oiled.toml").write_text(oiled, "utf-8")
     axes = {
         "bearing.catalog": ["6205", "6299"],
         "lubricant.viscosity": ["0.013 Pa s", "77 mPa s"],
@@ -102,8 +85,8 @@ def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
     np.testing.assert_array_equal(found["viscosity"], [0.013, 0.077])
     np.testing.assert_array_equal(found["rms_roughness"], [5e-8, 3.1e-7])
     for point in np.ndindex(2, 2, 2):
-        text = OILED
-        for before, values, index in zip(("6205", "0.06 Pa s", "0.1 um"), axes.values(), point, strict=True):
+        text = oiled
+        for before, values, index in zip(("6205", "60 mPa s", "0.1 um"), axes.values(), point, strict=True):
             text = text.replace(f'"{before}"', f'"{values[index]}"')
         alone = friction_torque(parse_scene(text, origin="written"))
         for name, expected in (("torque_total", alone.torque.total), ("film_inner", alone.film.inner)):
@@ -166,10 +149,7 @@ def test_missing_files_of_a_folder_are_computed_again(grid_file: Write, tmp_path
     first, second, *_ = sorted((out / "parts").iterdir())
     first.write_bytes(first.read_bytes()[:900])  # as a power failure leaves it
     second.unlink()
-    for half_written in (
-        out / "parts" / f".{second.name}",
-        out / ".sweep.nc",
-    ):  # as a killed process leaves them
+    for half_written in (out / "parts" / f".{second.name}", out / ".sweep.nc"):  # as a killed process leaves them
         half_written.write_text("half")
     (out / "done.json").unlink()
     found = run_sweep(path, out=out)
@@ -314,9 +294,8 @@ def test_points_that_fail_give_a_reason_and_leave_the_others_alone(grid_file: Wr
     assert "groove" in reasons[0, 0]
     assert not any(re.search(r"\n", reason) for reason in reasons.ravel())
     kept = found["torque_total"].isel(conformity=1, axial_load=[0, 2]).values
-    np.testing.assert_allclose(
-        kept, known["torque_total"].isel(conformity=0).values, rtol=1e-9
-    )  # the angle is iterated
+    # Tolerance: the angle is iterated
+    np.testing.assert_allclose(kept, known["torque_total"].isel(conformity=0).values, rtol=1e-9)
     again = run_sweep(grid_file(more), out=tmp_path / "more")
     assert (again.computed, again.failed) == (0, 4)
 

@@ -173,10 +173,7 @@ def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
     whole = run_sweep(path, out=tmp_path / "here").dataset()
     assert len(in_process) == 2
     options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": None, "silence_logs": "CRITICAL"}
-    with (
-        dask.config.set({"distributed.scheduler.allowed-failures": 0}),
-        distributed.LocalCluster(**options) as cluster,
-    ):
+    with dask.config.set({"distributed.scheduler.allowed-failures": 0}), distributed.LocalCluster(**options) as cluster:
         address = cluster.scheduler_address
         found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
         tasks = {number: (operator.neg, number) for number in range(4)} | {"deadly": (os._exit, 3)}

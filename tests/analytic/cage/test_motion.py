@@ -223,8 +223,7 @@ def test_drag_power_is_the_energy_loss_in_free_flight() -> None:
     before, velocity = motion.kinetic_energy, motion.velocity
     passed = motion.advance(2e-6)
     assert passed.max_force == 0
-    np.testing.assert_allclose(
-        before - motion.kinetic_energy, passed.drag_power * passed.duration, rtol=0.02
-    )  # a one-sided sum
+    # Tolerance: the error of a one-sided sum
+    np.testing.assert_allclose(before - motion.kinetic_energy, passed.drag_power * passed.duration, rtol=0.02)
     decay = np.exp(-0.1 / cage.pitch_radius**2 / cage.mass * passed.duration)
     np.testing.assert_allclose(motion.velocity, velocity * decay, rtol=2e-3)  # error of second order in the step

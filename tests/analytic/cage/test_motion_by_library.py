@@ -116,9 +116,8 @@ def test_forces_agree_with_the_formulas(pocket: dict[str, Any]) -> None:
     turn = Rotation.from_matrix(motion.orientation)
     y = np.concatenate([motion.centre, motion.velocity, turn.as_quat(), turn.inv().apply(motion.angular_velocity)])
     expected, _ = ball_forces(cage, motion.time, y)
-    np.testing.assert_allclose(
-        motion.forces(), expected.sum(axis=1), atol=1e-6 * deepest
-    )  # depths of um as differences of places of cm
+    # Tolerance: depths of um are differences of places of cm
+    np.testing.assert_allclose(motion.forces(), expected.sum(axis=1), atol=1e-6 * deepest)
 
 
 def test_energy_without_losses_is_conserved_over_fifty_impacts() -> None:

@@ -59,9 +59,8 @@ def test_smooth_surfaces_shear_the_oil_in_their_contact(scene: Scene) -> None:
     computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
     shear = THIN.viscosity * SPEED / film(scene, SPEED / 2)
     assert np.all(shear < 0.005 * THIN.eyring_stress)
-    np.testing.assert_allclose(
-        computed.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5
-    )  # of asinh(x)/x = 1 - x^2/6
+    # Tolerance: asinh(x)/x = 1 - x^2/6
+    np.testing.assert_allclose(computed.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5)
     assert computed.warnings == ()
     assert computed.source == "mixed lubrication"
 

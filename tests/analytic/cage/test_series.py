@@ -42,9 +42,8 @@ def test_without_friction_forces_are_normal() -> None:
     # Damping reduces some forces to 0 while the contact opens.
     assert np.mean(distance[~pressed] <= SEVEN.half_clearance) > 0.99
     along = np.sum(series.force * series.offset, axis=2)[pressed]
-    np.testing.assert_allclose(
-        along, (force * distance)[pressed], rtol=1e-9
-    )  # round-off that accumulates with the rotation
+    # Tolerance: round-off that accumulates with the rotation
+    np.testing.assert_allclose(along, (force * distance)[pressed], rtol=1e-9)
 
 
 def test_the_file_has_series_and_units(tmp_path: Path) -> None:

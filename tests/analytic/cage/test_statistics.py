@@ -112,9 +112,8 @@ def test_statistics_are_those_of_the_blocks() -> None:
     assert statistics.max_force_interval == (largest[5], largest[14])
     low, high = statistics.torque_interval
     seeds = [np.mean([b.slip_power + b.land_power + b.drag_power for b in blocks[k : k + 10]]) / W for k in (0, 10)]
-    np.testing.assert_allclose(
-        (high - low) / 2, 12.706 * abs(seeds[0] - seeds[1]) / 2, rtol=1e-4
-    )  # t for one degree of freedom
+    # Student's t for one degree of freedom
+    np.testing.assert_allclose((high - low) / 2, 12.706 * abs(seeds[0] - seeds[1]) / 2, rtol=1e-4)
 
 
 def test_another_start_is_tried_above_a_whirl_number_of_one() -> None:

@@ -15,18 +15,17 @@ from analytic.errors import InputError
 from analytic.scene import Land, Operation
 from tests.analytic.cage.specimens import CAGED, with_cage
 from tests.analytic.scenefile.scene_texts import MINE, changed
-from tests.analytic.specimens import FINISH, OIL
+from tests.analytic.specimens import FINISH, OIL, present
 
 
 def test_the_closed_form_adds_the_torque_of_a_resting_cage() -> None:
     result = friction_torque(CAGED)
     assert result.torque.cage is not None
-    assert result.cage is not None
     # mu m g r w_b/w by hand: 0.0604 N mm; friction that leans out of the plane takes less than 2 % of it
     np.testing.assert_allclose(result.torque.cage, 0.1 * 6.58e-3 * 9.80665 * 15.599e-3 * 23.411 / 39.01, rtol=0.02)
     np.testing.assert_allclose(result.torque.total, result.torque.race + result.torque.cage, rtol=1e-12)
     # The cage hangs off the vertical by the angle of friction.
-    np.testing.assert_allclose(result.cage.mean_force, 6.58e-3 * 9.80665 * np.cos(np.arctan(0.1)), rtol=1e-9)
+    np.testing.assert_allclose(present(result.cage).mean_force, 6.58e-3 * 9.80665 * np.cos(np.arctan(0.1)), rtol=1e-9)
     point = result.to_json()["points"][1]
     assert point["cage"]["state"] == "rest"
     assert point["cage"]["max_force"] is None
@@ -53,8 +52,7 @@ def test_the_closed_form_includes_drag() -> None:
         mirrored = friction_torque(
             replace(scene_of, operation=back, effects={**CAGED.effects, "cage_dynamics": "off"})
         ).cage
-        assert mirrored is not None
-        np.testing.assert_allclose(mirrored.signed_moment, -closed.signed_moment, rtol=1e-12)
+        np.testing.assert_allclose(present(mirrored).signed_moment, -closed.signed_moment, rtol=1e-12)
 
 
 def test_the_closed_form_names_what_it_leaves_out() -> None:
@@ -67,8 +65,7 @@ def test_the_motion_is_that_of_the_scene(ring: Any) -> None:
     """Every key of the cage reaches the motion. The land is where the circle of the groove reaches the shoulder."""
     change: dict[str, Any] = {"restitution": 0.37, "drag": 3e-6, "ball_lead": 0.02e-3, "pocket_stiffness": 7.7e9}
     change |= {"pocket_axis": "radial", "gravity": "along", "pocket_depth": 4.05e-3}
-    aside = with_cage(CAGED, land=Land(ring=ring, clearance=0.3e-3, width=9e-3), **change).cage
-    assert aside is not None
+    aside = present(with_cage(CAGED, land=Land(ring=ring, clearance=0.3e-3, width=9e-3), **change).cage)
     driven = driven_cage(
         CAGED.bearing,
         aside,
@@ -125,9 +122,8 @@ def test_a_start_calls_for_the_motion() -> None:
     )
     back = replace(CAGED.operation, inner_speed=-CAGED.operation.inner_speed)
     mirrored = friction_torque(with_cage(replace(CAGED, operation=back), start="whirl"))
-    assert mirrored.torque.cage is not None
     # The disturbance is not mirrored, as with other seeds. The slow cage is not steady after so short a time.
-    np.testing.assert_allclose(mirrored.torque.cage[1], result.torque.cage[1], rtol=0.03)
+    np.testing.assert_allclose(present(mirrored.torque.cage)[1], result.torque.cage[1], rtol=0.03)
 
 
 def test_at_standstill_the_closed_form_is_the_limit() -> None:
@@ -141,8 +137,7 @@ def test_at_standstill_the_closed_form_is_the_limit() -> None:
 @pytest.mark.parametrize(("gravity", "part"), [("along", 0.179), ("off", 0.0)])
 def test_the_closed_form_follows_gravity(gravity: Any, part: float) -> None:
     """Along the axis the ball surfaces slide with the share sin(0.18) = 0.179; without gravity nothing is pressed."""
-    result = friction_torque(with_cage(CAGED, gravity=gravity)).torque.cage
-    assert result is not None
+    result = present(friction_torque(with_cage(CAGED, gravity=gravity)).torque.cage)
     np.testing.assert_allclose(result, part * 0.0604e-3, rtol=2e-3)
 
 
@@ -158,10 +153,8 @@ def test_friction_comes_from_cage_oil_or_races() -> None:
     assert 0.11 > fast.coefficient[0] > fast.coefficient[1] > 0
     resting = friction_torque(oiled)
     one = friction_in_pocket(oiled, load=6.58e-3 * 9.80665 / 9, surface_speed=0.49016 * np.array([0.04, 1.0]))
-    assert resting.friction_coefficient.pocket is not None
-    np.testing.assert_allclose(
-        resting.friction_coefficient.pocket, one.coefficient, rtol=1e-4
-    )  # the digits of the speed
+    # Tolerance: the digits of the speed
+    np.testing.assert_allclose(present(resting.friction_coefficient.pocket), one.coefficient, rtol=1e-4)
     (warning,) = fast.warnings
     assert "thicker than their clearance" in warning
     with pytest.raises(InputError, match="friction of ball on pocket is not known"):
@@ -172,9 +165,7 @@ def test_a_scene_file_with_a_motion_runs(tmp_path: Path) -> None:
     text = changed("90 rpm", "500 rpm", MINE) + '[cage]\nstart = "rest"\nseeds = 2\nduration = "20 ms"'
     (tmp_path / "case.toml").write_text(text, "utf-8")
     result = friction_torque(load_scene(tmp_path / "case.toml"))
-    assert result.cage is not None
-    motion = result.cage.motion[0]
-    assert motion is not None
+    motion = present(present(result.cage).motion[0])
     assert motion.state == "rest"
 
 
@@ -183,11 +174,9 @@ def test_the_scene_sets_the_steps() -> None:
     motions = {}
     for steps in (21, 57):
         given = with_cage(replace(CAGED, effects={**CAGED.effects, "cage_dynamics": "on"}), steps_per_contact=steps)
-        cage = friction_torque(with_cage(given, start="sudden")).cage
-        assert cage is not None
+        cage = present(friction_torque(with_cage(given, start="sudden")).cage)
         assert f"{steps} steps a contact" in cage.provenance
-        driven = cage.driven[1]
-        assert driven is not None
+        driven = present(cage.driven[1])
         motions[steps] = cage.motion[1]
         assert motions[steps] == measured_motion(
             driven, start="sudden", seeds=2, duration=0.03, steps_per_contact=steps

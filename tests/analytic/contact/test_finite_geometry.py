@@ -218,9 +218,8 @@ def test_the_stored_fit_is_that_of_the_stored_solves(name: str) -> None:
     again, stored = fit.fit_of(fit.solves_of("fit"), name), stored_fit()["quantity"][name]
     assert again.terms == [term["powers"] for term in stored["terms"]]
     coefficients = [term["coefficient"] for term in stored["terms"]]
-    np.testing.assert_allclose(
-        again.coefficients, coefficients, rtol=1e-5
-    )  # 8 digits stored, of columns nearly parallel
+    # Tolerance: 8 digits are stored, and the columns are nearly parallel
+    np.testing.assert_allclose(again.coefficients, coefficients, rtol=1e-5)
     for group in ("held out", "bearing"):
         error = again.error(fit.solves_of(group), name)
         assert fit.rms(error) == pytest.approx(stored[group.replace(" ", "_")]["rms"], rel=0.03)  # 2 digits stored

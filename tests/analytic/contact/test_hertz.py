@@ -1,5 +1,6 @@
 """Hertz's contact against its definition, 50-digit arithmetic, and a published table."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import hypothesis.strategies as st
@@ -12,15 +13,13 @@ from scipy.integrate import quad
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact, relative_curvatures
 from analytic.errors import InputError
 from analytic.scene import Contact, Material
+from tests.contacts import INNER, PEEK, STEEL
 
 FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach", "stiffness")
 HARRIS = Path(__file__).parents[3] / "validation" / "published" / "harris_table_6_1.csv"
 LOAD, MODULUS = 613.0, 1.13e11  # N, Pa
 LARGE, SMALL = 310.0, 9.7  # 1/m: a ball on the inner race of a small bearing
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
-
-steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
-peek = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
 
 
 def contact(curvature_x: float = LARGE, curvature_y: float = SMALL, **changed: float) -> HertzContact:
@@ -29,18 +28,8 @@ def contact(curvature_x: float = LARGE, curvature_y: float = SMALL, **changed: f
 
 
 def ball_on_race(**changed: object) -> Contact:
-    fields: dict[str, object] = {
-        "pair": "inner",
-        "ball_radius": 3.97e-3,
-        "groove_radius": 4.13e-3,
-        "rolling_radius": 15.85e-3,
-        "shoulder": 2.3e-3,
-        "contact_angle": 0.18,
-        "load": LOAD,
-        "ball_material": steel,
-        "race_material": steel,
-    }
-    return Contact(**(fields | changed))  # pyright: ignore[reportArgumentType]
+    plain = replace(INNER, rolling_radius=15.85e-3, shoulder=2.3e-3, contact_angle=0.18, load=LOAD)
+    return replace(plain, **changed)  # pyright: ignore[reportArgumentType]
 
 
 def misfit(found: HertzContact, curvature_x: float, curvature_y: float, modulus: float = MODULUS) -> float:
@@ -148,11 +137,7 @@ def test_harris_table() -> None:
     np.testing.assert_allclose(found.approach / (unit**2 * curvature_sum / 2), table["delta_star"], rtol=rounding)
 
 
-@given(
-    log_ratio=st.floats(-13.8, 13.8),
-    metre=st.floats(1e-3, 1e3),
-    newton=st.floats(1e-6, 1e6),
-)
+@given(log_ratio=st.floats(-13.8, 13.8), metre=st.floats(1e-3, 1e3), newton=st.floats(1e-6, 1e6))
 def test_the_contact_does_not_depend_on_the_units(log_ratio: float, metre: float, newton: float) -> None:
     curvature = LARGE * np.exp(log_ratio)
     scaled = hertz_contact(
@@ -221,11 +206,11 @@ def test_a_bad_argument_is_named(changed: dict, words: tuple[str, ...]) -> None:
 
 
 def test_modulus_of_two_bodies() -> None:
-    np.testing.assert_allclose(contact_modulus(steel, steel), 206e9 / (2 * (1 - 0.3**2)), rtol=ROUND_OFF)
+    np.testing.assert_allclose(contact_modulus(STEEL, STEEL), 206e9 / (2 * (1 - 0.3**2)), rtol=ROUND_OFF)
     rigid = Material(name="rigid", youngs_modulus=1e30, poisson_ratio=0.21, density=3000.0, source="test")
-    np.testing.assert_allclose(contact_modulus(rigid, peek), 3.6e9 / (1 - 0.38**2), rtol=ROUND_OFF)
+    np.testing.assert_allclose(contact_modulus(rigid, PEEK), 3.6e9 / (1 - 0.38**2), rtol=ROUND_OFF)
     with pytest.raises(InputError, match=r"poisson_ratio of odd .* 0\.52"):
-        contact_modulus(steel, Material(name="odd", youngs_modulus=3e9, poisson_ratio=0.52, density=1.5, source="test"))
+        contact_modulus(STEEL, Material(name="odd", youngs_modulus=3e9, poisson_ratio=0.52, density=1.5, source="test"))
 
 
 def test_curvatures_of_a_ball_on_both_races() -> None:

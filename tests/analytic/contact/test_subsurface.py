@@ -135,9 +135,7 @@ def test_stresses_keep_their_digits() -> None:
 
 
 @pytest.mark.parametrize(
-    ("ratio", "shear", "depth"),
-    [(1.0, 0.310, 0.481), (1e6, 0.3003, 0.7862)],
-    ids=["circle", "line"],
+    ("ratio", "shear", "depth"), [(1.0, 0.310, 0.481), (1e6, 0.3003, 0.7862)], ids=["circle", "line"]
 )
 def test_published_maxima(ratio: float, shear: float, depth: float) -> None:
     """nu = 0.3, text-book numbers to the digits printed there."""

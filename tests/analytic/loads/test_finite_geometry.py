@@ -27,9 +27,8 @@ def test_each_load_takes_its_own_factors(bearing_6205: Bearing) -> None:
                 many, one = (getattr(getattr(each, race).factors, name) for each in (together, alone))
                 np.testing.assert_allclose(many[number], one, rtol=1e-12)  # round-off
         single = thrust_equilibrium(bearing_6205, SOLVED, axial_load=load, correction=alone.correction)
-        np.testing.assert_allclose(
-            balls.contact_angle[number], single.contact_angle, rtol=1e-12
-        )  # the root's tolerance
+        # Tolerance: that of the root
+        np.testing.assert_allclose(balls.contact_angle[number], single.contact_angle, rtol=1e-12)
     balance = (bearing_6205.groove_centre_distance + balls.approach) * np.cos(balls.contact_angle)
     np.testing.assert_allclose(balance, bearing_6205.groove_centre_distance * np.cos(0.18), rtol=1e-13)  # round-off
 

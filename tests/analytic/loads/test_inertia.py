@@ -60,9 +60,8 @@ def test_the_gyroscopic_moment_is_the_change_of_angular_momentum() -> None:
     turned = np.exp(1j * orbit * step * np.array([-0.5, 0.5])) * inertia * spin * np.sin(angle)  # the part across
     moment = abs(turned[1] - turned[0]) / step
     ratio = gyroscopic_slip_ratio(ball_speed=spin, cage_speed=orbit, contact_angle=angle, **BALL, **HELD)
-    np.testing.assert_allclose(
-        ratio * HELD["friction_force"] * radius, moment, rtol=1e-8
-    )  # round-off of the difference
+    # Tolerance: round-off of the difference
+    np.testing.assert_allclose(ratio * HELD["friction_force"] * radius, moment, rtol=1e-8)
 
 
 def test_arguments_broadcast() -> None:

@@ -54,9 +54,8 @@ def test_nothing_slips_at_the_centres(inner: float, outer: float, inner_angle: f
 def test_6205_at_500_rpm() -> None:
     """By hand: R_i = 19.505 - 3.97 cos 0.3031 = 15.716, R_o = 23.294 mm."""
     motion = kinematics(52.36, 0.0)
-    np.testing.assert_allclose(
-        [motion.inner_radius, motion.outer_radius], [15.716e-3, 23.294e-3], rtol=5e-5
-    )  # 5 digits
+    # Tolerance: 5 digits
+    np.testing.assert_allclose([motion.inner_radius, motion.outer_radius], [15.716e-3, 23.294e-3], rtol=5e-5)
     np.testing.assert_allclose(motion.cage_speed, 52.36 * 15.716 / 39.01, rtol=1e-4)
     np.testing.assert_allclose(motion.entrainment_speed, 52.36 * 15.716e-3 * 23.294 / 39.01, rtol=1e-4)
     np.testing.assert_allclose(motion.inner_rolling_rate, 52.36 * 23.294 / 7.94, rtol=1e-4)

@@ -146,9 +146,8 @@ def test_forces_and_moments_balance_as_vectors(bearing_6205: Bearing) -> None:
         )
     )
     approach = np.maximum(reach - bearing_6205.groove_centre_distance, 0)
-    np.testing.assert_allclose(
-        equilibrium.inner.approach + equilibrium.outer.approach, approach, atol=1e-15
-    )  # m: round-off of A0
+    # Tolerance: round-off of A0, m
+    np.testing.assert_allclose(equilibrium.inner.approach + equilibrium.outer.approach, approach, atol=1e-15)
 
 
 def travel(bearing: Bearing, equilibrium: RingEquilibrium) -> dict[str, np.ndarray]:
@@ -312,9 +311,8 @@ def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bea
     orbit = 2.04e-3 * 39.01e-3 / 2 * at_rest.cage_speed**2
     np.testing.assert_allclose(equilibrium.centrifugal_force[1], np.full(9, orbit), rtol=1e-9)  # the angles still agree
     backwards = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=-speeds)
-    np.testing.assert_allclose(
-        backwards.inner_load, equilibrium.inner_load, rtol=1e-12
-    )  # both forces go with the square
+    # Both forces go with the square
+    np.testing.assert_allclose(backwards.inner_load, equilibrium.inner_load, rtol=1e-12)
 
 
 @pytest.mark.parametrize(

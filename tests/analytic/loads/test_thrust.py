@@ -11,7 +11,8 @@ from scipy.optimize import minimize_scalar
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.errors import InputError
 from analytic.loads.thrust import ThrustEquilibrium, free_angle, thrust_equilibrium, thrust_equilibrium_frozen
-from analytic.scene import Bearing, ContactAngle, Material
+from analytic.scene import Bearing, ContactAngle
+from tests.contacts import PEEK
 
 SOLVED = ContactAngle(rule="solved")
 LOADS = 10.0 ** np.arange(-12, 13, 2)  # N, from nothing to what no bearing survives
@@ -146,8 +147,7 @@ def test_a_preloaded_ball_carries_its_interference(bearing_6205: Bearing) -> Non
 def test_each_race_has_its_own_material(bearing_6205: Bearing) -> None:
     """At one ball load a soft outer ring leaves the inner contact as it is; delta ~ E*^(-2/3) on the outer."""
     given = ContactAngle(rule="given", value=0.18)
-    peek = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
-    soft = replace(bearing_6205, outer=replace(bearing_6205.outer, material=peek))
+    soft = replace(bearing_6205, outer=replace(bearing_6205.outer, material=PEEK))
     hard, mixed = (thrust_equilibrium(bearing, given, axial_load=300.0) for bearing in (bearing_6205, soft))
     np.testing.assert_allclose(mixed.inner.approach, hard.inner.approach, rtol=1e-13)  # the same calculation
     steel_side = (1 - 0.3**2) / 206e9

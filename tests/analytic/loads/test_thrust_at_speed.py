@@ -68,25 +68,10 @@ def test_balls_at_speed_are_those_of_the_ring(
     load = np.array([41.0, 230.0, 890.0, 2600.0])
     speed = np.array([-740.0, 320.0, 1900.0, 2700.0])
     factors = ContactFactors(approach=np.array([0.93, 0.97, 1.02, 1.01]), semi_axis_rolling=1.03)
-    balls = thrust_at_speed(
-        bearing_6205,
-        rule,
-        axial_load=load,
-        inner_speed=speed,
-        centrifugal=centrifugal,
-        gyroscopic=gyroscopic,
-        correction=ContactCorrection(outer=factors),
-    )
+    loaded = {"axial_load": load, "inner_speed": speed, "centrifugal": centrifugal, "gyroscopic": gyroscopic}
+    balls = thrust_at_speed(bearing_6205, rule, **loaded, correction=ContactCorrection(outer=factors))
     each = replace(factors, approach=np.repeat(np.asarray(factors.approach)[:, None], bearing_6205.ball_count, axis=1))
-    ring = ring_equilibrium(
-        bearing_6205,
-        rule,
-        axial_load=load,
-        inner_speed=speed,
-        centrifugal=centrifugal,
-        gyroscopic=gyroscopic,
-        correction=ContactCorrection(outer=each),
-    )
+    ring = ring_equilibrium(bearing_6205, rule, **loaded, correction=ContactCorrection(outer=each))
     for name in FIELDS:
         # The ring stops at 1e-11 of its forces, some of which are hundreds of the light ball's.
         np.testing.assert_allclose(getattr(balls, name), getattr(ring, name)[:, 4], rtol=1e-8)

@@ -60,24 +60,21 @@ material = "peek"
 [effects]
 spin = "off"
 """
-OIL = (
-    PLAIN
-    + """\
+LUBRICANT = """\
 [lubricant]
 viscosity = "60 mPa s"
 pressure_viscosity = "2e-8 1/Pa"
 eyring_stress = "5 MPa"
 traction = "eyring_sinh"
 """
-)
-ROUGH = (
-    PLAIN
-    + """\
+SURFACE = """\
 [surface]
 rms_roughness = "0.1 um"
 autocorrelation = { kind = "gaussian", length = "60 um", spacing = "2 um" }
 """
-)
+OIL, ROUGH = PLAIN + LUBRICANT, PLAIN + SURFACE
+OILED = PLAIN + LUBRICANT + SURFACE
+SPEEDS = '["100 rpm", "30 deg/s"]'  # of PLAIN
 
 
 def scene(text: str) -> Scene:

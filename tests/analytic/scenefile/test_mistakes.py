@@ -15,6 +15,13 @@ from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, chan
 BEARING = 'catalog = "6205"'
 MAP = '{ path = "a.npy", spacing = "1 um" }'
 CAGE = PLAIN + "[cage]\n"
+
+
+def with_bearing(line: str) -> str:
+    """The text with one more line in the table of the bearing."""
+    return changed(BEARING, f"{BEARING}\n{line}")
+
+
 MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed('"700 N"', "700"), ("operation.axial_load = 700", "no unit", '"1000 N"')),
     (changed('"700 N"', '"700"'), ("operation.axial_load = '700'", "unit is missing", '"1000 N"')),
@@ -81,58 +88,43 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed(BEARING, 'catalog = "../scenes/6205"'), ("bearing.catalog = '../scenes/6205'", "give one of")),
     (changed(BEARING, "catalog = [[6205]]"), ("bearing.catalog", "give one of 6205")),
     (changed(BEARING, ""), ("bearing.name is missing", "catalog", "and 2 more")),
-    (changed(BEARING, BEARING + "\ninner = 7"), ("bearing.inner = 7", "not a table", "bottom_radius")),
-    (changed(BEARING, BEARING + "\nball_count = 9.0"), ("bearing.ball_count = 9.0", "whole number")),
-    (changed(BEARING, BEARING + "\nball_count = 17"), ("bearing.ball_count = 17", "at most 15 fit")),
+    (with_bearing("inner = 7"), ("bearing.inner = 7", "not a table", "bottom_radius")),
+    (with_bearing("ball_count = 9.0"), ("bearing.ball_count = 9.0", "whole number")),
+    (with_bearing("ball_count = 17"), ("bearing.ball_count = 17", "at most 15 fit")),
+    (with_bearing('ball_material = "stel"'), ("bearing.ball_material = 'stel'", "peek, silicon_nitride, steel")),
     (
-        changed(BEARING, BEARING + '\nball_material = "stel"'),
-        ("bearing.ball_material = 'stel'", "peek, silicon_nitride, steel"),
-    ),
-    (
-        changed(
-            BEARING,
-            BEARING + '\nball_material = { youngs_modulus = "5 GPa", poisson_ratio = 0.6, density = "0 g/cm^3" }',
-        ),
+        with_bearing('ball_material = { youngs_modulus = "5 GPa", poisson_ratio = 0.6, density = "0 g/cm^3" }'),
         ("bearing.ball_material.poisson_ratio = 0.6", "0 to 0.49999", "bearing.ball_material.density = '0 g/cm^3'"),
     ),
     (
-        changed(BEARING, BEARING + '\ninner.grove_radius = "4 mm"'),
+        with_bearing('inner.grove_radius = "4 mm"'),
         ("bearing.inner.grove_radius = '4 mm'", "did you mean groove_radius?"),
     ),
     (
-        changed(BEARING, BEARING + '\ninner.groove_radius = "3.97 mm"'),
+        with_bearing('inner.groove_radius = "3.97 mm"'),
         ("bearing.inner.groove_radius = '3.97 mm'", "ball radius 3.97 mm", "line"),
     ),
+    (with_bearing('outer.shoulder_half_width = "4.3 mm"'), ("bearing.outer.shoulder_half_width = '4.3 mm'", "4.21 mm")),
     (
-        changed(BEARING, BEARING + '\nouter.shoulder_half_width = "4.3 mm"'),
-        ("bearing.outer.shoulder_half_width = '4.3 mm'", "4.21 mm"),
-    ),
-    (
-        changed(BEARING, BEARING + '\nouter.bottom_radius = "23.9 mm"'),
+        with_bearing('outer.bottom_radius = "23.9 mm"'),
         ("bearing.outer.bottom_radius = '23.9 mm'", "clearance of 0.86 mm", "0.8 mm"),
     ),
     (
-        changed(BEARING, BEARING + '\ninner.bottom_radius = "16.1 mm"'),
+        with_bearing('inner.bottom_radius = "16.1 mm"'),
         ("bearing.outer.bottom_radius = '23.48 mm'", "7.38 mm", "7.94 mm", "preload"),
     ),
     (
-        changed(BEARING, BEARING + '\nouter.groove_radius = "24 mm"'),
+        with_bearing('outer.groove_radius = "24 mm"'),
         ("bearing.outer.groove_radius = '24 mm'", "bottom_radius 23.48 mm"),
     ),
     (
-        changed(BEARING, BEARING + '\ninner.shoulder_half_width = "4.129 mm"\nouter.shoulder_half_width = "4.2 mm"'),
+        with_bearing('inner.shoulder_half_width = "4.129 mm"\nouter.shoulder_half_width = "4.2 mm"'),
         ("bearing.inner.shoulder_half_width = '4.129 mm'", "19.5691 mm", "19.56 mm", "the rings touch"),
     ),
-    (
-        changed(BEARING, BEARING + '\nbore_diameter = "31.06 mm"'),
-        ("bearing.bore_diameter = '31.06 mm'", "below", "31.06 mm"),
-    ),
-    (
-        changed(BEARING, BEARING + '\noutside_diameter = "46.9 mm"'),
-        ("bearing.outside_diameter = '46.9 mm'", "exceed", "46.96 mm"),
-    ),
-    (changed(BEARING, BEARING + '\nwidth = "6.1 mm"'), ("bearing.width = '6.1 mm'", "exceed", "6.2 mm")),
-    (changed(BEARING, BEARING + "\nwidth = 15"), ("bearing.width = 15", "no unit")),
+    (with_bearing('bore_diameter = "31.06 mm"'), ("bearing.bore_diameter = '31.06 mm'", "below", "31.06 mm")),
+    (with_bearing('outside_diameter = "46.9 mm"'), ("bearing.outside_diameter = '46.9 mm'", "exceed", "46.96 mm")),
+    (with_bearing('width = "6.1 mm"'), ("bearing.width = '6.1 mm'", "exceed", "6.2 mm")),
+    (with_bearing("width = 15"), ("bearing.width = 15", "no unit")),
     (changed('{ rule = "solved" }', '"solved"'), ("bearing.contact_angle = 'solved'", "not a table", "rule")),
     (changed('"solved"', '"sloved"'), ("bearing.contact_angle.rule = 'sloved'", "'solved' or 'given'")),
     (changed('"solved"', '"given"'), ("bearing.contact_angle.value", '"0.18 rad"')),
@@ -162,10 +154,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (CAGE + 'ball_lead = "0.21 mm"', ("cage.ball_lead = '0.21 mm'", "beyond the clearance", "0.2 mm or more")),
     (CAGE + 'pocket_depth = "3.9 mm"', ("cage.pocket_depth = '3.9 mm'", "ball radius 3.97 mm")),
     (CAGE + 'pocket_approach = { load = "28 N" }', ("cage.pocket_approach.approach is missing",)),
-    (
-        CAGE + 'land = { ring = "middle", clearance = "0.3 mm", width = "9 mm" }',
-        ("cage.land.ring = 'middle'",),
-    ),
+    (CAGE + 'land = { ring = "middle", clearance = "0.3 mm", width = "9 mm" }', ("cage.land.ring = 'middle'",)),
     (CAGE + 'pocket_diameter = "9 mm"\npocket_clearance = "1 mm"', ("cage", "exactly one of", "pocket_clearance")),
     (INLINE + '[effects.more]\na = "b"', ("effects.more", "unknown key")),
     (changed('mass = "3 g"', "", INLINE), ("cage.mass is missing", '"2.04 g"')),

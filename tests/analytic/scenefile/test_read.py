@@ -8,6 +8,7 @@ import pytest
 from analytic.scene import Land
 from analytic.scenefile.read import builtin_scene, load_scene
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
+from tests.analytic.specimens import present
 
 
 def test_the_builtin_scene_is_table_1_of_the_paper(bearing_6205) -> None:
@@ -92,11 +93,9 @@ def test_a_clearance_moves_both_rings(bearing_6205, clearance: float) -> None:
 
 def test_no_cage_table_is_no_cage() -> None:
     assert scene(PLAIN).cage is None
-    wide = scene(PLAIN + '[cage]\npocket_clearance = "0.3 mm"').cage
-    assert wide is not None
+    wide = present(scene(PLAIN + '[cage]\npocket_clearance = "0.3 mm"').cage)
     np.testing.assert_allclose((wide.pocket_diameter, wide.pocket_depth), (8.24e-3, 4.12e-3), rtol=1e-15)
-    direct = scene(PLAIN + '[cage]\npocket_diameter = "8.3 mm"').cage  # replaces the clearance of the catalog
-    assert direct is not None
+    direct = present(scene(PLAIN + '[cage]\npocket_diameter = "8.3 mm"').cage)  # replaces the clearance of the catalog
     assert direct.pocket_diameter == 8.3e-3
 
 
@@ -117,8 +116,7 @@ def test_a_moulded_cage_is_a_variant_with_its_own_pocket() -> None:
     assert moulded.cage.material.youngs_modulus == 3.6e9
     np.testing.assert_allclose(moulded.cage.pocket_diameter, 8.24e-3, rtol=1e-15)
     assert moulded.warnings == ()
-    stamped = scene(PLAIN + "[cage]").cage
-    assert stamped is not None
+    stamped = present(scene(PLAIN + "[cage]").cage)
     volume = 1.5 / 0.9 * stamped.mass / stamped.material.density
     np.testing.assert_allclose(moulded.cage.mass, volume * moulded.cage.material.density, rtol=0.02)  # written: 1.8 g
     # Only the printed pocket may overlap its neighbour.
@@ -133,8 +131,7 @@ def test_the_motion_of_a_cage_is_read() -> None:
         'pocket_approach = { load = "28 N", approach = "0.9 um" }\n'
         'land = { ring = "outer", clearance = "0.3 mm", width = "9 mm" }\n'
     )
-    cage = scene(PLAIN + "[cage]\n" + text).cage
-    assert cage is not None
+    cage = present(scene(PLAIN + "[cage]\n" + text).cage)
     assert (cage.start, cage.seeds, cage.duration, cage.restitution) == ("sudden", 7, 0.3, 0.6)
     assert cage.steps_per_contact == 57
     assert (cage.gravity, cage.drag, cage.pocket_axis, cage.ball_lead) == ("along", 2e-6, "radial", -30e-6)
@@ -149,12 +146,10 @@ def test_no_lubricant_and_no_surface_is_none() -> None:
 
 
 def test_a_lubricant_is_read() -> None:
-    oil = scene(OIL).lubricant
-    assert oil is not None
+    oil = present(scene(OIL).lubricant)
     assert (oil.viscosity, oil.pressure_viscosity, oil.eyring_stress, oil.traction) == (0.06, 2e-8, 5e6, "eyring_sinh")
     assert oil.temperature == oil.reference_temperature == 313.15  # 40 degC by default
-    warm = scene(OIL + 'reference_temperature = "40.5 degC"\nviscosity_temperature = "0.03 1/K"').lubricant
-    assert warm is not None
+    warm = present(scene(OIL + 'reference_temperature = "40.5 degC"\nviscosity_temperature = "0.03 1/K"').lubricant)
     assert (warm.temperature, warm.reference_temperature, warm.viscosity_temperature) == (313.65, 313.65, 0.03)
     hot = scene(OIL + 'temperature = "80 degC"\nthermal_conductivity = "0.13 W/m/K"\ndensity = "0.85 g/cm^3"').lubricant
     assert hot is not None
@@ -172,8 +167,7 @@ def test_a_surface_is_read(tmp_path: Path) -> None:
     assert declared.autocorrelation.spacing == 2e-6
     (tmp_path / "race.CSV").write_text("0, 1")
     (tmp_path / "case.toml").write_text(PLAIN + '[surface]\nheight_map = { path = "race.CSV", spacing = "0.7 um" }')
-    measured = load_scene(tmp_path / "case.toml").surface  # relative to the folder of the scene file
-    assert measured is not None
+    measured = present(load_scene(tmp_path / "case.toml").surface)  # relative to the folder of the scene file
     assert measured.height_map is not None
     assert (measured.height_map.path, measured.height_map.spacing) == (str(tmp_path / "race.CSV"), 7e-7)
     assert measured.rms_roughness is None

@@ -14,12 +14,13 @@ from analytic.loads.kinematics import ball_kinematics
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.rolling import hysteresis_moment
 from analytic.oil.traction import CoulombTraction, MixedTraction, Traction
-from analytic.scene import Array, Autocorrelation, Lubricant, SpinRule
+from analytic.scene import Array, Autocorrelation, SpinRule
 from analytic.sliding.ball import SlidingMethod, SlipFriction, Tractions, slip_friction
 from analytic.sliding.long_ellipse import microslip_torque
 from analytic.surface.asperity_table import tabulated_asperities
 from analytic.surface.moments import mccool_summits
 from analytic.surface.roughness import spectral_moments
+from tests.analytic import specimens
 from tests.analytic.specimens import rolling_contact
 
 METHODS: tuple[SlidingMethod, ...] = ("single_coefficient", "along_axis", "over_ellipse")
@@ -27,18 +28,7 @@ QUADRATURE = 1e-5  # the quadrature over a contact states 1e-6 for smooth laws; 
 COULOMB = CoulombTraction(friction_coefficient=0.083)
 BALLS, BALL, PITCH = 9, 7.94e-3, 39.01e-3  # m, of a 6205
 STEEL, HARDNESS = 206e9 / (2 * (1 - 0.3**2)), 7.8e9  # Pa
-OIL = Lubricant(
-    viscosity=0.06,
-    pressure_viscosity=2e-8,
-    viscosity_temperature=0.03,
-    reference_temperature=313.0,
-    temperature=313.0,
-    thermal_conductivity=0.14,
-    density=870.0,
-    eyring_stress=5e6,
-    limiting_shear=0.06,
-    traction="eyring_constant",
-)
+OIL = replace(specimens.OIL, viscosity=0.06, pressure_viscosity=2e-8, eyring_stress=5e6, traction="eyring_constant")
 
 
 @dataclass(frozen=True)

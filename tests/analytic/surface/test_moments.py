@@ -43,9 +43,8 @@ def test_nayaks_distribution_of_summit_heights(bandwidth: float) -> None:
     moments = SpectralMoments(height=SQ**2, slope=0.031, curvature=bandwidth * 0.031**2 / SQ**2)
     computed = mccool_summits(moments)
     np.testing.assert_allclose(computed.mean_height / SQ, mean, rtol=1e-9)
-    np.testing.assert_allclose(
-        computed.height_deviation / SQ, np.sqrt(square - mean**2), rtol=1e-4
-    )  # 0.8968 has 4 digits
+    # Tolerance: 0.8968 has 4 digits
+    np.testing.assert_allclose(computed.height_deviation / SQ, np.sqrt(square - mean**2), rtol=1e-4)
 
 
 def test_moments_of_two_surfaces_add_and_scale_with_the_heights() -> None:

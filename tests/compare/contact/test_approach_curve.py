@@ -35,9 +35,8 @@ def test_the_curve_of_the_correction_agrees_with_single_contacts(contacts: dict[
 
 
 def test_the_curve_of_the_correction_ends_with_the_range_of_the_fit(contacts: dict[str, Contact]) -> None:
-    narrow = replace(
-        contacts["inner"], shoulder=1.7e-3, load=3000.0
-    )  # a semi-axis of 1.9 mm leaves less than 15 % of it
+    # A semi-axis of 1.9 mm leaves less than 15 % of it
+    narrow = replace(contacts["inner"], shoulder=1.7e-3, load=3000.0)
     curve = approach_over_load(narrow, hertz=hertz_quantities(narrow), correctable=True)
     semi_axis = hertz_quantities(narrow).semi_axis_transverse * (curve.load / 3000) ** (1 / 3)
     np.testing.assert_array_equal(np.isfinite(curve.corrected), 1.15 * semi_axis <= 1.7e-3)

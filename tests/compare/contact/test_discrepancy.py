@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 from rich.console import Console
 
-from analytic.scene import Contact, Material
+from analytic.scene import Contact
 from fembearing.compare.contact import discrepancy as module
 from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.compare.contact.grid_convergence import Estimate
@@ -22,6 +22,7 @@ from fembearing.progress import silent
 from fembearing.report.document.build import contact_table
 from fembearing.report.phrases import shoulder_lines
 from fembearing.report.terminal.contacts import print_contact
+from tests.contacts import PEEK
 
 PARTS = ("meshes", "estimates", "shoulder")  # fields that a solution and its reference share
 
@@ -135,7 +136,6 @@ def test_the_hertzian_idealisation_has_no_shoulder(contacts: dict[str, Contact])
 @pytest.mark.slow
 def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[str, Contact]) -> None:
     """The far boundary of a wide PEEK pocket takes a tenth of the 5 %: three meshes do not decide."""
-    peek = Material(name="peek", youngs_modulus=3.6e9, poisson_ratio=0.38, density=1300.0, source="test")
     pocket = replace(
         contacts["inner"],
         pair="pocket",
@@ -144,7 +144,7 @@ def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[s
         shoulder=4.07e-3,
         contact_angle=0.0,
         load=28.0,
-        race_material=peek,
+        race_material=PEEK,
     )
     solution = compare_contact(pocket, recipe=load_recipe("race"), tolerance=0.05)
     three = replace(
@@ -158,9 +158,8 @@ def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[s
     assert solution.verdict == "pass"
 
 
-@pytest.mark.parametrize(
-    ("distance", "valid"), [(1.04, False), (1.06, True)]
-)  # semi-axes from the middle to the shoulder
+# Semi-axes from the middle to the shoulder
+@pytest.mark.parametrize(("distance", "valid"), [(1.04, False), (1.06, True)])
 def test_an_ellipse_within_a_twentieth_of_its_shoulder_is_not_judged(
     contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, distance: float, valid: bool
 ) -> None:

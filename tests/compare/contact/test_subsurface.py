@@ -54,9 +54,8 @@ def test_the_idealisation_meets_the_closed_form_within_its_uncertainty(
     ideal: ContactSolution, side: Side, ratio: float
 ) -> None:
     comparison = compare_subsurface(ideal, side=side)
-    assert comparison.hertz == closed_form(
-        ideal, ratio=ratio
-    )  # with that side's material: exchanged, depths would be 3 % off
+    # With that side's material: exchanged, depths would be 3 % off
+    assert comparison.hertz == closed_form(ideal, ratio=ratio)
     for name in NAMES:
         assert not comparison.exceeds(name)
         assert comparison.uncertainty[name] < 0.03 * comparison.fe[name]  # narrow enough to be useful
@@ -110,9 +109,8 @@ def test_json_has_the_numbers_of_both_sides(ideal: ContactSolution) -> None:
             document["hertz"][name] / document["fe"][name] - 1, abs=1e-12
         )
         assert document["exceeds_uncertainty"][name] is False
-    assert (
-        3**0.5 < document["fe"]["max_von_mises"] / document["fe"]["max_shear"] < 2
-    )  # as of any stress: shear to tension
+    # The limits of any stress: shear to tension
+    assert 3**0.5 < document["fe"]["max_von_mises"] / document["fe"]["max_shear"] < 2
 
 
 def test_a_discrepancy_beyond_its_uncertainty_exceeds_it() -> None:

@@ -15,6 +15,7 @@ from analytic.scenefile.read import builtin_scene, load_scene
 from fembearing.compare.cost import cage_ladder
 from fembearing.compare.cost.cage_ladder import cage_methods
 from fembearing.compare.cost.ladder import Ladder, measured
+from tests.analytic.specimens import present
 
 SPEEDS = np.array([31.0, -83.0, 47.0])
 
@@ -28,8 +29,7 @@ def scene() -> Scene:
 
 
 def started(scene: Scene, start: Any) -> Scene:
-    assert scene.cage is not None
-    return replace(scene, cage=replace(scene.cage, start=start))
+    return replace(scene, cage=replace(present(scene.cage), start=start))
 
 
 @pytest.mark.usefixtures("timed_once")
@@ -40,8 +40,7 @@ def test_a_cage_at_rest_has_its_closed_form(scene: Scene) -> None:
         "closed form at rest",
         *(f"motion, {steps} steps a contact" for steps in (11, 22, 44, 88)),
     ]
-    error = found.methods[0].error
-    assert error is not None
+    error = present(found.methods[0].error)
     assert error < 0.04  # 0.8 % in a longer motion; in one so short the disturbance still swings
     assert found.chosen is found.methods[0]  # seconds, for a thousandth of that
     assert found.methods[-1].bound is not None  # 3.6 %, by which the error may be off: at 5 % it would not be sure
@@ -53,11 +52,9 @@ def test_a_cage_at_rest_has_its_closed_form(scene: Scene) -> None:
 @pytest.mark.usefixtures("timed_once")
 def test_the_closed_form_at_rest_is_not_chosen_for_a_whirling_cage(scene: Scene) -> None:
     found = measured(cage_methods(started(scene, "whirl")), tolerance=0.05)
-    error = found.methods[0].error
-    assert error is not None
+    error = present(found.methods[0].error)
     assert error > 0.5  # it hits its balls with far more than its weight
-    assert found.chosen is not None
-    assert "motion" in found.chosen.name
+    assert "motion" in present(found.chosen).name
     assert [method.bound is None for method in found.methods] == [True, True, False, False, False]
 
 

@@ -9,6 +9,7 @@ import pytest
 from analytic.errors import InputError
 from fembearing.compare.cost import ladder
 from fembearing.compare.cost.ladder import TimedMethod, UntimedMethod, deviation, ladder_of, timed
+from tests.analytic.specimens import present
 
 
 def ran(name: str, answer: list[float] | None, *seconds: float, may_refer: bool = False) -> TimedMethod:
@@ -35,15 +36,13 @@ def test_an_error_is_the_worst_deviation_relative_to_the_reference() -> None:
 def test_the_cheapest_within_the_tolerance_is_chosen(tolerance: float, name: str) -> None:
     ladder = ladder_of("q", "r", (ROUGH, NEAR, EXACT), tolerance=tolerance)
     assert [method.name for method in ladder.methods if method.chosen] == [name]
-    assert ladder.chosen is not None
-    assert ladder.chosen.name == name
+    assert present(ladder.chosen).name == name
 
 
 def test_the_cheapest_is_chosen_by_seconds_and_not_by_order() -> None:
     slow = replace(ROUGH, seconds=(9.0,))
     chosen = ladder_of("q", "r", (slow, NEAR, EXACT), tolerance=0.6).chosen
-    assert chosen is not None
-    assert chosen.name == "near"
+    assert present(chosen).name == "near"
 
 
 def test_the_reference_is_the_last_eligible_method_with_an_answer() -> None:

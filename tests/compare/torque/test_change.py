@@ -12,6 +12,8 @@ from analytic.loads.finite_geometry import thrust_correction
 from analytic.scenefile.read import parse_scene
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.torque.change import TorqueChange, change_of_torque
+from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
+from tests.analytic.specimens import present
 
 SCENE = """
 name = "held angle"
@@ -46,8 +48,7 @@ def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
 
 
 def relative(found: TorqueChange, part: str) -> NDArray[np.float64]:
-    change = found.relative(part)
-    assert change is not None
+    change = present(found.relative(part))
     return change[found.is_solved]
 
 
@@ -102,9 +103,8 @@ def test_an_uncertain_input_counts_as_much_as_that_change_of_it(race: str) -> No
     sure, other = solution(), "outer" if race == "inner" else "inner"
     uncertainty = change_of_torque(SOLVED, **{race: solution(uncertainty=0.01), other: sure}).uncertainty
     moved = [change_of_torque(SOLVED, **{race: solution(**{name: 1.01}), other: sure}) for name in NAMES]
-    np.testing.assert_allclose(
-        uncertainty, sum(abs(relative(each, "total")[-1]) for each in moved), rtol=1e-6
-    )  # the angle's root
+    # Tolerance: that of the angle's root
+    np.testing.assert_allclose(uncertainty, sum(abs(relative(each, "total")[-1]) for each in moved), rtol=1e-6)
 
 
 def test_each_part_and_the_angle_are_as_uncertain_as_their_own_change() -> None:
@@ -136,8 +136,7 @@ def test_the_numbers_are_plain_in_json() -> None:
 
 def test_nothing_is_claimed_at_loads_that_were_not_solved() -> None:
     """700 N and 900 N: the contacts are those of the heavier ball, and their ratios to Hertz fade with the load."""
-    change = change_of_torque(SOLVED, inner=solution(approach=0.97), outer=solution()).relative("total")
-    assert change is not None
+    change = present(change_of_torque(SOLVED, inner=solution(approach=0.97), outer=solution()).relative("total"))
     assert np.isnan(change[0])
     assert np.isfinite(change[1])
 
@@ -159,9 +158,7 @@ def test_the_correction_for_finite_geometry_knows_every_load() -> None:
     factors = thrust_correction(bearing, FIXED.contact_angle, axial_load=load)
     squares = [np.asarray(side.factors.semi_axis_transverse) ** 2 for side in (factors.inner, factors.outer)]
     plain, changed = change.hertz.torque, found.torque.torque
-    assert plain.conformity is not None
-    assert changed.conformity is not None
-    ratio = changed.conformity / plain.conformity
+    ratio = present(changed.conformity) / present(plain.conformity)
     assert (np.minimum(*squares) < ratio).all()
     assert (ratio < np.maximum(*squares)).all()
     assert (found.uncertainty > 0).all()
@@ -179,19 +176,9 @@ def test_where_the_correction_does_not_reach_nothing_is_claimed() -> None:
 
 def test_a_lubricated_scene_changes_by_angle_and_contacts() -> None:
     """Rolling has no contact of its own to correct: at a held angle it stays, and what slides moves."""
-    oil = """
-[lubricant]
-viscosity = "43 mPa s"
-pressure_viscosity = "1.9e-8 1/Pa"
-eyring_stress = "4.7 MPa"
-[surface]
-rms_roughness = "0.31 um"
-autocorrelation = { kind = "gaussian", length = "43 um", spacing = "2 um" }
-hardness = "7.3 GPa"
-"""
-    text = SCENE.replace("coefficient = 0.07\n", "").replace("RULE", "given").replace("VALUE", "value") + oil
+    text = SCENE.replace("coefficient = 0.07\n", "").replace("RULE", "given").replace("VALUE", "value")
     wide = solution(semi_axis_transverse=1.04)
-    found = change_of_torque(parse_scene(text, origin="test"), inner=wide, outer=wide)
+    found = change_of_torque(parse_scene(text + LUBRICANT + SURFACE, origin="test"), inner=wide, outer=wide)
     np.testing.assert_array_equal(relative(found, "rolling"), 0.0)
     assert (relative(found, "conformity") > 0).all()
     assert (relative(found, "total") > 0).all()

@@ -13,6 +13,7 @@ from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.pressure import pressure_plot
+from tests.analytic.specimens import present
 from tests.report.conftest import INNER
 from tests.report.figures.figure_reader import labels_of, line_of, points_of
 
@@ -26,15 +27,13 @@ def check_points(line: Line2D, x: list[float], y: list[float]) -> None:
 @pytest.fixture(scope="module")
 def panels(document: Report) -> dict[str, Axes]:
     figure, _ = convergence_plot(document)
-    assert figure is not None
-    return {axes.get_title(): axes for axes in figure.axes if axes.get_title()}
+    return {axes.get_title(): axes for axes in present(figure).axes if axes.get_title()}
 
 
 def test_meshes_with_an_order_are_drawn_by_their_distance_from_the_limit(panels: dict[str, Axes]) -> None:
     inner = line_of(panels["approach"], "ball on inner race")
-    check_points(
-        inner, [1200, 9500, 31000], [82.5 / 5.225, 16.5 / 5.225, 27.5 / 5.225]
-    )  # 4.4, 5.06 and 5.5 against 5.225, %
+    # 4.4, 5.06 and 5.5 against 5.225, %
+    check_points(inner, [1200, 9500, 31000], [82.5 / 5.225, 16.5 / 5.225, 27.5 / 5.225])
     assert inner.get_linestyle() == "-"
     assert inner.get_label() == "ball on inner race: order 3.6"
     outer = line_of(panels["peak pressure"], "ball on outer race")
@@ -70,8 +69,7 @@ def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
 
 def test_a_cut_contact_has_no_formal_order(document: Report, cut_contact: ContactSolution) -> None:
     figure, _ = convergence_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
-    assert figure is not None
-    assert not any("formal" in label for axes in figure.axes for label in labels_of(axes))
+    assert not any("formal" in label for axes in present(figure).axes for label in labels_of(axes))
 
 
 def bars_of(axes: Axes) -> list[ErrorbarContainer]:
@@ -79,8 +77,7 @@ def bars_of(axes: Axes) -> list[ErrorbarContainer]:
 
 
 def test_approaches_are_in_micrometres_with_their_intervals(document: Report) -> None:
-    figure, _ = approach_plot(document)
-    assert figure is not None
+    figure = present(approach_plot(document)[0])
     above, below = figure.axes[0], figure.axes[4]
     assert (above.get_xlabel(), above.get_ylabel()) == ("approach, um", "load, N")
     hertz = points_of(line_of(above, "Hertz"))
@@ -101,8 +98,7 @@ def test_approaches_are_in_micrometres_with_their_intervals(document: Report) ->
 
 def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> None:
     document = report_of(checked)
-    figure, _ = pressure_plot(document)
-    assert figure is not None
+    figure = present(pressure_plot(document)[0])
     for column, contact in enumerate(document.contacts):
         above, below = figure.axes[column], figure.axes[4 + column]
         peak = contact.hertz.peak_pressure
@@ -129,8 +125,7 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(
     document: Report, cut_contact: ContactSolution
 ) -> None:
     figure, caption = pressure_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
-    assert figure is not None
-    above, below = figure.axes
+    above, below = present(figure).axes
     semi_axis = cut_contact.hertz.semi_axis_transverse
     across = points_of(line_of(above, "across rolling"))
     assert across[0, 0] < -0.9

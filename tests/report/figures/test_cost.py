@@ -13,6 +13,7 @@ from fembearing.compare.cost.ladder import Ladder, Method
 from fembearing.report.document.report import Ladder as DocumentLadder
 from fembearing.report.figures.cost import LEAST, cost_figure, cost_table
 from fembearing.report.phrases import choices_line
+from tests.analytic.specimens import present
 
 GIB = 2**30
 
@@ -83,8 +84,7 @@ def test_each_quantity_has_a_panel_over_time_and_all_share_one_over_memory(figur
     assert (time.get_xscale(), time.get_yscale(), time.get_xlabel()) == ("log", "log", "time, s")
     assert time.get_ylabel() == "error, %"
     assert time.get_ylim() == memory.get_ylim()
-    legend = memory.get_legend()
-    assert legend is not None
+    legend = present(memory.get_legend())
     assert [text.get_text() for text in legend.get_texts()] == ["tolerance", "the contact", "the load"]
     assert memory.get_xlabel() == "memory, GiB"
     assert time.get_xlim() == load.get_xlim()  # one scale for all quantities
@@ -107,8 +107,7 @@ def test_every_rung_that_answered_has_a_number_beside_it_and_its_name_below(figu
     assert numbers.keys() == {"1", "2", "4"}  # the third failed
     np.testing.assert_allclose(numbers["1"], (2e-6, 3.1), rtol=1e-12)
     np.testing.assert_allclose(numbers["4"], (3.5, 0.02), rtol=1e-12)
-    key = panel.get_legend()
-    assert key is not None
+    key = present(panel.get_legend())
     assert [text.get_text() for text in key.get_texts()] == ["1 Hertz", "2 FE, level 2", "4 FE, level 4"]
     figure.draw_without_rendering()
     below = key.get_window_extent()

@@ -10,6 +10,7 @@ from matplotlib.patches import Rectangle
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Sensitivity
 from fembearing.report.figures.sensitivity import sensitivity_plot
+from tests.analytic.specimens import present
 
 
 def given(name: str, unit: str, ends: tuple[float, float, float], **changes: Any) -> dict[str, Any]:
@@ -65,15 +66,11 @@ def bars_of(panel: Axes) -> list[tuple[float, float]]:
 
 def test_bars_reach_to_the_changes_in_per_cent(document: Report) -> None:
     figure, caption = sensitivity_plot(document)
-    assert figure is not None
-    slow, fast = figure.axes
+    slow, fast = present(figure).axes
     # Row by row, low before high; two on one side stand one above the other.
     np.testing.assert_allclose(bars_of(slow), [(0, 7), (0, -4), (0.82, 1), (1.18, 3), (2, 2)], atol=1e-12)
     np.testing.assert_allclose(bars_of(fast), [(0, 5), (0, -3), (1, -2), (1, 1.5), (2, 2.5)], atol=1e-12)
-    assert [slow.get_title(), fast.get_title()] == [
-        "100 rpm, 700 N axial: 21.5 N mm",
-        "900 rpm, 700 N axial: 44 N mm",
-    ]
+    assert [slow.get_title(), fast.get_title()] == ["100 rpm, 700 N axial: 21.5 N mm", "900 rpm, 700 N axial: 44 N mm"]
     assert slow.get_xlabel() == "change of the total torque, %"
     assert [text.get_text() for text in slow.get_yticklabels()] == [
         "modulus\n200 GPa",
@@ -89,8 +86,7 @@ def test_a_radial_load_stands_with_its_point(inputs: list[dict[str, Any]]) -> No
     point = {"quantity": "total_torque", "pair": None, "inner_speed": 31.0, "axial_load": 0.0, "moment": 0.0}
     outputs = [point | {"radial_load": 1500.0, "value": 21.5e-3}, point | {"radial_load": 2500.0, "value": 33e-3}]
     figure, _ = sensitivity_plot(document_of(outputs, inputs))
-    assert figure is not None
-    assert "0 N axial, 1500 N radial: 21.5 N mm" in figure.axes[0].get_title()
+    assert "0 N axial, 1500 N radial: 21.5 N mm" in present(figure).axes[0].get_title()
 
 
 def test_pressures_name_their_race(inputs: list[dict[str, Any]]) -> None:
@@ -98,8 +94,7 @@ def test_pressures_name_their_race(inputs: list[dict[str, Any]]) -> None:
     output = {"quantity": "peak_pressure", "pair": "outer", "value": 1.67e9} | nowhere
     one = [each | {name: each[name] and each[name][:1] for name in ("change_low", "change_high")} for each in inputs]
     figure, _ = sensitivity_plot(document_of([output], one))
-    assert figure is not None
-    (panel,) = figure.axes
+    (panel,) = present(figure).axes
     assert panel.get_title() == "ball on outer race: 1.67 GPa"
     assert panel.get_xlabel() == "change of the peak pressure, %"
 

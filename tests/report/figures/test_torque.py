@@ -10,6 +10,7 @@ from matplotlib.patches import Rectangle
 
 from fembearing.report.figures.friction import friction_plot
 from fembearing.report.figures.torque import torque_plot
+from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import area_of, as_document, labels_of, line_of, points_of
 
 RPM = np.pi / 30
@@ -65,8 +66,7 @@ def test_a_cage_that_moved_is_said_to_be_in_the_total(document: Document) -> Non
 
 def panel_of(found: tuple[Figure | None, str]) -> Axes:
     figure, _ = found
-    assert figure is not None
-    return figure.axes[0]
+    return present(figure).axes[0]
 
 
 def test_the_parts_are_stacked_up_to_the_total_in_order_of_speed(document: Document) -> None:
@@ -201,14 +201,12 @@ def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(docum
 def test_many_points_that_no_line_joins_keep_their_marks(document: Document) -> None:
     points = document["torque"]["points"]
     document["torque"]["points"] = 10 * points  # speeds come again and again
-    figure, _ = friction_plot(as_document(document))
-    assert figure is not None
+    figure = present(friction_plot(as_document(document))[0])
     inner = line_of(figure.axes[0], "inner")
     assert (inner.get_marker(), inner.get_linestyle()) == ("o", "None")
     document["torque"]["points"] = [points[0] | {"inner_speed": 1.0 + number} for number in range(30)]
     figure, _ = friction_plot(as_document(document))
-    assert figure is not None
-    inner = line_of(figure.axes[0], "inner")
+    inner = line_of(present(figure).axes[0], "inner")
     assert (inner.get_marker(), inner.get_linestyle()) == ("None", "-")
 
 
@@ -218,8 +216,7 @@ def test_a_given_coefficient_has_no_film(document: Document) -> None:
         each["film"] = each["asperity_share"] = {"inner": None, "outer": None}
         each["friction_coefficient"] = {"inner": 0.1, "outer": 0.1, "pocket": 0.07}
     figure, caption = friction_plot(as_document(document))
-    assert figure is not None
-    (friction,) = figure.axes
+    (friction,) = present(figure).axes
     assert labels_of(friction) == ["inner", "outer", "pocket"]
     assert "No film is computed" in caption
     for each in document["torque"]["points"]:

@@ -24,6 +24,7 @@ from fembearing.report.document.build import report_of
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.terminal.validation import print_validation
+from tests.analytic.specimens import present
 from tests.report.page.page_writer import document_of, written_page
 from tests.report.pictures.test_cage_pictures import MOVING
 
@@ -73,8 +74,7 @@ class Page(HTMLParser):
 
 def with_scene(result: Validation, scene: Scene) -> Validation:
     """As if the numbers were those of another scene."""
-    assert result.torque is not None
-    published = beside_paper(scene, result.torque.friction)
+    published = beside_paper(scene, present(result.torque).friction)
     return replace(result, scene=scene, provenance=provenance_of(scene), published=published)
 
 
@@ -110,9 +110,8 @@ def test_the_numbers_are_those_of_the_result(checked: Validation, page: Page) ->
     seat, sheet = checked.contacts[2:]
     for stiffness in (seat.hertz.stiffness, seat.reference.stiffness, sheet.reference.stiffness):
         assert f"{1e-9 * stiffness:.4g}" in page.text
-    assert checked.torque is not None
     assert checked.torque_change is not None
-    for torque in (checked.torque.friction, checked.torque_change.hertz, checked.torque_change.corrected):
+    for torque in (present(checked.torque).friction, checked.torque_change.hertz, checked.torque_change.corrected):
         assert f"{1e3 * torque.torque.total[0]:.4g}" in page.text
     assert f"{checked.torque_change.uncertainty:.2%}".replace("%", " %") in page.text
 
@@ -195,8 +194,7 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
         MOVING.replace("500 rpm", "400 rpm").replace('start = "rest"', 'start = "whirl"'), origin="here"
     )
     production = torque_of_scene(scene)
-    assert production.friction.cage is not None
-    motion = production.friction.cage.motion[0]
+    motion = present(production.friction.cage).motion[0]
     assert motion is not None
     assert motion.other is not None
     one = change_of_torque(scene, inner=checked.contacts[0], outer=checked.contacts[1])

@@ -2,31 +2,18 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
-from analytic.scenefile.read import parse_scene
 from fembearing.compare.contact import scene_contact
 from fembearing.compare.validation import Validation
 from fembearing.mesh.recipe import Recipe
 from fembearing.provenance import MEMORY, ORIGIN, TIMES, VARYING, repeatable
 from fembearing.report.document.build import report_of
 from fembearing.report.folder import validate
-
-SCENE = """
-name = "again"
-tolerance = "90 %"
-[bearing]
-catalog = "6205"
-contact_angle = { rule = "given", value = "0.2 rad" }
-[operation]
-axial_load = "700 N"
-inner_speed = "500 rpm"
-[friction]
-coefficient = 0.1
-"""
-
+from tests.analytic.scenefile.scene_texts import MINE, scene
 
 pytestmark = pytest.mark.slow  # two checks of a scene
 
@@ -35,7 +22,7 @@ pytestmark = pytest.mark.slow  # two checks of a scene
 def twice(shallow: Callable[[str], Recipe]) -> list[Validation]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scene_contact, "load_recipe", shallow)
-        return [validate(parse_scene(SCENE, origin="here")) for _ in range(2)]
+        return [validate(replace(scene(MINE), tolerance=0.9)) for _ in range(2)]
 
 
 def told(result: Validation) -> dict[str, Any]:

@@ -18,20 +18,14 @@ from fembearing.report.document.torque import CageRecord as Motion
 from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
+from tests.analytic.scenefile.scene_texts import MINE, changed
+from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, line_of, points_of
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
 
-MOVING = """\
-name = "moving"
-tolerance = "5 %"
-[bearing]
-catalog = "6205"
-contact_angle = { rule = "given", value = "0.18 rad" }
-[operation]
-axial_load = "1000 N"
-inner_speed = "500 rpm"
-[friction]
-coefficient = 0.1
+MOVING = (
+    changed("90 rpm", "500 rpm", MINE)
+    + """\
 [cage]
 pocket_clearance = "0.2 mm"
 start = "rest"
@@ -40,6 +34,7 @@ seeds = 2
 [effects]
 cage_dynamics = "on"
 """
+)
 FORCES = {1: (0.0, 3.0, 0.0), 6: (-1.5, 0.0, 0.0)}  # N, of two balls at the instant that is drawn
 FOOT = 100  # pixels with the scales
 
@@ -53,9 +48,7 @@ def motion_of(record: CageRecord) -> Motion:
 def record() -> CageRecord:
     """A cage at rest: below the middle, a little to the right."""
     scene = parse_scene(MOVING, origin="here")
-    found = record_cage(scene, friction_torque(scene), 0)
-    assert found is not None
-    return found
+    return present(record_cage(scene, friction_torque(scene), 0))
 
 
 @pytest.fixture(scope="module")
@@ -183,9 +176,7 @@ def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -
 
 
 def box_of(part: Artist | None) -> BboxBase:
-    box = None if part is None else part.get_tightbbox()
-    assert box is not None
-    return box
+    return present(present(part).get_tightbbox())
 
 
 def check_apart(figure: Figure) -> None:

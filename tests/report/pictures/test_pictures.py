@@ -15,6 +15,7 @@ from fembearing.report.pictures import draw as module
 from fembearing.report.pictures.draw import RENDERER, Picture, draw_pictures
 from fembearing.report.pictures.framing import BAR, frame_of
 from fembearing.report.pictures.render_mesh import ROUND, cell_edges, loaded_face, scaled
+from tests.analytic.specimens import present
 from tests.report.pictures.picture_reader import (
     CORNER,
     check_colour_bar,
@@ -40,8 +41,7 @@ def drawn(pictures: list[Picture]) -> dict[str, Picture]:
 @pytest.fixture(scope="module")
 def mapped(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Picture]:
     found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("maps"), renderer=DIES)
-    assert trouble is not None
-    assert "signal 6" in trouble
+    assert "signal 6" in present(trouble)
     return {picture.file.stem: picture for picture in found}
 
 
@@ -248,8 +248,7 @@ def test_every_way_to_fail_is_named(
 ) -> None:
     monkeypatch.setattr(module, "PATIENCE", 5 if "sleep" not in renderer[-1] else 0.5)
     found, trouble = draw_pictures(checked.contacts[:1], tmp_path, renderer=renderer)
-    assert trouble is not None
-    assert words in trouble
+    assert words in present(trouble)
     assert [picture.file.name for picture in found] == ["inner-real-pressure.png"]
     assert found[0].file.is_file()
     assert "Grey lines" not in found[0].caption  # a map has no mesh
