@@ -134,8 +134,8 @@ def friction_torque(
     return FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
-        radial_load=operation.radial_load,
-        moment=operation.moment,
+        radial_load=np.asarray(operation.radial_load),
+        moment=np.asarray(operation.moment),
         contact_angle=balls.contact_angle.mean(axis=0)[at],
         ball_load=balls.load.max(axis=0)[at],
         torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),

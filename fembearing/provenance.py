@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Any
 
 from analytic.scene import Scene
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 
 PACKAGES = (
     "fembearing",

@@ -26,8 +26,9 @@ PER_DISTRIBUTION = 1.25
 # The contact angles change too: 4.0 at most (tests/analytic/effects/test_effect_bounds.py compares with measured ones).
 PER_CENTRIFUGAL = 4.5
 # Balls that the load leaves free are pressed on the outer race by that force alone and roll against the oil there. The
-# torque follows the semi-axis, the cube root of the force: in random scenes the change was at most 8.4 cube roots of the
-# share. No ball is free below a load distribution of 0.6 at constant angles (eps = 1 of the load-distribution integrals). Under a light moment, which changes the angles, some are from 0.25 on
+# torque follows the semi-axis, the cube root of the force: in random scenes the change was at most 8.4 cube roots of
+# the share. No ball is free below a load distribution of 0.6 at constant angles (eps = 1 of the load-distribution
+# integrals). Under a light moment, which changes the angles, some are from 0.25 on
 # (tests/analytic/effects/test_light_loads.py).
 PER_FREE_BALL, UNLOADS = 10.0, 0.15
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner one. A bearing

@@ -25,7 +25,7 @@ from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 from fembearing.progress import Progress, silent
 
 SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes; the stiffness follows from it

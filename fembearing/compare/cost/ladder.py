@@ -15,7 +15,7 @@ import numpy as np
 from analytic.errors import FembearingError
 from analytic.scene import Array
 from fembearing.compare.memory import peak_while
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 
 FORMULA_REPEATS = 15  # their median leaves out the effect of other programs on a short timing
 FEWEST_REPEATS, LONGEST = 3, 1.0  # of a slow formula; s, limit for all repeats together

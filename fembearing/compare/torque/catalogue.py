@@ -6,7 +6,7 @@ from typing import Any
 from analytic.errors import InputError
 from analytic.scene import Scene
 from fembearing.compare.torque.catalogue_models import CatalogueBand, scene_band
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

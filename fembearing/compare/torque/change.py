@@ -16,7 +16,7 @@ from analytic.torque import friction_torque
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.scene_contact import balls_of
 from fembearing.compare.contact.verdict import Verdict, worst
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")

@@ -7,7 +7,7 @@ from fembearing.compare.contact.comparison_error import WHY, comparison_of
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.compare.validation import Validation
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import FORMAT, KIND, Report
 

@@ -12,6 +12,7 @@ import analytic.loads.balls
 import analytic.loads.finite_geometry
 import analytic.loads.ring
 import analytic.oil.lubricated_races
+import analytic.oil.rolling
 import analytic.sliding.ball
 import analytic.torque
 from analytic.effects.ledger import Ledger

@@ -7,7 +7,7 @@ import numpy as np
 from analytic.scene import Contact
 from fembearing.compare.contact.approach_curve import approach_over_load
 from fembearing.compare.contact.hertz import corrected_hertz, hertz_quantities
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 
 
 def test_the_curve_of_hertz_agrees_with_hertz_at_every_load(contacts: dict[str, Contact]) -> None:

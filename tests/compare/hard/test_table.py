@@ -12,7 +12,7 @@ from fembearing.compare.hard import contacts as hard_contacts
 from fembearing.compare.hard import meshes as hard_meshes
 from fembearing.compare.hard import table as hard_cases
 from fembearing.compare.hard.table import HARD_CASES, HardCase, outcome_of, run_hard_cases
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 from tests.compare.hard.cage_exact import CAGE
 from tests.compare.hard.contact_exact import CONTACT
 from tests.compare.hard.lubrication_exact import LUBRICATION

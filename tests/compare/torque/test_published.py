@@ -10,7 +10,7 @@ from analytic.scene import Operation, Scene
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
 from fembearing.compare.torque.published import BesidePaper, Chosen, beside_paper, printed_numbers
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"
 RPM = np.pi / 30

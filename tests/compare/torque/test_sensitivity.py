@@ -9,7 +9,7 @@ from analytic.scene import ContactAngle, Operation, Scene
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
 from fembearing.compare.torque.sensitivity import Input, Sensitivity, sensitivity_of, variations, with_clearance
-from fembearing.plain import plain
+from fembearing.plain_types import plain
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
 
 LOSSES = '[friction]\nhysteresis_loss = 0.006\n[losses]\nseals = "3 N mm"\n'
