@@ -32,10 +32,12 @@ scenes = st.builds(
 
 
 def scene_of(load: float, speed: float, oil: float, finish: float, angle: float) -> Scene:
-    """Every effect is computed, by the method that leaves nothing out."""
+    """Every effect is computed, by the method that leaves nothing out; the correction covers races as wide as these."""
+    inner, outer = (replace(ring, shoulder_half_width=3.6e-3) for ring in (BASE.bearing.inner, BASE.bearing.outer))
     effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on")
     return replace(
         BASE,
+        bearing=replace(BASE.bearing, inner=inner, outer=outer),
         operation=Operation(axial_load=np.array([load]), inner_speed=np.array([speed])),
         lubricant=replace(present(BASE.lubricant), viscosity=oil),
         surface=replace(present(BASE.surface), rms_roughness=finish),

@@ -69,7 +69,7 @@ def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
         "What finite-element contacts change at 600 rpm, 910 N axial: with Hertz's contacts 50 N mm",
         "those of FE 48.5 N mm: -3.00% +- 1.37%",
         "angle 0.3031 rad and 0.3019 rad",
-        "neither need be the total above",
+        "so neither has to equal the total above",
         "semi-axis a 0.1203 mm (+0.25%)",
         "error, over FE - 1): approach 5.2198 um (-0.10%)",
         "peak pressure 1.7085 GPa (+0.50%)",
