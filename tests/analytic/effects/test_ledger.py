@@ -125,3 +125,18 @@ def test_the_ledger_names_what_nobody_settled(bearing_6205: Bearing) -> None:
             ledger.settle(name, on=False, reason="test")
     with pytest.raises(RuntimeError, match="without a decision: starvation, cage, cage_dynamics, seals, drag, elastic"):
         ledger.effects({}, np.array([0.1]))
+
+
+def test_without_conformity_spin_is_not_measured_against_it(bearing_6205: Bearing) -> None:
+    """Spin is then the only part of the torque: leaving it out would leave nothing."""
+    scene = replace(dry(bearing_6205), hysteresis_loss=None, effects={"conformity": "off"})
+    assert decisions(friction_torque(scene))["spin"] == "on"
+
+
+def test_finite_geometry_beyond_its_fit_is_off_or_refused(bearing_6205: Bearing) -> None:
+    """Grooves as narrow as these have their shoulders nearer than the fit covers."""
+    rings = {name: replace(getattr(bearing_6205, name), shoulder_half_width=1.5e-3) for name in ("inner", "outer")}
+    scene = replace(dry(replace(bearing_6205, **rings)), effects={})
+    assert decisions(friction_torque(scene))["finite_geometry"] == "off"
+    with pytest.raises(InputError, match='finite_geometry = "on" cannot be had: the fit'):
+        friction_torque(replace(scene, effects={"finite_geometry": "on"}))
