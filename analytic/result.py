@@ -53,7 +53,7 @@ COLUMNS: dict[str, Column] = {
             ("asperity_share", "1", "share of the load on asperities", "s"),
             ("load", "N", "load of the heaviest ball", "Q"),
             ("semi_axis_rolling", "m", "semi-axis of the contact along rolling", "a"),
-            ("semi_axis_transverse", "m", "semi-axis of the contact across rolling", "b"),
+            ("semi_axis_transverse", "m", "transverse semi-axis of the contact", "b"),
             ("peak_pressure", "Pa", "peak pressure", "p0"),
             ("approach", "m", "approach of ball and race", "delta"),
         )

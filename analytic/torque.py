@@ -22,7 +22,7 @@ from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
 from analytic.effects.loads import chosen_balls
-from analytic.effects.sliding import decide_sliding, decide_without_sliding
+from analytic.effects.sliding import decide_sliding, decide_whether_sliding, decide_without_sliding
 from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loads.balls import LoadedBalls
@@ -80,8 +80,7 @@ def friction_torque(
     oiled: LubricatedRaces | None = None
     shared: MixedContact | None = None
     sliding: Sliding | None = None
-    conforms = ledger.decide("conformity")
-    slides = conforms or scene.effects.get("spin") != "off"
+    slides = decide_whether_sliding(ledger)
     if slides:
         if scene.lubricant is not None and scene.surface is not None:
             oiled = lubricate_races(
@@ -106,7 +105,7 @@ def friction_torque(
             _tractions(scene, oiled, shared),
             SlidingModel(
                 spins=ledger.is_on("spin"),
-                conforms=conforms,
+                conforms=ledger.is_on("conformity"),
                 spin_rule=scene.spin_rule,
                 microslip=scene.microslip,
                 method=scene.sliding,

@@ -9,10 +9,8 @@ import numpy as np
 from analytic.cage.steady import sliding_torque, whirl_number
 from analytic.cage.torque import CageDrive
 from analytic.effects.ledger import Ledger
+from analytic.effects.table import ENTRIES, LEAST_WHIRL, LONGEST_MOTION
 from analytic.scene import Array, Cage, Scene
-
-# Simulated time that `auto` allows, with start-up and all seeds, s: about ten minutes of computing in default steps
-LONGEST = 500.0
 
 
 def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: Array) -> None:
@@ -26,7 +24,7 @@ def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: 
     elif ledger.decide("cage"):
         _decide_motion(scene, drive, ledger, race=race)
     else:
-        ledger.settle("cage_dynamics", on=False, reason='the cage is left out: give effects.cage = "auto"')
+        ledger.settle("cage_dynamics", on=False, reason=ENTRIES["cage_dynamics"].idle)
 
 
 def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Array) -> None:
@@ -38,15 +36,18 @@ def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Arra
         gravity=drive.gravity,
     )
     largest = float(np.max(number, initial=0.0))
-    if automatic and largest < 1:
-        reason = f"the cage cannot whirl: whirl number {largest:.3g} at most, below 1; it rests, by the closed form"
+    if automatic and largest < LEAST_WHIRL:
+        reason = (
+            f"the cage cannot whirl: whirl number {largest:.3g} at most, below {LEAST_WHIRL:g}; it rests, by the "
+            "closed form"
+        )
         ledger.settle("cage_dynamics", on=False, share=np.zeros_like(race), reason=reason)
         return
     lacks = None
     if drive.cage.start is None:
         lacks = (
-            f"cage.start is not given, and with a whirl number of 1 or more, here up to {largest:.3g}, a cage rests or "
-            'whirls by how it started: give "rest", "ramp", "sudden" or "whirl"'
+            f"cage.start is not given, and with a whirl number of {LEAST_WHIRL:g} or more, here up to {largest:.3g}, a "
+            'cage rests or whirls by how it started: give "rest", "ramp", "sudden" or "whirl"'
         )
     elif automatic:
         lacks = _too_long(drive.cage, int(np.count_nonzero(drive.inner_speed)))
@@ -57,7 +58,7 @@ def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Arra
         ball_rate=drive.ball_rate,
         ball_radius=drive.bearing.ball_radius,
     )
-    bound = np.where(number < 1, 0.0, bound)
+    bound = np.where(number < LEAST_WHIRL, 0.0, bound)
     share = np.divide(bound, race, out=np.where(bound > 0, np.inf, 0.0), where=race > 0)
     ledger.decide("cage_dynamics", bound=share, lacks=lacks)
 
@@ -65,7 +66,7 @@ def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Arra
 def _too_long(cage: Cage, points: int) -> str | None:
     """What is wrong with a series that takes longer than `auto` allows; None if it does not."""
     simulated = 2 * cage.duration * (cage.seeds + 1) * points  # start-up and measured time; one more for another start
-    longest = LONGEST * Cage.steps_per_contact / cage.steps_per_contact
+    longest = LONGEST_MOTION * Cage.steps_per_contact / cage.steps_per_contact
     if simulated <= longest:
         return None
     return (

@@ -3,7 +3,7 @@
 import numpy as np
 
 from analytic.effects.ledger import Ledger, share_in
-from analytic.effects.table import DECLARED
+from analytic.effects.table import DECLARED, ENTRIES
 from analytic.errors import require_non_negative
 from analytic.scene import Array
 
@@ -20,6 +20,6 @@ def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
     total = computed + sum(known.values(), start=0.0)
     for name, value in given.items():
         share = None if value is None else share_in(np.full_like(total, value), total)
-        reason = "not declared" if value is None else "declared by the scene"
-        ledger.settle(name, on=value is not None, share=share, reason=reason)
+        lacks = ENTRIES[name].lacks(ledger.scene)
+        ledger.settle(name, on=lacks is None, share=share, reason=lacks or ENTRIES[name].given)
     return np.full_like(computed, sum(known.values())) if known else None

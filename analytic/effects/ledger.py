@@ -85,12 +85,16 @@ class Ledger:
             reason += f" with {before:.2g} already left out" if before > 0 else ""
         return self._settle(name, on=True, share=bound, reason=reason)
 
-    def settle(self, name: str, *, on: bool, reason: str, share: Array | None = None) -> None:
+    def settle(self, name: str, *, on: bool, reason: str, share: Array | float | None = None) -> None:
         """Record an effect about which there is nothing to decide, with its bound where one is known.
 
         Raises InputError if the scene says on and the effect is off.
         """
         self._settle(name, on=on, share=share, reason=reason)
+
+    def rules_out(self, name: str) -> bool:
+        """Whether the scene says off, before the effect is settled."""
+        return self.scene.effects.get(name) == "off"
 
     def is_on(self, name: str) -> bool:
         return self.made[name].decision == "on"
@@ -105,7 +109,7 @@ class Ledger:
             for name in ENTRIES
         )
 
-    def _settle(self, name: str, *, on: bool, share: Array | None, reason: str) -> bool:
+    def _settle(self, name: str, *, on: bool, share: Array | float | None, reason: str) -> bool:
         if not on and self.scene.effects.get(name) == "on":
             raise InputError(f'effects.{name} = "on" cannot be had: {reason}')
         self.made[name] = Effect(
@@ -122,5 +126,5 @@ def share_in(part: Array, total: Array) -> Array:
     return np.divide(part, total, out=np.zeros(np.broadcast(part, total).shape), where=total > 0)
 
 
-def _largest(share: Array) -> float:
+def _largest(share: Array | float) -> float:
     return float(np.max(share, initial=0.0))

@@ -9,15 +9,13 @@ import numpy as np
 
 from analytic.contact.geometry import RACES, shoulder_distance
 from analytic.effects.ledger import Ledger
+from analytic.effects.table import ENTRIES, LEAST_SLIDING, STATIC_LIMIT
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.inertia import gyroscopic_slip_ratio
 from analytic.scene import Operation, Scene
 from analytic.sliding.long_ellipse import sliding_number
 from analytic.sliding.methods import Sliding
-
-STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
-LEAST_SLIDING = 3.0  # of the sliding number: below, elastic creep takes a good part of the slip
 
 
 def check_limits(
@@ -45,7 +43,7 @@ def _shoulder(scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Le
         ]
     )
     distance = np.where(balls.load > 0, distance, np.inf)
-    left, nearest = np.inf, "no ball is loaded"
+    left, nearest = np.inf, ENTRIES["shoulder"].idle
     for index, name in enumerate(RACES):
         point, ball = np.unravel_index(np.argmin(distance[index]), distance[index].shape)
         if distance[index, point, ball] <= 0:
@@ -88,7 +86,7 @@ def _plasticity(balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
 
 def _elastic_creep(balls: LoadedBalls, ledger: Ledger, sliding: Sliding | None) -> Iterator[str]:
     if sliding is None:
-        ledger.settle("elastic_creep", on=False, reason="nothing slides")
+        ledger.settle("elastic_creep", on=False, reason=ENTRIES["elastic_creep"].idle)
         return
     least = []
     for race, loaded in enumerate(balls.load > 0):

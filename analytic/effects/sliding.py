@@ -1,4 +1,4 @@
-"""Decisions about asperities, inlet heating, starvation and spin, before anything slides.
+"""Decisions about conformity, asperities, inlet heating, starvation and spin, before anything slides.
 
 Shares are relative to the least torque that the scene can have: no spin, oil alone. Each is a bound on what the effect
 adds: stresses are taken at the mean pressure of each contact, on a long ellipse, times the largest
@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from analytic.effects.ledger import Ledger
+from analytic.effects.table import ENTRIES
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.rolling import InletFactors
@@ -29,6 +30,11 @@ class _Friction:
     rolling: Array  # (2, n, m) N: friction of each contact that only rolls
     spinning: Array  # (2, n, m) N: of one that spins in full
     floor: Array  # (n,) N m: the least torque
+
+
+def decide_whether_sliding(ledger: Ledger) -> bool:
+    """Settle conformity. Whether sliding has to be computed: by conformity, or by spin unless the scene says off."""
+    return ledger.decide("conformity") or not ledger.rules_out("spin")
 
 
 def decide_sliding(
@@ -56,12 +62,10 @@ def decide_sliding(
 
 def decide_without_sliding(ledger: Ledger, *, rolled: dict[str, Array], inlets: InletFactors | None) -> None:
     """Settle the same four where neither spin nor conformity is computed: inlets then act on rolling alone."""
-    nothing = "neither spin nor conformity is computed, so nothing slides"
-    ledger.decide("asperities", lacks=f'{nothing}: give effects.conformity = "auto"')
+    ledger.decide("asperities", lacks=ENTRIES["asperities"].idle)
     floor, rolling = _least_rolling(rolled, inlets), rolled.get("rolling")
     heated = None if rolling is None or inlets is None else _over_floor((1 - inlets.heating) * rolling, floor)
-    lacks = f'{nothing} or rolls in oil: give effects.rolling = "auto"' if heated is None else None
-    ledger.decide("inlet_heating", bound=heated, lacks=lacks)
+    ledger.decide("inlet_heating", bound=heated, lacks=ENTRIES["inlet_heating"].idle if heated is None else None)
     _starvation(ledger, floor, rolling, inlets)
     ledger.decide("spin")
 
@@ -105,7 +109,7 @@ def _asperities(oiled: LubricatedRaces | None, ledger: Ledger, friction: _Fricti
         ledger.decide("asperities")
         return friction
     # Whether heat thins the film is decided later: asperities are bounded as if it did.
-    thinned = 1.0 if ledger.scene.effects.get("inlet_heating") == "off" else oiled.heating_factor
+    thinned = 1.0 if ledger.rules_out("inlet_heating") else oiled.heating_factor
     share = oiled.largest_asperity_share(thinned)
     touching = share * _boundary(oiled) * friction.uneven
     # Oil under less load is less viscous by far, and shears beside what touches; its film is hardly thicker.
@@ -157,7 +161,7 @@ def _inlets(
     heated = ledger.decide(
         "inlet_heating",
         bound=_over_floor(np.asarray(loss), friction.floor),
-        lacks=None if acts else 'no film is computed and rolling is left out: give effects.rolling = "auto"',
+        lacks=None if acts else ENTRIES["inlet_heating"].idle,
     )
     if heated:
         rolling = None if rolling is None else rolling * inlets.heating
@@ -169,8 +173,7 @@ def _inlets(
 def _starvation(ledger: Ledger, floor: Array, rolling: Array | None, inlets: InletFactors | None) -> None:
     """rolling : (n,) N m, with inlets that heat where that is on; None: left out."""
     if rolling is None or inlets is None or inlets.starvation is None:
-        lacks = 'rolling is left out, and only rolling starves: give effects.rolling = "auto"'
-        ledger.decide("starvation", bound=np.zeros_like(floor), lacks=lacks)
+        ledger.decide("starvation", bound=np.zeros_like(floor), lacks=ENTRIES["starvation"].idle)
     else:
         ledger.decide("starvation", bound=_over_floor((1 - inlets.starvation) * rolling, floor))
 

@@ -1,6 +1,7 @@
-"""Every effect of the friction torque: what it is, what a scene has to give for it, and what bounds its share.
+"""Every effect of the friction torque: what it is, what it needs, what bounds its share, and why it cannot act.
 
 The order is that of the decisions: what costs most to compute comes first, so that leaving it out comes first too.
+The factors of the bounds stand here alone, and docs/effects.md shows this table.
 """
 
 from collections.abc import Callable
@@ -9,7 +10,33 @@ from typing import Literal
 
 from analytic.scene import Scene
 
-Lacks = Callable[[Scene], str | None]  # what the scene lacks, in words; None: nothing
+# Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
+PER_DISTRIBUTION = 1.25
+# Change of the torque over the centrifugal force's share of the ball load: 4/3 to 5/3 by the outer race's load alone.
+# The contact angles change too: 4.0 at most (tests/analytic/effects/test_effect_bounds.py compares with measured ones).
+PER_CENTRIFUGAL = 4.5
+# Balls that the load leaves free are pressed on the outer race by that force alone and roll against the oil there. The
+# torque follows the semi-axis, the cube root of the force: in random scenes the change was at most 8.4 cube roots of
+# the share. No ball is free below a load distribution of 0.6 at constant angles (eps = 1 of the load-distribution
+# integrals). Under a light moment, which changes the angles, some are from 0.25 on
+# (tests/analytic/effects/test_light_loads.py).
+PER_FREE_BALL, UNLOADS = 10.0, 0.15
+# Change of the torque over (b/r)^2 by the finite geometry of contacts under thrust: 0.48 at most, of grooves, loads and
+# angles drawn (tests/analytic/effects/test_effect_bounds.py compares a few).
+PER_SIZE_SQUARED = 0.5
+LEAST_WHIRL = 1.0  # of the whirl number: a cage cannot whirl below
+# Simulated time that `auto` allows, with start-up and all seeds, s: about ten minutes of computing in default steps
+LONGEST_MOTION = 500.0
+LEAST_SLIDING = 3.0  # of the sliding number: below, elastic creep takes a good part of the slip
+STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Need:
+    """What an effect needs from the scene."""
+
+    keys: str  # of the scene file
+    lacks: Callable[[Scene], str | None]  # what is missing, in words; None: nothing
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,22 +46,19 @@ class Entry:
     name: str
     meaning: str
     kind: Literal["computed", "cage", "declared", "limit"]
-    lacks: Lacks = lambda _: None
-    bound: str | None = None  # on its share of the torque; None: no bound that is cheaper than the effect is known
+    needs: Need | None = None
+    # On its share of the torque, or the limit that the model watches; None: no bound that is cheaper than the effect.
+    bound: str | None = None
+    idle: str = ""  # why it is off in a scene that has what it needs
+    given: str = ""  # why it is on without a decision
 
-
-def _held_angle(scene: Scene) -> str | None:
-    if scene.contact_angle.rule == "given":
-        return 'contact_angle.rule = "given" holds the angle that it would change: use "solved"'
-    return None
+    def lacks(self, scene: Scene) -> str | None:
+        """What the scene lacks for it, in words; None: nothing."""
+        return None if self.needs is None else self.needs.lacks(scene)
 
 
 def _lubricant(scene: Scene) -> str | None:
     return "no lubricant is given: add a table [lubricant]" if scene.lubricant is None else None
-
-
-def _lubricated_surface(scene: Scene) -> str | None:
-    return None if scene.friction_coefficient is None else "the friction coefficient is given: give [surface] instead"
 
 
 def _ring_diameters(scene: Scene) -> str | None:
@@ -43,65 +67,96 @@ def _ring_diameters(scene: Scene) -> str | None:
     return _lubricant(scene)
 
 
-def _hysteresis_loss(scene: Scene) -> str | None:
-    if scene.hysteresis_loss is None:
-        lost = "the share of elastic energy lost in each cycle, for steel 0.004-0.01"
-        return f"friction.hysteresis_loss is not given: {lost}"
-    return None
-
-
 def _cage(scene: Scene) -> str | None:
     return "no cage is given: add a table [cage]" if scene.cage is None else None
 
+
+def _declared(name: str) -> Need:
+    return Need(
+        keys=f"`{name}` in `[losses]`",
+        lacks=lambda scene: "not declared" if getattr(scene.losses, name) is None else None,
+    )
+
+
+SOLVED_ANGLE = Need(
+    keys='`contact_angle.rule = "solved"`',
+    lacks=lambda scene: (
+        'contact_angle.rule = "given" holds the angle that it would change: use "solved"'
+        if scene.contact_angle.rule == "given"
+        else None
+    ),
+)
+LUBRICANT = Need(keys="`[lubricant]`", lacks=_lubricant)
+LUBRICATED_SURFACE = Need(
+    keys="`[lubricant]` and `[surface]`",
+    lacks=lambda scene: (
+        None if scene.friction_coefficient is None else "the friction coefficient is given: give [surface] instead"
+    ),
+)
+RING_DIAMETERS = Need(keys="`[lubricant]`, `bore_diameter` and `outside_diameter`", lacks=_ring_diameters)
+HYSTERESIS_LOSS = Need(
+    keys="`hysteresis_loss`",
+    lacks=lambda scene: (
+        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle, for steel 0.004-0.01"
+        if scene.hysteresis_loss is None
+        else None
+    ),
+)
 
 TABLE = (
     Entry(
         name="load_distribution",
         kind="computed",
         meaning="unequal ball loads by a radial load or a moment",
-        lacks=_held_angle,
-        bound="1.25 (Fr tan al + 2 M/d_m)/Fa",
+        needs=SOLVED_ANGLE,
+        bound=f"{PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa",
     ),
     Entry(
         name="centrifugal",
         kind="computed",
         meaning="centrifugal force on the balls",
-        lacks=_held_angle,
-        bound="4.5 times the force over the ball load, and 10 times its cube root for balls that the loads leave free",
+        needs=SOLVED_ANGLE,
+        bound=f"{PER_CENTRIFUGAL:g} times the force over the ball load, and {PER_FREE_BALL:g} times its cube root for "
+        f"balls that the loads leave free, from (Fr tan al + 2 M/d_m)/Fa = {UNLOADS:g} on",
     ),
     Entry(
         name="gyroscopic",
         kind="computed",
         meaning="gyroscopic moment on the balls",
-        lacks=_held_angle,
+        needs=SOLVED_ANGLE,
         bound="the axial pull of the friction that holds the moment, over a ball's thrust",
     ),
     Entry(
         name="finite_geometry",
         kind="computed",
         meaning="the true shapes of ball and groove, which are no half spaces",
-        bound="0.5 (b/r)^2 under thrust",
+        bound=f"{PER_SIZE_SQUARED:g} (b/r)^2 under thrust",
+        idle="the fit of the correction does not cover these contacts",
+        given="the factors on the contacts come with the call",
     ),
     Entry(
         name="asperities",
         kind="computed",
         meaning="load on asperities beside the oil film",
-        lacks=_lubricated_surface,
+        needs=LUBRICATED_SURFACE,
         bound="their share of the load at the film of smooth surfaces, times boundary friction",
+        idle='neither spin nor conformity is computed, so nothing slides: give effects.conformity = "auto"',
     ),
     Entry(
         name="inlet_heating",
         kind="computed",
         meaning="oil at the inlets that its own shear heats",
-        lacks=_lubricant,
+        needs=LUBRICANT,
         bound="the rolling torque lost, and the friction that a thinner film adds",
+        idle='nothing slides or rolls in oil: give effects.rolling = "auto"',
     ),
     Entry(
         name="starvation",
         kind="computed",
         meaning="inlets to which the oil does not return in time",
-        lacks=_ring_diameters,
+        needs=RING_DIAMETERS,
         bound="the rolling torque lost",
+        idle='rolling is left out, and only rolling starves: give effects.rolling = "auto"',
     ),
     Entry(
         name="spin",
@@ -109,36 +164,67 @@ TABLE = (
         meaning="spin of the balls about the contact normals",
         bound="the friction of the race that spins in full, less that of races that only roll",
     ),
-    Entry(
-        name="conformity",
-        kind="computed",
-        meaning="sliding because the contact is curved across rolling",
-    ),
+    Entry(name="conformity", kind="computed", meaning="sliding because the contact is curved in transverse direction"),
     Entry(
         name="hysteresis",
         kind="computed",
         meaning="elastic energy lost by the bodies in each cycle",
-        lacks=_hysteresis_loss,
+        needs=HYSTERESIS_LOSS,
     ),
     Entry(
         name="rolling",
         kind="computed",
         meaning="hydrodynamic resistance of the oil in the inlets to rolling",
-        lacks=_lubricant,
+        needs=LUBRICANT,
     ),
-    Entry(name="cage", kind="cage", meaning="friction of the cage that slides on its balls", lacks=_cage),
+    Entry(
+        name="cage",
+        kind="cage",
+        meaning="friction of the cage that slides on its balls",
+        needs=Need(keys="`[cage]`", lacks=_cage),
+    ),
     Entry(
         name="cage_dynamics",
         kind="cage",
         meaning="motion of a cage that does not rest on its balls",
-        lacks=_cage,
-        bound="the friction of a cage that whirls, against all its balls",
+        needs=Need(keys="`[cage]` with `start`", lacks=_cage),
+        bound=f"the friction of a cage that whirls, against all its balls; 0 below a whirl number of {LEAST_WHIRL:g}",
+        idle='the cage is left out: give effects.cage = "auto"',
     ),
-    Entry(name="seals", kind="declared", meaning="torque of the seals, declared in [losses]"),
-    Entry(name="drag", kind="declared", meaning="torque of the oil that balls and cage stir, declared in [losses]"),
-    Entry(name="elastic_creep", kind="limit", meaning="slip by the elasticity of the surfaces; not modelled"),
-    Entry(name="plasticity", kind="limit", meaning="plastic contact; not modelled"),
-    Entry(name="shoulder", kind="limit", meaning="a contact ellipse cut off by its race's shoulder; not modelled"),
+    Entry(
+        name="seals",
+        kind="declared",
+        meaning="torque of the seals",
+        needs=_declared("seals"),
+        given="declared by the scene",
+    ),
+    Entry(
+        name="drag",
+        kind="declared",
+        meaning="torque of the oil that balls and cage stir",
+        needs=_declared("drag"),
+        given="declared by the scene",
+    ),
+    Entry(
+        name="elastic_creep",
+        kind="limit",
+        meaning="slip by the elasticity of the surfaces; not modelled",
+        bound=f"a sliding number below {LEAST_SLIDING:g}",
+        idle="nothing slides",
+    ),
+    Entry(
+        name="plasticity",
+        kind="limit",
+        meaning="plastic contact; not modelled",
+        bound=f"a peak pressure above {STATIC_LIMIT * 1e-9:g} GPa, the static limit of [ISO76]",
+    ),
+    Entry(
+        name="shoulder",
+        kind="limit",
+        meaning="a contact ellipse cut off by its race's shoulder; not modelled",
+        bound="a semi-axis that exceeds the distance to the shoulder",
+        idle="no ball is loaded",
+    ),
 )
 ENTRIES = {entry.name: entry for entry in TABLE}
 

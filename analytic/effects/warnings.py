@@ -37,7 +37,7 @@ def torque_warnings(
         )
     if scene.cage is None:
         warnings.append("the total is without a cage: add a table [cage]")
-    if scene.lubricant is None and scene.effects.get("rolling") != "off":
+    if scene.lubricant is None and not ledger.rules_out("rolling"):
         warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")
     if oiled is not None:
         warnings += oiled.roughness.warnings

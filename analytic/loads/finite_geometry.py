@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.finite_geometry import RaceCorrections, finite_geometry_factors, race_shape
 from analytic.contact.geometry import RACES
-from analytic.loads.balls import LoadedBalls
+from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
 from analytic.loads.thrust import thrust_equilibrium
-from analytic.scene import Array, Bearing, ContactAngle
+from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 
 def thrust_correction(bearing: Bearing, contact_angle: ContactAngle, *, axial_load: ArrayLike) -> RaceCorrections:
@@ -23,6 +23,20 @@ def thrust_correction(bearing: Bearing, contact_angle: ContactAngle, *, axial_lo
     """
     balls = thrust_equilibrium(bearing, contact_angle, axial_load=axial_load)
     return _corrections(bearing, angles=(balls.contact_angle,) * 2, loads=(balls.ball_load,) * 2)
+
+
+def corrected_balls(
+    bearing: Bearing, contact_angle: ContactAngle, operation: Operation, effects: LoadEffects, balls: LoadedBalls
+) -> tuple[LoadedBalls | None, list[str]]:
+    """The balls with corrected contacts, and warnings; None where the fit covers no contact.
+
+    balls : with Hertz's contacts, under the same effects;  other arguments and errors of loaded_balls
+    """
+    corrections = corrections_of(bearing, balls)
+    warnings = list(corrections.warnings)
+    if not np.any(corrections.inner.covered | corrections.outer.covered):
+        return None, warnings
+    return loaded_balls(bearing, contact_angle, operation, effects, correction=corrections.correction), warnings
 
 
 def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 
-from analytic.effects.limits import STATIC_LIMIT
+from analytic.effects.table import STATIC_LIMIT
 from analytic.scene import Contact
 from fembearing.compare.contact.mesh_refinement import Estimates, Reference
 from fembearing.fem.solution import MeshSolution

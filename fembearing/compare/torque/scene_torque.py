@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.effects.limits import STATIC_LIMIT
+from analytic.effects.table import STATIC_LIMIT
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.torque import friction_torque, with_model_uncertainty
