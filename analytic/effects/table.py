@@ -164,7 +164,9 @@ TABLE = (
         meaning="spin of the balls about the contact normals",
         bound="the friction of the race that spins in full, less that of races that only roll",
     ),
-    Entry(name="conformity", kind="computed", meaning="sliding because the contact is curved in transverse direction"),
+    Entry(
+        name="conformity", kind="computed", meaning="sliding because the contact is curved in the transverse direction"
+    ),
     Entry(
         name="hysteresis",
         kind="computed",

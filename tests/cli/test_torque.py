@@ -136,3 +136,20 @@ def test_a_mistake_is_one_line(command, tmp_path: Path, change: tuple[str, str],
     assert (status, out) == (2, "")
     assert err.count("\n") == 1
     assert words in err
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("coarse")
+def test_validate_has_the_torque_of_the_command_torque(command, tmp_path: Path) -> None:
+    """A moving cage, losses and two operating points: the same numbers, digit by digit, from both commands."""
+    cage = '[cage]\nstart = "whirl"\nfriction_coefficient = 0.08\nseeds = 2\nduration = "0.01 s"\n'
+    (tmp_path / "a.toml").write_text(SERIES + cage + '[losses]\nseals = "5 N mm"\ndrag = "2 N mm"\n', "utf-8")
+    torque, validated = (
+        json.loads(command(name, str(tmp_path / "a.toml"), "--tolerance", "20 %", "--json").out)
+        for name in ("torque", "validate")
+    )
+    decisions = {effect["name"]: effect["decision"] for effect in torque["effects"]}
+    assert decisions["cage_dynamics"] == decisions["seals"] == decisions["drag"] == "on"
+    assert len({point["torque"]["cage"] for point in torque["points"]}) == 2
+    for key in ("points", "effects", "warnings", "catalogue_band", "doubts", "tolerance", "provenance"):
+        assert validated["torque"][key] == torque[key], key

@@ -12,10 +12,10 @@ COMMAND = "python -m tests.analytic.effects.test_table"
 
 def table_of_page() -> str:
     rows = (
-        f"| `{entry.name}` | {entry.meaning} | {'' if entry.needs is None else entry.needs.keys} | {entry.bound or ''} |"
+        (f"`{entry.name}`", entry.meaning, "" if entry.needs is None else entry.needs.keys, entry.bound or "")
         for entry in TABLE
     )
-    return HEAD + "\n".join(" ".join(row.split()) for row in rows) + "\n"
+    return HEAD + "".join("".join(f"| {cell} " if cell else "| " for cell in row) + "|\n" for row in rows)
 
 
 def page_with_table(text: str) -> str:
