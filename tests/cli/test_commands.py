@@ -287,7 +287,14 @@ def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, 
         HardCase(name="three", problem="1 + 2", answer="3", evaluate=lambda: 4.0, expected=3.0),
     )
     monkeypatch.setattr(hard_cases, "HARD_CASES", cases)
-    measured = cost.Cost(scene=load_scene(builtin_scene("6205")), tolerance=0.9, ladders=(), seconds=0.5)
+    measured = cost.Cost(
+        scene=load_scene(builtin_scene("6205")),
+        tolerance=0.9,
+        ladders=(),
+        seconds=0.5,
+        peak_memory=None,
+        provenance={},
+    )
     monkeypatch.setattr(validation, "measure_cost", lambda *_, **__: measured)
     scene = tmp_path / "scene.toml"
     scene.write_text(MINE)

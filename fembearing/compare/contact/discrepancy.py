@@ -11,6 +11,7 @@ import numpy as np
 from analytic.scene import Contact, Pair, Scene
 from fembearing.compare.contact.approach_curve import ApproachCurve, approach_over_load
 from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact_html
+from fembearing.compare.contact.comparison_error import Comparison, comparison_of
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
 from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, solve_reference
@@ -74,6 +75,21 @@ class ContactSolution:
         return {name: values[name] / part.value - 1 for name, part in self.estimates.items()}
 
     @property
+    def comparisons(self) -> dict[str, Comparison]:
+        """Hertz's value against the reference, in the unit of the quantity."""
+        return {name: comparison_of(getattr(self.hertz, name), part) for name, part in self.estimates.items()}
+
+    @property
+    def exceeds_uncertainty(self) -> dict[str, bool]:
+        """Whether the discrepancy is larger than the uncertainty of the reference."""
+        return {name: abs(self.discrepancy[name]) > part.total for name, part in self.estimates.items()}
+
+    @property
+    def formal_orders(self) -> dict[str, float | None]:
+        """The order at which each quantity should converge; None at a shoulder, as a cut edge has none."""
+        return {name: None if self.shoulder else FORMAL_ORDERS[name] for name in self.estimates}
+
+    @property
     def verdicts(self) -> dict[str, Verdict]:
         return {
             name: verdict_on(getattr(self.hertz, name), part, tolerance=self.tolerance, valid=self.valid)
@@ -113,6 +129,11 @@ class ContactSolution:
             return ()
         below, above = self.meshes[-1].pair.footprint.shoulders
         return tuple(y for y in (-below, above) if math.isfinite(y))
+
+    @property
+    def sides(self) -> dict[str, float]:
+        """Distance from y = 0, m, of each shoulder that cuts the contact off: "above" and "below"."""
+        return {"above" if y > 0 else "below": abs(y) for y in self.shoulders}
 
     @property
     def strip_width(self) -> float:
@@ -164,7 +185,7 @@ class ContactSolution:
                     "values": list(part.values),
                     "order": part.order,
                     "grid_convergence_index": part.index,
-                    "formal_order": None if self.shoulder else FORMAL_ORDERS[name],  # a cut edge has none
+                    "formal_order": self.formal_orders[name],
                     "richardson": part.richardson,
                     "mesh": part.mesh,
                     "beyond": part.beyond,
@@ -213,7 +234,7 @@ class ContactSolution:
         if not self.shoulder:
             return None
         return {
-            "sides": {"above" if y > 0 else "below": abs(y) for y in self.shoulders},  # of y = 0; distances, m
+            "sides": self.sides,
             "half": self.meshes[-1].pair.footprint.half,  # whether half of the contact is meshed, not a quarter
             "peak_pressure_at": 0.0,  # y, m: what "fe" and "hertz" compare, not the largest, which is at the edge
             "strip_width": self.strip_width,

@@ -82,6 +82,7 @@ class LoadSeries:
     hertz_stiffness: float  # K of Hertz, N/m^1.5
     solutions: tuple[MeshSolution, ...]  # on the finest level, in the order of the points
     seconds: float
+    peak_memory: int | None  # of the process when the series was solved, bytes
     warnings: tuple[str, ...]
 
     @property
@@ -98,6 +99,11 @@ class LoadSeries:
     def verdict(self) -> Verdict:
         """The worst verdict of all loads."""
         return worst(point.verdict for point in self.points)
+
+    @property
+    def shown_verdict(self) -> str:
+        """The verdict; "shown" for a contact that is not judged."""
+        return self.verdict if self.judged else "shown"
 
     def to_json(self) -> dict[str, Any]:
         """The series as plain types, SI; discrepancies and uncertainties are relative, except the exponent's."""
@@ -129,8 +135,8 @@ class LoadSeries:
             ],
             "law": law,
             "hertz_law": {"stiffness": self.hertz_stiffness, "exponent": 1.5},
-            "verdict": self.verdict if self.judged else "shown",
-            "cost": {"seconds": self.seconds, "meshes": self.meshes, "peak_memory": peak_memory()},
+            "verdict": self.shown_verdict,
+            "cost": {"seconds": self.seconds, "meshes": self.meshes, "peak_memory": self.peak_memory},
             "warnings": list(self.warnings),
         }
 
@@ -232,6 +238,7 @@ def compare_series(
         hertz_stiffness=hertz_quantities(third[0].contact).stiffness,
         solutions=third,
         seconds=time.perf_counter() - start,
+        peak_memory=peak_memory(),
         warnings=(
             *((sheet_warning(contact),) if thin else ()),
             *((series_shoulder_warning(contact, load=min(over)),) if over else ()),

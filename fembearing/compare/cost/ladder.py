@@ -52,13 +52,18 @@ class Choice:
     method: Method | None  # None where no method is within the tolerance
     price: float | None  # seconds over those of the next looser choice; None for the first and without a method
 
+    @property
+    def name(self) -> str | None:
+        """Of the method."""
+        return None if self.method is None else self.method.name
+
+    @property
+    def seconds(self) -> float | None:
+        """Of the method."""
+        return None if self.method is None else self.method.seconds
+
     def to_json(self) -> dict[str, Any]:
-        return {
-            "tolerance": self.tolerance,
-            "rung": None if self.method is None else self.method.name,
-            "seconds": None if self.method is None else self.method.seconds,
-            "price": self.price,
-        }
+        return {"tolerance": self.tolerance, "rung": self.name, "seconds": self.seconds, "price": self.price}
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,7 +1,7 @@
 """What accuracy costs in a scene: every method of every ladder, with its error, bound, seconds and memory."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -35,15 +35,17 @@ class Cost:
     tolerance: float
     ladders: tuple[Ladder, ...]
     seconds: float
+    peak_memory: int | None  # of the process, bytes
+    provenance: Mapping[str, Any]
 
     def to_json(self) -> dict[str, Any]:
         """The result as plain types; SI, errors relative."""
         return {
             "ladders": [ladder.to_json() for ladder in self.ladders],
             "tolerance": self.tolerance,
-            "cost": {"seconds": self.seconds, "peak_memory": peak_memory()},
+            "cost": {"seconds": self.seconds, "peak_memory": self.peak_memory},
             "warnings": list(self.scene.warnings),
-            "provenance": provenance_of(self.scene),
+            "provenance": self.provenance,
         }
 
 
@@ -69,4 +71,11 @@ def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Prog
     recipe = load_recipe(RECIPES["real"])
     rest = part_of(progress, FORMULAS, 1.0)
     ladders.append(measured_contact(contact, recipe=recipe, tolerance=tolerance, progress=rest))
-    return Cost(scene=scene, tolerance=tolerance, ladders=tuple(ladders), seconds=time.perf_counter() - start)
+    return Cost(
+        scene=scene,
+        tolerance=tolerance,
+        ladders=tuple(ladders),
+        seconds=time.perf_counter() - start,
+        peak_memory=peak_memory(),
+        provenance=provenance_of(scene),
+    )

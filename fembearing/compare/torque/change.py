@@ -37,14 +37,26 @@ class FittedChange:
     uncertainty: np.ndarray  # (n,) of that change, from the factors' uncertainties, 95 %
     warnings: tuple[str, ...]
 
+    @property
+    def contact_angle(self) -> np.ndarray:
+        """(n,) rad, NaN where the correction does not reach."""
+        return np.where(np.isnan(self.relative), np.nan, self.torque.contact_angle)
+
+    @property
+    def total(self) -> np.ndarray:
+        """(n,) N m, NaN where the correction does not reach."""
+        return np.where(np.isnan(self.relative), np.nan, self.torque.torque.total)
+
     def to_json(self) -> dict[str, Any]:
-        known = np.isfinite(self.relative)
-        return {
-            "contact_angle": _known(self.torque.contact_angle, known),
-            "torque": _known(self.torque.torque.total, known),
-            "change": _known(self.relative, known),
-            "uncertainty": _known(self.uncertainty, known),
-        }
+        """Lists over the operating points; SI, change and uncertainty relative; None where it does not reach."""
+        return plain(
+            {
+                "contact_angle": self.contact_angle,
+                "torque": self.total,
+                "change": self.relative,
+                "uncertainty": self.uncertainty,
+            }
+        )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -73,6 +85,16 @@ class TorqueChange:
         load = self.hertz.ball_load
         return load >= (1 - SAME_LOAD) * load.max()
 
+    @property
+    def contact_angle(self) -> np.ndarray:
+        """(n,) by finite elements, rad, NaN where no contact was solved at its load."""
+        return np.where(self.is_solved, self.corrected.contact_angle, np.nan)
+
+    @property
+    def total(self) -> np.ndarray:
+        """(n,) by finite elements, N m, NaN where no contact was solved at its load."""
+        return np.where(self.is_solved, self.corrected.torque.total, np.nan)
+
     def relative(self, part: str) -> np.ndarray | None:
         """Corrected over Hertz minus one at each operating point, NaN where no contact was solved at its load.
 
@@ -86,15 +108,9 @@ class TorqueChange:
     def to_json(self) -> dict[str, Any]:
         """Lists over the operating points; SI, changes relative."""
         return {
-            "contact_angle": {
-                "hertz": self.hertz.contact_angle.tolist(),
-                "corrected": _known(self.corrected.contact_angle, self.is_solved),
-            },
-            "torque": {
-                "hertz": self.hertz.torque.total.tolist(),
-                "corrected": _known(self.corrected.torque.total, self.is_solved),
-            },
-            "change": {part: plain(self.relative(part)) for part in PARTS},
+            "contact_angle": plain({"hertz": self.hertz.contact_angle, "corrected": self.contact_angle}),
+            "torque": plain({"hertz": self.hertz.torque.total, "corrected": self.total}),
+            "change": plain({part: self.relative(part) for part in PARTS}),
             "uncertainty": self.uncertainty,
             "uncertainties": self.uncertainties,
             "finite_geometry": self.fitted.to_json(),
@@ -170,10 +186,6 @@ def _moved(corrections: RaceCorrections, name: str) -> Iterator[ContactCorrectio
 def _change(after: np.ndarray, before: np.ndarray) -> np.ndarray:
     """Relative; none of what is 0."""
     return np.divide(after, before, out=np.ones_like(before), where=before != 0) - 1
-
-
-def _known(values: np.ndarray, is_known: np.ndarray) -> list[float | None]:
-    return [float(value) if known else None for value, known in zip(values, is_known, strict=True)]
 
 
 def factors(solution: ContactSolution, *, up: str = "") -> ContactFactors:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from fembearing.compare.contact.comparison_error import WHY, comparison_of
+from fembearing.compare.contact.comparison_error import WHY
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.compare.validation import Validation
@@ -60,17 +60,16 @@ def contact_table(solution: ContactSolution) -> Contact:
 
 def _verdicts(contact: ContactSolution) -> Iterator[dict[str, Any]]:
     for name, part in contact.estimates.items():
-        production = getattr(contact.hertz, name)
         yield {
             "pair": contact.contact.pair,
             "geometry": contact.geometry,
             "quantity": name,
-            "production": production,
+            "production": getattr(contact.hertz, name),
             "reference": part.value,
             "discrepancy": contact.discrepancy[name],
             "uncertainty": part.total,
-            "exceeds_uncertainty": abs(contact.discrepancy[name]) > part.total,
-            "comparison": comparison_of(production, part).to_json(),
+            "exceeds_uncertainty": contact.exceeds_uncertainty[name],
+            "comparison": contact.comparisons[name].to_json(),
             "verdict": contact.verdicts[name],
         }
 

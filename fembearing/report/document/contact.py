@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from fembearing.report.document.table import (
     Count,
@@ -74,8 +74,6 @@ class Estimated(Table):
 
 class Sides(Table):
     """Distances of the shoulders that cut a contact off."""
-
-    model_config = ConfigDict(extra="forbid")  # the page reads every key
 
     above: float
     below: float = 0.0  # not given where one side alone is cut off

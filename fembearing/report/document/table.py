@@ -16,9 +16,9 @@ Label = Annotated[str, Field(pattern=r"^[^$]*$")]  # in a figure, where dollars 
 
 
 class Table(BaseModel):
-    """A table of the document; a key that it does not name is dropped. Numbers are SI."""
+    """A table of the document; a key that it does not name is refused, so that none gets lost. Numbers are SI."""
 
-    model_config = ConfigDict(strict=True, allow_inf_nan=False, frozen=True)
+    model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, frozen=True)
 
 
 class OfQuantities(Table, Generic[T]):

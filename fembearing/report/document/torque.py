@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import Field, model_validator
 
 from fembearing.report.document.table import (
     Label,
@@ -29,8 +29,6 @@ class OperatingPoint(Table):
 
 class Parts(Table):
     """Parts of the torque; None where one was left out."""
-
-    model_config = ConfigDict(extra="forbid")  # the page reads every key
 
     total: float
     race: float | None

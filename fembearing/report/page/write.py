@@ -5,7 +5,7 @@ section shows comes from `fembearing.report.page.sections`, its plots from `femb
 """
 
 from pathlib import Path
-from typing import Any
+from typing import NamedTuple
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -51,30 +51,34 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
         per_minute=PER_MINUTE,
         coordinates=COORDINATES,
         film_uncertainty=FORMULA_UNCERTAINTY,
-        **verdict_section(document),
-        **torque_section(document),
-        **next_section(document),
+        verdict_section=verdict_section(document),
+        torque_section=torque_section(document),
+        next_section=next_section(document),
     )
     file.write_text(page, "utf-8", newline="\n")
 
 
-def _picture(picture: PictureFile, document: Report, folder: Path) -> dict[str, Any]:
+class ShownPicture(NamedTuple):
+    """A picture as the template shows it: an image, a view to turn, or why there is neither."""
+
+    title: str  # of its contact
+    caption: str
+    source: str | None = None  # a data address
+    view: str | None = None  # a page of its own
+    missing: str | None = None
+
+
+def _picture(picture: PictureFile, document: Report, folder: Path) -> ShownPicture:
     """One picture with its contact's title and the file itself; where there is none, why."""
     contact = document.contact_at(picture.pair, picture.geometry)
     assert contact is not None  # the document holds it
-    shown = {
-        "title": phrases.contact_title(contact),
-        "caption": picture.caption,
-        "source": None,
-        "view": None,
-        "missing": None,
-    }
+    shown = ShownPicture(title=phrases.contact_title(contact), caption=picture.caption)
     try:
         content = (folder / picture.file).read_bytes()
     except OSError:
-        return shown | {"missing": f"The picture {picture.file} does not lie beside report.json."}
+        return shown._replace(missing=f"The picture {picture.file} does not lie beside report.json.")
     if picture.kind == "view" and content.startswith(VIEW):
-        return shown | {"view": content.decode("utf-8", "replace")}
+        return shown._replace(view=content.decode("utf-8", "replace"))
     if not content.startswith(PNG):
-        return shown | {"missing": f"The file {picture.file} beside report.json is no picture."}
-    return shown | {"source": embedded(content)}
+        return shown._replace(missing=f"The file {picture.file} beside report.json is no picture.")
+    return shown._replace(source=embedded(content))

@@ -3,7 +3,6 @@
 from rich.console import Console
 
 from fembearing.compare.cost.scene_cost import Cost
-from fembearing.provenance import provenance_of
 from fembearing.report.phrases import capital, choices_line, short_name, shown
 from fembearing.report.terminal.table import table_of
 
@@ -35,7 +34,7 @@ def print_cost(out: Console, cost: Cost) -> None:
                 out.print(f"{method.name} failed: {method.failed}", markup=False)
         out.print(f"Price of the next digit: {choices_line(ladder)}.")
         out.print(f"Reference: {ladder.reference}.\n", style="dim")
-    machine = provenance_of(cost.scene)
+    machine = cost.provenance
     versions = ", ".join(f"{name} {version}" for name, version in machine["versions"].items() if version)
     out.print(
         f">: the cheapest method that is known to be within the tolerance, {cost.tolerance:g}. Bound: on the error, "

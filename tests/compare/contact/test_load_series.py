@@ -98,6 +98,7 @@ def test_tangents_integrate_to_the_loads(real: LoadSeries, ideal: LoadSeries) ->
 
 def test_json_holds_plain_numbers(ideal: LoadSeries) -> None:
     document = json.loads(json.dumps(ideal.to_json(), allow_nan=False))
+    assert document["cost"]["peak_memory"] == ideal.peak_memory  # of the solve, not of the writing
     assert [part["load"] for part in document["loads"]] == LOADS.tolist()
     assert document["loads"][3]["approach"]["fe"] == ideal.points[3].approach.value
     assert document["loads"][3]["tangent"]["hertz"] == ideal.points[3].hertz_tangent

@@ -53,6 +53,13 @@ def places(value: object, way: tuple[str | int, ...] = ()) -> Iterator[tuple[str
         yield from places(part, (*way, name))
 
 
+def at(document: Document, place: tuple[str | int, ...]) -> Any:
+    here: Any = document
+    for step in place:
+        here = here[step]
+    return here
+
+
 def damaged(document: Document, place: tuple[str | int, ...], value: object) -> Document:
     found = copy.deepcopy(document)
     here: Any = found
@@ -80,6 +87,17 @@ def test_writing_computes_nothing(checked: Validation, monkeypatch: pytest.Monke
         monkeypatch.setattr(f"fembearing.compare.{name}", None)
     monkeypatch.setattr("fembearing.compare.memory.peak_memory", None)
     assert built.to_json() == before == report_of(checked).to_json()
+
+
+def test_no_key_gets_lost(document: Document) -> None:
+    """Every table but the scene's refuses a key that it does not name."""
+    tables = [way for way in places(document) if isinstance(at(document, way), dict) and "scene_content" not in way]
+    keyed = ("values", "chosen", "seeds", "versions", "uncertainties")  # by names that the results choose
+    strict = [way for way in tables if way[-1] not in keyed]
+    assert len(strict) > 50
+    for way in strict:
+        with pytest.raises(ValidationError, match="new"):
+            Report.model_validate(damaged(document, (*way, "new"), 1.0))
 
 
 def test_every_plot_is_drawn_from_the_document(document: Document) -> None:

@@ -1,24 +1,38 @@
 """What to run or to change next."""
 
 from collections.abc import Iterator
-from typing import Any
+from typing import NamedTuple
 
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
 from fembearing.report.phrases import place_of, quantities_of
 
 
-def next_section(document: Report) -> dict[str, Any]:
-    """Why, and what to do, for each contact; a command begins with "fembearing". The template has the other steps."""
+class Step(NamedTuple):
+    """What to do next."""
+
+    why: str
+    what: str  # a command begins with "fembearing"
+
+
+class NextSection(NamedTuple):
+    """The steps of the contacts; the template has the others."""
+
+    steps: list[Step]
+    uncertain: bool  # whether the torque's numerical uncertainty exceeds the tolerance or is not known
+
+
+def next_section(document: Report) -> NextSection:
+    """What to do next for each contact."""
     points = [] if document.torque is None else document.torque.points
     numerical = [point.uncertainty.numerical for point in points]
-    return {
-        "next_steps": [step for each in document.contacts if each.judged for step in _of_contact(document, each)],
-        "uncertain": any(part is None or part > document.tolerance for part in numerical),
-    }
+    return NextSection(
+        steps=[step for each in document.contacts if each.judged for step in _of_contact(document, each)],
+        uncertain=any(part is None or part > document.tolerance for part in numerical),
+    )
 
 
-def _of_contact(document: Report, contact: Contact) -> Iterator[tuple[str, str]]:
+def _of_contact(document: Report, contact: Contact) -> Iterator[Step]:
     rows, names = document.verdicts_on(contact), quantities_of(contact)
     place = place_of(contact.pair, contact.geometry)
 
@@ -33,7 +47,7 @@ def _of_contact(document: Report, contact: Contact) -> Iterator[tuple[str, str]]
         if contact.corrected:
             worst = max(abs(error) for _, error in contact.corrected.interpolation_error)
             remedy = f'effects.finite_geometry = "on" corrects Hertz, to {worst:.2%} of the finite elements here'
-        yield f"{place}: Hertz fails in {failed}", remedy
+        yield Step(f"{place}: Hertz fails in {failed}", remedy)
     open_to_meshes, open_beyond = [], []
     for name, row in rows.items():
         if row.verdict == "undecided":
@@ -42,10 +56,10 @@ def _of_contact(document: Report, contact: Contact) -> Iterator[tuple[str, str]]
             (open_beyond if beyond else open_to_meshes).append(names[name].name)
     if open_to_meshes:
         command = f'fembearing contact SCENE --pair {contact.pair} --tolerance "{100 * document.tolerance / 20:.2g} %"'
-        yield f"{place}: undecided in {', '.join(open_to_meshes)}", command
+        yield Step(f"{place}: undecided in {', '.join(open_to_meshes)}", command)
     if open_beyond:
         why = f"{place}: undecided in {', '.join(open_beyond)}, as the size of the meshed block leaves it open"
-        yield why, "no finer mesh decides it: ask for a tolerance farther from the discrepancy"
+        yield Step(why, "no finer mesh decides it: ask for a tolerance farther from the discrepancy")
     if named("outside validity"):
         remedy = "a smaller load or a wider groove; else take the finite-element values"
-        yield f"{place}: outside the validity of Hertz, see the warnings", remedy
+        yield Step(f"{place}: outside the validity of Hertz, see the warnings", remedy)

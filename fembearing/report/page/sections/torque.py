@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from itertools import groupby
 from operator import itemgetter
-from typing import Any
+from typing import NamedTuple
 
 from analytic.result import COORDINATES
 from fembearing.quantities import PER_MINUTE
@@ -14,26 +14,46 @@ from fembearing.report.phrases import digits, listed, present_loads, shown, unce
 NM = 1e3  # N mm in one N m
 
 
-def torque_section(document: Report) -> dict[str, Any]:
+class Row(NamedTuple):
+    """One row of a table over the operating points."""
+
+    loads: tuple[str, ...]
+    speed: str  # of all points that share the row
+    cells: tuple[str, ...]
+
+
+class TorqueSection(NamedTuple):
     """Tables and sentences of the section on the torque."""
+
+    totals: list[Row]
+    changes: list[Row]
+    is_joined: bool  # whether points share a row
+    load_heads: list[str]
+    parts: list[str]
+    change: TorqueChange
+    model_uncertainty: str
+
+
+def torque_section(document: Report) -> TorqueSection | None:
+    """What the section shows; None without a torque."""
     torque, change = document.torque, document.torque_change
     if torque is None or change is None:
-        return {"torque": None}
+        return None
     points = torque.points
     parts = [name for name, value in points[0].torque if value is not None and name not in ("race", "total")]
     loads = present_loads(points)
     totals, changes = _joined(points, loads, _totals(torque, parts)), _joined(points, loads, _changes(change))
-    return {
-        "torque": totals,
-        "changes": changes,
-        "is_joined": min(len(totals), len(changes)) < len(points),
-        "load_heads": [f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}" for name in loads],
-        "parts": parts,
-        "change": change,
-        "model_uncertainty": uncertainty_of(
+    return TorqueSection(
+        totals=totals,
+        changes=changes,
+        is_joined=min(len(totals), len(changes)) < len(points),
+        load_heads=[f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}" for name in loads],
+        parts=parts,
+        change=change,
+        model_uncertainty=uncertainty_of(
             max((point.uncertainty.model for point in points if point.uncertainty.model is not None), default=None)
         ),
-    }
+    )
 
 
 def _totals(torque: Torque, parts: Sequence[str]) -> list[tuple[str, ...]]:
@@ -67,13 +87,13 @@ def _changes(change: TorqueChange) -> list[tuple[str, ...]]:
     ]
 
 
-def _joined(points: Sequence[Point], loads: Sequence[str], cells: Sequence[tuple[str, ...]]) -> list[dict[str, Any]]:
+def _joined(points: Sequence[Point], loads: Sequence[str], cells: Sequence[tuple[str, ...]]) -> list[Row]:
     """One row for each point; neighbours that differ in speed alone share one."""
     keys = [
         (tuple(f"{getattr(point, name):.4g}" for name in loads), row) for point, row in zip(points, cells, strict=True)
     ]
     runs = groupby(zip(keys, points, strict=True), key=itemgetter(0))
     return [
-        {"loads": key[0], "speed": listed([point.inner_speed for _, point in run], PER_MINUTE), "cells": key[1]}
+        Row(loads=key[0], speed=listed([point.inner_speed for _, point in run], PER_MINUTE), cells=key[1])
         for key, run in runs
     ]

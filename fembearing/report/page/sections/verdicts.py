@@ -1,21 +1,38 @@
 """Each contact's quantities by Hertz and by finite elements, and whether the difference counts."""
 
 from collections.abc import Iterator
-from typing import Any
+from typing import NamedTuple
 
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
+from fembearing.report.document.table import OfQuantities
 from fembearing.report.phrases import contact_place, place_of, quantities_of
 
 
-def verdict_section(document: Report) -> dict[str, Any]:
+class PocketModel(NamedTuple):
+    """The pocket by one model."""
+
+    name: str
+    values: OfQuantities[float]
+    uncertainty: float | None  # of its stiffness, relative; None where the model is a formula
+
+
+class VerdictSection(NamedTuple):
+    """What the section shows besides the document."""
+
+    judged: list[Contact]
+    comparisons: list[tuple[str, str]]  # place of a contact, and a sentence
+    pocket: list[PocketModel]  # Hertz first; empty without a cage
+
+
+def verdict_section(document: Report) -> VerdictSection:
     """The judged contacts, what is resolved of them, and the models of the pocket."""
     judged = [contact for contact in document.contacts if contact.judged]
-    return {
-        "judged": judged,
-        "comparisons": [(contact_place(contact), line) for contact in judged for line in _resolved(document, contact)],
-        "pocket": _pocket(document.contacts),
-    }
+    return VerdictSection(
+        judged=judged,
+        comparisons=[(contact_place(contact), line) for contact in judged for line in _resolved(document, contact)],
+        pocket=_pocket(document.contacts),
+    )
 
 
 def _resolved(document: Report, contact: Contact) -> Iterator[str]:
@@ -32,9 +49,13 @@ def _resolved(document: Report, contact: Contact) -> Iterator[str]:
         yield f"|E| <= u_val: the difference is not resolved, Hertz's error is somewhere in {', '.join(parts[False])}."
 
 
-def _pocket(contacts: list[Contact]) -> list[tuple[str, Any, float | None]]:
-    """Each model of the pocket with its quantities and the uncertainty of its stiffness; empty without a cage."""
+def _pocket(contacts: list[Contact]) -> list[PocketModel]:
     if len(contacts) < 4:
         return []
-    solved = [(place_of(each.pair, each.geometry), each.fe, each.uncertainty.stiffness) for each in contacts[2:]]
-    return [("Hertz: two half spaces", contacts[2].hertz, None), *solved]
+    return [
+        PocketModel("Hertz: two half spaces", contacts[2].hertz, None),
+        *(
+            PocketModel(place_of(each.pair, each.geometry), each.fe, each.uncertainty.stiffness)
+            for each in contacts[2:]
+        ),
+    ]
