@@ -24,6 +24,18 @@ class Column(NamedTuple):
     symbol: str = ""
 
 
+class Unit(NamedTuple):
+    """A unit in which numbers are shown."""
+
+    name: str
+    factor: float  # by which an SI value is multiplied
+
+    def written(self, value: float, form: str) -> str:
+        """An SI value in this unit, with its name."""
+        return f"{value * self.factor:{form}} {self.name}".rstrip()
+
+
+RPM, NEWTON_MILLIMETRE = Unit("rpm", 30 / np.pi), Unit("N mm", 1e3)
 # An operating point, as it is given.
 COORDINATES: dict[str, Column] = {
     "inner_speed": Column("rad/s", "speed of the inner ring"),
@@ -200,14 +212,21 @@ class FrictionTorque:
             for name in ("radial_load", "moment")
             if np.any(values := getattr(self, name))
         }
-        head = ["speed, rpm", "axial load, N", *sideways, *(f"{name}, N mm" for name in parts), "uncertainty, %"]
+        axial = COORDINATES["axial_load"]
+        head = [
+            f"speed, {RPM.name}",
+            f"{axial.meaning}, {axial.unit}",
+            *sideways,
+            *(f"{name}, {NEWTON_MILLIMETRE.name}" for name in parts),
+            "uncertainty, %",
+        ]
         shown = min(self.inner_speed.size, MOST_ROWS)
         rows = [
             [
-                f"{self.inner_speed[i] * 30 / np.pi:.4g}",
+                f"{self.inner_speed[i] * RPM.factor:.4g}",
                 f"{self.axial_load[i]:.4g}",
                 *(f"{values[i]:.4g}" for values in sideways.values()),
-                *(f"{1e3 * part[i]:.4g}" for part in parts.values()),
+                *(f"{part[i] * NEWTON_MILLIMETRE.factor:.4g}" for part in parts.values()),
                 f"{100 * self.numerical_uncertainty[i]:.2g}",
             ]
             for i in range(shown)

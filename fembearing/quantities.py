@@ -8,16 +8,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.result import COLUMNS, COORDINATES
+from analytic.result import COLUMNS, COORDINATES, NEWTON_MILLIMETRE, RPM, Unit
 
-PER_MINUTE = 30 / np.pi  # rpm in one rad/s
-
-
-class Unit(NamedTuple):
-    """A unit in which numbers are shown."""
-
-    name: str
-    factor: float  # by which an SI value is multiplied
+GIGA, MILLI, MICRO = Unit("GPa", 1e-9), Unit("mm", 1e3), Unit("um", 1e6)
+STIFFNESS = Unit("GN/m^1.5", 1e-9)
+TANGENT = Unit("N/um", 1e-6)
+MILLISECOND = Unit("ms", 1e3)
+LINE_LOAD = Unit("N/mm", 1e-3)
 
 
 class Quantity(NamedTuple):
@@ -37,11 +34,11 @@ class Quantity(NamedTuple):
 
 # SI unit -> units in which it is shown, each from a size on, large to small.
 UNITS: dict[str, tuple[tuple[float, Unit], ...]] = {
-    "Pa": ((1e8, Unit("GPa", 1e-9)), (1e5, Unit("MPa", 1e-6)), (0.0, Unit("Pa", 1.0))),
-    "m": ((1e-3, Unit("mm", 1e3)), (1e-7, Unit("um", 1e6)), (0.0, Unit("nm", 1e9))),
+    "Pa": ((1e8, GIGA), (1e5, Unit("MPa", 1e-6)), (0.0, Unit("Pa", 1.0))),
+    "m": ((1e-3, MILLI), (1e-7, MICRO), (0.0, Unit("nm", 1e9))),
     "1/Pa": ((0.0, Unit("1/GPa", 1e9)),),
-    "N m": ((0.0, Unit("N mm", 1e3)),),
-    "rad/s": ((0.0, Unit("rpm", PER_MINUTE)),),
+    "N m": ((0.0, NEWTON_MILLIMETRE),),
+    "rad/s": ((0.0, RPM),),
     "rad": ((0.0, Unit("deg", 180 / np.pi)),),
     "1": ((0.0, Unit("", 1.0)),),
 }
@@ -58,13 +55,10 @@ def unit_for(unit: str, largest: float) -> Unit:
     return Unit(unit.replace("*", " "), 1.0)
 
 
-GIGA, MILLI, MICRO = Unit("GPa", 1e-9), Unit("mm", 1e3), Unit("um", 1e6)
-STIFFNESS = Unit("GN/m^1.5", 1e-9)
-
 CONTACT: dict[str, Quantity] = {  # those of a contact that are compared, in the order in which they are shown
     "approach": Quantity("approach", "delta", "m", MICRO, "approach"),
     "semi_axis_rolling": Quantity("semi-axis a", "a", "m", MILLI, "semi-axis along rolling"),
-    "semi_axis_transverse": Quantity("semi-axis b", "b", "m", MILLI, "semi-axis across rolling"),
+    "semi_axis_transverse": Quantity("semi-axis b", "b", "m", MILLI, "transverse semi-axis"),
     "peak_pressure": Quantity("peak pressure", "p0", "Pa", GIGA, "peak pressure"),
     "stiffness": Quantity("stiffness", "K", "N/m^1.5", STIFFNESS, "stiffness (load over approach^1.5)"),
 }
@@ -81,7 +75,7 @@ QUANTITIES: dict[str, Quantity] = {
     },
     **CONTACT,
     **STRESSES,
-    "torque": Quantity("friction torque", "", "N m", Unit("N mm", 1e3), "friction torque"),
+    "torque": Quantity("friction torque", "", "N m", NEWTON_MILLIMETRE, "friction torque"),
     "film": Quantity("film", "h", "m", MICRO, "film thickness between the mean planes"),
     "load": Quantity("load", "Q", "N", Unit("N", 1.0), "load of the ball"),
     "viscosity": Quantity("viscosity", "", "Pa s", Unit("Pa s", 1.0), "viscosity"),

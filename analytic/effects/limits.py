@@ -17,6 +17,8 @@ from analytic.scene import Operation, Scene
 from analytic.sliding.long_ellipse import sliding_number
 from analytic.sliding.methods import Sliding
 
+CHECKED = "checked, not modelled"  # how a reason begins
+
 
 def check_limits(
     scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger, *, sliding: Sliding | None
@@ -62,10 +64,11 @@ def _shoulder(scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Le
             left, nearest = space - axis, f"semi-axis {axis:.4g} m of {space:.4g} m to the {name} race's shoulder"
         if axis > space:
             yield (
-                f"the contact ellipse passes the {name} race's shoulder: semi-axis {axis:.4g} m, room {space:.4g} m; "
+                f"the contact ellipse passes the {name} race's shoulder: semi-axis {axis:.4g} m, distance "
+                f"{space:.4g} m; "
                 "the true contact is cut off there and its pressure higher"
             )
-    ledger.settle("shoulder", on=False, reason=f"watched: {nearest}")
+    ledger.settle("shoulder", on=False, reason=f"{CHECKED}: {nearest}")
 
 
 def _plasticity(balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
@@ -74,7 +77,7 @@ def _plasticity(balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
     ledger.settle(
         "plasticity",
         on=False,
-        reason=f"watched: peak pressure {peaks.max():.4g} Pa, {share:.3g} of the static limit {STATIC_LIMIT:.2g} Pa",
+        reason=f"{CHECKED}: peak pressure {peaks.max():.4g} Pa, {share:.3g} of the static limit {STATIC_LIMIT:.2g} Pa",
     )
     for name, peak in zip(RACES, peaks, strict=True):
         if peak > STATIC_LIMIT:
@@ -99,7 +102,7 @@ def _elastic_creep(balls: LoadedBalls, ledger: Ledger, sliding: Sliding | None) 
     ledger.settle(
         "elastic_creep",
         on=False,
-        reason=f"watched: sliding number {min(least):.3g} at least; below {LEAST_SLIDING:g} it takes part of the slip",
+        reason=f"{CHECKED}: least sliding number {min(least):.3g}; below {LEAST_SLIDING:g} it takes part of the slip",
     )
     for name, number in zip(RACES, least, strict=True):
         if number < LEAST_SLIDING:

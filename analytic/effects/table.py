@@ -47,7 +47,7 @@ class Entry:
     meaning: str
     kind: Literal["computed", "cage", "declared", "limit"]
     needs: Need | None = None
-    # On its share of the torque, or the limit that the model watches; None: no bound that is cheaper than the effect.
+    # On its share of the torque, or the limit that is checked; None: no bound that is cheaper than the effect.
     bound: str | None = None
     idle: str = ""  # why it is off in a scene that has what it needs
     given: str = ""  # why it is on without a decision

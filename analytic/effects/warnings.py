@@ -77,4 +77,4 @@ def _film(shared: MixedContact, race: int) -> Iterator[str]:
     if np.any(shared.outside_range[race]):
         yield f"the film on the {name} race is extrapolated: its ellipse is not of a shape that was fitted"
     if np.any(shared.capped[race]):
-        yield f"the film on the {name} race is as thick as the bodies leave room for: the formula gave more"
+        yield f"the film on the {name} race is limited to the space between the bodies: the formula gave more"

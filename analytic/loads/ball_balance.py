@@ -1,10 +1,11 @@
 """One ball between the grooves of two rings: the force that holds the inner groove where it is.
 
-The plane through the bearing axis and the ball has two directions: radial (outward) and axial. V runs from the outer
-groove's centre of curvature to the inner one's. Its length is A0 = r_gi + r_go - D where both races just touch the
-ball, and the ball carries load where V is longer. The contact angle is the angle to the radial direction, with the sign
-of the axial part: on the outer race that of the vector from the outer groove's centre to the ball, on the inner race
-that of the vector from the ball to the inner groove's centre.
+The plane through the bearing axis and the ball has two directions: radial (outward) and axial. The vector V runs from
+the centre of curvature of the outer groove to that of the inner groove. Where its length is A0 = r_gi + r_go - D, both
+races just touch the ball. Where it is longer, the ball carries load.
+The contact angle is measured from the radial direction and has the sign of the axial part. On the outer race it is the
+angle of the vector from the outer groove's centre to the ball. On the inner race it is the angle of the vector from the
+ball to the inner groove's centre.
 A contact is a spring Q = K delta^1.5 of a given stiffness K along its line of centres. The elastic energy is then
 convex in V, and stays convex after the ball has settled under a force of its own.
 Source: [Jones1960] and [Harris2007b] section 3: the balance is that of the forces on the ball.

@@ -42,7 +42,7 @@ class LoadedBalls:
     curvature_rolling: Array  # (2, n, m) 1/R_x, relative, 1/m
     curvature_transverse: Array  # (2, n, m) 1/R_y, 1/m
     modulus: Array  # (2, 1, 1) E*, Pa
-    deformed_radius: Array  # (2, 1, 1) R, of the contact surface across rolling, m
+    deformed_radius: Array  # (2, 1, 1) R, of the contact surface in the transverse direction, m
     motion: BallKinematics  # (n, m), per unit ring speed: the torque exists at standstill too
 
     @cached_property

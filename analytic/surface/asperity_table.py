@@ -1,8 +1,8 @@
 """The rough contact of `analytic.surface.asperity` as splines, for one surface at very many film thicknesses.
 
-Let t be the film thickness above the mean of the summits in standard deviations. The logarithms of pressure and area
-are that of the share of summits higher than t, which is known, plus a function that is nearly linear in asinh(t) on
-both sides. This function is tabulated and extrapolated as a straight line, which is its limit.
+Let t be the film thickness above the mean of the summits in standard deviations. The share of summits higher than t is
+known in closed form. Its logarithm is subtracted from those of pressure and area, and the rest is tabulated. The rest
+is nearly linear in asinh(t) at both ends of the table. It is extrapolated there as a straight line, which is its limit.
 """
 
 from dataclasses import dataclass

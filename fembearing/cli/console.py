@@ -22,7 +22,10 @@ OUTPUT_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard o
 
 
 class Output(Console):
-    """Standard output. Where the reader goes away, Rich would end with status 1, which here means a failed check."""
+    """Standard output.
+
+    Where its reader closes the pipe, Rich would end with status 1. Here that status means that a check failed.
+    """
 
     def on_broken_pipe(self) -> None:
         close_output()

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from fembearing.compare.cost.ladder import Ladder
-from fembearing.quantities import CONTACT, Quantity
+from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, Quantity
 
 if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from fembearing.report.document.contact import Contact, Ring
@@ -17,9 +17,8 @@ AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
 SHARES = (
-    "Share: of the total, the largest of all operating points; with <= no part of its own but a bound, on what leaving "
-    "the effect out would change. What the scene says off is left out on purpose: no uncertainty of the torque counts "
-    "it."
+    "Share: of the total, the largest of all operating points. A share with <= is a bound: leaving the effect out "
+    "changes the total by no more. The uncertainty of the torque does not count effects that the scene switches off."
 )
 AXES = "a along rolling (x), b transverse (y), load along z"
 
@@ -55,8 +54,8 @@ def contact_place(contact: "Contact") -> str:
 def ring_line(ring: "Ring") -> str:
     """What the ring adds to the approach, in one sentence."""
     return (
-        f"Ring on a rigid seat: approach {ring.approach * 1e6:+.3f} um ({ring.share:+.1%} of the contact's), "
-        f"+- {ring.uncertainty * 1e6:.3f} um: structure, not contact."
+        f"Ring on a rigid seat: approach {MICRO.written(ring.approach, '+.3f')} ({ring.share:+.1%} of the contact's), "
+        f"+- {MICRO.written(ring.uncertainty, '.3f')}: structure, not contact."
     )
 
 
@@ -153,19 +152,19 @@ def shoulder_lines(contact: "Contact") -> list[str]:
     if shoulder is None:
         return []
     centroid, line = shoulder.centroid, shoulder.strip_line_load
-    ends = [f"{y * 1e3:.4g} mm" for y in sorted(shoulder.cuts)]
+    ends = [MILLI.written(y, ".4g") for y in sorted(shoulder.cuts)]
     if len(ends) == 1:
         where, edge = f"Cut off at the shoulder, y = {ends[0]}, on one side", "the shoulder"
     else:
         where, edge = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {ends[1]}"
     half = (
-        f": half of the contact is meshed, semi-axes are about the load's centroid, at y = {centroid.fe * 1e3:.3g} mm "
-        f"(+-{centroid.uncertainty:.1%} of that)"
+        f": half of the contact is meshed, semi-axes are about the load's centroid, at y = "
+        f"{MILLI.written(centroid.fe, '.3g')} (+-{centroid.uncertainty:.1%} of that)"
     )
     return [
         f"{where}{half if shoulder.half else ''}.",
-        f"Edge load: the strip of {shoulder.strip_width * 1e3:.3g} mm beside {edge} carries "
+        f"Edge load: the strip of {MILLI.written(shoulder.strip_width, '.3g')} beside {edge} carries "
         f"{shoulder.strip_share.fe:.2%} of the load (+-{shoulder.strip_share.uncertainty:.1%} of that), "
-        f"{line.fe * 1e-3:.4g} N/mm or {line.fe / shoulder.hertz_line_load:.3g} times Hertz's greatest line load. The "
-        "pressure shown is that at y = 0, not at the edge, where it has no bound.",
+        f"{LINE_LOAD.written(line.fe, '.4g')} or {line.fe / shoulder.hertz_line_load:.3g} times Hertz's greatest line "
+        "load. The pressure shown is that at y = 0, not at the edge, where it has no bound.",
     ]

@@ -43,7 +43,7 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
         assert any(row[:2] == [effect.name, effect.decision] for row in rows)
     words = " ".join(said.split())
     for word in (
-        "with <= no part of its own but a bound",
+        "A share with <= is a bound",
         "Methods: loads by thrust, all balls alike; contacts by Hertz",
         "the film formula's, 22 % of the film",
         "neither truth nor a check",
@@ -71,7 +71,7 @@ def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
     assert centrifugal.share > 10
     assert found.within_tolerance
     assert f"centrifugal off <= {100 * centrifugal.share:.0f} % the scene says off" in said
-    assert said.count("What the scene says off is left out on purpose: no uncertainty of the torque counts it.") == 1
+    assert said.count("The uncertainty of the torque does not count effects that the scene switches off.") == 1
     assert "load_distribution on no bound nothing bounds it" in said
     assert "centrifugal is left out and could exceed the torque: the scene says off" in found.friction.warnings
 

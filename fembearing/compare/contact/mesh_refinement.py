@@ -138,8 +138,8 @@ class Boundary:
 def _far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
     """The remaining effect of a block's far boundary on each quantity.
 
-    It is 0 for half spaces, which end in their own displacement, exact to the second moments of the pressure, and for
-    a sheet, which has no such boundary.
+    It is 0 for half spaces: their far boundary is given the displacement of the half space, exact to the second moments
+    of the pressure. It is 0 for a sheet, which has no such boundary.
     """
     if not has_boundary(mesh, recipe=recipe):
         return dict.fromkeys(measured(mesh), Boundary())

@@ -122,9 +122,9 @@ class TorqueChange:
 def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolution) -> TorqueChange:
     """Torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
 
-    The ratios of finite elements to Hertz hold at the solved load, the largest: the change is given there alone. Where
-    balls are loaded unequally those of the heaviest stand for all, too much for the lighter ones. The correction for
-    finite geometry knows every load and every ball, and shows the change at each operating point.
+    The ratios of finite elements to Hertz are known at one ball load, the largest. The change is given there alone.
+    Where balls are loaded unequally, all balls take the ratios of the heaviest one; for the others these are too large.
+    The correction for finite geometry depends on the load of each ball, so its change is given at each operating point.
     Raises InputError as friction_torque does.
     """
     reduced = replace(scene, effects={**scene.effects, **dict.fromkeys(LEFT_OUT, "off")})

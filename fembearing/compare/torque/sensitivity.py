@@ -1,9 +1,8 @@
 """Which inputs move a scene's torque most: one at a time, to both ends of a range, by the production model.
 
-Where the scene gives no friction, the peak pressure of both races takes the torque's place. Ranges are judgements, each
-with its source or with the word judgement; they are for any scene, and `validation/sensitivity.py` has those of one
-paper's bearing, where whole models are exchanged too. What happens when inputs move together is not in it, and a cage
-in motion is left out: its closed form stands in.
+Where the scene gives no friction, the peak pressure of both races takes the torque's place. A range names its source,
+or says that it is a judgement. The ranges apply to any scene; `validation/sensitivity.py` has those of one paper's
+bearing, and exchanges whole models too. Inputs are not moved together. The cage does not move: it has its closed form.
 """
 
 from collections.abc import Callable, Iterator
@@ -79,12 +78,12 @@ class Variation:
 
 
 def sensitivity_of(scene: Scene) -> Sensitivity:
-    """At the slowest and the fastest operating point, of equal speeds at the lightest and the heaviest load.
+    """Sensitivity at the slowest and the fastest operating point.
 
-    Where the torque is the same at both, one stands for them.
-
-    Effects and methods stay as they were decided there. Raises InputError as friction_torque and heaviest_contact
-    do for the scene itself; an end of a range that they refuse has no change, but the reason.
+    Among points of equal speed the slowest is that with the least load and the fastest that with the largest. Where
+    both have the same torque, the first is shown alone. Effects and methods stay as they were decided there.
+    Raises InputError as friction_torque and heaviest_contact do for the scene itself. Where they refuse an end of a
+    range, that end has the reason in place of a change.
     """
     varied, outputs_at, outputs = _torques(scene) if scene.has_friction else _pressures(scene)
     base = np.array([output.value for output in outputs])

@@ -141,7 +141,7 @@ class Contact(Table):
     corrected: Corrected | None
     verdict: Verdict | Literal["shown"]
     judged: bool
-    rung: str
+    method: str = Field(alias="rung")
     meshes: Annotated[list[Mesh], Field(min_length=2)]
     ring: Ring | None
     convergence: OfQuantities[Study]

@@ -106,7 +106,7 @@ class Choice(Table):
     """The method that a tolerance takes; None where no method is that good."""
 
     tolerance: float
-    rung: str | None
+    method: str | None = Field(alias="rung")
     seconds: float | None
     price: float | None
 
@@ -117,7 +117,7 @@ class Ladder(Table):
     quantity: Label
     reference: str
     absent: str | None
-    rungs: list[Method]
+    methods: list[Method] = Field(alias="rungs")
     choices: list[Choice]
 
 
@@ -190,7 +190,7 @@ class Report(Table):
 
     def to_json(self) -> dict[str, Any]:
         """The document as plain types, with the keys that it was made of."""
-        return self.model_dump(mode="json", exclude_unset=True)
+        return self.model_dump(mode="json", by_alias=True, exclude_unset=True)
 
     def contact_at(self, pair: Pair, geometry: Geometry) -> Contact | None:
         """The contact of a picture or of a verdict; None where there is none."""

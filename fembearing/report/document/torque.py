@@ -154,7 +154,10 @@ class BeforeAndAfter(Table):
 
 
 class PartChanges(Table):
-    """Relative changes of each part at each point; None where a part was left out."""
+    """Relative changes of each part at each point.
+
+    None in place of a list: the part was left out. None in a list: no contact was solved at that ball load.
+    """
 
     total: list[float | None]
     race: list[float | None] | None

@@ -8,12 +8,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.quantities import PER_MINUTE
+from fembearing.quantities import MICRO, MILLISECOND, NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import CageRecord
 from fembearing.report.figures.style import BLACK, BLUE, ORANGE, RED
 
-MICRO, MILLI = 1e6, 1e3
 STARTING, MEASURED, BLOCKS, LIMIT = "silver", BLUE, RED, BLACK
 LEAST_SHOWN = 1e-3  # of the median of blocks: a force below is nothing
 WIDE = 20.0  # from the least force to the greatest: beyond, a logarithmic scale
@@ -66,10 +65,11 @@ def orbit_figure(motions: Sequence[CageRecord], *, captioned: bool = True) -> Fi
         _orbit(orbit, motion)
         _forces(forces, motion)
         _excess(excess, motion)
-        low, high = (MILLI * end for end in motion.torque_interval)
+        torque, high = (NEWTON_MILLIMETRE.written(value, ".3g") for value in (motion.torque, motion.torque_interval[1]))
+        low = f"{NEWTON_MILLIMETRE.factor * motion.torque_interval[0]:.3g}"
         part.suptitle(
-            f'{motion.bearing} at {motion.inner_speed * PER_MINUTE:.5g} rpm: regime "{motion.state}", started '
-            f'"{motion.start}"; cage torque {motion.torque * MILLI:.3g} N mm, {low:.3g} to {high:.3g} at 95 %',
+            f'{motion.bearing} at {RPM.written(motion.inner_speed, ".5g")}: regime "{motion.state}", started '
+            f'"{motion.start}"; cage torque {torque}, {low} to {high} at 95 %',
             parse_math=False,  # a bearing's name is a person's
         )
     if captioned:
@@ -81,16 +81,16 @@ def _orbit(panel: Axes, motion: CageRecord) -> None:
     orbit, room = motion.orbit, motion.room
     look: dict[str, Any] = {"lw": 0.6} if orbit.joined else {"linestyle": "none", "marker": ".", "ms": 2.5}
     for part, colour, label in (("start_up", STARTING, "start-up"), ("measured", MEASURED, "measured")):
-        panel.plot(*(MICRO * np.array(getattr(orbit, part))).T, color=colour, label=label, **look)
-    panel.plot(*(MICRO * np.array(room.edge)).T, "--", color=LIMIT, lw=1, label="edge of its room")
-    panel.plot(*(MICRO * np.array(orbit.measured[-1])), "o", color=MEASURED, mec="black", ms=6, label="end")
+        panel.plot(*(MICRO.factor * np.array(getattr(orbit, part))).T, color=colour, label=label, **look)
+    panel.plot(*(MICRO.factor * np.array(room.edge)).T, "--", color=LIMIT, lw=1, label="edge of its room")
+    panel.plot(*(MICRO.factor * np.array(orbit.measured[-1])), "o", color=MEASURED, mec="black", ms=6, label="end")
     pull = np.array(motion.gravity[:2])
     if pull.any():
-        middle = MICRO * np.array(room.middle)
-        head = middle + 0.35 * MICRO * room.size * pull / np.linalg.norm(pull)
+        middle = MICRO.factor * np.array(room.middle)
+        head = middle + 0.35 * MICRO.factor * room.size * pull / np.linalg.norm(pull)
         panel.annotate("", xy=tuple(head), xytext=tuple(middle), arrowprops={"arrowstyle": "->"})
         panel.annotate("gravity", xy=tuple(head), xytext=(0, -12), textcoords="offset points", ha="center", fontsize=9)
-    panel.set(xlabel="x, um", ylabel="y, um", title="Orbit of the cage's centre")
+    panel.set(xlabel=f"x, {MICRO.name}", ylabel=f"y, {MICRO.name}", title="Orbit of the cage's centre")
     panel.set_aspect("equal", adjustable="datalim")
     panel.margins(0.12)
     panel.grid(alpha=0.3)
@@ -98,16 +98,16 @@ def _orbit(panel: Axes, motion: CageRecord) -> None:
 
 
 def _forces(panel: Axes, motion: CageRecord) -> None:
-    forces, median, start_up = motion.forces, motion.max_force, MILLI * motion.start_up
+    forces, median, start_up = motion.forces, motion.max_force, MILLISECOND.factor * motion.start_up
     least = np.inf
     for name, colour, label in (("sum", ORANGE, "sum over all balls"), ("largest", MEASURED, "largest of one ball")):
         values = np.array(getattr(forces, name))
         shown = np.where(values > 0, values, np.nan)
         least = min(least, values[values > 0].min(initial=np.inf))
-        panel.plot(MILLI * np.array(forces.time), shown, color=colour, lw=0.6, label=label)
+        panel.plot(MILLISECOND.factor * np.array(forces.time), shown, color=colour, lw=0.6, label=label)
     panel.axvspan(0, start_up, color=STARTING, alpha=0.35, lw=0, label="start-up")
     panel.axhline(median, color=BLOCKS, ls="--", lw=1, label=f"median of blocks, {median:.3g} N")
-    panel.set(xlabel="time, ms", ylabel="force of balls on the cage, N", title="Forces")
+    panel.set(xlabel=f"time, {MILLISECOND.name}", ylabel="force of balls on the cage, N", title="Forces")
     low = max(LEAST_SHOWN * median, min(least, median) / 2)
     panel.set(yscale="log", xlim=(0, 2 * start_up), ylim=(low if low > 0 else None, None))
     panel.yaxis.set_major_formatter("{x:g}")

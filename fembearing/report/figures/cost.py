@@ -30,14 +30,14 @@ def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
     A bar reaches from the error to its bound. The reference is hollow and stands at its own bound. A ring marks the
     chosen method. Memory is drawn where it was measured. All panels share the error's scale, those of time the time's.
     """
-    shown = [ladder for ladder in ladders if ladder.rungs]
-    with_memory = [ladder for ladder in shown if any(method.memory for method in ladder.rungs)]
+    shown = [ladder for ladder in ladders if ladder.methods]
+    with_memory = [ladder for ladder in shown if any(method.memory for method in ladder.methods)]
     count = max(len(shown) + bool(with_memory), 1)
     columns = min(count, ABREAST)
     rows = -(-count // columns)
     figure = Figure(figsize=(WIDE * columns + 0.6, HIGH * rows), layout="constrained")
     panels = [figure.add_subplot(rows, columns, 1 + place) for place in range(count)]
-    times = [place[0] for ladder in shown for method in ladder.rungs if (place := _place(method, "seconds"))]
+    times = [place[0] for ladder in shown for method in ladder.methods if (place := _place(method, "seconds"))]
     low, high = 10 ** np.floor(np.log10(min(times, default=1))), 10 ** np.floor(np.log10(max(times, default=1)) + 1)
     for panel in panels:
         panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
@@ -59,7 +59,7 @@ def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
         _draw(panel, ladder, "seconds")
         _number(panel, ladder)
     if with_memory:
-        sizes = [place[0] for ladder in with_memory for method in ladder.rungs if (place := _place(method, "memory"))]
+        sizes = [place[0] for ladder in with_memory for method in ladder.methods if (place := _place(method, "memory"))]
         panels[-1].set(xlabel=UNITS["memory"][1], xscale="linear", xlim=(0, 1.1 * max(sizes)))
         panels[-1].set_title("Memory", fontsize=10)
         for ladder in with_memory:
@@ -70,7 +70,7 @@ def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
 
 def _draw(panel: Axes, ladder: Ladder, price: str) -> None:
     """One ladder over what its methods take: seconds, or memory."""
-    drawn = [(method, *place) for method in ladder.rungs if (place := _place(method, price))]
+    drawn = [(method, *place) for method in ladder.methods if (place := _place(method, price))]
     compared = [(x, y) for method, x, y in drawn if method.error is not None]
     x, y = np.transpose(compared or np.empty((0, 2)))
     (line,) = panel.plot(x, y, "o-", label=ladder.quantity, markersize=5, linewidth=1)
@@ -87,7 +87,7 @@ def _draw(panel: Axes, ladder: Ladder, price: str) -> None:
 def _number(panel: Axes, ladder: Ladder) -> None:
     """Methods by number, with the names below the panel: names beside the points would lie on each other."""
     key = []
-    for number, method in enumerate(ladder.rungs, start=1):
+    for number, method in enumerate(ladder.methods, start=1):
         place = _place(method, "seconds")
         if place is None:
             continue
@@ -123,7 +123,7 @@ def cost_table(ladders: Sequence[Ladder]) -> str:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("quantity", "reference", *COLUMNS))
     for ladder in ladders:
-        for method in ladder.rungs:
+        for method in ladder.methods:
             writer.writerow((ladder.quantity, ladder.reference, *(getattr(method, column) for column in COLUMNS)))
         if ladder.absent is not None:
             writer.writerow((ladder.quantity, f"absent: {ladder.absent}", *("" for _ in COLUMNS)))

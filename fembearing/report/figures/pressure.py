@@ -5,24 +5,28 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.scene import Array
+from fembearing.quantities import CONTACT
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
 from fembearing.report.document.table import OfQuantities
 from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
 from fembearing.report.phrases import contact_place
 
-GIGA, MILLI = 1e-9, 1e3
+PRESSURE, ROLLING, TRANSVERSE = (
+    CONTACT[name] for name in ("peak_pressure", "semi_axis_rolling", "semi_axis_transverse")
+)
+GIGA = PRESSURE.shown.factor
 ALONG = {  # axis of the profile -> semi-axis, words, colour, mark, line
-    "rolling": ("semi_axis_rolling", "along rolling, x/a", BLUE, "o", "-"),
-    "transverse": ("semi_axis_transverse", "across rolling, y/b", RED, "s", "--"),
+    "rolling": ("semi_axis_rolling", f"rolling, x/{ROLLING.symbol}", BLUE, "o", "-"),
+    "transverse": ("semi_axis_transverse", f"transverse, y/{TRANSVERSE.symbol}", RED, "s", "--"),
 }
 EDGE = 0.9  # of the distance to the edge: differences up to there set the scale; beyond, two edges are compared
 HIGHEST = 1.5  # of Hertz's peak: at a shoulder the pressure has no bound
 CAPTION = (
     "Above: pressure at the nodes of the finest mesh on both axes through the contact's centre, and Hertz's "
-    "semi-ellipse; positions in Hertz's semi-axes a along and b across rolling. Below: the nodes less Hertz; lines: "
-    "the semi-ellipse of the finite elements' own a, b and peak pressure less Hertz's. Single nodes scatter about "
-    "it, most in the cell of the edge; the peak pressure is a fit to many."
+    "semi-ellipse; positions in Hertz's semi-axes, a along rolling and b transverse. Below: the nodes less Hertz; "
+    "lines: the semi-ellipse of the finite elements' own a, b and peak pressure less Hertz's. Single nodes scatter "
+    "about it, most in the cell of the edge; the peak pressure is a fit to many."
 )
 CUT = (
     " Dotted: the shoulder that cuts a contact off; the pressure beside it has no bound, and nodes there may be off "
@@ -32,7 +36,7 @@ CUT = (
 
 def pressure_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
-    labels = ("pressure, GPa", "finite elements less Hertz,\n% of Hertz's peak")
+    labels = (f"pressure, {PRESSURE.shown.name}", "finite elements less Hertz,\n% of Hertz's peak")
     figure = contact_columns(document.contacts, _profile, _difference, height=6.4, labels=labels, shared="col")
     cut = any(contact.shoulder for contact in document.contacts)
     return figure, CAPTION + (CUT if cut else "")
@@ -54,7 +58,8 @@ def _profile(panel: Axes, contact: Contact) -> None:
     for y in _shoulders(contact):
         panel.axvline(y / hertz.semi_axis_transverse, color=RED, linewidth=1, linestyle=":")
     place = contact_place(contact).replace(", ", ",\n")
-    axes = f"a {hertz.semi_axis_rolling * MILLI:.4g}, b {hertz.semi_axis_transverse * MILLI:.4g} mm"
+    a, b = ROLLING.shown.factor * hertz.semi_axis_rolling, TRANSVERSE.shown.written(hertz.semi_axis_transverse, ".4g")
+    axes = f"{ROLLING.symbol} {a:.4g}, {TRANSVERSE.symbol} {b}"
     panel.set_title(f"{place}\n{contact.load:.4g} N; {axes}", fontsize=9)
     panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * GIGA * hertz.peak_pressure))
 
@@ -85,7 +90,7 @@ def _semi_ellipse(position: Array, quantities: OfQuantities[float], semi_axis: s
 
 
 def _is_whole(contact: Contact) -> bool:
-    """Whether both sides of the centre are meshed: across rolling, where a shoulder cuts the contact off."""
+    """Whether both transverse sides of the centre are meshed: where a shoulder cuts the contact off."""
     return contact.shoulder is not None and contact.shoulder.half
 
 

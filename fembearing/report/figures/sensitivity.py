@@ -5,13 +5,13 @@ from collections.abc import Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.quantities import PER_MINUTE, unit_for
+from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM, unit_for
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Input, PeakPressure, Sensitivity, TotalTorque
 from fembearing.report.figures.style import BLACK, BLUE, ORANGE
 from fembearing.report.phrases import loads_of, present_loads
 
-NAMES = {"total_torque": "total torque", "peak_pressure": "peak pressure"}
+NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
 LEAST = 1e-6  # relative: inputs that move nothing by as much are named in the caption alone
 HEIGHT = 0.36  # of a bar; two on one side stand one above the other
 NOT_COMPUTED = "No sensitivity was computed."
@@ -64,15 +64,15 @@ def _bars(panel: Axes, row: int, each: Input, output: int) -> None:
 
 def _shown(each: Input, value: float) -> str:
     """A value of an input, in the unit of the scene's value."""
-    unit = unit_for(each.unit, each.value)
-    return f"{value * unit.factor:.4g} {unit.name}".strip()
+    return unit_for(each.unit, each.value).written(value, ".4g")
 
 
 def _title(output: TotalTorque | PeakPressure, outputs: Sequence[TotalTorque | PeakPressure]) -> str:
     if isinstance(output, PeakPressure):
-        return f"ball on {output.pair} race: {output.value * 1e-9:.4g} GPa"
+        return f"ball on {output.pair} race: {CONTACT['peak_pressure'].shown.written(output.value, '.4g')}"
     loads = loads_of(output, present_loads([each for each in outputs if isinstance(each, TotalTorque)]))
-    return f"{output.inner_speed * PER_MINUTE:.5g} rpm, {loads}: {output.value * 1e3:.4g} N mm"
+    speed, torque = RPM.written(output.inner_speed, ".5g"), NEWTON_MILLIMETRE.written(output.value, ".4g")
+    return f"{speed}, {loads}: {torque}"
 
 
 def _caption(sensitivity: Sensitivity, quantity: str, still: list[str]) -> str:
@@ -85,7 +85,7 @@ def _caption(sensitivity: Sensitivity, quantity: str, still: list[str]) -> str:
             if quantity == NAMES["total_torque"]
             else "by Hertz. "
         )
-        + "Ranges are mostly judgements; report.json has their sources. What inputs do together is not in it."
+        + "Ranges are mostly judgements; report.json has their sources. Inputs were not moved together."
     )
     if still:
         caption += f" By less than 1e-4 %: {', '.join(still)}."

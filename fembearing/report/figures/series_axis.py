@@ -8,13 +8,13 @@ from matplotlib.axes import Axes
 
 from analytic.result import COORDINATES
 from analytic.scene import Array
-from fembearing.quantities import PER_MINUTE
+from fembearing.quantities import RPM
 from fembearing.report.document.torque import Point
 from fembearing.report.figures.style import DECADE, MANY, plain_ticks
 from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
 
 MOST_TICKS = 8
-SPEED = "inner speed, rpm"
+SPEED = f"inner speed, {RPM.name}"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -43,7 +43,7 @@ class SeriesAxis:
         panel.set_xlabel(self.label)
         if not self.joined:
             shown = varying_loads(self.points) or present_loads(self.points)
-            names = [f"{point.inner_speed * PER_MINUTE:.4g} rpm\n{loads_of(point, shown)}" for point in self.points]
+            names = [f"{RPM.written(point.inner_speed, '.4g')}\n{loads_of(point, shown)}" for point in self.points]
             step = -(-len(names) // MOST_TICKS)
             panel.set_xticks(self.values[::step], names[::step], fontsize=8)
             panel.set_xlim(-0.6, len(names) - 0.4)
@@ -57,7 +57,7 @@ class SeriesAxis:
 
 def axis_of(points: Sequence[Point]) -> SeriesAxis:
     """Over the speed or the load that changes, where nothing else does; else point by point."""
-    series = {SPEED: np.array([abs(point.inner_speed) for point in points]) * PER_MINUTE}
+    series = {SPEED: np.array([abs(point.inner_speed) for point in points]) * RPM.factor}
     for name in LOADS:
         label = f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}"
         series[label] = np.array([getattr(point, name) for point in points])

@@ -135,8 +135,7 @@ def _place(values: Any, value: Any) -> str:
     """One value of an axis in words."""
     if not np.issubdtype(values.dtype, np.number):
         return f"{_name(values)} {value}"
-    unit = _unit_of(values)
-    return f"{_name(values)} {float(value) * unit.factor:.4g} {unit.name}".strip()
+    return f"{_name(values)} {_unit_of(values).written(float(value), '.4g')}"
 
 
 def _name(values: Any) -> str:

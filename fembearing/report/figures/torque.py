@@ -4,13 +4,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.quantities import PER_MINUTE, QUANTITIES
+from fembearing.quantities import MICRO, QUANTITIES, RPM
 from fembearing.report.document.report import Published, Report
 from fembearing.report.figures.series_axis import SPEED, SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, legend_below
 
 TORQUE = QUANTITIES["torque"]
-MILLI = TORQUE.shown.factor
+NM = TORQUE.shown.factor
 PARTS = {  # from the bottom, with words for the legend
     "spin": ("spin", BLUE),
     "conformity": ("conformity slip", SKY),
@@ -25,7 +25,7 @@ NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both 
 
 
 def torque_plot(document: Report) -> tuple[Figure | None, str]:
-    """Parts stacked up to the total, in N mm, with the uncertainty of the total."""
+    """Parts stacked up to the total, with the uncertainty of the total."""
     if document.torque is None:
         return None, NO_TORQUE
     axis = axis_of(document.torque.points)
@@ -52,7 +52,7 @@ def _parts(panel: Axes, axis: SeriesAxis) -> None:
         part = axis.of("torque", name)
         if part is None:
             continue
-        above = below + MILLI * part
+        above = below + NM * part
         if axis.joined:
             panel.fill_between(axis.values, below, above, color=colour, alpha=0.75, linewidth=0, label=words)
         else:
@@ -64,7 +64,7 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
     """Draw the total with its uncertainty; gives what that uncertainty covers."""
     total = axis.of("torque", "total")
     assert total is not None  # the total is always there
-    total = MILLI * total
+    total = NM * total
     numerical, model = axis.of("uncertainty", "numerical"), axis.of("uncertainty", "model")
     half = sum((part for part in (numerical, model) if part is not None), start=np.zeros(total.size))
     low, high = total * (1 - half), total * (1 + half)
@@ -89,9 +89,9 @@ def _paper(panel: Axes, axis: SeriesAxis, published: Published) -> str:
     rows = [row for row in published.rows if row.quantity == "total_torque"]
     roughness = sorted({row.rms_roughness for row in rows}, reverse=True)
     for mark, rms in zip(PAPER_MARKS, roughness, strict=False):
-        drawn = [(row.inner_speed * PER_MINUTE, row.value * MILLI) for row in rows if row.rms_roughness == rms]
+        drawn = [(row.inner_speed * RPM.factor, row.value * NM) for row in rows if row.rms_roughness == rms]
         x, y = np.transpose(drawn)
-        label = f"paper, Sq {1e6 * rms:g} um: total"
+        label = f"paper, Sq {MICRO.written(rms, 'g')}: total"
         panel.plot(x, y, mark, color=RED, markerfacecolor="white", markersize=8, label=label, linestyle="none")
     words = (
         " Open marks: totals that the paper prints, its cage in motion among them; computed there, not measured, with "

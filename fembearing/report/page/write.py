@@ -11,7 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.result import COORDINATES
-from fembearing.quantities import PER_MINUTE
+from fembearing.quantities import RPM
 from fembearing.report import phrases
 from fembearing.report.document.report import PictureFile, Report
 from fembearing.report.document.torque import MovedCage
@@ -48,7 +48,7 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
         scene=document.provenance.scene_content,
         moved=[each for each in document.cage_motion or () if isinstance(each, MovedCage)],
         phrases=phrases,
-        per_minute=PER_MINUTE,
+        per_minute=RPM.factor,
         coordinates=COORDINATES,
         film_uncertainty=FORMULA_UNCERTAINTY,
         verdict_section=verdict_section(document),

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from fembearing.compare.torque.cage_record import CageRecord
-from fembearing.quantities import PER_MINUTE
+from fembearing.quantities import MILLI, MILLISECOND, RPM
 from fembearing.report.pictures.framing import round_length
 
 SIDE, HEAD, FOOT = 900, 130, 90  # pixels of the cage, and of the words above and below
@@ -85,7 +85,7 @@ def cage_job(record: CageRecord, file: Path) -> dict[str, Any]:
         "tails": (view.balls + cage.ball_radius * away).tolist(),
         "arrows": (view.arrow * view.force).tolist(),
         "force_scale": {"length": force * view.arrow, "label": f"{force:g} N, ball on cage", "left": 30},
-        "length_scale": {"length": shown, "label": f"{shown * 1e3:g} mm, balls and grooves", "left": 370},
+        "length_scale": {"length": shown, "label": f"{MILLI.written(shown, 'g')}, balls and grooves", "left": 370},
         "pull": _pull(record),
         "lines": _lines(record, view),
     }
@@ -95,9 +95,9 @@ def picture_caption(record: CageRecord) -> str:
     """What is drawn, and what is not to scale in it."""
     view = view_of(record)
     return (
-        f"The cage (brown) around its balls at {view.time * 1e3:.4g} ms, the instant after the start-up at which one "
-        f"ball presses hardest: {view.largest:.3g} N. Seen along the bearing's axis, which leans by "
-        f"{np.degrees(LEAN):.0f} degrees; the inner ring turns {_sense(record)}. Red: the force of each ball on the "
+        f"The cage (brown) around its balls at {MILLISECOND.written(view.time, '.4g')}, the instant after the "
+        f"start-up at which one ball presses hardest: {view.largest:.3g} N. Seen along the bearing's axis, which leans "
+        f"by {np.degrees(LEAN):.0f} degrees; the inner ring turns {_sense(record)}. Red: the force of each ball on the "
         "cage, from where it touches. Balls are to scale; the distance of each pocket from its ball, and of the cage's "
         f"centre (brown dot) from the bearing's axis (black dot), is drawn {view.exaggeration:g} times as far, and "
         f"pockets are wider by as much. Regime of all seeds: {record.statistics.state}."
@@ -105,11 +105,12 @@ def picture_caption(record: CageRecord) -> str:
 
 
 def _lines(record: CageRecord, view: CageView) -> list[str]:
-    statistics, speed = record.statistics, record.cage.ring_speed * PER_MINUTE
+    statistics, speed = record.statistics, RPM.written(record.cage.ring_speed, ".5g")
     return [
-        f'{record.scene.bearing.name} at {speed:.5g} rpm, {_sense(record)}: regime "{statistics.state}", '
+        f'{record.scene.bearing.name} at {speed}, {_sense(record)}: regime "{statistics.state}", '
         f'started "{statistics.start}"',
-        f"at {view.time * 1e3:.4g} ms; red: force of each ball on the cage, the largest {view.largest:.3g} N",
+        f"at {MILLISECOND.written(view.time, '.4g')}; red: force of each ball on the cage, the largest "
+        f"{view.largest:.3g} N",
         f"brown: the cage, displaced {view.exaggeration:g} times as far as computed, and so its centre (brown dot)",
         "black dot: the bearing's axis; grey: the bottoms of the grooves",
     ]

@@ -15,6 +15,7 @@ from typing import Any, Literal
 from matplotlib.ticker import MaxNLocator
 
 from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.quantities import MILLI, unit_for
 from fembearing.report.document.build import contact_table
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
@@ -23,7 +24,6 @@ from fembearing.report.pictures.plain_map import draw_map
 RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
 PATIENCE = 300  # s for all pictures; they take about ten
 LIFTED = 0.35  # of the ball's radius: how far it is drawn off the race
-GIGA_FROM = 0.5e9  # Pa
 
 Kind = Literal["pressure", "section", "view"]
 
@@ -165,7 +165,7 @@ def _frame(contact: ContactSolution) -> Frame:
 def _scale(contact: ContactSolution) -> PressureScale:
     """Colours up to the computed peak, with round ticks."""
     peak = contact.reference.peak_pressure
-    unit, factor = ("GPa", 1e-9) if peak >= GIGA_FROM else ("MPa", 1e-6)
+    unit, factor = unit_for("Pa", peak)
     ticks = MaxNLocator(5).tick_values(0, peak * factor)
     return PressureScale(unit, factor, peak * factor, [float(tick) for tick in ticks if tick <= peak * factor])
 
@@ -191,7 +191,7 @@ def _section_caption(contact: ContactSolution) -> str:
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
         f"The meshed bodies cut along the plane x = 0, {_place(contact)}. Left: the ball is drawn "
-        f"{_lifted(contact) * 1e3:.2g} mm off its {body}. Right: the {body} alone where it is "
+        f"{MILLI.written(_lifted(contact), '.2g')} off its {body}. Right: the {body} alone where it is "
         "loaded; cells follow the contact's ellipse and shrink towards its edge."
     )
 

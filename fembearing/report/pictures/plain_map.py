@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
 from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.quantities import MILLI
 from fembearing.report.pictures.framing import Frame, PressureScale
 
 DOTS = 100  # per inch
@@ -61,7 +62,7 @@ def draw_map(contact: ContactSolution, *, title: str, frame: Frame, shown: Press
     start = (30 - left) / frame.scale, (top - frame.height + 30) / frame.scale
     axes.plot([start[0], start[0] + frame.bar], [start[1], start[1]], color="black", linewidth=3)
     direction = "rolling" if frame.rolling_is_horizontal else "transverse"
-    figure.text(30 / frame.width, 40 / frame.height, f"{frame.bar * 1e3:g} mm, {direction}", fontsize=10)
+    figure.text(30 / frame.width, 40 / frame.height, f"{MILLI.written(frame.bar, 'g')}, {direction}", fontsize=10)
     temporary = file.with_name(f".{file.stem}-{os.getpid()}.png")
     figure.savefig(temporary, dpi=DOTS)
     os.replace(temporary, file)

@@ -6,7 +6,7 @@ from rich.console import Console
 
 from fembearing.compare.contact.load_series import LoadSeries
 from fembearing.compare.contact.subsurface import SubsurfaceComparison
-from fembearing.quantities import CONTACT, STRESSES
+from fembearing.quantities import CONTACT, MICRO, STIFFNESS, STRESSES, TANGENT
 from fembearing.report.document.contact import Contact
 from fembearing.report.phrases import AXES, contact_title, quantities_of, ring_line, shoulder_lines, title_of
 from fembearing.report.terminal.table import table_of
@@ -38,7 +38,7 @@ def print_contact(out: Console, contact: Contact, verdicts: Mapping[str, str]) -
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
         "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
-        f"{contact.rung}, {contact.cost.seconds:.1f} s\n",
+        f"{contact.method}, {contact.cost.seconds:.1f} s\n",
         style="dim",
     )
     if contact.ring is not None:
@@ -88,18 +88,19 @@ def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
 def print_series(out: Console, series: LoadSeries) -> None:
     """Each load with approach and tangent stiffness, and the law through all of them."""
     place = series.contact.pair, series.geometry, series.contact.contact_angle
-    heads = ("load, N", "Hertz, um", "FE, um", "Hertz/FE-1", "+-", "tangent FE, N/um", "+-", "Hertz")
+    um, tangent = MICRO.name, TANGENT.name
+    heads = ("load, N", f"Hertz, {um}", f"FE, {um}", "Hertz/FE-1", "+-", f"tangent FE, {tangent}", "+-", "Hertz")
     table = table_of(heads, title=title_of(*place, f"{len(series.points)} loads"))
     for point in series.points:
         table.add_row(
             f"{point.load:.4g}",
-            f"{point.hertz_approach * 1e6:.5g}",
-            f"{point.approach.value * 1e6:.5g}",
+            f"{point.hertz_approach * MICRO.factor:.5g}",
+            f"{point.approach.value * MICRO.factor:.5g}",
             f"{point.discrepancy:+.2%} {'*' if abs(point.discrepancy) > point.approach.total else ' '}",
             f"{point.approach.total:.2%}",
-            "-" if point.tangent is None else f"{point.tangent * 1e-6:.4g}",
+            "-" if point.tangent is None else f"{point.tangent * TANGENT.factor:.4g}",
             "-" if point.tangent_uncertainty is None else f"{point.tangent_uncertainty:.2%}",
-            f"{point.hertz_tangent * 1e-6:.4g}",
+            f"{point.hertz_tangent * TANGENT.factor:.4g}",
         )
     out.print(table)
     if series.law is not None:
@@ -113,7 +114,7 @@ def print_series(out: Console, series: LoadSeries) -> None:
             exponent += f" +- {law.exponent_uncertainty:.4f}"
         out.print(
             f"F = K delta^n: K {stiffness}, n {exponent} by finite elements; "
-            f"{series.hertz_stiffness * 1e-9:.5g} GN/m^1.5 and 1.5 by Hertz."
+            f"{STIFFNESS.written(series.hertz_stiffness, '.5g')} and 1.5 by Hertz."
         )
     out.print(
         "F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads; +-: numerical uncertainty, 95 %; *: "

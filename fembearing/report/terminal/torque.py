@@ -6,12 +6,13 @@ import numpy as np
 from rich.console import Console
 from rich.markup import escape
 
-from analytic.result import COORDINATES, FrictionTorque
+from analytic.result import COLUMNS, COORDINATES, FrictionTorque
 from fembearing.compare.torque.scene_torque import SceneTorque
-from fembearing.quantities import CONTACT, PER_MINUTE, QUANTITIES
+from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, QUANTITIES, RPM
 from fembearing.report.phrases import LOADS, SHARES, capital, friction_of, share_of, uncertainty_of
 from fembearing.report.terminal.table import table_of
 
+NM = NEWTON_MILLIMETRE.factor
 MOST_POINTS = 12  # shown; the JSON has all
 HEADS = {
     "spin": "spin",
@@ -33,7 +34,7 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     scene = result.scene
     model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
     out.print(
-        f"In N mm about the bearing axis; +-: numerical uncertainty. {uncertainty_of(model)}\n"
+        f"In {NEWTON_MILLIMETRE.name} about the bearing axis; +-: numerical uncertainty. {uncertainty_of(model)}\n"
         f"{capital(result.catalogue.note)}.\n",
         style="dim",
         markup=False,
@@ -64,7 +65,7 @@ def point_columns(series: Mapping[str, Sequence[float]]) -> tuple[dict[str, list
 
     series : speed and loads of every operating point, keyed as `analytic.result.COORDINATES`
     """
-    columns = {"rpm": [f"{speed * PER_MINUTE:.5g}" for speed in series["inner_speed"]]}
+    columns = {RPM.name: [f"{speed * RPM.factor:.5g}" for speed in series["inner_speed"]]}
     fixed = []
     for name in LOADS:
         values, load = series[name], COORDINATES[name]
@@ -87,10 +88,10 @@ def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> No
         table.add_row(
             str(point + 1),
             *(values[point] for values in columns.values()),
-            *(f"{values[point] * 1e3:.3g}" for values in parts.values()),
-            f"{friction.torque.total[point] * 1e3:.4g}",
+            *(f"{values[point] * NM:.3g}" for values in parts.values()),
+            f"{friction.torque.total[point] * NM:.4g}",
             percent(float(friction.numerical_uncertainty[point])),
-            *(() if band is None else (f"{band.low[point] * 1e3:.3g}-{band.high[point] * 1e3:.3g}",)),
+            *(() if band is None else (f"{band.low[point] * NM:.3g}-{band.high[point] * NM:.3g}",)),
         )
     out.print(table)
 
@@ -101,7 +102,7 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
     heads = ["#", "race", "load, N", *(f"{each.symbol}, {each.shown.name}" for each in quantities.values())]
     coefficients, films, shares = friction.friction_coefficient, friction.film, friction.asperity_share
     optional = {
-        "mu": (coefficients, 1.0),
+        COLUMNS["friction_coefficient_inner"].symbol: (coefficients, 1.0),
         QUANTITIES["film"].heading: (films, QUANTITIES["film"].shown.factor),
         "asperities": (shares, 1.0),
     }
@@ -132,7 +133,7 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
     """The cage at the points where it moved."""
     if friction.cage is None or not any(friction.cage.motion):
         return
-    heads = ("#", "state", "all forces, N", "largest, N", "95 %", "torque, N mm", "95 %")
+    heads = ("#", "state", "all forces, N", "largest, N", "95 %", f"torque, {NEWTON_MILLIMETRE.name}", "95 %")
     table = table_of(heads, title="Cage in motion", left=("state",))
     blocks = 0.0
     for point in points:
@@ -146,8 +147,8 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
             f"{motion.mean_force:.3g}",
             f"{motion.max_force:.3g}",
             "-".join(f"{force:.3g}" for force in motion.max_force_interval),
-            f"{motion.torque * 1e3:.3g}",
-            "-".join(f"{torque * 1e3:.3g}" for torque in motion.torque_interval),
+            f"{motion.torque * NM:.3g}",
+            "-".join(f"{torque * NM:.3g}" for torque in motion.torque_interval),
         )
     out.print(table)
     out.print(

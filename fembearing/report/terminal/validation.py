@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from rich.console import Console
 
 from analytic.result import COORDINATES
-from fembearing.quantities import CONTACT, PER_MINUTE
+from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import HardCase, Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
@@ -55,16 +55,17 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
     columns, fixed = point_columns({name: [getattr(point, name) for point in points] for name in COORDINATES})
     low, high = torque.catalogue_band.low, torque.catalogue_band.high
     sides = None if low is None or high is None else list(zip(low, high, strict=True))
-    heads = ("#", *columns, "total, N mm", "+-", *(() if sides is None else ("catalogue",)))
+    factor = NEWTON_MILLIMETRE.factor
+    heads = ("#", *columns, f"total, {NEWTON_MILLIMETRE.name}", "+-", *(() if sides is None else ("catalogue",)))
     table = table_of(heads, title=", ".join(["Friction torque", *fixed]), fixed=heads)
     shown = shown_points(len(points))
     for number in shown:
         table.add_row(
             str(number + 1),
             *(values[number] for values in columns.values()),
-            f"{points[number].torque.total * 1e3:.4g}",
+            f"{points[number].torque.total * factor:.4g}",
             percent(points[number].uncertainty.numerical),
-            *(() if sides is None else (f"{sides[number][0] * 1e3:.3g}-{sides[number][1] * 1e3:.3g}",)),
+            *(() if sides is None else (f"{sides[number][0] * factor:.3g}-{sides[number][1] * factor:.3g}",)),
         )
     out.print(table)
     if len(shown) < len(points):
@@ -82,10 +83,11 @@ def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
     columns = (totals.hertz, totals.corrected, angles.hertz, angles.corrected, change.change.total)
     solved = [row for row in zip(torque.points, *columns, strict=True) if row[2] is not None]
     point, before, after, angle, corrected, relative = max(solved, key=lambda row: _heaviest(row[0]))
-    place = f"{point.inner_speed * PER_MINUTE:.5g} rpm, {loads_of(point, present_loads(torque.points))}"
+    before, after = (NEWTON_MILLIMETRE.written(total, ".4g") for total in (before, after))
+    place = f"{RPM.written(point.inner_speed, '.5g')}, {loads_of(point, present_loads(torque.points))}"
     out.print(
-        f"What finite-element contacts change at {place}: with Hertz's contacts {before * 1e3:.4g} N mm, with "
-        f"those of FE {after * 1e3:.4g} N mm: {relative:+.2%} +- {change.uncertainty:.2%} (numerical); contact angle "
+        f"What finite-element contacts change at {place}: with Hertz's contacts {before}, with "
+        f"those of FE {after}: {relative:+.2%} +- {change.uncertainty:.2%} (numerical); contact angle "
         f"{angle:.4f} rad and {corrected:.4f} rad.\n{change.note}\n"
     )
     fitted = change.finite_geometry

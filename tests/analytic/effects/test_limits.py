@@ -46,15 +46,15 @@ def numbers_in(text: str) -> list[float]:
     return [float(number) for number in re.findall(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?", text)]
 
 
-def test_every_watched_effect_is_listed_with_its_number(scene: Scene) -> None:
+def test_every_checked_effect_is_listed_with_its_number(scene: Scene) -> None:
     found = friction_torque(scene)
     assert {effect.name for effect in found.effects} >= set(LIMITS)
     peak, share, limit = numbers_in(reason_of(found, "plasticity"))
     np.testing.assert_allclose([peak, share], [2.1831e9, 2.1831 / 4.2], rtol=5e-4)  # four and three digits
     assert limit == 4.2e9
-    axis, room = numbers_in(reason_of(found, "shoulder"))
+    axis, distance = numbers_in(reason_of(found, "shoulder"))
     # r_g sin(asin(w/r_g) - al), inner: 4.13 sin(asin(3.1/4.13) - 0.18) = 2.561 mm
-    np.testing.assert_allclose([axis, room], [1.1222e-3, 2.561e-3], rtol=5e-4)
+    np.testing.assert_allclose([axis, distance], [1.1222e-3, 2.561e-3], rtol=5e-4)
     # the sliding number falls with the load's cube root: least at 300 N
     number, limit = numbers_in(reason_of(found, "elastic_creep"))
     np.testing.assert_allclose(number, 6.459 * 0.3 ** (1 / 3), rtol=5e-3)  # three digits
@@ -76,7 +76,7 @@ def test_each_limit_is_warned_of_when_it_is_passed(scene: Scene) -> None:
         found = friction_torque(replace(scene, operation=series, friction_coefficient=mu))
         return any(word in warning for warning in found.warnings)
 
-    # cube roots from 1000 N: p0 reaches 4.2 GPa at 1000 (4.2/2.1831)^3 = 7121 N, b the room of 2.561 mm at 11885 N,
+    # cube roots from 1000 N: p0 reaches 4.2 GPa at 1000 (4.2/2.1831)^3 = 7121 N, b the distance of 2.561 mm at 11885 N,
     # and the sliding number falls below 3 with mu above 0.1 x 6.459/3 = 0.2153
     assert [warned(load, "static limit") for load in (7100.0, 7140.0)] == [False, True]
     assert [warned(load, "inner race's shoulder") for load in (11840.0, 11930.0)] == [False, True]

@@ -103,8 +103,8 @@ def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> N
         above, below = figure.axes[column], figure.axes[4 + column]
         peak = contact.hertz.peak_pressure
         for axis, name, label in (
-            ("rolling", "semi_axis_rolling", "along rolling"),
-            ("transverse", "semi_axis_transverse", "across rolling"),
+            ("rolling", "semi_axis_rolling", "rolling"),
+            ("transverse", "semi_axis_transverse", "transverse"),
         ):
             nodes = getattr(contact.pressure_profile, axis).fe
             position = np.array(nodes.position) / contact.hertz[name]
@@ -127,7 +127,7 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(
     figure, caption = pressure_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
     above, below = present(figure).axes
     semi_axis = cut_contact.hertz.semi_axis_transverse
-    across = points_of(line_of(above, "across rolling"))
+    across = points_of(line_of(above, "transverse"))
     assert across[0, 0] < -0.9
     assert np.all(across[across[:, 0] > 1.001 * 0.8e-3 / semi_axis, 1] == 0)  # nothing touches beyond
     (shoulder,) = (line for line in above.get_lines() if line.get_linestyle() == ":")

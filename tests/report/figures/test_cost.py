@@ -18,7 +18,7 @@ from tests.analytic.specimens import present
 GIB = 2**30
 
 
-def rung(
+def method(
     name: str, *, error: float | None, seconds: float | None, bound: float | None = None, gib: float = 0
 ) -> Method:
     memory = int(gib * GIB) or None
@@ -39,8 +39,8 @@ CONTACT = Ladder(
     quantity="the contact",
     reference="the finest",
     methods=(
-        rung("Hertz", error=0.031, bound=0.036, seconds=2e-6, gib=0.25),
-        rung("finite elements, level 2", error=0.007, seconds=0.4, gib=0.5),
+        method("Hertz", error=0.031, bound=0.036, seconds=2e-6, gib=0.25),
+        method("finite elements, level 2", error=0.007, seconds=0.4, gib=0.5),
         Method(
             name="finite elements, level 3",
             error=None,
@@ -50,11 +50,13 @@ CONTACT = Ladder(
             memory=None,
             failed="no room",
         ),
-        rung("finite elements, level 4", error=None, bound=2e-4, seconds=3.5, gib=0.75),
+        method("finite elements, level 4", error=None, bound=2e-4, seconds=3.5, gib=0.75),
     ),
 )
 LOAD = Ladder(
-    quantity="the load", reference="the ring", methods=(rung("thrust", error=0.9, bound=None, seconds=1e-3, gib=0.25),)
+    quantity="the load",
+    reference="the ring",
+    methods=(method("thrust", error=0.9, bound=None, seconds=1e-3, gib=0.25),),
 )
 ABSENT = Ladder(quantity="roughness", reference="none", methods=(), absent="no surface")
 
@@ -116,7 +118,7 @@ def test_every_rung_that_answered_has_a_number_beside_it_and_its_name_below(figu
 
 
 def test_a_ring_marks_the_chosen_rung() -> None:
-    plain = rung("a", error=0.01, seconds=0.1)
+    plain = method("a", error=0.01, seconds=0.1)
     chosen = replace(plain, chosen=True)
     counts = [
         len(drawn(cost_figure(listed(Ladder(quantity="q", reference="r", methods=(one,))), tolerance=0.1).axes[0]))
@@ -126,7 +128,7 @@ def test_a_ring_marks_the_chosen_rung() -> None:
 
 
 def test_without_memory_there_is_no_panel_for_it() -> None:
-    bare = Ladder(quantity="q", reference="r", methods=(rung("a", error=0.01, seconds=0.1),))
+    bare = Ladder(quantity="q", reference="r", methods=(method("a", error=0.01, seconds=0.1),))
     assert len(cost_figure(listed(bare), tolerance=0.1).axes) == 1
 
 

@@ -131,7 +131,7 @@ def test_it_says_what_is_assumed_and_what_is_not_validated(page: Page) -> None:
         "typical values, no single source seen",  # of the steel
         "bends on its rim",
         "Not run with this report",  # the hard cases
-        "What the scene says off is left out on purpose",
+        "does not count effects that the scene switches off",
     ):
         assert said in words
 

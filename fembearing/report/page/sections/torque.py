@@ -6,12 +6,12 @@ from operator import itemgetter
 from typing import NamedTuple
 
 from analytic.result import COORDINATES
-from fembearing.quantities import PER_MINUTE
+from fembearing.quantities import NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
 from fembearing.report.phrases import digits, listed, present_loads, shown, uncertainty_of
 
-NM = 1e3  # N mm in one N m
+NM = NEWTON_MILLIMETRE.factor
 
 
 class Row(NamedTuple):
@@ -94,6 +94,6 @@ def _joined(points: Sequence[Point], loads: Sequence[str], cells: Sequence[tuple
     ]
     runs = groupby(zip(keys, points, strict=True), key=itemgetter(0))
     return [
-        Row(loads=key[0], speed=listed([point.inner_speed for _, point in run], PER_MINUTE), cells=key[1])
+        Row(loads=key[0], speed=listed([point.inner_speed for _, point in run], RPM.factor), cells=key[1])
         for key, run in runs
     ]
