@@ -131,7 +131,7 @@ def computed(setting: Setting, friction: float, rpm: float, duration: float) -> 
         torque_low=result.torque_interval[0],
         torque_high=result.torque_interval[1],
         max_force=result.max_force,
-        largest_force=result.largest_force,
+        largest_force=max(result.block_maxima),
         damping_torque=result.damping_torque,
         state=result.state,
     )

@@ -57,11 +57,6 @@ class CageStatistics:
     start: CageStart
     other: OtherStart | None  # None: the cage cannot whirl, so there is only one steady motion
 
-    @property
-    def largest_force(self) -> float:
-        """Largest force in all blocks, N."""
-        return max(self.block_maxima)
-
 
 @lru_cache(maxsize=256)
 def measured_motion(

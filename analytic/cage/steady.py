@@ -293,24 +293,6 @@ def whirl_force(*, cage_mass: ArrayLike, whirl: ArrayLike, orbit_speed: ArrayLik
     return np.asarray(np.asarray(cage_mass) * turning**2 * np.asarray(half_clearance))
 
 
-def whirl_torque(
-    *,
-    friction_coefficient: ArrayLike,
-    force: ArrayLike,
-    ball_rate: ArrayLike,
-    ball_radius: ArrayLike,
-    contact_angle: ArrayLike,
-) -> Array:
-    """T = (2/pi) mu (sum N) r sin(al) (w_b/w), N m: a whirling cage that cannot tilt; all broadcast.
-
-    friction_coefficient : mu;  force : sum N, N;  ball_rate : w_b/w;  ball_radius : r, m;  contact_angle : al, rad
-    The cage rolls in the plane and slides along z, as the axes of the balls lean out of that direction. A cage that can
-    tilt follows them and loses far less: for it this is an upper bound.
-    """
-    slip = np.asarray(ball_rate) * np.asarray(ball_radius) * np.sin(contact_angle)
-    return np.asarray(2 / np.pi * np.asarray(friction_coefficient) * np.asarray(force) * slip)
-
-
 def sliding_torque(
     *, friction_coefficient: ArrayLike, force: ArrayLike, ball_rate: ArrayLike, ball_radius: ArrayLike
 ) -> Array:

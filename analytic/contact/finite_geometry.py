@@ -164,14 +164,6 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
     }
 
 
-def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
-    """The product of the bases named in `powers`, each to its power."""
-    product = np.ones_like(bases["size"])
-    for name, power in powers.items():
-        product = product * bases[name] ** power
-    return product
-
-
 @cache
 def stored_fit() -> dict[str, Any]:
     """The stored fit with its provenance."""

@@ -55,40 +55,6 @@ class SubsurfaceMaximum:
     max_von_mises_depth: Array  # m
 
 
-def axis_stress(
-    *,
-    depth: ArrayLike,
-    peak_pressure: ArrayLike,
-    semi_axis_x: ArrayLike,
-    semi_axis_y: ArrayLike,
-    poisson_ratio: ArrayLike,
-) -> AxisStress:
-    """Stresses on the axis of an elliptic contact; all arguments broadcast.
-
-    depth : z, m, >= 0
-    peak_pressure : p0, Pa, >= 0
-    semi_axis_x, semi_axis_y : a, b, m, > 0; either may be the longer
-    poisson_ratio : nu of the body, -1 to 0.5
-
-    With A = sqrt(a^2 + z^2), B = sqrt(b^2 + z^2), Jx = 2/3 R_D(B^2, z^2, A^2) and Jy = 2/3 R_D(A^2, z^2, B^2):
-        sigma_x = p0 a b (z Jx + nu z Jy - 2 nu/(A B) - (1 - 2 nu)/(A (A + B)))
-        sigma_y = p0 a b (z Jy + nu z Jx - 2 nu/(A B) - (1 - 2 nu)/(B (A + B)))
-        sigma_z = -p0 a b/(A B)
-    The circle needs no special case. Long ellipses tend to the line contact of plane strain.
-    The errors are a few roundings of sigma_z.
-    Raises InputError if an argument is out of range, not finite, or if shapes do not broadcast.
-    """
-    require_non_negative(depth=depth)
-    z, p0, a, b, ratio = _arguments(
-        depth=depth,
-        peak_pressure=peak_pressure,
-        semi_axis_x=semi_axis_x,
-        semi_axis_y=semi_axis_y,
-        poisson_ratio=poisson_ratio,
-    )
-    return _axis_stress(z, p0, a, b, ratio)
-
-
 def subsurface_maximum(
     *, peak_pressure: ArrayLike, semi_axis_x: ArrayLike, semi_axis_y: ArrayLike, poisson_ratio: ArrayLike
 ) -> SubsurfaceMaximum:
@@ -112,7 +78,9 @@ def subsurface_maximum(
     one = np.ones_like(p0)
 
     def at(depth: Array) -> AxisStress:
-        return _axis_stress(depth, one, a / minor, b / minor, ratio)
+        return axis_stress(
+            depth=depth, peak_pressure=one, semi_axis_x=a / minor, semi_axis_y=b / minor, poisson_ratio=ratio
+        )
 
     shear, shear_depth = _largest(lambda depth: at(depth).max_shear, one)
     mises, mises_depth = _largest(lambda depth: at(depth).von_mises, one)
@@ -124,15 +92,29 @@ def subsurface_maximum(
     )
 
 
-def _axis_stress(z: Array, p0: Array, a: Array, b: Array, ratio: Array) -> AxisStress:
-    minor = np.minimum(a, b)  # unit of length: Carlson's integrals of squares of micrometres would underflow
-    z, a, b = z / minor, a / minor, b / minor
+def axis_stress(
+    *, depth: Array, peak_pressure: Array, semi_axis_x: Array, semi_axis_y: Array, poisson_ratio: Array
+) -> AxisStress:
+    """Stresses on the axis of an elliptic contact; all arguments broadcast and are not checked.
+
+    depth : z, m, >= 0;  peak_pressure : p0, Pa, >= 0;  semi_axis_x, semi_axis_y : a, b, m, > 0; either may be longer
+    poisson_ratio : nu of the body, -1 to 0.5
+    With A = sqrt(a^2 + z^2), B = sqrt(b^2 + z^2), Jx = 2/3 R_D(B^2, z^2, A^2) and Jy = 2/3 R_D(A^2, z^2, B^2):
+        sigma_x = p0 a b (z Jx + nu z Jy - 2 nu/(A B) - (1 - 2 nu)/(A (A + B)))
+        sigma_y = p0 a b (z Jy + nu z Jx - 2 nu/(A B) - (1 - 2 nu)/(B (A + B)))
+        sigma_z = -p0 a b/(A B)
+    The circle needs no special case. Long ellipses tend to the line contact of plane strain.
+    The errors are a few roundings of sigma_z.
+    """
+    ratio = poisson_ratio
+    minor = np.minimum(semi_axis_x, semi_axis_y)  # unit of length: Carlson's integrals of squares of um would underflow
+    z, a, b = depth / minor, semi_axis_x / minor, semi_axis_y / minor
     aa, bb = np.hypot(a, z), np.hypot(b, z)
     x_part = 2 / 3 * z * elliprd(bb**2, z**2, aa**2)
     y_part = 2 / 3 * z * elliprd(aa**2, z**2, bb**2)
     volume = 2 * ratio / (aa * bb)
     spread = (1 - 2 * ratio) / (aa + bb)
-    scale = p0 * a * b
+    scale = peak_pressure * a * b
     return AxisStress(
         sigma_x=scale * (x_part + ratio * y_part - volume - spread / aa),
         sigma_y=scale * (y_part + ratio * x_part - volume - spread / bb),

@@ -19,7 +19,7 @@ from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
 from analytic.loads.inertia import force_and_moment
-from analytic.numerics.root import bracketed_root
+from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array, Bearing, ContactAngle
 
 # ln(tan b) of every angle that a double can tell from 0 or from pi/2; tan b times any force ratio stays a double.
@@ -336,9 +336,11 @@ class _Thrust:
                 high=np.full_like(start, MOST),
                 relative=0.0,
                 absolute=LAST_STEP,
-                unit="of ln(tan al)",
-                problem="the loaded contact angle",
-                remedy="Check the load, the speed, the clearance and the materials for a slipped unit.",
+                sought=Sought(
+                    unit="of ln(tan al)",
+                    problem="the loaded contact angle",
+                    remedy="Check the load, the speed, the clearance and the materials for a slipped unit.",
+                ),
             )
         )
         return _balls(self.push, tangent, contacts, outward=outward, lean=lean)

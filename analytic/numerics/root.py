@@ -5,6 +5,7 @@ balance of `analytic.sliding.long_ellipse` it takes 5 times as long as this, and
 """
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +16,14 @@ from analytic.scene import Array
 MOST_STEPS = 200
 
 
+class Sought(NamedTuple):
+    """What is sought, in the words of an error."""
+
+    problem: str
+    unit: str  # of x
+    remedy: str
+
+
 def bracketed_root(
     rising: Callable[[Array], tuple[Array, Array]],
     *,
@@ -23,15 +32,13 @@ def bracketed_root(
     high: Array,
     relative: float,
     absolute: float = 0.0,
-    problem: str,
-    unit: str,
-    remedy: str,
+    sought: Sought,
 ) -> Array:
     """x between low and high where each function is 0; arrays of one shape.
 
     rising : x -> (values, slopes); a value that is no more than round-off should be given as 0, which ends the search
     start : between low and high;  relative, absolute : tolerances, |last step| <= relative |x| + absolute
-    problem, unit, remedy : words of the ConvergenceError, which is raised where a value is not a number
+    sought : words of the ConvergenceError, which is raised where a value is not a number
     A slope may be too flat, of the wrong sign, 0 or not finite: the bracket is then halved. A slope that is far too
     steep makes too small a step, which may be taken for the last. Without a change of sign x moves to one end.
     """
@@ -53,9 +60,9 @@ def bracketed_root(
         iterations=MOST_STEPS,
         residual=float(np.max(np.where(settled, 0.0, high - low))),
         tolerance=max(relative, absolute),
-        unit=unit,
-        problem=problem,
-        remedy=remedy,
+        unit=sought.unit,
+        problem=sought.problem,
+        remedy=sought.remedy,
     )
 
 

@@ -13,7 +13,7 @@ from scipy.special import expit
 
 from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_non_negative
-from analytic.numerics.root import bracketed_root
+from analytic.numerics.root import Sought, bracketed_root
 from analytic.oil.film import FilmAsymptotes, film_asymptotes
 from analytic.scene import Array
 from analytic.surface.asperity_table import AsperityTable
@@ -171,8 +171,10 @@ def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: Asperi
         high=np.where(little, most + 1e-6, high),
         relative=1e-12,
         absolute=LAST_STEP,
-        unit="of ln(s/(1 - s))",
-        problem="the load shared by film and asperities",
-        remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
+        sought=Sought(
+            unit="of ln(s/(1 - s))",
+            problem="the load shared by film and asperities",
+            remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
+        ),
     )
     return expit(z), np.exp(film.log_film(-np.logaddexp(0.0, z))[0])

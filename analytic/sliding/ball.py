@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import Pair, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.root import bracketed_root, with_secant_slopes
+from analytic.numerics.root import Sought, bracketed_root, with_secant_slopes
 from analytic.oil.traction import Traction
 from analytic.scene import Array, Lubricant, SpinRule
 from analytic.sliding.ellipse import NODES, SlipMoments, slip_along_axis, slip_over_ellipse
@@ -172,9 +172,11 @@ def _inner_share(
         high=whole,
         relative=ROUND_OFF,
         absolute=LAST_STEP,
-        unit="of the spin",
-        problem="the balance of spin between both races",
-        remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
+        sought=Sought(
+            unit="of the spin",
+            problem="the balance of spin between both races",
+            remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
+        ),
     )
 
 

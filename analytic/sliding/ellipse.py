@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import InputError, require_finite, require_positive
-from analytic.numerics.root import bracketed_root, with_secant_slopes
+from analytic.numerics.root import Sought, bracketed_root, with_secant_slopes
 from analytic.scene import Array
 
 Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; all (*points, nodes)
@@ -206,9 +206,11 @@ def _forceless_creep(integrand: _Integrand) -> Array:
         low=low,
         high=high,
         relative=float(NARROWEST),
-        unit="of the slip speed",
-        problem="the balance of friction in the direction of rolling",
-        remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",
+        sought=Sought(
+            unit="of the slip speed",
+            problem="the balance of friction in the direction of rolling",
+            remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",
+        ),
     )
 
 

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import Pair, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.root import bracketed_root
+from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array, SpinRule
 
 FULL_SPIN = 0.5  # from this |eps| on one pure-rolling line has left the contact and the other is its centre
@@ -214,9 +214,11 @@ def _balanced_shares(
         low=np.zeros_like(share),
         high=np.ones_like(share),
         relative=ROUND_OFF,
-        unit="of the spin",
-        problem="the balance of spin between both races",
-        remedy="Check that loads, semi-axes and friction coefficients of both contacts are of ordinary size.",
+        sought=Sought(
+            unit="of the spin",
+            problem="the balance of spin between both races",
+            remedy="Check that loads, semi-axes and friction coefficients of both contacts are of ordinary size.",
+        ),
     )
     return np.where(swap, 1 - share, share), np.where(swap, share, 1 - share)
 

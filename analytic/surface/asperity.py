@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.root import bracketed_root
+from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array, Material, Surface
 from analytic.surface.moments import Summits
 
@@ -261,7 +261,9 @@ def _solved(log_target: Array, yielding: Array) -> Array:
         high=high,
         relative=LAST_STEP,
         absolute=LAST_STEP,
-        unit="standard deviations of summit height",
-        problem="the separation of the rough surfaces",
-        remedy="Check that pressure, hardness and roughness are of ordinary size.",
+        sought=Sought(
+            unit="standard deviations of summit height",
+            problem="the separation of the rough surfaces",
+            remedy="Check that pressure, hardness and roughness are of ordinary size.",
+        ),
     )

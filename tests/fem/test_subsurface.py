@@ -47,7 +47,11 @@ def material_of(contact: Contact, side: Side) -> Material:
 def curve_error(found: SubsurfaceStress, contact: Contact, side: Side = "lower") -> float:
     """The largest error of the three stresses over all depths, in peak pressures."""
     exact, ratio = hertz(contact), material_of(contact, side).poisson_ratio
-    right = axis_stress(depth=found.depth, poisson_ratio=ratio, **exact)
+    right = axis_stress(
+        depth=found.depth,
+        poisson_ratio=np.asarray(ratio),
+        **{name: np.asarray(value) for name, value in exact.items()},
+    )
     return float(np.abs(found.stress - [right.sigma_x, right.sigma_y, right.sigma_z]).max()) / exact["peak_pressure"]
 
 
@@ -185,7 +189,8 @@ def test_true_shapes_differ_by_their_curvature() -> None:
             stress, depth = np.split(np.abs(errors(found, contact)), 2)
             assert 1e-4 < stress.max() < 0.05  # a few per cent: 4 % of von Mises in the race
             assert depth.max() < 0.1
-            right = axis_stress(depth=0.0, poisson_ratio=0.3, **exact)
+            here = {"depth": 0.0, "poisson_ratio": 0.3, **exact}
+            right = axis_stress(**{name: np.asarray(value) for name, value in here.items()})
             departures.append(float((found.stress[1, 0] - right.sigma_y) / exact["peak_pressure"]))
     assert max(spread["upper"]) < -0.02  # ten times what the mesh is off on the idealisation
     assert min(spread["lower"]) > 0.02

@@ -19,7 +19,7 @@ from rich.table import Table
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.statistics import measured_motion
-from analytic.cage.steady import DrivenCage, rest_torque, whirl_force, whirl_speed, whirl_torque
+from analytic.cage.steady import DrivenCage, rest_torque, whirl_force, whirl_speed
 from analytic.cage.torque import driven_cage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Cage, CageStart
@@ -126,10 +126,19 @@ def spread(cage: DrivenCage, *, duration: float) -> None:
                 f"{result.torque * 1e3:.4g}",
                 f"{(high - low) / 2 / result.torque:.2%}",
                 f"{result.max_force:.3g} ({force_low:.3g} .. {force_high:.3g})",
-                f"{result.largest_force:.3g}",
+                f"{max(result.block_maxima):.3g}",
                 f"{result.damping_torque * 1e3:.3g}",
             )
     out.print(table)
+
+
+def whirl_torque(cage: DrivenCage, *, force: float) -> float:
+    """T = (2/pi) mu (sum N) r sin(al) (w_b/w), N m: a whirling cage that cannot tilt.
+
+    The cage rolls in the plane and slides along z, as the axes of the balls lean out of that direction.
+    """
+    slip = cage.ball_speed / cage.ring_speed * cage.ball_radius * np.sin(ANGLE)
+    return float(2 / np.pi * cage.friction_coefficient * force * slip)
 
 
 def steps(cage: DrivenCage, *, duration: float) -> None:
@@ -177,7 +186,7 @@ def closed_forms(cage: DrivenCage, *, duration: float) -> None:
         add(name, "speed, rad/s", float(whirl) + cage.orbit_speed, record.circling)
         add(name, "sum of normal forces, N", float(force), record.force)
         if leaning:
-            torque = float(whirl_torque(force=force, **sliding))
+            torque = whirl_torque(cage, force=float(force))
             add(name, "torque, N mm", torque * 1e3, record.slip_power / cage.ring_speed * 1e3)
     out.print(table)
 

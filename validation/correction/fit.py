@@ -9,7 +9,7 @@ leverage). The fit keeps the fewest terms whose mean square leave-one-out error 
 least, or as small as the errors of the solves: further terms would follow the errors of the meshes.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 
@@ -20,7 +20,7 @@ from rich.table import Table
 from solve import BOX, HERE, QUANTITIES, read_rows
 
 from analytic import catalog
-from analytic.contact.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, monomial, shape_bases
+from analytic.contact.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, shape_bases
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40
@@ -30,6 +30,14 @@ NOISE = 0.25  # mean square error of a solve in units of its 95 % half-width, wh
 Array = NDArray[np.float64]
 Powers = dict[str, int]
 out = Console(width=120)
+
+
+def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
+    """The product of the bases named in `powers`, each to its power."""
+    product = np.ones_like(bases["size"])
+    for name, power in powers.items():
+        product = product * bases[name] ** power
+    return product
 
 
 @dataclass(frozen=True)

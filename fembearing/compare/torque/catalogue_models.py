@@ -9,6 +9,7 @@ Sources: [SKF2018], chapter on friction (an older edition has 0.15 for mu_bl), a
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -57,9 +58,21 @@ SERIES_62 = {
 SAME_SIZE = 0.05  # mm, many times what makers' tolerances are
 
 
+class CatalogueCase(NamedTuple):
+    """A bearing and how it runs, as both models need it; all fields broadcast."""
+
+    bore_diameter: ArrayLike  # d, m
+    outside_diameter: ArrayLike  # D > d, m
+    static_rating: ArrayLike  # C_0, N, > 0
+    axial_load: ArrayLike  # F_a, N, >= 0
+    radial_load: ArrayLike  # F_r, N, >= 0
+    ring_speed: ArrayLike  # |w|, rad/s, >= 0
+    kinematic_viscosity: ArrayLike  # nu at running temperature, m^2/s, > 0
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CatalogueBand:
-    """Torques of one bearing about its axis, N m; every array has the broadcast shape of the arguments."""
+    """Torques of one bearing about its axis, N m; every array has the broadcast shape of the case."""
 
     low: Array  # the least of the values
     high: Array  # the largest of them
@@ -94,7 +107,7 @@ def scene_band(scene: Scene) -> CatalogueBand:
     axial, radial = np.asarray(operation.axial_load), np.abs(operation.radial_load)
     if np.any(axial < 0):
         raise InputError(f"operation.axial_load = {axial.min():g} N is below 0")
-    return catalogue_band(
+    case = CatalogueCase(
         bore_diameter=bore,
         outside_diameter=outside,
         static_rating=rating,
@@ -102,66 +115,23 @@ def scene_band(scene: Scene) -> CatalogueBand:
         radial_load=radial,
         ring_speed=np.abs(operation.inner_speed),
         kinematic_viscosity=inlet_viscosity(oil).viscosity / oil.density,
-        lubrication=oil.supply,
     )
+    return catalogue_band(case, lubrication=oil.supply)
 
 
-def catalogue_band(
-    *,
-    bore_diameter: ArrayLike,
-    outside_diameter: ArrayLike,
-    static_rating: ArrayLike,
-    axial_load: ArrayLike,
-    radial_load: ArrayLike,
-    ring_speed: ArrayLike,
-    kinematic_viscosity: ArrayLike,
-    lubrication: Supply,
-) -> CatalogueBand:
-    """Both models, Palmgren's with the least and the largest of his usual load factors; arguments as `skf_torque`."""
-    values = {
-        "SKF": skf_torque(
-            bore_diameter=bore_diameter,
-            outside_diameter=outside_diameter,
-            static_rating=static_rating,
-            axial_load=axial_load,
-            radial_load=radial_load,
-            ring_speed=ring_speed,
-            kinematic_viscosity=kinematic_viscosity,
-            lubrication=lubrication,
-        )
-    }
+def catalogue_band(case: CatalogueCase, *, lubrication: Supply) -> CatalogueBand:
+    """Both models, Palmgren's with the least and the largest of his usual load factors."""
+    values = {"SKF": skf_torque(case, lubrication=lubrication)}
     for factor in PALMGREN_LOAD:
-        values[f"Palmgren, z = {factor:g}"] = palmgren_torque(
-            bore_diameter=bore_diameter,
-            outside_diameter=outside_diameter,
-            static_rating=static_rating,
-            axial_load=axial_load,
-            radial_load=radial_load,
-            ring_speed=ring_speed,
-            kinematic_viscosity=kinematic_viscosity,
-            load_factor=factor,
-        )
+        values[f"Palmgren, z = {factor:g}"] = palmgren_torque(case, load_factor=factor)
     values = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
     every = np.array(list(values.values()))
     return CatalogueBand(low=every.min(axis=0), high=every.max(axis=0), values=MappingProxyType(values))
 
 
-def skf_torque(
-    *,
-    bore_diameter: ArrayLike,
-    outside_diameter: ArrayLike,
-    static_rating: ArrayLike,
-    axial_load: ArrayLike,
-    radial_load: ArrayLike,
-    ring_speed: ArrayLike,
-    kinematic_viscosity: ArrayLike,
-    lubrication: Supply,
-) -> Array:
-    """SKF's rolling and sliding torque M_rr + M_sl, N m, without seals and drag; the arguments broadcast.
+def skf_torque(case: CatalogueCase, *, lubrication: Supply) -> Array:
+    """SKF's rolling and sliding torque M_rr + M_sl, N m, without seals and drag.
 
-    bore_diameter, outside_diameter : d < D, of the bearing's rings, m;  static_rating : C_0, N, > 0
-    axial_load, radial_load : F_a, F_r, N, >= 0
-    ring_speed : |w|, rad/s, >= 0;  kinematic_viscosity : nu at running temperature, m^2/s, > 0
     With d_m = (d + D)/2, n in rev/min, and alpha_F = 24.6 (F_a/C_0)^0.24 degrees:
         G_rr = R_1 d_m^1.96 (F_r + R_2 F_a/sin alpha_F)^0.54
         G_sl = S_1 d_m^-0.145 (F_r^5 + S_2 d_m^1.5 F_a^4/sin alpha_F)^(1/3),  but S_1 d_m^-0.26 F_r^(5/3) if F_a = 0
@@ -171,12 +141,10 @@ def skf_torque(
     normal clearance.
     Raises InputError for an argument of the wrong sign or not finite, and for a bore no smaller than the outside.
     """
-    bore, outside = ring_diameters(bore_diameter, outside_diameter)
-    load, thrust, oil, speed = _operation(
-        static_rating, axial_load, radial_load, kinematic_viscosity=kinematic_viscosity, ring_speed=ring_speed
-    )
+    bore, outside = ring_diameters(case.bore_diameter, case.outside_diameter)
+    load, thrust, oil, speed = _operation(case)
     mean = (bore + outside) / 2
-    angle = np.deg2rad(24.6 * (thrust / np.asarray(static_rating)) ** 0.24)
+    angle = np.deg2rad(24.6 * (thrust / np.asarray(case.static_rating)) ** 0.24)
     steep = np.where(thrust > 0, np.sin(angle), 1.0)  # F_a/sin alpha_F falls to 0 with F_a
     rolling = ROLLING[0] * mean**1.96 * (load + ROLLING[1] * thrust / steep) ** 0.54
     sliding = SLIDING[0] * np.where(
@@ -186,13 +154,13 @@ def skf_torque(
     )
     rolling = rolling * (oil * speed) ** 0.6
     rolling = rolling * inlet_shear_factor(
-        mean_diameter=mean / 1e3, ring_speed=ring_speed, kinematic_viscosity=kinematic_viscosity
+        mean_diameter=mean / 1e3, ring_speed=case.ring_speed, kinematic_viscosity=case.kinematic_viscosity
     )
     rolling = rolling * replenishment_factor(
-        bore_diameter=bore_diameter,
-        outside_diameter=outside_diameter,
-        ring_speed=ring_speed,
-        kinematic_viscosity=kinematic_viscosity,
+        bore_diameter=case.bore_diameter,
+        outside_diameter=case.outside_diameter,
+        ring_speed=case.ring_speed,
+        kinematic_viscosity=case.kinematic_viscosity,
         supply=lubrication,
     )
     boundary = np.exp(-2.6e-8 * (speed * oil) ** 1.4 * mean)
@@ -200,47 +168,28 @@ def skf_torque(
     return (rolling + sliding * friction) / 1e3  # N mm to N m
 
 
-def palmgren_torque(
-    *,
-    bore_diameter: ArrayLike,
-    outside_diameter: ArrayLike,
-    static_rating: ArrayLike,
-    axial_load: ArrayLike,
-    radial_load: ArrayLike,
-    ring_speed: ArrayLike,
-    kinematic_viscosity: ArrayLike,
-    load_factor: ArrayLike,
-) -> Array:
-    """Palmgren's torque M_0 + M_1, N m; load_factor is z, > 0, the other arguments are those of `skf_torque`.
+def palmgren_torque(case: CatalogueCase, *, load_factor: ArrayLike) -> Array:
+    """Palmgren's torque M_0 + M_1, N m; load_factor is z, > 0, and broadcasts with the case.
 
     M_0 = 1e-7 f_0 (nu n)^(2/3) d_m^3 from nu n = 2000 on, below it 160e-7 f_0 d_m^3 (a jump of 0.8 %), f_0 = 2
     M_1 = z (P_0/C_0)^0.55 P_1 d_m,  P_1 = max(3.3 F_a - 0.1 F_r, F_r),  P_0 = max(0.6 F_r + 0.5 F_a, F_r)
     M_0 does not end at standstill: it is meant for bearings that turn at ordinary speed under ordinary load.
     """
     require_positive(load_factor=load_factor)
-    bore, outside = ring_diameters(bore_diameter, outside_diameter)
-    load, thrust, oil, speed = _operation(
-        static_rating, axial_load, radial_load, kinematic_viscosity=kinematic_viscosity, ring_speed=ring_speed
-    )
+    bore, outside = ring_diameters(case.bore_diameter, case.outside_diameter)
+    load, thrust, oil, speed = _operation(case)
     mean = (bore + outside) / 2
     stirred = oil * speed
     viscous = PALMGREN_VISCOUS * mean**3 * np.where(stirred >= 2000, 1e-7 * stirred ** (2 / 3), 160e-7)
     static = np.maximum(0.6 * load + 0.5 * thrust, load)
     working = np.maximum(3.3 * thrust - 0.1 * load, load)
-    loaded = np.asarray(load_factor) * (static / np.asarray(static_rating)) ** 0.55 * working * mean
+    loaded = np.asarray(load_factor) * (static / np.asarray(case.static_rating)) ** 0.55 * working * mean
     return (viscous + loaded) / 1e3  # N mm to N m
 
 
-def _operation(
-    static_rating: ArrayLike,
-    axial_load: ArrayLike,
-    radial_load: ArrayLike,
-    *,
-    kinematic_viscosity: ArrayLike,
-    ring_speed: ArrayLike,
-) -> tuple[Array, Array, Array, Array]:
+def _operation(case: CatalogueCase) -> tuple[Array, Array, Array, Array]:
     """F_r and F_a in N, nu in mm^2/s, n in rev/min."""
-    require_positive(static_rating=static_rating, kinematic_viscosity=kinematic_viscosity)
-    require_non_negative(axial_load=axial_load, radial_load=radial_load, ring_speed=ring_speed)
-    load, thrust = np.asarray(radial_load, dtype=np.float64), np.asarray(axial_load, dtype=np.float64)
-    return load, thrust, square_millimetres(kinematic_viscosity), per_minute(ring_speed)
+    require_positive(static_rating=case.static_rating, kinematic_viscosity=case.kinematic_viscosity)
+    require_non_negative(axial_load=case.axial_load, radial_load=case.radial_load, ring_speed=case.ring_speed)
+    load, thrust = np.asarray(case.radial_load, dtype=np.float64), np.asarray(case.axial_load, dtype=np.float64)
+    return load, thrust, square_millimetres(case.kinematic_viscosity), per_minute(case.ring_speed)

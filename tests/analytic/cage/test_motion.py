@@ -10,7 +10,7 @@ import pytest
 
 from analytic.cage.motion import CageMotion, MotionError
 from analytic.cage.pocket import impact
-from analytic.cage.steady import rest_torque, whirl_force, whirl_speed, whirl_torque
+from analytic.cage.steady import rest_torque, whirl_force, whirl_speed
 from analytic.errors import InputError
 from tests.analytic.cage.specimens import CAGE, RATE, TABLE_1, WEIGHTLESS, W
 
@@ -62,9 +62,8 @@ def test_a_whirling_cage_rolls_in_its_pockets(locked: bool) -> None:
     )
     np.testing.assert_allclose(passed.circling, whirl + cage.orbit_speed, rtol=0.02)
     np.testing.assert_allclose(passed.force, force, rtol=0.02)
-    torque = whirl_torque(
-        friction_coefficient=0.1, force=force, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
-    )
+    # It slides along z, as the axes of the balls lean by the contact angle; the mean of |cos| over them is 2/pi.
+    torque = 2 / np.pi * 0.1 * force * RATE * 3.97e-3 * np.sin(0.18)
     if locked:
         np.testing.assert_allclose(passed.slip_power / W, torque, rtol=0.02)
     else:

@@ -16,7 +16,6 @@ from analytic.cage.steady import (
     whirl_force,
     whirl_number,
     whirl_speed,
-    whirl_torque,
 )
 from analytic.errors import InputError
 from tests.analytic.cage.specimens import CAGE, RATE, W
@@ -54,14 +53,13 @@ def test_rest_torque_agrees_with_statics(friction: float, angle: float, within: 
 
 
 def test_independently_computed_numbers() -> None:
-    """A 6205 at 500 rpm, by an independent simulation: 0.0604 N mm; 8.0 N and 0.83 N mm at nabla = 0.2 mm."""
+    """A 6205 at 500 rpm, by an independent simulation: 0.0604 N mm at rest; 8.0 N whirling at nabla = 0.2 mm."""
     resting = rest_torque(
         friction_coefficient=0.1, cage_mass=MASS, ball_rate=RATE, ball_radius=RADIUS, contact_angle=0.18
     )
     whirl = whirl_speed(ball_speed=W * RATE, ball_radius=RADIUS, contact_angle=0.0, half_clearance=0.2e-3)
     force = whirl_force(cage_mass=MASS, whirl=whirl, orbit_speed=CAGE.orbit_speed, half_clearance=0.2e-3)
-    torque = whirl_torque(friction_coefficient=0.1, force=force, ball_rate=RATE, ball_radius=RADIUS, contact_angle=0.18)
-    np.testing.assert_allclose([resting * 1e3, force, torque * 1e3], [0.0604, 8.0, 0.83], rtol=0.04)  # rounded numbers
+    np.testing.assert_allclose([resting * 1e3, force], [0.0604, 8.0], rtol=0.04)  # rounded numbers
 
 
 def test_the_weight_of_a_resting_cage_is_its_mass_times_gravity() -> None:
@@ -104,16 +102,13 @@ def test_a_whirling_cage_moves_with_the_surfaces_of_its_balls() -> None:
     np.testing.assert_allclose(computed, centripetal, rtol=1e-12)
 
 
-def test_the_leaning_axes_of_the_balls_make_a_whirling_cage_slide() -> None:
+def test_sliding_bounds_the_torque_of_a_whirling_cage_that_cannot_tilt() -> None:
+    """Such a cage rolls in the plane, and slides along z because the axes of the balls lean."""
     angle, phi = 0.31, 2 * np.pi * np.arange(4001) / 4001
     leaning = np.stack([np.sin(angle) * np.cos(phi), np.sin(angle) * np.sin(phi), np.zeros(4001)], axis=1)
     slip = np.linalg.norm(np.cross(leaning, [0.6, 0.8, 0.0]), axis=1).mean() * RATE * RADIUS
-    computed = whirl_torque(
-        friction_coefficient=0.13, force=7.1, ball_rate=RATE, ball_radius=RADIUS, contact_angle=angle
-    )
-    np.testing.assert_allclose(computed, 0.13 * 7.1 * slip, rtol=1e-6)  # 4001 balls instead of a circle
     bound = sliding_torque(friction_coefficient=0.13, force=7.1, ball_rate=RATE, ball_radius=RADIUS)
-    assert bound > computed
+    assert bound > 0.13 * 7.1 * slip
 
 
 def test_balls_may_lead_until_no_place_of_the_cage_clears_them() -> None:

@@ -89,7 +89,7 @@ def test_the_printed_equations_have_no_known_uncertainty() -> None:
     assert found.to_json()["points"][0]["uncertainty"]["numerical"] is None
 
 
-def test_the_rung_of_sliding_is_judged_by_what_counts() -> None:
+def test_the_method_of_sliding_is_judged_by_what_counts() -> None:
     """Without conformity the spin alone has to be right, and is."""
     scene = replace(under('axial_load = "1000 N"'), effects={"conformity": "off"})
     for tolerance in (0.03, 0.01, 0.003):

@@ -16,6 +16,7 @@ from analytic.scene import Operation, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.compare.torque.catalogue_models import (
     CatalogueBand,
+    CatalogueCase,
     catalogue_band,
     inlet_shear_factor,
     palmgren_torque,
@@ -35,16 +36,25 @@ CASE = {
 }
 
 
+def case_of(changed: dict[str, Any]) -> tuple[CatalogueCase, dict[str, Any]]:
+    """The case with its changes, and what is no part of it."""
+    rest = {name: value for name, value in changed.items() if name not in CASE}
+    return CatalogueCase(**{name: changed.get(name, value) for name, value in CASE.items()}), rest
+
+
 def skf(**changed: object) -> np.ndarray:
-    return skf_torque(**(CASE | {"lubrication": "oil_bath"} | changed))  # pyright: ignore[reportArgumentType]
+    case, rest = case_of({"lubrication": "oil_bath"} | changed)
+    return skf_torque(case, **rest)
 
 
 def palmgren(**changed: object) -> np.ndarray:
-    return palmgren_torque(**(CASE | {"load_factor": 5e-4} | changed))  # pyright: ignore[reportArgumentType]
+    case, rest = case_of({"load_factor": 5e-4} | changed)
+    return palmgren_torque(case, **rest)
 
 
 def band(**changed: object) -> CatalogueBand:
-    return catalogue_band(**(CASE | {"lubrication": "oil_bath"} | changed))  # pyright: ignore[reportArgumentType]
+    case, rest = case_of({"lubrication": "oil_bath"} | changed)
+    return catalogue_band(case, **rest)
 
 
 def by_hand(*, thrust: float, radial: float, rpm: float, nu: float, k_rs: float) -> float:

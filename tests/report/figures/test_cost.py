@@ -103,7 +103,7 @@ def test_points_bars_and_the_reference_are_drawn_in_per_cent(figure: Figure) -> 
     np.testing.assert_allclose(np.asarray(limit.get_ydata(), dtype=float), 4, rtol=1e-12)
 
 
-def test_every_rung_that_answered_has_a_number_beside_it_and_its_name_below(figure: Figure) -> None:
+def test_every_method_that_answered_has_a_number_beside_it_and_its_name_below(figure: Figure) -> None:
     panel = figure.axes[0]
     numbers = {text.get_text(): text.xy for text in panel.texts if text.get_text().isdigit()}  # pyright: ignore[reportAttributeAccessIssue]
     assert numbers.keys() == {"1", "2", "4"}  # the third failed
@@ -117,7 +117,7 @@ def test_every_rung_that_answered_has_a_number_beside_it_and_its_name_below(figu
     assert below.y0 > figure.bbox.y0
 
 
-def test_a_ring_marks_the_chosen_rung() -> None:
+def test_a_ring_marks_the_chosen_method() -> None:
     plain = method("a", error=0.01, seconds=0.1)
     chosen = replace(plain, chosen=True)
     counts = [
@@ -132,7 +132,7 @@ def test_without_memory_there_is_no_panel_for_it() -> None:
     assert len(cost_figure(listed(bare), tolerance=0.1).axes) == 1
 
 
-def test_the_table_holds_every_rung_and_what_is_absent() -> None:
+def test_the_table_holds_every_method_and_what_is_absent() -> None:
     hertz, second, failed, finest, absent = csv.DictReader(StringIO(cost_table(listed(CONTACT, ABSENT))))
     assert (hertz["name"], float(hertz["error"]), float(hertz["bound"])) == ("Hertz", 0.031, 0.036)
     assert int(second["memory"]) == GIB // 2
