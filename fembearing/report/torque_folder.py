@@ -67,6 +67,7 @@ def write_torque(
 def _write_motions(
     records: list[CageRecord], folder: Path, renderer: Sequence[str] | None
 ) -> tuple[list[dict[str, Any]], str | None]:
+    """Write series, plot and picture of each motion; gives the entries of torque.json, and what is lacking."""
     from fembearing.report.document.torque import CageRecord as Motion
     from fembearing.report.figures.cage import cage_caption, orbit_figure  # with matplotlib: only a folder pays for it
     from fembearing.report.figures.style import png

@@ -59,6 +59,7 @@ def contact_table(solution: ContactSolution) -> Contact:
 
 
 def _verdicts(contact: ContactSolution) -> Iterator[dict[str, Any]]:
+    """A row of the document for each quantity of a contact."""
     for name, part in contact.estimates.items():
         yield {
             "pair": contact.contact.pair,

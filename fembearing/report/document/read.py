@@ -72,6 +72,7 @@ def _shortened(value: object) -> str:
 
 
 def _remedy(content: dict[str, Any]) -> str:
+    """What to do about a damaged report, with the versions that wrote and read it."""
     origin = content.get("provenance")
     versions = origin.get("versions") if isinstance(origin, dict) else None
     wrote = versions.get("fembearing") if isinstance(versions, dict) else None

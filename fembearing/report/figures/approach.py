@@ -26,6 +26,7 @@ def approach_plot(document: Report) -> tuple[Figure | None, str]:
 
 
 def _curve(panel: Axes, contact: Contact) -> None:
+    """Load over approach, with the solved point."""
     curve, solved = contact.approach_curve, contact.fe.approach
     load = np.array(curve.load)
     panel.plot(MICRO * np.array(curve.hertz), load, color=BLACK, label="Hertz")
@@ -44,6 +45,7 @@ def _curve(panel: Axes, contact: Contact) -> None:
 
 
 def _apart(panel: Axes, contact: Contact) -> None:
+    """Departure from Hertz's approach, per cent."""
     curve, solved = contact.approach_curve, contact.fe.approach
     load, hertz = np.array(curve.load), np.array(curve.hertz)
     corrected, half = _known(curve.corrected), _known(curve.uncertainty)

@@ -37,6 +37,7 @@ def cage_plot(document: Report) -> tuple[Figure | None, str]:
 
 
 def _why_at_rest(document: Report) -> str:
+    """Why there is no motion to draw."""
     if document.torque is None:
         return "No cage moved: the scene has no torque."
     return (
@@ -78,6 +79,7 @@ def orbit_figure(motions: Sequence[CageRecord], *, captioned: bool = True) -> Fi
 
 
 def _orbit(panel: Axes, motion: CageRecord) -> None:
+    """The orbit of the cage's centre, and the edge of its room."""
     orbit, room = motion.orbit, motion.room
     look: dict[str, Any] = {"lw": 0.6} if orbit.joined else {"linestyle": "none", "marker": ".", "ms": 2.5}
     for part, colour, label in (("start_up", STARTING, "start-up"), ("measured", MEASURED, "measured")):
@@ -98,6 +100,7 @@ def _orbit(panel: Axes, motion: CageRecord) -> None:
 
 
 def _forces(panel: Axes, motion: CageRecord) -> None:
+    """Forces of the balls over time."""
     forces, median, start_up = motion.forces, motion.max_force, MILLISECOND.factor * motion.start_up
     least = np.inf
     for name, colour, label in (("sum", ORANGE, "sum over all balls"), ("largest", MEASURED, "largest of one ball")):
@@ -116,6 +119,7 @@ def _forces(panel: Axes, motion: CageRecord) -> None:
 
 
 def _excess(panel: Axes, motion: CageRecord) -> None:
+    """How often each force is exceeded."""
     instants, blocks = motion.exceedance, np.sort(motion.block_maxima)
     of_blocks = np.arange(blocks.size, 0, -1) / blocks.size  # no smaller one lies above it
     for force, share, colour, label in (

@@ -49,6 +49,7 @@ def convergence_plot(document: Report) -> tuple[Figure | None, str]:
 
 
 def _convergence(panel: Axes, contact: Contact, name: str) -> None:
+    """Distance of one quantity from its extrapolated value over the unknowns."""
     colour, mark = look_of(contact.pair, contact.geometry)
     unknowns, distance = _distances(contact, name)
     study = contact.convergence[name]

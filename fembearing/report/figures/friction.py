@@ -53,6 +53,7 @@ def friction_plot(document: Report) -> tuple[Figure | None, str]:
 
 
 def _curves(panel: Axes, axis: SeriesAxis, curves: dict[str, Array]) -> None:
+    """One line for each contact, on a scale that fits all of them."""
     for name, values in curves.items():
         colour, mark, line = LOOKS[name]
         style = f"{line if axis.joined else ''}{mark if axis.mark else ''}"

@@ -54,6 +54,7 @@ def embedded(content: bytes) -> str:
 
 
 def _cost(document: Report) -> tuple[Figure, str]:
+    """The figure of what accuracy costs, and its caption."""
     ran = " and its memory" if document.cost.measured else ", for the methods that this check ran"
     return cost_figure(document.cost.ladders, tolerance=document.tolerance), (
         f"Error of each method against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "

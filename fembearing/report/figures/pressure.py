@@ -43,6 +43,7 @@ def pressure_plot(document: Report) -> tuple[Figure | None, str]:
 
 
 def _profile(panel: Axes, contact: Contact) -> None:
+    """Pressure along both axes, with Hertz's semi-ellipse."""
     hertz = contact.hertz
     for axis, (name, words, colour, mark, _) in ALONG.items():
         nodes = getattr(contact.pressure_profile, axis).fe
@@ -65,6 +66,7 @@ def _profile(panel: Axes, contact: Contact) -> None:
 
 
 def _difference(panel: Axes, contact: Contact) -> None:
+    """The nodes less Hertz, per cent of Hertz's peak."""
     hertz, computed, largest = contact.hertz, contact.fe, 0.0
     for axis, (name, _, colour, mark, line) in ALONG.items():
         nodes = getattr(contact.pressure_profile, axis).fe

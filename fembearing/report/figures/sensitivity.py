@@ -44,6 +44,7 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
 
 
 def _bars(panel: Axes, row: int, each: Input, output: int) -> None:
+    """Both bars of one input, labelled with the values at its ends."""
     ends = {"low": each.change_low, "high": each.change_high}
     known = {name: 100 * changes[output] for name, changes in ends.items() if changes is not None}
     same_side = len(known) == 2 and known["low"] * known["high"] > 0
@@ -68,6 +69,7 @@ def _shown(each: Input, value: float) -> str:
 
 
 def _title(output: TotalTorque | PeakPressure, outputs: Sequence[TotalTorque | PeakPressure]) -> str:
+    """The output and its value."""
     if isinstance(output, PeakPressure):
         return f"ball on {output.pair} race: {CONTACT['peak_pressure'].shown.written(output.value, '.4g')}"
     loads = loads_of(output, present_loads([each for each in outputs if isinstance(each, TotalTorque)]))
@@ -76,6 +78,7 @@ def _title(output: TotalTorque | PeakPressure, outputs: Sequence[TotalTorque | P
 
 
 def _caption(sensitivity: Sensitivity, quantity: str, still: list[str]) -> str:
+    """What is varied, what moves nothing, and what was refused."""
     refused = [f"{each.name}, {reason}" for each in sensitivity.inputs for reason in each.refused]
     caption = (
         f"One input at a time goes from the scene's value, below its name, to the low end of its range (blue) and the "

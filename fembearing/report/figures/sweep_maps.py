@@ -57,6 +57,7 @@ def map_figure(dataset: Any, name: str) -> Figure:
 
 
 def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -> Figure:
+    """A coloured map over two axes; a panel for each value of the others."""
     (vertical, horizontal), shown = across, list(_choices(variable, others, MOST_PANELS))
     columns = 2 if len(shown) == 4 else min(3, len(shown))
     rows = -(-len(shown) // columns)
@@ -91,6 +92,7 @@ def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -
 
 
 def _draw_lines(variable: Any, across: list[str], others: list[str], unit: Unit) -> Figure:
+    """A line for each value of the other axes."""
     (horizontal,) = across
     figure = Figure(figsize=(7.4, 4.8), layout="constrained")
     panel = figure.subplots()
@@ -156,6 +158,7 @@ def _set_axis(panel: Axes, axis: Axis, values: Any) -> None:
 
 
 def _even_in_logarithm(values: Array) -> bool:
+    """Whether the steps of an axis are nearer to even in the logarithm."""
     if values.size < 3 or np.min(values) <= 0 or np.max(values) < WIDE_AXIS * np.min(values):
         return False
     plain, logarithmic = (np.abs(np.diff(part)) for part in (np.sort(values), np.log(np.sort(values))))

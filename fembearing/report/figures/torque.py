@@ -47,6 +47,7 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
 
 
 def _parts(panel: Axes, axis: SeriesAxis) -> None:
+    """The parts, stacked."""
     below = np.zeros(axis.values.size)
     for name, (words, colour) in PARTS.items():
         part = axis.of("torque", name)

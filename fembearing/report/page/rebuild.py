@@ -52,6 +52,7 @@ def rebuild_page(numbers: Path, *, out: Path | None = None) -> RebuiltPage:
 
 
 def _is_page(file: Path) -> bool:
+    """Whether a file begins as a page of ours."""
     try:
         with file.open(encoding="utf-8") as text:
             return MARK in text.read(ENOUGH)

@@ -105,6 +105,7 @@ def picture_caption(record: CageRecord) -> str:
 
 
 def _lines(record: CageRecord, view: CageView) -> list[str]:
+    """The lines of text over the picture."""
     statistics, speed = record.statistics, RPM.written(record.cage.ring_speed, ".5g")
     return [
         f'{record.scene.bearing.name} at {speed}, {_sense(record)}: regime "{statistics.state}", '

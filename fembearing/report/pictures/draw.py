@@ -104,6 +104,7 @@ def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
 
 
 def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
+    """What the renderer draws of one contact: pressure, section and view."""
     meshes = {side: str(path) for side, path in contact.write_meshes(folder).items()}
     common = {
         **meshes,
@@ -171,6 +172,7 @@ def _scale(contact: ContactSolution) -> PressureScale:
 
 
 def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
+    """What the pressure picture shows, and how far Hertz's ellipse is off."""
     across = contact.discrepancy["semi_axis_transverse"]
     return (
         f"Contact pressure by finite elements, seen along the load and drawn to scale, {_place(contact)}. "
@@ -181,6 +183,7 @@ def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
 
 
 def _shoulder_caption(contact: ContactSolution) -> str:
+    """What a shoulder does to the contact; empty where it ends before it."""
     if not contact.shoulder:
         return ""
     lines = " ".join(shoulder_lines(contact_table(contact)))
@@ -188,6 +191,7 @@ def _shoulder_caption(contact: ContactSolution) -> str:
 
 
 def _section_caption(contact: ContactSolution) -> str:
+    """What the section shows, and what is not to scale in it."""
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
         f"The meshed bodies cut along the plane x = 0, {_place(contact)}. Left: the ball is drawn "
@@ -197,6 +201,7 @@ def _section_caption(contact: ContactSolution) -> str:
 
 
 def _view_caption(contact: ContactSolution) -> str:
+    """How to turn the view, and what it shows."""
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
         f"A view to turn, {_place(contact)}: drag it, or click it and use arrow keys and wheel. Both "

@@ -77,6 +77,7 @@ def point_columns(series: Mapping[str, Sequence[float]]) -> tuple[dict[str, list
 
 
 def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> None:
+    """A row for each point: parts, total, uncertainty and catalogue band."""
     friction, band = result.friction, result.catalogue.band
     columns, fixed = point_columns({name: getattr(friction, name).tolist() for name in COORDINATES})
     words = ", ".join([f"Friction torque of {result.scene.bearing.name}", *fixed])
@@ -158,6 +159,7 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
 
 
 def _print_effects(out: Console, friction: FrictionTorque) -> None:
+    """Each effect with its decision, share and reason."""
     words = ("effect", "", "reason")
     table = table_of(("effect", "", "share", "reason"), title="Effects", left=words, fixed=("effect", "", "share"))
     for effect in friction.effects_to_json():

@@ -33,6 +33,7 @@ def next_section(document: Report) -> NextSection:
 
 
 def _of_contact(document: Report, contact: Contact) -> Iterator[Step]:
+    """The steps that the verdicts on one contact call for."""
     rows, names = document.verdicts_on(contact), quantities_of(contact)
     place = place_of(contact.pair, contact.geometry)
 

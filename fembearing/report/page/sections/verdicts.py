@@ -50,6 +50,7 @@ def _resolved(document: Report, contact: Contact) -> Iterator[str]:
 
 
 def _pocket(contacts: list[Contact]) -> list[PocketModel]:
+    """Each model of the pocket; none without a cage."""
     if len(contacts) < 4:
         return []
     return [
