@@ -125,7 +125,7 @@ def test_importing_the_production_model_is_light() -> None:
         ("analytic/oil/__init__.py", "def oil(): ...", "function oil has its module's name"),
         ("analytic/oil/film.py", "\n" * 401, "401 lines"),
         ("analytic/oil/film.py", "def of(a, /, b, c, *rest, d, e, f, **more): ...", "of has 8 parameters"),
-        ("analytic/oil/film.py", "class Film:\n    async def of(self, a, b, c, d, e, f, g): ...", "of has 8 parameters"),
+        ("analytic/oil/film.py", "class Film:\n async def of(self, a, b, c, d, e, f, g): ...", "of has 8 parameters"),
         ("analytic/oil/film.py", "from analytic.scene import _half", "_half is private"),
         ("analytic/oil/film.py", "import importlib\nimportlib.import_module('a' + 'b')", "computed name"),
         ("analytic/gas/law.py", "", "no row for analytic/gas/"),

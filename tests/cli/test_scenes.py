@@ -76,6 +76,7 @@ def test_a_race_of_other_materials_is_as_stiff_as_its_modulus(
     assert other["verdict"] == "pass"
 
 
+@pytest.mark.usefixtures("coarse")
 def test_a_pocket_of_peek_is_solved(run) -> None:
     found = solved(run, "peek cage", "--pair", "pocket", "--load", "3 N")
     assert found["warnings"] == []

@@ -20,8 +20,9 @@ from tests.contacts import NITRIDE, STEEL
 
 RUBBER = replace(STEEL, name="rubber", youngs_modulus=2.9e9, poisson_ratio=0.4999)
 INNER = replace(contacts.INNER, rolling_radius=15.85e-3, shoulder=2.6e-3, contact_angle=0.18, load=620.63)
-SPHERE = replace(INNER, groove_radius=1e9, rolling_radius=1e9)
-ACROSS = replace(INNER, rolling_radius=3.2e-3, groove_radius=31.0e-3)  # longer along rolling
+SPHERE = replace(INNER, groove_radius=1e9, rolling_radius=1e9, ball_material=NITRIDE)
+RUBBERS = {"ball_material": RUBBER, "race_material": RUBBER, "shoulder": np.inf}
+ACROSS = replace(INNER, rolling_radius=3.2e-3, groove_radius=31.0e-3, **RUBBERS)  # longer along rolling
 SIDES = pytest.mark.parametrize("side", ["upper", "lower"])
 
 
@@ -80,15 +81,7 @@ def real() -> MeshSolution:
 
 @SIDES
 @pytest.mark.parametrize(
-    "contact",
-    [
-        INNER,
-        SPHERE,
-        ACROSS,
-        replace(INNER, ball_material=RUBBER, race_material=RUBBER, shoulder=np.inf),
-        replace(INNER, ball_material=NITRIDE),
-    ],
-    ids=["inner", "sphere", "across", "rubber", "ceramic"],
+    "contact", [INNER, SPHERE, ACROSS], ids=["inner", "ceramic sphere", "longer along rolling, of rubber"]
 )
 def test_the_third_level_agrees_with_the_closed_form(contact: Contact, side: Side) -> None:
     found = subsurface_stress(solve(contact), side=side)
@@ -99,11 +92,10 @@ def test_the_third_level_agrees_with_the_closed_form(contact: Contact, side: Sid
     assert curve_error(found, contact, side) < 3e-3
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("contact", [INNER, SPHERE], ids=["inner", "sphere"])
 def test_errors_fall_with_the_mesh(contact: Contact) -> None:
-    coarse, fine = (curve_error(subsurface_stress(solve(contact, level=level)), contact) for level in (2, 4))
-    assert np.log2(coarse / fine) > 2  # the order of a quadratic cell's stress; at its Gauss points it is 3
+    coarse, fine = (curve_error(subsurface_stress(solve(contact, level=level)), contact) for level in (1, 3))
+    assert np.log(coarse / fine) / np.log(3) > 2  # the order of a quadratic cell's stress; at its Gauss points it is 3
 
 
 @SIDES
