@@ -15,11 +15,13 @@ from hypothesis import settings
 if TYPE_CHECKING:
     from analytic.scene import Contact
     from fembearing.compare.contact.discrepancy import ContactSolution
+    from fembearing.compare.validation import Validation
     from fembearing.mesh.recipe import Recipe
 
 if "PYTEST_XDIST_WORKER" in os.environ:  # before NumPy loads: the workers already use all cores
     os.environ.setdefault("OMP_NUM_THREADS", "1")
 
+SHARE_CHECKED = ("tests/report/", "tests/compare/test_validation.py")
 PROFILE = "gate" if os.environ.get("CI") else "explore"
 
 # No deadline: the first call of a compiled kernel takes seconds, later ones microseconds.
@@ -34,14 +36,14 @@ def pytest_report_header() -> str:
 
 @pytest.hookimpl(optionalhook=True)  # of pytest-xdist
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """Tests that share a solve run on one worker: those of a file, and all of tests/report, which share `checked`."""
+    """Tests that share a solve run on one worker: those of a file, and all that share `checked`."""
     if config.getvalue("dist") != "load":  # the user chose another distribution
         return None
     from xdist.scheduler import LoadScopeScheduling
 
     class SharedSolves(LoadScopeScheduling):
         def _split_scope(self, nodeid: str) -> str:
-            return "tests/report" if nodeid.startswith("tests/report/") else nodeid.partition("::")[0]
+            return "checked" if nodeid.startswith(SHARE_CHECKED) else nodeid.partition("::")[0]
 
     return SharedSolves(config, log)
 
@@ -76,6 +78,30 @@ def shallow_recipe(name: str) -> "Recipe":
 def shallow() -> "Callable[[str], Recipe]":
     """Loads a recipe of few cells, for tests whose assertions do not depend on the accuracy of the mesh."""
     return shallow_recipe
+
+
+class Checked(NamedTuple):
+    validation: "Validation"
+    shares: list[float]  # that its progress told
+
+
+@pytest.fixture(scope="session")
+def checked_with_progress(shallow: "Callable[[str], Recipe]") -> Checked:
+    """The built-in scene, checked on coarse meshes with a tolerance that needs no finer one."""
+    from analytic.scenefile.read import builtin_scene, load_scene
+    from fembearing.compare.contact import scene_contact
+    from fembearing.compare.validation import check_scene
+
+    shares: list[float] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(scene_contact, "load_recipe", shallow)
+        scene = load_scene(builtin_scene("6205"))
+        return Checked(check_scene(scene, tolerance=0.9, progress=lambda share, _: shares.append(float(share))), shares)
+
+
+@pytest.fixture(scope="session")
+def checked(checked_with_progress: Checked) -> "Validation":
+    return checked_with_progress.validation
 
 
 class Result(NamedTuple):

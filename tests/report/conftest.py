@@ -1,9 +1,5 @@
-"""One check of the built-in scene for all tests of the report, on as few meshes as possible.
+"""The pictures of the checked scene, and a result made by hand: every number in it is known and differs from all others."""
 
-And a result made by hand: every number in it is known and differs from every other.
-"""
-
-from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -13,32 +9,19 @@ import pytest
 from analytic.effects.ledger import Effect
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Operation
-from analytic.scenefile.read import builtin_scene, load_scene
-from fembearing.compare.contact import scene_contact
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import CorrectedHertz
 from fembearing.compare.cost.contact_ladder import contact_ladder_of
 from fembearing.compare.torque.change import FittedChange, TorqueChange
-from fembearing.compare.validation import Validation, check_scene
+from fembearing.compare.validation import Validation
 from fembearing.fem.measure import Quantities
-from fembearing.mesh.recipe import Recipe
 from fembearing.provenance import provenance_of
 from fembearing.report.document.build import report_of
 from fembearing.report.document.report import Report
 from fembearing.report.pictures.draw import Picture, draw_pictures
 
 pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its assertions show their values
-
-LOOSE = 0.9  # tolerance: no finer mesh is needed
-
-
-@pytest.fixture(scope="session")
-def checked(shallow: Callable[[str], Recipe]) -> Validation:
-    """The built-in scene, checked on coarse meshes: what is tested is how a result is shown."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(scene_contact, "load_recipe", shallow)
-        return check_scene(load_scene(builtin_scene("6205")), tolerance=LOOSE)
 
 
 @pytest.fixture(scope="session")
