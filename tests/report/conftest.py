@@ -1,4 +1,4 @@
-"""The pictures of the checked scene, and a result made by hand: every number in it is known and differs from all others."""
+"""The pictures of the checked scene, and a result made by hand: each number in it is known and unlike all others."""
 
 from dataclasses import replace
 from typing import NamedTuple
