@@ -9,8 +9,9 @@ import pytest
 
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
-from fembearing.compare.contact import discrepancy
+from fembearing.compare.contact import discrepancy, scene_contact
 from fembearing.compare.contact.discrepancy import ContactSolution
+from fembearing.mesh.recipe import Recipe
 from fembearing.sweep.run import run_sweep
 
 QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
@@ -18,9 +19,10 @@ QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "app
 
 @pytest.mark.usefixtures("in_process")
 def test_contacts_of_half_spaces_agree_with_hertz(
-    grid_file: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    grid_file: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shallow: Callable[[str], Recipe]
 ) -> None:
     """At every point of the sweep, Hertz's exact answer lies within the intervals of the finite elements."""
+    monkeypatch.setattr(scene_contact, "load_recipe", shallow)
     solved: list[ContactSolution] = []
     solve = discrepancy.solve_contact
     monkeypatch.setattr(discrepancy, "solve_contact", lambda *a, **k: solved.append(solve(*a, **k)) or solved[-1])
