@@ -16,10 +16,6 @@ MOST_PARAMETERS = 7  # of a function; more of them belong together in a noun
 LONGER = {  # functions that may have more
     "ring_equilibrium": "a public face: bearing, loads and speeds as a user has them, each with its own shape",
     "advance": "a compiled kernel: numba takes arrays and numbers, no nouns",
-    "bracketed_root": "brackets, tolerances and the words of its errors",
-    "catalogue_band": "what a catalogue asks for: bearing, loads, speeds and oil",
-    "skf_torque": "what a catalogue asks for: bearing, loads, speeds and oil",
-    "palmgren_torque": "what a catalogue asks for: bearing, loads, speeds and oil",
 }
 HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pypardiso", "numba", "xarray", "netCDF4"}
 REGISTRY = re.compile(
