@@ -16,11 +16,10 @@ from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import elliptic_contact
 from analytic.errors import InputError
 from analytic.oil.mixed import mixed_contact
-from analytic.oil.traction import MixedTraction
+from analytic.oil.traction import mixed_traction
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Scene
-from analytic.surface.asperity import softer_hardness
-from analytic.surface.asperity_table import tabulated_asperities
+from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
 
 
@@ -53,27 +52,17 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
     curvature = 1 / pocket.ball_radius - 1 / pocket.groove_radius
     modulus = float(contact_modulus(pocket.ball_material, pocket.race_material))
     contact = elliptic_contact(curvature_rolling=curvature, curvature_transverse=curvature, load=force, modulus=modulus)
-    roughness = gap_roughness(surface)
-    asperities = None
-    if roughness.rms_roughness > 0:
-        hardness = softer_hardness(surface, pocket.ball_material, pocket.race_material)
-        asperities = tabulated_asperities(summits=roughness.summits, modulus=modulus, hardness=hardness)
+    gap = gap_law(surface, gap_roughness(surface), modulus=modulus, bodies=(pocket.ball_material, pocket.race_material))
     oil = inlet_viscosity(lubricant)
     shared = mixed_contact(
         contact,
         entrainment_speed=speed / 2,
         viscosity=oil.viscosity,
         pressure_viscosity=oil.pressure_viscosity,
-        asperities=asperities,
+        gap=gap,
         largest_gap=pocket.groove_radius - pocket.ball_radius,
     )
-    traction = MixedTraction(
-        lubricant=lubricant,
-        boundary_friction=surface.boundary_friction,
-        asperity_share=shared.asperity_share,
-        area_fraction=shared.area_fraction,
-        film_thickness=shared.film_thickness,
-    )
+    traction = mixed_traction(lubricant, surface.boundary_friction, shared)
     warnings = ()
     if np.any(shared.capped):
         warnings = (

@@ -1,8 +1,9 @@
 """Mixed lubrication: oil film and asperities share the load of a rough contact.
 
-The asperities carry the share s of the load. The oil carries 1 - s, as a smooth film under the load F (1 - s) between
-bodies of the modulus E* (1 - s). Both share one film thickness.
-Source: [Johnson1972].
+The asperities carry the share s of the load and leave a mean gap between the surfaces, which the oil fills. The oil
+carries 1 - s, as a smooth film under the load F (1 - s) between bodies of the modulus E* (1 - s). A film of about a
+molecule lubricates no more: it leaves boundary friction.
+Source: the shared load of [Johnson1972]; that the oil fills the mean gap follows from the flow, u times this gap.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -16,12 +17,14 @@ from analytic.errors import InputError, require_non_negative
 from analytic.numerics.root import Sought, bracketed_root
 from analytic.oil.film import FilmAsymptotes, film_asymptotes
 from analytic.scene import Array
-from analytic.surface.asperity_table import AsperityTable
+from analytic.surface.gap import GapLaw
 
-# Of ln(s/(1 - s)). Newton's quadratic steps leave far less, and the table of the asperities is accurate to 1e-8.
-LAST_STEP = 1e-7
-FADED = 45.0  # standard deviations of summit height: there asperities carry e^-1000 of what they can carry
-NEARLY_ALL = 40.0  # ln(s/(1 - s)): s is 1 in double precision
+# Thickness over which a film turns into a layer of molecules that shears like a boundary film, a choice of this model:
+# measured films follow the formula for films down to about 1 nm [Johnston1991].
+MOLECULAR_FILM = 1e-9  # h_m, m
+LAST_STEP = 1e-9  # of ln(s/(1 - s)); Newton's quadratic steps leave far less
+NO_SHARE = -40.0  # ln(s/(1 - s)): asperities carry less than round-off of the load
+NEARLY_ALL = 40.0  # s is 1 in double precision
 BLOCK = 4096  # contacts at a time: the arrays stay in the processor's cache
 
 
@@ -30,12 +33,27 @@ class MixedContact:
     """One or many lubricated rough contacts; every field has the broadcast shape of the arguments."""
 
     asperity_share: Array  # s, of the load, 0 to 1
-    film_thickness: Array  # h, between the mean planes, m; below 0 only where there is no film
+    boundary_share: Array  # s_b = s + (1 - s) exp(-h/h_m), of the load, 0 to 1
+    film_thickness: Array  # h, mean gap that the oil fills, m, >= 0
     area_fraction: Array  # A_a/A_H, of the contact's area that asperities touch, 0 to 1
-    asperity_load: Array  # s F, N
     capped: NDArray[np.bool_]  # the film fills the clearance
     outside_range: NDArray[np.bool_]  # the film formula is extrapolated in ellipticity
-    without_film: NDArray[np.bool_]  # at standstill asperities carry all, which may differ from the limit u -> 0
+    without_film: NDArray[np.bool_]  # standstill
+
+    @property
+    def oil_area(self) -> Array:
+        """Share of the contact's area where oil shears: neither touched by asperities nor only a molecule thick."""
+        return (1 - self.area_fraction) * -np.expm1(-self.film_thickness / MOLECULAR_FILM) * ~self.without_film
+
+    @property
+    def oil_thickness(self) -> Array:
+        """Thickness of the oil beside the touching area, m: h/(1 - A_a/A_H)."""
+        beside = 1 - self.area_fraction
+        return np.divide(self.film_thickness, beside, out=np.zeros_like(beside), where=beside > 0)
+
+    def race(self, race: int) -> "MixedContact":
+        """The contacts of one race, where the first axis counts races."""
+        return MixedContact(**{name: values[race] for name, values in vars(self).items()})
 
 
 def mixed_contact(
@@ -44,27 +62,27 @@ def mixed_contact(
     entrainment_speed: ArrayLike,
     viscosity: ArrayLike,
     pressure_viscosity: ArrayLike,
-    asperities: AsperityTable | None,
-    heating_factor: ArrayLike = 1.0,
+    gap: GapLaw | None,
+    film_factor: ArrayLike = 1.0,
     largest_gap: ArrayLike | None = None,
 ) -> MixedContact:
     """The share of the load that asperities carry, and the film thickness; fields and arguments broadcast.
 
     contact : smooth, with the area A_H = pi a b of its semi-axes
     entrainment_speed, viscosity, pressure_viscosity, largest_gap : as in `film.central_film`
-    asperities : of both surfaces together, one table for all contacts; None: smooth
-    heating_factor : on the film, >= 0, for the heating of the inlet
-    s in [0, 1] and h solve
-        p_a(h) A_H = s F,  h = heating_factor * film(F (1 - s), E* (1 - s))
-    As s grows, the film grows and the pressure of the asperities falls, so there is one solution. Asperities carry the
-    whole load if they do so even at largest_gap, and also without speed; then p_a(h) A_H = F gives h. If this h is
-    positive, it is also the limit of slow running. Otherwise slow running tends to h = 0 and s = p_a(0) A_H/F < 1, and
-    standstill is a jump from there. Without load there is no share. A smooth contact has a share only without speed,
-    where h = 0 and s = 1.
+    gap : of both surfaces together, one law for all contacts; None: smooth
+    film_factor : on the film, >= 0, for a heated or starved inlet and for the uncertainty of the film
+    s in [0, 1] solves
+        gap(s F/A_H) = film_factor * film(F (1 - s), E* (1 - s))
+    As s grows, the film grows and the gap falls, so there is one solution. As the speed falls to 0 so does the film,
+    while asperities that carry all leave a gap: s grows to 1, its value at standstill. Asperities also carry all where
+    they do so at largest_gap. Without load there is no share. A smooth contact has a share only without speed, where
+    h = 0 and s = 1.
+    The boundary share counts the oil's part too as far as its film is only a molecule thick: h_m = 1 nm.
     Raises InputError if an argument has the wrong sign or is not finite, if shapes do not broadcast, or if a semi-axis
     is 0 under load.
     """
-    require_non_negative(heating_factor=heating_factor)
+    require_non_negative(film_factor=film_factor)
     asymptotes = film_asymptotes(
         contact,
         entrainment_speed=entrainment_speed,
@@ -75,9 +93,9 @@ def mixed_contact(
     force, area = np.asarray(contact.load, dtype=np.float64), contact.area
     try:
         with np.errstate(divide="ignore", invalid="ignore"):  # without load the softness is not used
-            log_heating, log_softness = np.log(heating_factor), np.log(area) - np.log(force)
+            log_factor, log_softness = np.log(film_factor), np.log(area) - np.log(force)
             thinned = {
-                name: np.where(log_heating == -np.inf, -np.inf, log_heating + getattr(asymptotes, name))
+                name: np.where(log_factor == -np.inf, -np.inf, log_factor + getattr(asymptotes, name))
                 for name in ("rigid", "elastic", "unloaded", "piezoviscous")
             }
         parts = (*vars(replace(asymptotes, **thinned)).values(), log_softness, force)
@@ -94,35 +112,39 @@ def mixed_contact(
             "semi_axis_rolling or semi_axis_transverse is 0 under load: give the semi-axes of the smooth contact"
         )
     flat = numbers.reshape(len(parts), -1)
-    blocks = [_shared(flat[:, start : start + BLOCK], asperities) for start in range(0, max(flat.shape[1], 1), BLOCK)]
+    blocks = [_shared(flat[:, start : start + BLOCK], gap) for start in range(0, max(flat.shape[1], 1), BLOCK)]
     share, height, touched = (np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
     film, *_ = _unpacked(numbers)
     without_film = np.isneginf(film.rigid)
     return MixedContact(
         asperity_share=share,
+        boundary_share=np.where(without_film, 1.0, share + (1 - share) * np.exp(-height / MOLECULAR_FILM)),
         film_thickness=height,
         area_fraction=touched,
-        asperity_load=share * force,
         capped=~without_film & (height >= np.exp(film.clearance)),
         outside_range=film.outside_range,
         without_film=without_film,
     )
 
 
-def _shared(numbers: Array, asperities: AsperityTable | None) -> tuple[Array, Array, Array]:
+def _shared(numbers: Array, gap: GapLaw | None) -> tuple[Array, Array, Array]:
     """Share, film thickness and area fraction of the contacts in the columns of numbers."""
     film, log_softness, load = _unpacked(numbers)
-    log_alone, loaded = film.log_film(0.0)[0], load > 0
-    dry = np.isneginf(log_alone)
-    if asperities is None:
-        return np.where(dry & loaded, 1.0, 0.0), np.exp(log_alone), np.where(dry, 1.0, 0.0)
-    least = asperities.separation(np.where(loaded, -log_softness, 0.0))[0]  # h if asperities carry all
-    carried = loaded & (dry | (least >= np.exp(film.clearance)))
-    share, height = np.where(carried, 1.0, 0.0), np.where(carried, least, np.exp(log_alone))
+    log_film, loaded = film.log_film(0.0)[0], load > 0
+    dry = np.isneginf(log_film)
+    if gap is None:
+        return np.where(dry & loaded, 1.0, 0.0), np.exp(log_film), np.where(dry, 1.0, 0.0)
+    share, touched, log_height = np.zeros(load.shape), np.zeros(load.shape), log_film.copy()
+    log_pressure = -np.where(loaded, log_softness, 0.0)  # if asperities carry all
+    log_dry = gap.log_gap(log_pressure)[0]
+    carried = loaded & (dry | (log_dry >= film.clearance))
+    share[carried], log_height[carried] = 1.0, log_dry[carried]
+    touched[carried] = gap.area_fraction(log_pressure[carried])
     sharing = loaded & ~carried
+    sharing[sharing] = log_film[sharing] < gap.log_gap(NO_SHARE + log_pressure[sharing])[0]
     if sharing.any():
-        share[sharing], height[sharing] = _balanced(numbers[:, sharing], log_alone[sharing], least[sharing], asperities)
-    return share, height, asperities.area_fraction(height)
+        share[sharing], log_height[sharing], touched[sharing] = _balanced(numbers[:, sharing], gap)
+    return share, np.exp(log_height), touched
 
 
 def _unpacked(numbers: Array) -> tuple[FilmAsymptotes, Array, Array]:
@@ -132,43 +154,26 @@ def _unpacked(numbers: Array) -> tuple[FilmAsymptotes, Array, Array]:
     return FilmAsymptotes(**dict(zip(names, film, strict=True))), log_softness, load
 
 
-def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: AsperityTable) -> tuple[Array, Array]:
-    """s and h where both carry: the film is as thick as the separation at which asperities carry their share.
+def _balanced(numbers: Array, gap: GapLaw) -> tuple[Array, Array, Array]:
+    """s, ln h and the touching area where both carry: the film is as thick as the gap that asperities leave.
 
-    The unknown is z = ln(s/(1 - s)), which keeps the digits of s and 1 - s. Over z, asinh(h/sigma_s) of film and
-    separation are nearly straight lines, one rising and one falling. log_alone: ln h without asperities; least: h
-    without oil, m. Both bound h from below.
+    The unknown is z = ln(s/(1 - s)), which keeps the digits of s and 1 - s. For z > 0 the film is at least that of
+    rigid bodies, h_RI (1 - s)^-2, and the gap at most that of s = 1/2, which bounds z.
     """
     film, log_softness, _ = _unpacked(numbers)
-    deviation = asperities.summits.height_deviation
 
     def excess(z: Array) -> tuple[Array, Array]:
         log_share, log_remaining = -np.logaddexp(0.0, -z), -np.logaddexp(0.0, z)
-        log_h, slope = film.log_film(log_remaining)
-        needed, needed_slope = asperities.separation(log_share - log_softness)
-        h = np.exp(log_h)
-        rising = -np.exp(log_share) * slope * h / np.hypot(deviation, h)
-        falling = np.exp(log_remaining) * needed_slope / np.hypot(deviation, needed)
-        return np.arcsinh(h / deviation) - np.arcsinh(needed / deviation), rising - falling
+        log_film, thicker = film.log_film(log_remaining)
+        log_gap, narrower = gap.log_gap(log_share - log_softness)
+        return log_film - log_gap, -np.exp(log_share) * thicker - np.exp(log_remaining) * narrower
 
-    thick = np.minimum(log_alone + np.log(4), film.clearance)  # no film under half of the load or more is thicker
-    log_share = asperities.log_pressure(np.exp(np.stack([log_alone, thick]))) + log_softness
-    low = np.minimum(log_share[1], 0.0) - 1e-6  # the inverse of the table is accurate to 1e-8
-    # The start: ln(1/(1 - s)) at which the oil's film is as thick as the separation with the whole load on asperities.
-    log_needed = np.log(np.maximum(least, 1e-3 * deviation))
-    grown = np.maximum((log_needed - film.elastic) / 0.6, (log_needed - film.unloaded) / 0.5)
-    grown = np.maximum(np.minimum(grown, (log_needed - film.rigid) / 2), 0.3)
-    start = grown + np.log(-np.expm1(-grown))
-    # Asperities carry at most what they carry at the film of the full load, and nothing at FADED deviations.
-    log_faded = np.log(asperities.summits.mean_height + FADED * deviation)
-    high = np.maximum((log_faded - film.rigid) / 2, 0.0) + NEARLY_ALL
-    little = log_share[0] < -0.5
-    most = log_share[0] - np.log1p(-np.exp(np.minimum(log_share[0], -0.5)))
+    half = gap.log_gap(-np.log(2) - log_softness)[0]
     z = bracketed_root(
         excess,
-        start=np.where(little, most, np.clip(start, low, high)),
-        low=low,
-        high=np.where(little, most + 1e-6, high),
+        start=np.zeros(half.shape),
+        low=np.full(half.shape, NO_SHARE),
+        high=np.maximum((half - film.rigid) / 2, 0.0) + NEARLY_ALL,
         relative=1e-12,
         absolute=LAST_STEP,
         sought=Sought(
@@ -177,4 +182,5 @@ def _balanced(numbers: Array, log_alone: Array, least: Array, asperities: Asperi
             remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
         ),
     )
-    return expit(z), np.exp(film.log_film(-np.logaddexp(0.0, z))[0])
+    log_pressure = -np.logaddexp(0.0, -z) - log_softness
+    return expit(z), film.log_film(-np.logaddexp(0.0, z))[0], gap.area_fraction(log_pressure)

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.oil.mixed import MixedContact
 from analytic.oil.viscosity import viscosity_under_pressure
 from analytic.scene import Array, Lubricant
 
@@ -43,47 +44,61 @@ class CoulombTraction:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MixedTraction:
-    """Boundary friction on the asperities' share of load and area, oil on the rest; the fields broadcast.
+    """Boundary friction on a share of the load, oil on the rest of load and area; the fields broadcast.
 
-    asperity_share, area_fraction, film_thickness : from `mixed.mixed_contact`
     The oil carries the share 1 - s of the pressure, which determines its viscosity and its limit.
+    `mixed_traction` makes one from a mixed contact.
     """
 
     lubricant: Lubricant
     boundary_friction: Array | float  # mu_b, >= 0
     asperity_share: Array | float  # s, 0 to 1
-    area_fraction: Array | float  # A_a/A_H, 0 to 1
-    film_thickness: Array | float  # h, m; at 0 and below the oil shears at its limit
+    boundary_share: Array | float  # s_b, 0 to 1
+    oil_area: Array | float  # share of the area where oil shears, 0 to 1
+    oil_thickness: Array | float  # of the oil there, m; at 0 and below it shears at its limit
 
     def __post_init__(self) -> None:
-        require_non_negative(
-            boundary_friction=self.boundary_friction,
-            asperity_share=self.asperity_share,
-            area_fraction=self.area_fraction,
-        )
-        if np.any(np.asarray(self.asperity_share) > 1) or np.any(np.asarray(self.area_fraction) > 1):
-            raise InputError("asperity_share and area_fraction must be at most 1: they are parts of a whole")
+        parts = {
+            "asperity_share": self.asperity_share,
+            "boundary_share": self.boundary_share,
+            "oil_area": self.oil_area,
+        }
+        require_non_negative(boundary_friction=self.boundary_friction, **parts)
+        for name, part in parts.items():
+            if np.any(np.asarray(part) > 1):
+                raise InputError(f"{name} must be at most 1, got {np.max(part):g}: it is a part of a whole")
 
     @property
     def depends_on_speed(self) -> bool:
         return self.lubricant.traction != "eyring_constant"
 
     def stress(self, pressure: Array, speed: Array) -> Array:
-        """mu_b s p + tau (1 - A_a/A_H), Pa; pressure p >= 0, Pa, and speed |v|, m/s, broadcast with the fields."""
-        share = np.asarray(self.asperity_share)
-        oil = _oil_shear(self.lubricant, (1 - share) * pressure, np.asarray(self.film_thickness))(speed)
-        return np.asarray(self.boundary_friction) * share * pressure + oil * (1 - np.asarray(self.area_fraction))
+        """mu_b s_b p + tau A_oil/A_H, Pa; pressure p >= 0, Pa, and speed |v|, m/s, broadcast with the fields."""
+        oil = _oil_shear(self.lubricant, (1 - np.asarray(self.asperity_share)) * pressure, self.oil_thickness)(speed)
+        return np.asarray(self.boundary_friction) * self.boundary_share * pressure + oil * self.oil_area
 
     def force(self, contact: EllipticContact) -> Callable[[Array], Array]:
-        """mu_b s Q + tau (A_H - A_a), N, as a function of the speed |v|, m/s, with tau at the mean pressure Q/A_H.
+        """mu_b s_b Q + tau A_oil, N, as a function of the speed |v|, m/s, with tau at the mean pressure Q/A_H.
 
         The contact broadcasts with the fields. It is a force because the coefficient has no limit at Q = 0.
         """
-        share = np.asarray(self.asperity_share)
-        shear = _oil_shear(self.lubricant, (1 - share) * contact.mean_pressure, np.asarray(self.film_thickness))
-        boundary = np.asarray(self.boundary_friction) * share * np.asarray(contact.load)
-        wetted = (1 - np.asarray(self.area_fraction)) * contact.area
+        oil_pressure = (1 - np.asarray(self.asperity_share)) * contact.mean_pressure
+        shear = _oil_shear(self.lubricant, oil_pressure, self.oil_thickness)
+        boundary = np.asarray(self.boundary_friction) * self.boundary_share * np.asarray(contact.load)
+        wetted = self.oil_area * contact.area
         return lambda speed: boundary + shear(speed) * wetted
+
+
+def mixed_traction(lubricant: Lubricant, boundary_friction: float, shared: MixedContact) -> MixedTraction:
+    """The law of a mixed contact: oil shears where neither asperities touch nor its film is a molecule thick."""
+    return MixedTraction(
+        lubricant=lubricant,
+        boundary_friction=boundary_friction,
+        asperity_share=shared.asperity_share,
+        boundary_share=shared.boundary_share,
+        oil_area=shared.oil_area,
+        oil_thickness=shared.oil_thickness,
+    )
 
 
 Traction = CoulombTraction | MixedTraction
@@ -111,7 +126,7 @@ def oil_shear_stress(
         raise InputError("pressure, speed and film have shapes that do not fit: give equal lengths") from problem
 
 
-def _oil_shear(lubricant: Lubricant, pressure: Array, film_thickness: Array) -> Callable[[Array], Array]:
+def _oil_shear(lubricant: Lubricant, pressure: Array, film_thickness: ArrayLike) -> Callable[[Array], Array]:
     """oil_shear_stress as a function of the speed, which is not checked; the viscosity is computed once."""
     require_positive(eyring_stress=lubricant.eyring_stress)
     require_non_negative(limiting_shear=lubricant.limiting_shear)

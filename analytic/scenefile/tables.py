@@ -10,10 +10,12 @@ from pydantic.fields import FieldInfo
 
 from analytic import catalog
 from analytic.scene import (
+    AsperityLaw,
     Cage,
     CageGravity,
     CageStart,
     Decision,
+    Gap,
     Lubricant,
     Microslip,
     PocketAxis,
@@ -225,6 +227,8 @@ class SurfaceTable(Table):
     hardness: Pressure | None = None  # that of the softer material of ball and race by default
     # 0.1 to 0.15 for steel on steel with mineral oil (no source seen).
     boundary_friction: Annotated[float, Dimension(unit="", low=0, high=5, example="0.12")] = Surface.boundary_friction
+    gap: Gap = Surface.gap
+    asperities: AsperityLaw = Surface.asperities  # of gap = "truncated"
 
 
 class FrictionTable(Table):
