@@ -61,8 +61,9 @@ COLUMNS: dict[str, Column] = {
         f"{name}_{race}": Column(unit, f"{meaning}, {race} race", symbol)
         for name, unit, meaning, symbol in (
             ("friction_coefficient", "1", "friction coefficient", "mu"),
-            ("film", "m", "film thickness between the mean planes", "h"),
+            ("film", "m", "mean gap that the oil fills", "h"),
             ("asperity_share", "1", "share of the load on asperities", "s"),
+            ("boundary_share", "1", "share of the load with boundary friction", "s_b"),
             ("load", "N", "load of the heaviest ball", "Q"),
             ("semi_axis_rolling", "m", "semi-axis of the contact along rolling", "a"),
             ("semi_axis_transverse", "m", "transverse semi-axis of the contact", "b"),
@@ -131,8 +132,9 @@ class FrictionTorque:
     # Of the total, relative: bounds on what auto left out and on the method of sliding; infinite where none is known.
     numerical_uncertainty: Array
     friction_coefficient: FrictionCoefficients
-    film: OnRaces  # h, between the mean planes, m; None without a lubrication model
+    film: OnRaces  # h, mean gap that the oil fills, m; None without a lubrication model
     asperity_share: OnRaces  # s, of the load, 0 to 1; likewise
+    boundary_share: OnRaces  # s_b, of the load: s, and the part of the oil that is only a molecule thick; likewise
     inner: LoadedContact
     outer: LoadedContact
     effects: tuple[Effect, ...]
@@ -177,7 +179,7 @@ class FrictionTorque:
             "contact_angle": self.contact_angle,
             "ball_load": self.ball_load,
         }
-        for name in ("friction_coefficient", "film", "asperity_share"):
+        for name in ("friction_coefficient", "film", "asperity_share", "boundary_share"):
             values |= {f"{name}_{place}": part for place, part in vars(getattr(self, name)).items()}
         for race in ("inner", "outer"):
             values |= {f"{name}_{race}": part for name, part in vars(getattr(self, race)).items()}
@@ -253,6 +255,7 @@ class FrictionTorque:
             "friction_coefficient": here(self.friction_coefficient),
             "film": here(self.film),
             "asperity_share": here(self.asperity_share),
+            "boundary_share": here(self.boundary_share),
             "contact": {"inner": here(self.inner), "outer": here(self.outer)},
             "uncertainty": {"numerical": _finite(self.numerical_uncertainty[index]), "model": model},
             "cage": dict.fromkeys(CAGE_KEYS) if self.cage is None else self.cage.at(index),

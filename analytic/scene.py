@@ -26,7 +26,7 @@ Decision = Literal["auto", "on", "off"]
 PocketAxis = Literal["axial", "radial"]
 CageStart = Literal["rest", "ramp", "sudden", "whirl"]
 CageGravity = Literal["across", "along", "off"]
-Gap = Literal["elastic", "truncated"]
+GapModel = Literal["elastic", "truncated"]
 AsperityLaw = Literal["zhao_maietta_chang", "greenwood_williamson"]
 Sliding = Literal["auto", "single_coefficient", "along_axis", "over_ellipse"]
 
@@ -195,7 +195,7 @@ class Surface:
     ball_rms_roughness: float | None = None  # Sq of the ball, m; None: as the race
     hardness: float | None = None  # H, Pa; None: that of the softer material
     boundary_friction: float = 0.12  # mu_b, of asperities in contact
-    gap: Gap = "elastic"  # the room for the oil: between surfaces that deform, or that are cut off where they overlap
+    gap: GapModel = "elastic"  # the room for the oil: between surfaces that deform, or that are cut off where they overlap
     asperities: AsperityLaw = "zhao_maietta_chang"  # of truncated surfaces; greenwood_williamson: they never yield
 
 

@@ -22,19 +22,18 @@ from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
 from analytic.effects.loads import chosen_balls
-from analytic.effects.sliding import decide_sliding, decide_whether_sliding, decide_without_sliding
+from analytic.effects.sliding import Resisting, decide_sliding, decide_whether_sliding
 from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.inlets import inlets_of
 from analytic.oil.lubricated_races import LubricatedRaces, lubricate_races
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import (
-    InletFactors,
     RollingResistance,
     hydrodynamic_rolling,
     hysteresis_moment,
-    inlet_factors,
     rolling_torque,
 )
 from analytic.oil.traction import CoulombTraction, Traction
@@ -75,34 +74,25 @@ def friction_torque(
     require_finite(**{"operation.inner_speed": speed})
     ledger = Ledger(scene, speed.size)
     balls, load_warnings = chosen_balls(scene, operation, ledger, correction=correction)
-    parts, resistance = _rolling(scene, balls, speed, ledger)
-    inlets = None if scene.lubricant is None else inlet_factors(scene.bearing, scene.lubricant, ring_speed=speed)
-    oiled: LubricatedRaces | None = None
-    shared: MixedContact | None = None
-    sliding: Sliding | None = None
+    parts: dict[str, Array] = {}
+    if ledger.decide("hysteresis"):
+        assert scene.hysteresis_loss is not None
+        moment = hysteresis_moment(balls.contacts, hysteresis_loss=scene.hysteresis_loss)
+        parts["hysteresis"] = balls.total(moment * balls.contacts.rolling_rate)
+    resisting, resistance = _resisting(
+        scene, balls, speed, ledger, constant=_sum(parts, speed), film_factor=film_factor
+    )
+    oiled, inlets = resisting.oiled, resisting.inlets
     slides = decide_whether_sliding(ledger)
+    mixed = decide_sliding(scene, resisting, ledger, slides=slides)
+    if resisting.rolling is not None and inlets is not None:
+        left = inlets.rolling_factor(heats=ledger.is_on("inlet_heating"), starves=ledger.is_on("starvation"))
+        parts["rolling"] = balls.total(resisting.rolling * left)
+    sliding: Sliding | None = None
     if slides:
-        if scene.lubricant is not None and scene.surface is not None:
-            oiled = lubricate_races(
-                scene.bearing,
-                balls,
-                lubricant=scene.lubricant,
-                surface=scene.surface,
-                ring_speed=speed,
-                film_factor=film_factor,
-            )
-        decide_sliding(scene, balls, oiled, ledger, rolled=parts, inlets=inlets)
-    else:
-        decide_without_sliding(ledger, rolled=parts, inlets=inlets)
-    if "rolling" in parts and inlets is not None:
-        parts["rolling"] = _with_inlets(parts["rolling"], inlets, ledger)
-    if slides:
-        if oiled is not None:
-            heating = oiled.heating_factor if ledger.is_on("inlet_heating") else 1.0
-            shared = oiled.shared(asperities=ledger.is_on("asperities"), heating_factor=heating)
         sliding = race_sliding(
             balls,
-            _tractions(scene, oiled, shared),
+            _tractions(scene, oiled, mixed),
             SlidingModel(
                 spins=ledger.is_on("spin"),
                 conforms=ledger.is_on("conformity"),
@@ -144,15 +134,16 @@ def friction_torque(
             pocket=None if cage is None else cage.friction_coefficient,
         ),
         cage=cage,
-        film=OnRaces(**_on_races(None if shared is None else np.maximum(shared.film_thickness, 0.0), at)),
-        asperity_share=OnRaces(**_on_races(None if shared is None else shared.asperity_share, at)),
+        film=OnRaces(**_on_races(None if mixed is None else mixed.film_thickness, at)),
+        asperity_share=OnRaces(**_on_races(None if mixed is None else mixed.asperity_share, at)),
+        boundary_share=OnRaces(**_on_races(None if mixed is None else mixed.boundary_share, at)),
         inner=_loaded(balls, 0, at),
         outer=_loaded(balls, 1, at),
         effects=ledger.effects(parts, total),
         sliding="auto" if sliding is None else sliding.method,
         gap_roughness=None if oiled is None else oiled.roughness.rms_roughness,
         warnings=tuple(
-            torque_warnings(ledger, limits=limits, oiled=oiled, shared=shared, resistance=resistance) + load_warnings
+            torque_warnings(ledger, limits=limits, oiled=oiled, mixed=mixed, resistance=resistance) + load_warnings
         ),
         provenance=_provenance(scene, balls, ledger, correction=correction, oiled=oiled, sliding=sliding, cage=cage),
         seconds=perf_counter() - started,
@@ -204,43 +195,48 @@ def _require_friction(scene: Scene) -> None:
         )
 
 
-def _rolling(
-    scene: Scene, balls: LoadedBalls, speed: Array, ledger: Ledger
-) -> tuple[dict[str, Array], RollingResistance | None]:
-    """The torques of rolling without sliding, (n,) N m: hysteresis of the bodies, and oil in flooded, cool inlets."""
-    parts: dict[str, Array] = {}
+def _resisting(
+    scene: Scene, balls: LoadedBalls, speed: Array, ledger: Ledger, *, constant: Array, film_factor: float
+) -> tuple[Resisting, RollingResistance | None]:
+    """What resists the balls; settles rolling. constant : (n,) N m, torques that no oil changes."""
+    lubricant = scene.lubricant
     resistance: RollingResistance | None = None
-    contacts = balls.contacts
-    if ledger.decide("hysteresis"):
-        assert scene.hysteresis_loss is not None
-        moment = hysteresis_moment(contacts, hysteresis_loss=scene.hysteresis_loss)
-        parts["hysteresis"] = balls.total(moment * contacts.rolling_rate)
+    rolling: Array | None = None
     if ledger.decide("rolling"):
-        assert scene.lubricant is not None
+        assert lubricant is not None
         resistance = hydrodynamic_rolling(
-            contacts,
-            viscosity=inlet_viscosity(scene.lubricant).viscosity,
+            balls.contacts,
+            viscosity=inlet_viscosity(lubricant).viscosity,
             entrainment_speed=speed[:, None] * balls.motion.entrainment_speed,
         )
-        parts["rolling"] = balls.total(rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed))
-    return parts, resistance
+        rolling = rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed)
+    oiled: LubricatedRaces | None = None
+    if lubricant is not None and scene.surface is not None:
+        oiled = lubricate_races(
+            scene.bearing,
+            balls,
+            lubricant=lubricant,
+            surface=scene.surface,
+            ring_speed=speed,
+            film_factor=film_factor,
+        )
+    resisting = Resisting(
+        balls=balls,
+        constant=constant,
+        rolling=rolling,
+        inlets=None if lubricant is None else inlets_of(scene.bearing, balls, lubricant, ring_speed=speed),
+        oiled=oiled,
+        friction_coefficient=scene.friction_coefficient or 0.0,
+    )
+    return resisting, resistance
 
 
-def _with_inlets(rolling: Array, inlets: InletFactors, ledger: Ledger) -> Array:
-    """The torque of rolling, (n,) N m, with inlets that heat and starve as far as these effects are on."""
-    if ledger.is_on("inlet_heating"):
-        rolling = rolling * inlets.heating
-    if ledger.is_on("starvation") and inlets.starvation is not None:
-        rolling = rolling * inlets.starvation
-    return rolling
-
-
-def _tractions(scene: Scene, oiled: LubricatedRaces | None, shared: MixedContact | None) -> tuple[Traction, Traction]:
-    if oiled is None or shared is None:
+def _tractions(scene: Scene, oiled: LubricatedRaces | None, mixed: MixedContact | None) -> tuple[Traction, Traction]:
+    if oiled is None or mixed is None:
         assert scene.friction_coefficient is not None
         law = CoulombTraction(friction_coefficient=scene.friction_coefficient)
         return law, law
-    return oiled.traction(shared, 0), oiled.traction(shared, 1)
+    return oiled.traction(mixed.race(0)), oiled.traction(mixed.race(1))
 
 
 def _uncertainty(

@@ -1,8 +1,8 @@
 """Decisions about conformity, asperities, inlet heating, starvation and spin, before anything slides.
 
-Shares are relative to the least torque that the scene can have: no spin, oil alone. Each is a bound on what the effect
-adds: stresses are taken at the mean pressure of each contact, on a long ellipse, times the largest
-error of that (`analytic.sliding.methods.largest_error`).
+The torque is estimated with an effect and without it, from stresses at the mean pressure and the mean sliding speed of
+each contact. The change counts times the largest error of such a stress (`analytic.sliding.methods.largest_error`). It
+is estimated twice, for balls that only roll and for races that take all spin, and the larger share counts.
 """
 
 from dataclasses import dataclass, replace
@@ -12,24 +12,32 @@ import numpy as np
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES
 from analytic.loads.balls import LoadedBalls
+from analytic.oil.inlets import Inlets
 from analytic.oil.lubricated_races import LubricatedRaces
-from analytic.oil.rolling import InletFactors
+from analytic.oil.mixed import MixedContact
 from analytic.scene import Array, Scene
 from analytic.sliding.methods import full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 
-LEAST_FILM = 1e-3  # of the isothermal film, or of smooth surfaces' oil: a bound by less is large enough
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Friction:
-    """Friction of the contacts while the effects are decided; n operating points, m balls."""
+class Resisting:
+    """What resists the motion of the loaded balls, before it is decided which effects count."""
 
-    rolls: Array  # (2, n, m) m: torque by conformity without spin for each N of friction
-    spins: Array  # (2, n, m) m: bound on what spin adds to it
-    uneven: Array  # (2, n, m) bound on true friction over that of mean stresses
-    rolling: Array  # (2, n, m) N: friction of each contact that only rolls
-    spinning: Array  # (2, n, m) N: of one that spins in full
-    floor: Array  # (n,) N m: the least torque
+    balls: LoadedBalls
+    constant: Array  # (n,) N m: torques that none of the effects here change
+    rolling: Array | None  # (2, n, m) N m, of flooded and isothermal inlets; None: left out
+    inlets: Inlets | None  # None: no lubricant
+    oiled: LubricatedRaces | None  # None: the friction coefficient is given, or nothing slides
+    friction_coefficient: float = 0.0  # where it is given
+
+
+@dataclass(frozen=True, kw_only=True)
+class Regime:
+    """What is computed of inlets and surfaces."""
+
+    asperities: bool
+    inlet_heating: bool
+    starvation: bool
 
 
 def decide_whether_sliding(ledger: Ledger) -> bool:
@@ -37,153 +45,96 @@ def decide_whether_sliding(ledger: Ledger) -> bool:
     return ledger.decide("conformity") or not ledger.rules_out("spin")
 
 
-def decide_sliding(
-    scene: Scene,
-    balls: LoadedBalls,
-    oiled: LubricatedRaces | None,
-    ledger: Ledger,
-    *,
-    rolled: dict[str, Array],
-    inlets: InletFactors | None,
-) -> None:
-    """Settle asperities, inlet_heating, starvation and spin of balls that slide.
+def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides: bool) -> MixedContact | None:
+    """Settle asperities, inlet_heating, starvation and spin; return the shared load, where oil and surfaces share it.
 
-    oiled : None where the friction coefficient is given
-    rolled : torques of what rolls without sliding, by effect, (n,), N m;  inlets : None without a lubricant
+    slides : whether spin or conformity is computed; if not, inlets act on rolling alone
     """
-    beside = _least_rolling(rolled, inlets)
-    friction = _least_friction(scene, balls, oiled, conforms=ledger.is_on("conformity"), beside=beside)
-    friction = _asperities(oiled, ledger, friction)
-    friction = _inlets(balls, oiled, ledger, friction, rolled=rolled, inlets=inlets)
-    rise = friction.uneven * (friction.spinning * (friction.rolls + friction.spins) - friction.rolling * friction.rolls)
-    least = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
-    ledger.decide("spin", bound=_over_floor(balls.total(least[None]), friction.floor))
-
-
-def decide_without_sliding(ledger: Ledger, *, rolled: dict[str, Array], inlets: InletFactors | None) -> None:
-    """Settle the same four where neither spin nor conformity is computed: inlets then act on rolling alone."""
-    ledger.decide("asperities", lacks=ENTRIES["asperities"].idle)
-    floor, rolling = _least_rolling(rolled, inlets), rolled.get("rolling")
-    heated = None if rolling is None or inlets is None else _over_floor((1 - inlets.heating) * rolling, floor)
-    ledger.decide("inlet_heating", bound=heated, lacks=ENTRIES["inlet_heating"].idle if heated is None else None)
-    _starvation(ledger, floor, rolling, inlets)
-    ledger.decide("spin")
-
-
-def _least_rolling(rolled: dict[str, Array], inlets: InletFactors | None) -> Array:
-    """(n,) N m: the torque without sliding, with rolling in inlets that heat and starve."""
-    least = dict(rolled)
-    if "rolling" in rolled and inlets is not None:
-        starved = 1.0 if inlets.starvation is None else inlets.starvation
-        least["rolling"] = rolled["rolling"] * (inlets.heating * starved)
-    return np.asarray(sum(least.values(), start=0.0))
-
-
-def _least_friction(
-    scene: Scene, balls: LoadedBalls, oiled: LubricatedRaces | None, *, conforms: bool, beside: Array
-) -> _Friction:
-    """Oil alone, or the given coefficient; beside : (n,) N m, the least of the other torques."""
-    rolls = rolling_lever(balls) * conforms  # only what counts: without conformity the least sliding torque is 0
-    if oiled is None:
-        rolling = spinning = np.asarray(scene.friction_coefficient) * balls.load
-    else:
-        rolling, spinning = (oiled.oil_friction(slip) for slip in _slips(oiled))
-    return _Friction(
-        rolls=rolls,
-        spins=largest_spin_lever(balls),
-        uneven=1 + largest_error(balls, None if oiled is None else oiled.lubricant),
-        rolling=rolling,
-        spinning=spinning,
-        floor=balls.total(rolling * rolls) + beside,
+    estimate = _Estimate(resisting, ledger, slides=slides)
+    regime = Regime(
+        asperities=slides and resisting.oiled is not None and not ledger.rules_out("asperities"),
+        inlet_heating=resisting.inlets is not None and not ledger.rules_out("inlet_heating"),
+        starvation=resisting.inlets is not None
+        and resisting.inlets.starvation is not None
+        and not ledger.rules_out("starvation"),
     )
+    acts = {
+        "asperities": slides,
+        "inlet_heating": resisting.rolling is not None or resisting.oiled is not None,
+        "starvation": resisting.rolling is not None or resisting.oiled is not None,
+    }
+    for name, can_act in acts.items():
+        other = replace(regime, **{name: not getattr(regime, name)})
+        possible = can_act and ENTRIES[name].lacks(scene) is None
+        bound = estimate.change(regime, other) if possible else None
+        on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle)
+        regime = replace(regime, **{name: on})
+    ledger.decide("spin", bound=estimate.spin(scene, regime) if slides else None)
+    return estimate.mixed(regime)
 
 
-def _slips(oiled: LubricatedRaces) -> list[Array]:
-    """Slowest and fastest mean sliding of each contact, (2, n, m), m/s: without spin and with all of it."""
-    rolls, speed = rolling_lever(oiled.balls), np.abs(oiled.ring_speed)[:, None]
-    return [speed * lever for lever in (rolls, rolls + full_spin_lever(oiled.balls))]
+class _Estimate:
+    """The torque of balls that only roll, and of races that take all spin, without integrals over the contacts."""
+
+    def __init__(self, resisting: Resisting, ledger: Ledger, *, slides: bool) -> None:
+        self.resisting = resisting
+        balls, oiled = resisting.balls, resisting.oiled
+        # Only what counts: without conformity the least torque by sliding is 0.
+        self.rolls = rolling_lever(balls) * (slides and ledger.is_on("conformity"))
+        spins = slides and not ledger.rules_out("spin")
+        self.levers = (self.rolls, self.rolls + largest_spin_lever(balls)) if spins else (self.rolls,)
+        self.slides = slides
+        self.uneven = 1 + largest_error(balls, None if oiled is None else oiled.lubricant)
+        self.known: dict[Regime, tuple[MixedContact | None, tuple[Array, ...], Array]] = {}
+
+    def mixed(self, regime: Regime) -> MixedContact | None:
+        return self._at(regime)[0]
+
+    def change(self, first: Regime, second: Regime) -> Array:
+        """(n,) estimate of the change between two regimes, over the smaller torque of both."""
+        total, (_, *before), (_, *after) = self.resisting.balls.total, self._at(first), self._at(second)
+        shares = []
+        for lever, one, other in zip(self.levers, before[0], after[0], strict=False):
+            moved = total(self.uneven * np.abs(one - other) * lever + np.abs(before[1] - after[1]))
+            least = np.minimum(total(one * lever + before[1]), total(other * lever + after[1]))
+            shares.append(_over(moved, least + self.resisting.constant))
+        return np.max(shares, axis=0)
+
+    def spin(self, scene: Scene, regime: Regime) -> Array:
+        """(n,) bound on what spin adds, over the torque without it."""
+        _, friction, rolling = self._at(regime)
+        if len(self.levers) < 2:
+            return np.zeros_like(self.resisting.constant)
+        with_spin, without = friction[1] * self.levers[1], friction[0] * self.rolls
+        rise = self.uneven * np.maximum(with_spin - without, 0.0)
+        least = {"inner_control": rise[1], "outer_control": rise[0]}.get(scene.spin_rule, rise.min(axis=0))
+        total = self.resisting.balls.total
+        return _over(total(least[None]), total(without + rolling) + self.resisting.constant)
+
+    def _at(self, regime: Regime) -> tuple[MixedContact | None, tuple[Array, ...], Array]:
+        """The shared load, the friction at each lever, N, and the torque of rolling, N m; all (2, n, m)."""
+        if regime not in self.known:
+            self.known[regime] = self._computed(regime)
+        return self.known[regime]
+
+    def _computed(self, regime: Regime) -> tuple[MixedContact | None, tuple[Array, ...], Array]:
+        balls, inlets, oiled = self.resisting.balls, self.resisting.inlets, self.resisting.oiled
+        rolling = np.zeros_like(balls.load)
+        if self.resisting.rolling is not None and inlets is not None:
+            factor = inlets.rolling_factor(heats=regime.inlet_heating, starves=regime.starvation)
+            rolling = self.resisting.rolling * factor
+        if oiled is None or inlets is None:
+            force = self.resisting.friction_coefficient * balls.load
+            return None, tuple(force for _ in self.levers), rolling
+        factor = inlets.film_factor(heats=regime.inlet_heating, starves=regime.starvation)
+        mixed = oiled.mixed(asperities=regime.asperities, film_factor=factor)
+        friction = oiled.traction(mixed).force(balls.contacts)
+        speed = np.abs(oiled.ring_speed)[:, None]
+        slips = (self.rolls, self.rolls + full_spin_lever(balls))[: len(self.levers)]
+        return mixed, tuple(friction(speed * slip) for slip in slips), rolling
 
 
-def _asperities(oiled: LubricatedRaces | None, ledger: Ledger, friction: _Friction) -> _Friction:
-    if oiled is None:
-        ledger.decide("asperities")
-        return friction
-    # Whether heat thins the film is decided later: asperities are bounded as if it did.
-    thinned = 1.0 if ledger.rules_out("inlet_heating") else oiled.heating_factor
-    share = oiled.largest_asperity_share(thinned)
-    touching = share * _boundary(oiled) * friction.uneven
-    # Oil under less load is less viscous by far, and shears beside what touches; its film is hardly thicker.
-    left = np.maximum(1 - share - oiled.largest_asperity_area(thinned), 0.0)
-    thin = [
-        oil - left * oiled.oil_friction(slip, oil_share=1 - share)
-        for oil, slip in zip((friction.rolling, friction.spinning), _slips(oiled), strict=True)
-    ]
-    relieved = np.maximum(*thin) * friction.uneven / np.maximum(thinned, LEAST_FILM)
-    most = np.maximum(touching, relieved) * (friction.rolls + friction.spins)
-    total = oiled.balls.total
-    if not ledger.decide("asperities", bound=_over_floor(total(most), friction.floor)):
-        return friction
-    lost = np.minimum(relieved / friction.uneven, (1 - LEAST_FILM) * friction.rolling) * friction.rolls
-    return replace(
-        friction,
-        rolling=friction.rolling + touching,
-        spinning=friction.spinning + touching,
-        floor=friction.floor - total(lost),
-    )
-
-
-def _inlets(
-    balls: LoadedBalls,
-    oiled: LubricatedRaces | None,
-    ledger: Ledger,
-    friction: _Friction,
-    *,
-    rolled: dict[str, Array],
-    inlets: InletFactors | None,
-) -> _Friction:
-    """Heating and starvation."""
-    rolling = rolled.get("rolling")
-    if inlets is None:
-        for name in ("inlet_heating", "starvation"):
-            ledger.decide(name)
-        return friction
-    loss = 0.0 if rolling is None else (1 - inlets.heating) * rolling
-    thinner = np.zeros_like(friction.rolling)
-    if oiled is not None:
-        factor = oiled.heating_factor
-        if oiled.lubricant.traction == "eyring_sinh":
-            thinner = friction.spinning * (1 / np.maximum(factor, LEAST_FILM) - 1)
-        if ledger.is_on("asperities"):
-            more = oiled.largest_asperity_share(factor) - oiled.largest_asperity_share()
-            thinner = thinner + more * _boundary(oiled)
-        loss = loss + balls.total(friction.uneven * thinner * (friction.rolls + friction.spins))
-    acts = rolling is not None or oiled is not None
-    heated = ledger.decide(
-        "inlet_heating",
-        bound=_over_floor(np.asarray(loss), friction.floor),
-        lacks=None if acts else ENTRIES["inlet_heating"].idle,
-    )
-    if heated:
-        rolling = None if rolling is None else rolling * inlets.heating
-        friction = replace(friction, spinning=friction.spinning + thinner)
-    _starvation(ledger, friction.floor, rolling, inlets)
-    return friction
-
-
-def _starvation(ledger: Ledger, floor: Array, rolling: Array | None, inlets: InletFactors | None) -> None:
-    """rolling : (n,) N m, with inlets that heat where that is on; None: left out."""
-    if rolling is None or inlets is None or inlets.starvation is None:
-        ledger.decide("starvation", bound=np.zeros_like(floor), lacks=ENTRIES["starvation"].idle)
-    else:
-        ledger.decide("starvation", bound=_over_floor((1 - inlets.starvation) * rolling, floor))
-
-
-def _over_floor(part: Array, floor: Array) -> Array:
+def _over(part: Array, floor: Array) -> Array:
     """part/floor: a bound on the share of an effect; infinite where there is no other torque."""
     part, floor = np.broadcast_arrays(part, floor)
     return np.divide(part, floor, out=np.where(part > 0, np.inf, 0.0), where=floor > 0)
-
-
-def _boundary(oiled: LubricatedRaces) -> Array:
-    """(2, n, m) N: friction if asperities carried all."""
-    return oiled.surface.boundary_friction * oiled.balls.load

@@ -10,15 +10,13 @@ from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import RollingResistance
 
-MOLECULE = 1e-9  # m, of an oil, its size
-
 
 def torque_warnings(
     ledger: Ledger,
     *,
     limits: list[str],
     oiled: LubricatedRaces | None,
-    shared: MixedContact | None,
+    mixed: MixedContact | None,
     resistance: RollingResistance | None,
 ) -> list[str]:
     """Every warning; limits : those of `analytic.effects.limits`."""
@@ -42,8 +40,8 @@ def torque_warnings(
     if oiled is not None:
         warnings += oiled.roughness.warnings
     for race, name in enumerate(RACES):
-        if shared is not None:
-            warnings += _film(shared, race)
+        if mixed is not None:
+            warnings += _film(mixed, race)
         if resistance is not None and np.any(resistance.outside_range[race]):
             warnings.append(
                 f"rolling on the {name} race is extrapolated: its formula is for slow rolling of contacts that are "
@@ -60,21 +58,9 @@ def _decisions(ledger: Ledger) -> Iterator[str]:
             yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"
 
 
-def _film(shared: MixedContact, race: int) -> Iterator[str]:
+def _film(mixed: MixedContact, race: int) -> Iterator[str]:
     name = RACES[race]
-    if np.any(shared.without_film):
-        yield (
-            f"at standstill the {name} contact has no film and asperities carry all of the load: slow running need not "
-            "come to the same, as it may leave a share to the oil"
-        )
-    film = shared.film_thickness[race]
-    thin = (film < MOLECULE) & ~np.broadcast_to(shared.without_film, shared.film_thickness.shape)[race]
-    if np.any(thin):
-        yield (
-            f"the film on the {name} race is down to {film[thin].min():.2g} m, less than a molecule of about "
-            f"{MOLECULE:g} m: no formula for oil holds there, and boundary friction is likelier"
-        )
-    if np.any(shared.outside_range[race]):
+    if np.any(mixed.outside_range[race]):
         yield f"the film on the {name} race is extrapolated: its ellipse is not of a shape that was fitted"
-    if np.any(shared.capped[race]):
+    if np.any(mixed.capped[race]):
         yield f"the film on the {name} race is limited to the space between the bodies: the formula gave more"

@@ -5,14 +5,13 @@ Arrays are (2, n, m): races, operating points, balls.
 """
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
 from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import require_positive
 from analytic.loads.balls import LoadedBalls
-from analytic.oil.film import CentralFilm, central_film, inlet_heating_factor, thermal_loading
+from analytic.oil.film import CentralFilm, central_film
 from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import MixedTraction, mixed_traction
 from analytic.oil.viscosity import inlet_viscosity
@@ -34,22 +33,6 @@ class LubricatedRaces:
     entrainment_speed: Array  # (n, m) u, m/s
     film: CentralFilm  # (2, n, m) of smooth surfaces, isothermal, with the film_factor
     film_factor: float  # on the film of the formula
-
-    @cached_property
-    def heating_factor(self) -> Array:
-        """Share of the film that remains when shear heats the inlet; a ball slides by less than 1 % of its rolling."""
-        oil = inlet_viscosity(self.lubricant)
-        return inlet_heating_factor(
-            peak_pressure=self.balls.contact.peak_pressure,
-            modulus=self.balls.modulus,
-            thermal_loading=thermal_loading(
-                viscosity=oil.viscosity,
-                viscosity_temperature=oil.viscosity_temperature,
-                entrainment_speed=self.entrainment_speed,
-                conductivity=self.lubricant.thermal_conductivity,
-            ),
-            slide_to_roll=0.0,
-        )
 
     def mixed(self, *, asperities: bool, film_factor: Array | float) -> MixedContact:
         """The load, shared by film and asperities or carried by the film alone; (2, n, m).

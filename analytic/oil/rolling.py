@@ -16,8 +16,7 @@ from scipy.special import ellipe
 from analytic.contact.hertz import hertz_contact
 from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.oil.viscosity import inlet_viscosity
-from analytic.scene import Array, Bearing, Lubricant, Supply
+from analytic.scene import Array, Supply
 
 STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "grease": 6e-8}  # K_rs
 GEOMETRY = 3.1  # K_Z, deep-groove ball bearings of one row
@@ -103,32 +102,6 @@ def hysteresis_moment(contact: EllipticContact, *, hysteresis_loss: ArrayLike) -
     return np.asarray(
         3 / 16 * np.asarray(hysteresis_loss) * np.asarray(contact.load) * np.asarray(contact.semi_axis_rolling)
     )
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class InletFactors:
-    """Shares of the flooded, isothermal rolling torque that remain, each (n,), 0 to 1."""
-
-    heating: Array  # with an inlet heated by its own shear
-    starvation: Array | None  # with a starved inlet; None: the ring diameters are not known
-
-
-def inlet_factors(bearing: Bearing, lubricant: Lubricant, *, ring_speed: Array) -> InletFactors:
-    """Both factors of a bearing with the oil at its inlet temperature; ring_speed : w, (n,), rad/s, any sign."""
-    viscosity = inlet_viscosity(lubricant).viscosity / lubricant.density
-    bore, outside = bearing.bore_diameter, bearing.outside_diameter
-    mean, starvation = bearing.pitch_diameter, None
-    if bore is not None and outside is not None:
-        mean = (bore + outside) / 2
-        starvation = replenishment_factor(
-            bore_diameter=bore,
-            outside_diameter=outside,
-            ring_speed=np.abs(ring_speed),
-            kinematic_viscosity=viscosity,
-            supply=lubricant.supply,
-        )
-    heating = inlet_shear_factor(mean_diameter=mean, ring_speed=np.abs(ring_speed), kinematic_viscosity=viscosity)
-    return InletFactors(heating=heating, starvation=starvation)
 
 
 def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinematic_viscosity: ArrayLike) -> Array:

@@ -15,7 +15,7 @@ from analytic.scene import (
     CageGravity,
     CageStart,
     Decision,
-    Gap,
+    GapModel,
     Lubricant,
     Microslip,
     PocketAxis,
@@ -227,7 +227,7 @@ class SurfaceTable(Table):
     hardness: Pressure | None = None  # that of the softer material of ball and race by default
     # 0.1 to 0.15 for steel on steel with mineral oil (no source seen).
     boundary_friction: Annotated[float, Dimension(unit="", low=0, high=5, example="0.12")] = Surface.boundary_friction
-    gap: Gap = Surface.gap
+    gap: GapModel = Surface.gap
     asperities: AsperityLaw = Surface.asperities  # of gap = "truncated"
 
 

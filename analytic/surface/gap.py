@@ -1,5 +1,6 @@
 """The gap law of a scene's surfaces: how much room they leave for the oil while asperities carry a pressure."""
 
+from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
@@ -28,6 +29,7 @@ class GapLaw(Protocol):
         ...
 
 
+@lru_cache(maxsize=64)
 def gap_law(
     surface: Surface, roughness: GapRoughness, *, modulus: float, bodies: tuple[Material, Material]
 ) -> GapLaw | None:

@@ -8,7 +8,7 @@ import numpy as np
 from analytic.contact.rolling_contact import EllipticContact, elliptic_contact
 from analytic.oil.film import central_film
 from analytic.oil.mixed import MixedContact, mixed_contact
-from analytic.oil.traction import MixedTraction, oil_shear_stress
+from analytic.oil.traction import mixed_traction, oil_shear_stress
 from analytic.oil.viscosity import roelands_viscosity
 from analytic.result import FrictionTorque
 from analytic.scene import Lubricant, Surface
@@ -56,7 +56,7 @@ def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> Elliptic
 
 
 def shared(
-    rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, heating_factor: float = 1.0
+    rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, film_factor: float = 1.0
 ) -> MixedContact:
     """Oil and asperities of two surfaces, each of this roughness, m; 0: smooth."""
     return mixed_contact(
@@ -64,8 +64,8 @@ def shared(
         entrainment_speed=speed,
         viscosity=OIL.viscosity,
         pressure_viscosity=OIL.pressure_viscosity,
-        asperities=rough(rms_roughness) if rms_roughness else None,
-        heating_factor=heating_factor,
+        gap=rough(rms_roughness) if rms_roughness else None,
+        film_factor=film_factor,
     )
 
 
@@ -76,14 +76,7 @@ def share(rms_roughness: float, **changed: float) -> float:
 
 def friction(oil: Lubricant, mixed: MixedContact, *, load: float, slip: float) -> float:
     """Friction, N, of a contact that slides with slip, m/s."""
-    traction = MixedTraction(
-        lubricant=oil,
-        boundary_friction=BOUNDARY_FRICTION,
-        asperity_share=mixed.asperity_share,
-        area_fraction=mixed.area_fraction,
-        film_thickness=mixed.film_thickness,
-    )
-    return float(traction.force(contact(load))(np.asarray(slip)))
+    return float(mixed_traction(oil, BOUNDARY_FRICTION, mixed).force(contact(load))(np.asarray(slip)))
 
 
 def light_friction(load: float) -> float:

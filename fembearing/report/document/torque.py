@@ -90,6 +90,7 @@ class Point(OperatingPoint):
     friction_coefficient: OnContacts
     film: OnRaces
     asperity_share: OnRaces
+    boundary_share: OnRaces
     contact: BothRaces
     uncertainty: Uncertainty
     cage: CageState
