@@ -73,6 +73,11 @@ class RollingContact(EllipticContact):
         require_positive(deformed_radius=self.deformed_radius)
         require_non_negative(rolling_rate=self.rolling_rate)
 
+    @property
+    def ball_diameter(self) -> Array:
+        """D, m: the ball is convex, so 2/D is the mean curvature 1/R of both bodies and half their difference 1/R_y."""
+        return 2 / (1 / np.asarray(self.deformed_radius) + np.asarray(self.curvature_transverse) / 2)
+
 
 Pair = tuple[RollingContact, RollingContact]  # a ball on the inner and on the outer race
 
