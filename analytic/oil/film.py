@@ -184,6 +184,36 @@ def film_asymptotes(
         ) from problem
 
 
+def minimum_ratio(
+    contact: EllipticContact, *, entrainment_speed: ArrayLike, viscosity: ArrayLike, pressure_viscosity: ArrayLike
+) -> Array:
+    """Minimum over central film of a flooded contact, h_min/h, at most 1; fields and arguments broadcast.
+
+    Arguments : as in central_film, with the semi-axes a (rolling) and b (transverse) too
+    With E' = 2 E*, k = b/a, U = eta_0 |u|/(E' R_x), G = alpha_p E' and W = F/(E' R_x^2):
+        (3.63/2.69) U^0.01 G^-0.04 W^-0.006 [1 - exp(-0.68 k)]/[1 - 0.61 exp(-0.73 k)]
+    Without load, speed or piezoviscosity, where the fits have no meaning, it is 1. Source: [Hamrock1977].
+    """
+    require_positive(viscosity=viscosity)
+    require_non_negative(pressure_viscosity=pressure_viscosity)
+    require_finite(entrainment_speed=entrainment_speed)
+    stiff, rolling = 2 * np.asarray(contact.modulus), np.asarray(contact.curvature_rolling)
+    load, a = np.asarray(contact.load), np.asarray(contact.semi_axis_rolling)
+    try:
+        speed = np.asarray(viscosity) * np.abs(np.asarray(entrainment_speed)) * rolling / stiff
+        material, relative_load = np.asarray(pressure_viscosity) * stiff, load * rolling**2 / stiff
+        k = np.asarray(contact.semi_axis_transverse) / np.where(a > 0, a, 1.0)
+        fits = (speed > 0) & (material > 0) & (relative_load > 0) & (k > 0)
+        u, g, w = (np.where(fits, value, 1.0) for value in (speed, material, relative_load))
+        ratio = 3.63 / 2.69 * u**0.01 * g**-0.04 * w**-0.006
+        ratio = ratio * -np.expm1(-0.68 * k) / (1 - 0.61 * np.exp(-0.73 * k))
+    except ValueError as problem:
+        raise InputError(
+            "the arguments of a film have shapes that do not fit together: give equal lengths"
+        ) from problem
+    return np.where(fits, np.minimum(ratio, 1.0), 1.0)
+
+
 def inlet_heating_factor(
     *, peak_pressure: ArrayLike, modulus: ArrayLike, thermal_loading: ArrayLike, slide_to_roll: ArrayLike
 ) -> Array:

@@ -262,7 +262,7 @@ def test_the_contact_knows_its_ball(bearing_6205: Bearing) -> None:
 
 
 def test_a_ball_hardly_wider_than_its_contact_resists_less() -> None:
-    """From 1 on a wide ball to c where the contact, 2.2 mm long, reaches across."""
+    """From 1 on a wide ball to c where the contact, 1.9 mm long, reaches across."""
     fast = {"entrainment_speed": 3000.0}  # M = 2: c is far below 0.85
     force = rolling(**fast, ball_diameter=np.geomspace(2.3e-3, 0.26, 40)).force
     assert np.all(np.diff(force) > 0)
