@@ -144,12 +144,17 @@ class FrictionTorque:
     seconds: float  # that the computation took
     cage: CagePart | None = None  # what its torque comes from; None: left out
     model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.torque
+    model_parts: Mapping[str, Array] | None = None  # of it, likewise, by the formula that is varied
     gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
 
     def settled(self, scene: Scene) -> Scene:
         """The scene with every effect and method fixed as it was decided here, so that a change of it keeps them."""
         decisions = {effect.name: effect.decision for effect in self.effects if effect.name in CHOSEN}
         return replace(scene, effects={**scene.effects, **decisions}, sliding=self.sliding)
+
+    def is_on(self, name: str) -> bool:
+        """Whether an effect counts."""
+        return any(effect.name == name and effect.decision == "on" for effect in self.effects)
 
     def to_json(self) -> dict[str, Any]:
         """Plain Python numbers, texts, lists and dicts, all SI; None where a part was left out or is not modelled."""
@@ -248,6 +253,7 @@ class FrictionTorque:
             return {name: None if values is None else float(values[index]) for name, values in vars(group).items()}
 
         model = None if self.model_uncertainty is None else float(self.model_uncertainty[index])
+        parts = None if self.model_parts is None else {n: float(part[index]) for n, part in self.model_parts.items()}
         return {
             **{name: float(getattr(self, name)[index]) for name in COORDINATES},
             "contact_angle": float(self.contact_angle[index]),
@@ -257,7 +263,11 @@ class FrictionTorque:
             "asperity_share": here(self.asperity_share),
             "boundary_share": here(self.boundary_share),
             "contact": {"inner": here(self.inner), "outer": here(self.outer)},
-            "uncertainty": {"numerical": _finite(self.numerical_uncertainty[index]), "model": model},
+            "uncertainty": {
+                "numerical": _finite(self.numerical_uncertainty[index]),
+                "model": model,
+                "model_parts": parts,
+            },
             "cage": dict.fromkeys(CAGE_KEYS) if self.cage is None else self.cage.at(index),
         }
 

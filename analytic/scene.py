@@ -21,7 +21,7 @@ Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
-Supply = Literal["oil_bath", "grease"]
+Supply = Literal["oil_bath", "oil_spot", "grease"]
 Decision = Literal["auto", "on", "off"]
 PocketAxis = Literal["axial", "radial"]
 CageStart = Literal["rest", "ramp", "sudden", "whirl"]
@@ -162,6 +162,7 @@ class Lubricant:
     limiting_shear: float  # zeta: the largest shear stress over the pressure
     traction: Traction
     supply: Supply = "oil_bath"  # how oil returns to the track
+    starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -195,7 +196,9 @@ class Surface:
     ball_rms_roughness: float | None = None  # Sq of the ball, m; None: as the race
     hardness: float | None = None  # H, Pa; None: that of the softer material
     boundary_friction: float = 0.12  # mu_b, of asperities in contact
-    gap: GapModel = "elastic"  # the room for the oil: between surfaces that deform, or that are cut off where they overlap
+    gap: GapModel = (
+        "elastic"  # the room for the oil: between surfaces that deform, or that are cut off where they overlap
+    )
     asperities: AsperityLaw = "zhao_maietta_chang"  # of truncated surfaces; greenwood_williamson: they never yield
 
 

@@ -27,16 +27,18 @@ from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.inlets import inlets_of
+from analytic.oil.inlets import inlets_of, starvation_source
 from analytic.oil.lubricated_races import LubricatedRaces, lubricate_races
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import (
     RollingResistance,
+    houpert_rolling,
     hydrodynamic_rolling,
     hysteresis_moment,
     rolling_torque,
 )
 from analytic.oil.traction import CoulombTraction, Traction
+from analytic.oil.variation import COVERAGE, SURFACE_SPREAD, Variation
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.scene import Array, Scene
@@ -44,17 +46,17 @@ from analytic.sliding.methods import Sliding, SlidingModel, race_sliding
 
 BY_SLIP = ("spin", "conformity")
 PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
-COVERAGE = 2.0  # standard uncertainties to a half-width of 95 %
+NOMINAL = Variation()
 
 
 def friction_torque(
-    scene: Scene, *, correction: ContactCorrection | None = None, film_factor: float = 1.0
+    scene: Scene, *, correction: ContactCorrection | None = None, variation: Variation = NOMINAL
 ) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
     correction : factors on Hertz's contacts, in place of those of the finite geometry; under the rule `solved` they
         change contact angle and ball loads too
-    film_factor : on every film that the formula gives, > 0, to show the effect of its uncertainty
+    variation : of the formulas of oil and surfaces, to show the effect of their uncertainty
     The balls are loaded (`analytic.loads`), and each loses power to each race: per unit speed and summed,
         race = spin + conformity + hysteresis (equations 9 to 12 of [Paper]) + hydrodynamic rolling, where there is oil
         total = race + cage (`analytic.cage`) + declared losses of seals and drag
@@ -79,9 +81,7 @@ def friction_torque(
         assert scene.hysteresis_loss is not None
         moment = hysteresis_moment(balls.contacts, hysteresis_loss=scene.hysteresis_loss)
         parts["hysteresis"] = balls.total(moment * balls.contacts.rolling_rate)
-    resisting, resistance = _resisting(
-        scene, balls, speed, ledger, constant=_sum(parts, speed), film_factor=film_factor
-    )
+    resisting, resistance = _resisting(scene, balls, speed, ledger, constant=_sum(parts, speed), variation=variation)
     oiled, inlets = resisting.oiled, resisting.inlets
     slides = decide_whether_sliding(ledger)
     mixed = decide_sliding(scene, resisting, ledger, slides=slides)
@@ -153,24 +153,48 @@ def friction_torque(
 def with_model_uncertainty(
     scene: Scene, result: FrictionTorque, *, correction: ContactCorrection | None = None
 ) -> FrictionTorque:
-    """The torque of a scene with the part of its model uncertainty that is known: that of the film formula.
+    """The torque of a scene with the part of its model uncertainty that is known, 95 %.
 
     result : friction_torque(scene, correction=correction)
-    The torque is computed again, with the same effects and methods, for films thicker and thinner by twice the standard
-    uncertainty of the formula against measured films, 11 % (`validation/film.py`); the larger change counts. Without a
-    film nothing is known. No measurement here gives the errors of rolling, asperities, traction and the oil itself, so
-    the true uncertainty is larger.
+    The torque is computed again, with the same effects and methods, and each change is a part:
+        film: films thicker and thinner by twice the standard uncertainty of their formula, 15 % of ln h
+        gap: the other law of the room between rough surfaces, `elastic` or `truncated`
+        surfaces: asperities that press more and less by twice the spread between surfaces of equal statistics
+        rolling: the formula of [Houpert1987]
+    The larger change of two counts. The parts are independent, so the root of the sum of their squares is the whole.
+    The errors of the oil's own properties, of traction and of the inputs come on top, so the true one is larger.
     """
-    if result.film.inner is None:
-        return result
+    variations: dict[str, tuple[tuple[Scene, Variation], ...]] = {}
     same = result.settled(scene)
+    surface, lubricant = scene.surface, scene.lubricant
+    if surface is not None and result.film.inner is not None:
+        factors = [np.exp(sign * COVERAGE * FORMULA_UNCERTAINTY) for sign in (-1, 1)]
+        variations["film"] = tuple((same, Variation(film=factor)) for factor in factors)
+        if result.is_on("asperities"):
+            other = replace(surface, gap="truncated" if surface.gap == "elastic" else "elastic")
+            variations["gap"] = ((replace(same, surface=other), NOMINAL),)
+            factors = [np.exp(sign * COVERAGE * SURFACE_SPREAD) for sign in (-1, 1)]
+            variations["surfaces"] = tuple((same, Variation(asperity_pressure=factor)) for factor in factors)
+    if result.torque.rolling is not None and lubricant is not None and lubricant.pressure_viscosity > 0:
+        variations["rolling"] = ((same, Variation(rolling="houpert")),)
+    if not variations:
+        return result
     total = result.torque.total
-    changes = [
-        np.abs(friction_torque(same, correction=correction, film_factor=factor).torque.total - total)
-        for factor in (1 - COVERAGE * FORMULA_UNCERTAINTY, 1 + COVERAGE * FORMULA_UNCERTAINTY)
-    ]
-    largest = np.maximum(*changes)
-    return replace(result, model_uncertainty=np.divide(largest, total, out=np.zeros_like(total), where=total > 0))
+    parts = {
+        name: np.max(
+            [
+                share_in(
+                    np.abs(friction_torque(varied, correction=correction, variation=variation).torque.total - total),
+                    total,
+                )
+                for varied, variation in pairs
+            ],
+            axis=0,
+        )
+        for name, pairs in variations.items()
+    }
+    whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
+    return replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts))
 
 
 def _require_friction(scene: Scene) -> None:
@@ -196,7 +220,7 @@ def _require_friction(scene: Scene) -> None:
 
 
 def _resisting(
-    scene: Scene, balls: LoadedBalls, speed: Array, ledger: Ledger, *, constant: Array, film_factor: float
+    scene: Scene, balls: LoadedBalls, speed: Array, ledger: Ledger, *, constant: Array, variation: Variation
 ) -> tuple[Resisting, RollingResistance | None]:
     """What resists the balls; settles rolling. constant : (n,) N m, torques that no oil changes."""
     lubricant = scene.lubricant
@@ -204,11 +228,16 @@ def _resisting(
     rolling: Array | None = None
     if ledger.decide("rolling"):
         assert lubricant is not None
-        resistance = hydrodynamic_rolling(
-            balls.contacts,
-            viscosity=inlet_viscosity(lubricant).viscosity,
-            entrainment_speed=speed[:, None] * balls.motion.entrainment_speed,
-        )
+        oil, entrainment = inlet_viscosity(lubricant), speed[:, None] * balls.motion.entrainment_speed
+        if variation.rolling == "houpert":
+            resistance = houpert_rolling(
+                balls.contacts,
+                viscosity=oil.viscosity,
+                pressure_viscosity=oil.pressure_viscosity,
+                entrainment_speed=entrainment,
+            )
+        else:
+            resistance = hydrodynamic_rolling(balls.contacts, viscosity=oil.viscosity, entrainment_speed=entrainment)
         rolling = rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed)
     oiled: LubricatedRaces | None = None
     if lubricant is not None and scene.surface is not None:
@@ -218,7 +247,7 @@ def _resisting(
             lubricant=lubricant,
             surface=scene.surface,
             ring_speed=speed,
-            film_factor=film_factor,
+            variation=variation,
         )
     resisting = Resisting(
         balls=balls,
@@ -250,6 +279,14 @@ def _uncertainty(
     unknown = np.isinf(sliding.error)
     error = np.where(unknown, np.inf, share_in(np.where(unknown, 0.0, sliding.error) * slipping, total))
     return left_out + error
+
+
+def _inlet_words(scene: Scene, ledger: Ledger) -> str:
+    if scene.lubricant is None:
+        return "no lubricant"
+    if not ledger.is_on("starvation"):
+        return "flooded"
+    return f"starved, {starvation_source(scene.bearing, scene.lubricant)}"
 
 
 def _sum(parts: dict[str, Array], like: Array) -> Array:
@@ -296,6 +333,7 @@ def _provenance(
             "loads": "thrust, all balls alike" if balls.method == "thrust" else "equilibrium of the ring",
             "contacts": contacts if correction is None else "Hertz with given factors",
             "friction": "given coefficient" if oiled is None else "mixed lubrication",
+            "inlets": _inlet_words(scene, ledger),
             "sliding": slid_by,
             "cage": "left out" if cage is None else cage.provenance,
             **_versions(),

@@ -6,6 +6,7 @@ is estimated twice, for balls that only roll and for races that take all spin, a
 """
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -73,6 +74,14 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
     return estimate.mixed(regime)
 
 
+class _Torque(NamedTuple):
+    """What resists in one regime; arrays (2, n, m)."""
+
+    mixed: MixedContact | None
+    friction: tuple[Array, ...]  # N, at each of the levers
+    rolling: Array  # N m
+
+
 class _Estimate:
     """The torque of balls that only roll, and of races that take all spin, without integrals over the contacts."""
 
@@ -85,18 +94,18 @@ class _Estimate:
         self.levers = (self.rolls, self.rolls + largest_spin_lever(balls)) if spins else (self.rolls,)
         self.slides = slides
         self.uneven = 1 + largest_error(balls, None if oiled is None else oiled.lubricant)
-        self.known: dict[Regime, tuple[MixedContact | None, tuple[Array, ...], Array]] = {}
+        self.known: dict[Regime, _Torque] = {}
 
     def mixed(self, regime: Regime) -> MixedContact | None:
-        return self._at(regime)[0]
+        return self._at(regime).mixed
 
     def change(self, first: Regime, second: Regime) -> Array:
         """(n,) estimate of the change between two regimes, over the smaller torque of both."""
-        total, (_, *before), (_, *after) = self.resisting.balls.total, self._at(first), self._at(second)
+        total, before, after = self.resisting.balls.total, self._at(first), self._at(second)
         shares = []
-        for lever, one, other in zip(self.levers, before[0], after[0], strict=False):
-            moved = total(self.uneven * np.abs(one - other) * lever + np.abs(before[1] - after[1]))
-            least = np.minimum(total(one * lever + before[1]), total(other * lever + after[1]))
+        for lever, one, other in zip(self.levers, before.friction, after.friction, strict=True):
+            moved = total(self.uneven * np.abs(one - other) * lever + np.abs(before.rolling - after.rolling))
+            least = np.minimum(total(one * lever + before.rolling), total(other * lever + after.rolling))
             shares.append(_over(moved, least + self.resisting.constant))
         return np.max(shares, axis=0)
 
@@ -111,13 +120,12 @@ class _Estimate:
         total = self.resisting.balls.total
         return _over(total(least[None]), total(without + rolling) + self.resisting.constant)
 
-    def _at(self, regime: Regime) -> tuple[MixedContact | None, tuple[Array, ...], Array]:
-        """The shared load, the friction at each lever, N, and the torque of rolling, N m; all (2, n, m)."""
+    def _at(self, regime: Regime) -> _Torque:
         if regime not in self.known:
             self.known[regime] = self._computed(regime)
         return self.known[regime]
 
-    def _computed(self, regime: Regime) -> tuple[MixedContact | None, tuple[Array, ...], Array]:
+    def _computed(self, regime: Regime) -> _Torque:
         balls, inlets, oiled = self.resisting.balls, self.resisting.inlets, self.resisting.oiled
         rolling = np.zeros_like(balls.load)
         if self.resisting.rolling is not None and inlets is not None:
@@ -125,13 +133,13 @@ class _Estimate:
             rolling = self.resisting.rolling * factor
         if oiled is None or inlets is None:
             force = self.resisting.friction_coefficient * balls.load
-            return None, tuple(force for _ in self.levers), rolling
+            return _Torque(None, tuple(force for _ in self.levers), rolling)
         factor = inlets.film_factor(heats=regime.inlet_heating, starves=regime.starvation)
         mixed = oiled.mixed(asperities=regime.asperities, film_factor=factor)
         friction = oiled.traction(mixed).force(balls.contacts)
         speed = np.abs(oiled.ring_speed)[:, None]
         slips = (self.rolls, self.rolls + full_spin_lever(balls))[: len(self.levers)]
-        return mixed, tuple(friction(speed * slip) for slip in slips), rolling
+        return _Torque(mixed, tuple(friction(speed * slip) for slip in slips), rolling)
 
 
 def _over(part: Array, floor: Array) -> Array:

@@ -62,6 +62,8 @@ def _lubricant(scene: Scene) -> str | None:
 
 
 def _ring_diameters(scene: Scene) -> str | None:
+    if scene.lubricant is not None and scene.lubricant.starvation_degree is not None:
+        return None
     if scene.bearing.bore_diameter is None or scene.bearing.outside_diameter is None:
         return _lubricant(scene) or "bearing.bore_diameter and bearing.outside_diameter are not given"
     return _lubricant(scene)
@@ -93,7 +95,9 @@ LUBRICATED_SURFACE = Need(
         None if scene.friction_coefficient is None else "the friction coefficient is given: give [surface] instead"
     ),
 )
-RING_DIAMETERS = Need(keys="`[lubricant]`, `bore_diameter` and `outside_diameter`", lacks=_ring_diameters)
+RING_DIAMETERS = Need(
+    keys="`[lubricant]` with `starvation_degree`, or `bore_diameter` and `outside_diameter`", lacks=_ring_diameters
+)
 HYSTERESIS_LOSS = Need(
     keys="`hysteresis_loss`",
     lacks=lambda scene: (
@@ -139,7 +143,7 @@ TABLE = (
         kind="computed",
         meaning="load on asperities beside the oil film",
         needs=LUBRICATED_SURFACE,
-        bound="their share of the load at the film of smooth surfaces, times boundary friction",
+        bound="the change of friction, at mean pressure and slip, when the oil carries the whole load",
         idle='neither spin nor conformity is computed, so nothing slides: give effects.conformity = "auto"',
     ),
     Entry(
@@ -155,8 +159,8 @@ TABLE = (
         kind="computed",
         meaning="inlets to which the oil does not return in time",
         needs=RING_DIAMETERS,
-        bound="the rolling torque lost",
-        idle='rolling is left out, and only rolling starves: give effects.rolling = "auto"',
+        bound="the rolling torque lost, and the friction that a thinner film adds",
+        idle='nothing slides or rolls in oil: give effects.rolling = "auto"',
     ),
     Entry(
         name="spin",

@@ -5,10 +5,11 @@ Both act on the film and on the resistance to rolling, as factors on flooded and
 
 from dataclasses import dataclass
 
+from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadedBalls
-from analytic.oil.film import inlet_heating_factor, thermal_loading
-from analytic.oil.rolling import inlet_shear_factor
-from analytic.oil.starvation import Starvation
+from analytic.oil.film import central_film, inlet_heating_factor, minimum_ratio, thermal_loading
+from analytic.oil.rolling import inlet_shear_factor, replenishment_factor
+from analytic.oil.starvation import Starvation, starved_at_degree, starved_at_factor
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Bearing, Lubricant
 
@@ -56,5 +57,41 @@ def inlets_of(bearing: Bearing, balls: LoadedBalls, lubricant: Lubricant, *, rin
             ring_speed=abs(ring_speed)[:, None],
             kinematic_viscosity=oil.viscosity / lubricant.density,
         ),
-        starvation=None,
+        starvation=_starvation(bearing, balls.contacts, lubricant, ring_speed=ring_speed, entrainment_speed=speed),
     )
+
+
+def starvation_source(bearing: Bearing, lubricant: Lubricant) -> str | None:
+    """Where the degree of starvation comes from, in words; None: it is not known."""
+    if lubricant.starvation_degree is not None:
+        return f"degree {lubricant.starvation_degree:g}, given"
+    if bearing.bore_diameter is None or bearing.outside_diameter is None:
+        return None
+    return f"degree by the replenishment factor of {lubricant.supply}"
+
+
+def _starvation(
+    bearing: Bearing, contact: RollingContact, lubricant: Lubricant, *, ring_speed: Array, entrainment_speed: Array
+) -> Starvation | None:
+    """By the degree that the scene gives, or by the engineering estimate of what starvation leaves of rolling."""
+    if starvation_source(bearing, lubricant) is None:
+        return None
+    oil = inlet_viscosity(lubricant)
+    flow = {
+        "entrainment_speed": entrainment_speed,
+        "viscosity": oil.viscosity,
+        "pressure_viscosity": oil.pressure_viscosity,
+    }
+    film, ratio = central_film(contact, **flow).thickness, minimum_ratio(contact, **flow)
+    if lubricant.starvation_degree is not None:
+        return starved_at_degree(contact, degree=lubricant.starvation_degree, film=film, minimum_ratio=ratio)
+    assert bearing.bore_diameter is not None
+    assert bearing.outside_diameter is not None
+    factor = replenishment_factor(
+        bore_diameter=bearing.bore_diameter,
+        outside_diameter=bearing.outside_diameter,
+        ring_speed=abs(ring_speed),
+        kinematic_viscosity=oil.viscosity / lubricant.density,
+        supply=lubricant.supply,
+    )
+    return starved_at_factor(contact, rolling_factor=factor[:, None], film=film, minimum_ratio=ratio)

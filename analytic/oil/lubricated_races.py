@@ -4,16 +4,15 @@ The film is flooded, and the balls roll nearly without sliding. The oil has its 
 Arrays are (2, n, m): races, operating points, balls.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from analytic.contact.rolling_contact import RollingContact
-from analytic.errors import require_positive
 from analytic.loads.balls import LoadedBalls
-from analytic.oil.film import CentralFilm, central_film
 from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import MixedTraction, mixed_traction
+from analytic.oil.variation import Variation
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Bearing, Lubricant, Surface
 from analytic.surface.gap import GapLaw, gap_law
@@ -31,15 +30,14 @@ class LubricatedRaces:
     gaps: tuple[GapLaw | None, GapLaw | None]  # of inner and outer race; None: smooth
     ring_speed: Array  # (n,) w, rad/s
     entrainment_speed: Array  # (n, m) u, m/s
-    film: CentralFilm  # (2, n, m) of smooth surfaces, isothermal, with the film_factor
-    film_factor: float  # on the film of the formula
+    variation: Variation
 
     def mixed(self, *, asperities: bool, film_factor: Array | float) -> MixedContact:
         """The load, shared by film and asperities or carried by the film alone; (2, n, m).
 
         film_factor : of heated and starved inlets, on the film
         """
-        balls, factor = self.balls, self.film_factor * np.broadcast_to(film_factor, self.balls.load.shape)
+        balls, factor = self.balls, self.variation.film * np.broadcast_to(film_factor, self.balls.load.shape)
         gaps = self.gaps if asperities else (None, None)
         if gaps[0] is gaps[1]:
             return self._mixed(balls.contacts, gaps[0], factor)
@@ -59,6 +57,7 @@ class LubricatedRaces:
             pressure_viscosity=oil.pressure_viscosity,
             gap=gap,
             film_factor=film_factor,
+            pressure_factor=self.variation.asperity_pressure,
         )
 
 
@@ -69,27 +68,19 @@ def lubricate_races(
     lubricant: Lubricant,
     surface: Surface,
     ring_speed: Array,
-    film_factor: float = 1.0,
+    variation: Variation,
 ) -> LubricatedRaces:
     """The oil and the finish between balls and races.
 
-    ring_speed : w, (n,), rad/s;  film_factor : on every film of the formula, > 0
-    Raises InputError if no hardness is known, if film_factor is not positive, or if a formula refuses the oil.
+    ring_speed : w, (n,), rad/s
+    Raises InputError if no hardness is known or if a formula refuses the oil.
     """
-    require_positive(film_factor=film_factor)
     roughness = gap_roughness(surface)
     inner, outer = (
         gap_law(surface, roughness, modulus=float(modulus), bodies=(bearing.ball_material, groove.material))
         for modulus, groove in zip(balls.modulus.ravel(), (bearing.inner, bearing.outer), strict=True)
     )
     speed = ring_speed[:, None] * balls.motion.entrainment_speed
-    oil = inlet_viscosity(lubricant)
-    film = central_film(
-        balls.contacts,
-        entrainment_speed=speed,
-        viscosity=oil.viscosity,
-        pressure_viscosity=oil.pressure_viscosity,
-    )
     return LubricatedRaces(
         balls=balls,
         lubricant=lubricant,
@@ -98,6 +89,5 @@ def lubricate_races(
         gaps=(inner, outer),
         ring_speed=ring_speed,
         entrainment_speed=speed,
-        film=replace(film, thickness=film_factor * film.thickness),
-        film_factor=film_factor,
+        variation=variation,
     )

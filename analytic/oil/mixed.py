@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import expit
 
 from analytic.contact.rolling_contact import EllipticContact
-from analytic.errors import InputError, require_non_negative
+from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.numerics.root import Sought, bracketed_root
 from analytic.oil.film import FilmAsymptotes, film_asymptotes
 from analytic.scene import Array
@@ -64,6 +64,7 @@ def mixed_contact(
     pressure_viscosity: ArrayLike,
     gap: GapLaw | None,
     film_factor: ArrayLike = 1.0,
+    pressure_factor: float = 1.0,
     largest_gap: ArrayLike | None = None,
 ) -> MixedContact:
     """The share of the load that asperities carry, and the film thickness; fields and arguments broadcast.
@@ -72,6 +73,7 @@ def mixed_contact(
     entrainment_speed, viscosity, pressure_viscosity, largest_gap : as in `film.central_film`
     gap : of both surfaces together, one law for all contacts; None: smooth
     film_factor : on the film, >= 0, for a heated or starved inlet and for the uncertainty of the film
+    pressure_factor : on the asperities' pressure at any gap, > 0, for the uncertainty of the surfaces
     s in [0, 1] solves
         gap(s F/A_H) = film_factor * film(F (1 - s), E* (1 - s))
     As s grows, the film grows and the gap falls, so there is one solution. As the speed falls to 0 so does the film,
@@ -83,6 +85,7 @@ def mixed_contact(
     is 0 under load.
     """
     require_non_negative(film_factor=film_factor)
+    require_positive(pressure_factor=pressure_factor)
     asymptotes = film_asymptotes(
         contact,
         entrainment_speed=entrainment_speed,
@@ -93,7 +96,7 @@ def mixed_contact(
     force, area = np.asarray(contact.load, dtype=np.float64), contact.area
     try:
         with np.errstate(divide="ignore", invalid="ignore"):  # without load the softness is not used
-            log_factor, log_softness = np.log(film_factor), np.log(area) - np.log(force)
+            log_factor, log_softness = np.log(film_factor), np.log(area * pressure_factor) - np.log(force)
             thinned = {
                 name: np.where(log_factor == -np.inf, -np.inf, log_factor + getattr(asymptotes, name))
                 for name in ("rigid", "elastic", "unloaded", "piezoviscous")

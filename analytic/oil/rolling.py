@@ -17,7 +17,7 @@ from analytic.contact.rolling_contact import EllipticContact, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import Array, Supply
 
-STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "grease": 6e-8}  # K_rs
+STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "oil_spot": 6e-8, "grease": 6e-8}  # K_rs
 GEOMETRY = 3.1  # K_Z, deep-groove ball bearings of one row
 UNFIT = "the arguments of a rolling resistance have shapes that do not fit together: give equal lengths"
 
@@ -205,12 +205,12 @@ def replenishment_factor(
     """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/[2 (D - d)])): SKF's factor on the rolling torque for starvation.
 
     bore_diameter, outside_diameter : d < D, m;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
-    supply : `oil_bath` (low level; also oil jet) or `grease` (also oil-air), with K_rs of 3e-8 or 6e-8; K_Z = 3.1
-    The factor is 0 to 1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s. 1 - phi_rs bounds the
-    effect of leaving starvation out. Source: [SKF2018].
+    supply : `oil_bath` (low level; also oil jet), `oil_spot` (oil-air) or `grease`, with K_rs of 3e-8, 6e-8 and 6e-8
+    The factor is 0 to 1; K_Z = 3.1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s.
+    Source: [SKF2018].
     """
     if supply not in STARVATION:
-        raise InputError(f'supply must be "oil_bath" or "grease", got {supply!r}')
+        raise InputError(f"supply must be one of {', '.join(STARVATION)}, got {supply!r}")
     bore, outside = ring_diameters(bore_diameter, outside_diameter)
     require_positive(kinematic_viscosity=kinematic_viscosity)
     require_non_negative(ring_speed=ring_speed)

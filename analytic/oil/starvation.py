@@ -59,8 +59,8 @@ def starved_at_factor(
 
     rolling_factor : g, 0 to 1, such as `rolling.replenishment_factor`, as [:, None] with contacts (2, n, m)
     contact, film, minimum_ratio and errors : as in starved_at_degree
-    S rises steadily with m, so there is one root of S(m) = S(g). Below g = 1e-5 m - 1 is less than round-off, and m and f
-    are those of the edge. Contacts that count as flooded keep all of rolling, whatever g.
+    S rises steadily with m, so there is one root of S(m) = S(g). Below g = 1e-5 m - 1 is less than round-off, and m
+    and f are those of the edge. Contacts that count as flooded keep all of rolling, whatever g.
     """
     require_positive(minimum_ratio=minimum_ratio)
     reach, flooded = _reach(contact, film)
@@ -100,9 +100,7 @@ def meniscus_gap(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike
     return factor * np.asarray(film) + beside * np.asarray(contact.curvature_rolling) / 2
 
 
-def inlet_fullness(
-    contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike, minimum_ratio: ArrayLike
-) -> Array:
+def inlet_fullness(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike, minimum_ratio: ArrayLike) -> Array:
     """S = h_a/h_min: the gap at the meniscus over the flooded minimum film; inf where the contact counts as flooded.
 
     Arguments and errors : as in starved_at_degree

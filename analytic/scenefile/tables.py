@@ -22,6 +22,7 @@ from analytic.scene import (
     Scene,
     Sliding,
     SpinRule,
+    Supply,
     Surface,
     Traction,
 )
@@ -203,7 +204,10 @@ class LubricantTable(Table):
     viscosity_temperature: Annotated[float, Dimension(unit="1/K", low=0, high=0.2, example='"0.045 1/K"')] = 0.045
     thermal_conductivity: Annotated[float, Dimension(unit="W/m/K", low=1e-3, high=100, example='"0.14 W/m/K"')] = 0.14
     density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] = 870.0
-    supply: Literal["oil_bath", "grease"] = Lubricant.supply
+    supply: Supply = Lubricant.supply
+    # Distance of the oil's meniscus from the centre of a contact, over its semi-axis along rolling; by the supply if
+    # it is not given.
+    starvation_degree: Annotated[float, Dimension(unit="", low=1, high=1e9, example="2")] | None = None
 
 
 class AutocorrelationTable(Table):

@@ -55,9 +55,7 @@ def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> Elliptic
     )
 
 
-def shared(
-    rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, film_factor: float = 1.0
-) -> MixedContact:
+def shared(rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, film_factor: float = 1.0) -> MixedContact:
     """Oil and asperities of two surfaces, each of this roughness, m; 0: smooth."""
     return mixed_contact(
         contact(load),
