@@ -180,19 +180,12 @@ def with_model_uncertainty(
     if not variations:
         return result
     total = result.torque.total
-    parts = {
-        name: np.max(
-            [
-                share_in(
-                    np.abs(friction_torque(varied, correction=correction, variation=variation).torque.total - total),
-                    total,
-                )
-                for varied, variation in pairs
-            ],
-            axis=0,
-        )
-        for name, pairs in variations.items()
-    }
+
+    def changes(pairs: tuple[tuple[Scene, Variation], ...]) -> list[Array]:
+        varied = (friction_torque(scene, correction=correction, variation=variation) for scene, variation in pairs)
+        return [share_in(np.abs(other.torque.total - total), total) for other in varied]
+
+    parts = {name: np.max(changes(pairs), axis=0) for name, pairs in variations.items()}
     whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
     return replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts))
 

@@ -45,6 +45,7 @@ class Uncertainty(Table):
 
     numerical: float | None
     model: float | None
+    model_parts: dict[str, float] | None  # of the model's, by the formula that is varied
 
 
 class LoadedContact(Table):
