@@ -20,7 +20,7 @@ SCENES = {  # name -> file and description
         "6205_paper_as_printed.toml",
         "the same inputs with equations 2 to 7 as printed, outer race control",
     ),
-    "physical": ("6205_physical.toml", "the same inputs with loaded angle, sinh traction, hydrodynamic rolling"),
+    "physical": ("6205_physical.toml", "usual inputs, loaded angle, sinh traction, hydrodynamic rolling"),
 }
 ROUGH, SMOOTH = 1e-6, 0.1e-6  # Sq, m
 RPM = np.pi / 30
