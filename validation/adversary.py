@@ -25,7 +25,7 @@ from typing import Annotated
 import numpy as np
 import typer
 from rich.console import Console
-from rich.progress import Progress, TimeRemainingColumn
+from rich.progress import Progress
 from rich.table import Table
 
 from analytic import friction_torque
@@ -203,8 +203,7 @@ def main(
     """Look for scenes whose stated uncertainty does not hold."""
     out, started = Console(width=110, soft_wrap=False), time.perf_counter()
     places = [tuple(np.random.default_rng(seed + index).random(INPUTS).tolist()) for index in range(scenes)]
-    with ProcessPoolExecutor(jobs) as pool, Progress(*Progress.get_default_columns()[:-1], TimeRemainingColumn(),
-                                                     console=Console(stderr=True)) as bar:  # fmt: skip
+    with ProcessPoolExecutor(jobs) as pool, Progress(console=Console(stderr=True)) as bar:
         task = bar.add_task("random scenes", total=scenes)
         drawn: list[Trial] = []
         refused = 0
@@ -212,13 +211,7 @@ def main(
             bar.advance(task)
             refused += trials is None
             drawn += trials or []
-        worst = sorted(drawn, key=lambda trial: trial.ratio, reverse=True)
-        starts = [trial for tolerance in TOLERANCES for trial in worst if trial.tolerance == tolerance][: 0] or [
-            trial
-            for rank in range(-(-climbs // len(TOLERANCES)))
-            for tolerance in TOLERANCES
-            for trial in [trial for trial in worst if trial.tolerance == tolerance][rank : rank + 1]
-        ][:climbs]
+        starts = worst_places(drawn)[:climbs]
         task = bar.add_task("climbs", total=len(starts))
         searched: list[Trial] = []
         for trials in pool.map(climbed, starts, range(seed, seed + len(starts)), repeat(steps)):
@@ -229,8 +222,16 @@ def main(
     sys.exit(int(any(trial.ratio > 1 for trial in drawn + searched)))
 
 
+def worst_places(trials: list[Trial]) -> list[Trial]:
+    """The worst trial of each place, worst first."""
+    worst: dict[tuple[float, ...], Trial] = {}
+    for trial in sorted(trials, key=lambda trial: trial.ratio, reverse=True):
+        worst.setdefault(trial.place, trial)
+    return list(worst.values())
+
+
 def show(drawn: list[Trial], searched: list[Trial], refused: int, out: Console) -> None:
-    table = Table("tolerance", "search", "scenes", "held", "worst ratio", "unknown", "stated/error", "where it matters")
+    table = Table("tolerance", "search", "scenes", "held", "largest ratio", "unknown", "stated/error", "of scenes")
     for tolerance in TOLERANCES:
         for name, trials in (("random", drawn), ("directed", searched)):
             here = [trial for trial in trials if trial.tolerance == tolerance]
@@ -249,8 +250,11 @@ def show(drawn: list[Trial], searched: list[Trial], refused: int, out: Console) 
                 str(len(wide)),
             )
     out.print(table)
-    out.print(f"{refused} more scenes were refused. stated/error: median where the error exceeds a tenth of the tolerance.")
-    for trial in sorted(drawn + searched, key=lambda trial: trial.ratio, reverse=True)[:SHOWN]:
+    out.print(
+        f"{refused} more random scenes were refused. ratio: error over stated uncertainty. stated/error: median over the "
+        "scenes whose error exceeds a tenth of the tolerance."
+    )
+    for trial in worst_places(drawn + searched)[:SHOWN]:
         if trial.ratio > 1:
             out.print(f"\n# error {100 * trial.error:.4g} %, stated {100 * trial.stated:.4g} %", highlight=False)
             out.print(scene_text(trial.place, tolerance=trial.tolerance), highlight=False, markup=False)
