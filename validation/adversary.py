@@ -251,8 +251,8 @@ def show(drawn: list[Trial], searched: list[Trial], refused: int, out: Console) 
             )
     out.print(table)
     out.print(
-        f"{refused} more random scenes were refused. ratio: error over stated uncertainty. stated/error: median over the "
-        "scenes whose error exceeds a tenth of the tolerance."
+        f"{refused} more random scenes were refused. ratio: error over stated uncertainty. stated/error: median over "
+        "the scenes whose error exceeds a tenth of the tolerance."
     )
     for trial in worst_places(drawn + searched)[:SHOWN]:
         if trial.ratio > 1:
