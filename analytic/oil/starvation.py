@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.numerics.root import bracketed_root
+from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array
 
 LINE_EDGE = np.log(4 * np.sqrt(2) / 3)  # ln of the factor of (m - 1)^1.5, the gap next to the edge of a line contact
@@ -219,7 +219,9 @@ def _log_excess(log_gap: Array, reach: Array) -> Array:
         high=high,
         relative=1e-14,
         absolute=1e-12,
-        unit="of ln(m - 1)",
-        problem="the distance of the meniscus from a starved contact",
-        remedy="Check that film, semi-axis and curvature are of ordinary size.",
+        sought=Sought(
+            unit="of ln(m - 1)",
+            problem="the distance of the meniscus from a starved contact",
+            remedy="Check that film, semi-axis and curvature are of ordinary size.",
+        ),
     )
