@@ -1,0 +1,311 @@
+"""The mean gap between deformed rough surfaces, and their real area of contact, by boundary elements.
+
+A rigid rough surface is pressed on an elastic half space: without friction, elastic everywhere, with the heights of both
+surfaces together and the modulus E* of both bodies. Asperities that touch lower the ground around them, so that the gap
+closes more slowly than between undeformed surfaces that overlap.
+
+Heights and gaps are over sigma, the rms height. Pressures are over E* slope, with slope = sqrt(2 m_2), the rms gradient.
+In these units neither a factor on heights nor one on lengths changes a curve. Pressure and gap p, g satisfy
+    p >= 0,  g >= 0,  p g = 0,  mean of p given,  u(q) = 2 p(q)/(E* |q|) for wavenumber q > 0
+Mean gaps of single surfaces fall to 0 at a finite pressure; those of random surfaces do so nowhere.
+Source: conjugate gradients [Polonsky1999]. `python validation/elastic_gap.py` makes the stored curves and compares with
+another program.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from scipy import fft
+
+from analytic import catalog
+from analytic.errors import ConvergenceError, InputError, require_positive
+from analytic.numerics.root import bracketed_root
+from analytic.scene import Array, Autocorrelation
+from analytic.surface.asperity_table import Cubic
+from analytic.surface.heightmap import HeightMap, levelled, measure
+from analytic.surface.moments import SpectralMoments
+
+MISSED = 1e-3  # rms gap where surfaces touch, plus mean overlap elsewhere, over the mean gap: the error of the mean gap
+NO_GAP = 1e-6  # over sigma: a smaller mean gap is no gap
+MOST_STEPS = 3000  # of the conjugate gradients; 5 to 200 are usual
+# A map is cut to so many points in each direction and pressed with these pressures, for 1 to 3 s.
+MOST_POINTS = 256
+PRESSURES = (1.0, 0.8, 0.6, 0.45, 0.3, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002)
+STEEPEST = 300.0  # in ln p beyond the last knot: there exp(2 ln p) would soon overflow, and ln gap goes on straight
+LONGEST = 0.5  # of the side of a map: a correlation length that the map does not show counts as so much
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PressedSurface:
+    """Fields at every point of the surface."""
+
+    pressure: Array  # over E* slope
+    gap: Array  # between the deformed surfaces, over sigma
+
+    @property
+    def mean_gap(self) -> float:
+        return float(self.gap.mean())
+
+    @property
+    def area_fraction(self) -> float:
+        """Points under pressure over all points."""
+        return float(np.mean(self.pressure > 0))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class GapCurve:
+    """Mean gap and real area of a kind of rough surfaces over pressure; methods take and return arrays of any shape.
+
+    Between the knots ln gap is a monotone cubic. Below the first one the gap is that of the summits of a Gaussian
+    surface, where it grows like sqrt(-2 ln p). Above the last one ln gap falls like p^2 [Persson2001]. Value and slope
+    are continuous, and ln gap falls everywhere; ln p may be -1e4 to 700.
+    """
+
+    knots: Array  # rising, ln of p/(E* slope)
+    gaps: Array  # falling, ln of the mean gap over sigma
+    spreads: Array  # standard deviation of ln gap between surfaces of this width
+    areas: Array  # real over nominal area
+    width: float  # of those surfaces, in correlation lengths
+
+    def log_gap(self, log_pressure: Array) -> tuple[Array, Array]:
+        """ln of the mean gap over sigma, and its derivative by ln p, below 0; log_pressure : ln of p/(E* slope)."""
+        first, last = self.knots[0], self.knots[-1]
+        value, slope = self._gap(np.clip(log_pressure, first, last))
+        start, offset = self._tail
+        root = np.sqrt(start**2 + 2 * np.maximum(first - log_pressure, 0.0))
+        beyond = np.maximum(log_pressure - last, 0.0)
+        growth = np.exp(2 * np.minimum(beyond, STEEPEST))
+        steep = slope * ((growth - 1) / 2 + growth * np.maximum(beyond - STEEPEST, 0.0))
+        low = log_pressure < first
+        return (
+            np.where(low, np.log(offset + root), value + steep),
+            np.where(low, -1 / (root * (offset + root)), slope * growth),
+        )
+
+    def log_pressure(self, log_gap: Array) -> Array:
+        """The inverse: ln of p/(E* slope) at which the mean gap is that; log_gap : -1e290 to 700."""
+        wanted = np.clip(log_gap, self.gaps[-1], self.gaps[0])
+        within = bracketed_root(
+            lambda x: (wanted - (cubic := self._gap(x))[0], -cubic[1]),
+            start=np.interp(-wanted, -self.gaps, self.knots),
+            low=np.full_like(wanted, self.knots[0]),
+            high=np.full_like(wanted, self.knots[-1]),
+            relative=1e-13,
+            absolute=1e-13,
+            problem="the pressure that closes the gap",
+            unit="of ln p",
+            remedy="Check the roughness.",
+        )
+        start, offset = self._tail
+        opened = np.maximum(np.exp(np.maximum(log_gap, self.gaps[0])) - offset, start)
+        closed = np.minimum(log_gap - self.gaps[-1], 0.0) / self._gap(self.knots[-1:])[1]
+        growth = np.log1p(2 * closed) / 2
+        steepest = np.exp(2 * STEEPEST)
+        growth = np.where(growth > STEEPEST, STEEPEST + (closed - (steepest - 1) / 2) / steepest, growth)
+        return within - (opened - start) * (opened + start) / 2 + growth
+
+    def area_fraction(self, log_pressure: Array) -> Array:
+        """Real over nominal area, rising with p from 0 to 1: proportional to p where small."""
+        inside = np.clip(log_pressure, self.knots[0], self.knots[-1])
+        outside = np.minimum(log_pressure - self.knots[0], 0) + 2 * np.maximum(log_pressure - self.knots[-1], 0)
+        return -np.expm1(-np.exp(np.minimum(self._area(inside)[0] + outside, STEEPEST)))
+
+    def spread(self, log_pressure: Array) -> Array:
+        """Standard deviation of ln gap between surfaces of this width, each with its own sigma and slope.
+
+        Between surfaces of another width it is larger by the ratio of the widths.
+        """
+        return np.interp(log_pressure, self.knots, self.spreads)
+
+    @cached_property
+    def _gap(self) -> Cubic:
+        return _monotone(self.knots, self.gaps)
+
+    @cached_property
+    def _area(self) -> Cubic:
+        """Of ln(-ln(1 - area)), which is ln p where p is small and 2 ln p where it is large."""
+        return _monotone(self.knots, np.log(-np.log1p(-self.areas)))
+
+    @cached_property
+    def _tail(self) -> tuple[float, float]:
+        """a, e of the gap e + sqrt(a^2 + 2 ln(p_1/p)) below the first knot p_1."""
+        _, slope = self._gap(self.knots[:1])
+        gap = float(np.exp(self.gaps[0]))
+        start = -1 / (gap * float(slope[0]))
+        return start, gap - start
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ElasticGap:
+    """The gap between two surfaces; log_pressure : ln of the nominal pressure that asperities carry, Pa."""
+
+    curve: GapCurve
+    sigma: float  # rms height of both surfaces, m
+    log_scale: float  # ln of E* slope, Pa
+
+    def log_gap(self, log_pressure: Array) -> tuple[Array, Array]:
+        """ln of the mean gap in m, and its derivative by ln p, below 0."""
+        value, slope = self.curve.log_gap(log_pressure - self.log_scale)
+        return value + np.log(self.sigma), slope
+
+    def log_pressure(self, log_gap: Array) -> Array:
+        """The inverse: ln p at which ln of the mean gap in m is that."""
+        return self.curve.log_pressure(log_gap - np.log(self.sigma)) + self.log_scale
+
+    def area_fraction(self, log_pressure: Array) -> Array:
+        """Real over nominal area."""
+        return self.curve.area_fraction(log_pressure - self.log_scale)
+
+    def spread(self, log_pressure: Array) -> Array:
+        """Standard deviation of ln gap between surfaces of the curve's width."""
+        return self.curve.spread(log_pressure - self.log_scale)
+
+
+def elastic_gap(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> ElasticGap:
+    """The gap of surfaces with these moments, the sum of both; modulus : E*, Pa, > 0.
+
+    Raises InputError for a smooth surface, whose gap is 0.
+    """
+    require_positive(height=moments.height, slope=moments.slope, modulus=modulus)
+    scale = float(np.log(modulus) + np.log(2 * moments.slope) / 2)
+    return ElasticGap(curve=curve, sigma=moments.rms_roughness, log_scale=scale)
+
+
+@lru_cache(maxsize=64)
+def declared_gap_curve(autocorrelation: Autocorrelation) -> GapCurve:
+    """The mean over generated Gaussian surfaces, from the catalog.
+
+    gaussian: one curve. exponential: the curves of three spacings, linear in ln of the spacing over the length; beyond
+    the widest and the finest, theirs.
+    """
+    require_positive(length=autocorrelation.length, spacing=autocorrelation.spacing)
+    table = catalog.entry("corrections", "elastic_gap")
+    curves = sorted((c for c in table["curve"] if c["kind"] == autocorrelation.kind), key=lambda c: c["spacing"])
+    if not curves:
+        raise InputError(f"autocorrelation.kind must be gaussian or exponential, got {autocorrelation.kind!r}")
+    spacing, at = autocorrelation.spacing / autocorrelation.length, np.log([c["spacing"] for c in curves])
+    weights = np.array([np.interp(np.log(spacing), at, row) for row in np.eye(len(curves))])
+    return GapCurve(
+        knots=np.log(table["pressure"]),
+        gaps=weights @ np.log([c["gap"] for c in curves]),
+        spreads=weights @ np.array([c["spread"] for c in curves]),
+        areas=weights @ np.array([c["area_fraction"] for c in curves]),
+        width=table["width"],
+    )
+
+
+def measured_gap_curve(height_map: HeightMap) -> GapCurve:
+    """The curve of a measured surface, of the middle of its map, at most 256 by 256 points, levelled again.
+
+    Mirror images continue the map beyond its edges, where they make ridges and furrows: on generated surfaces 20
+    correlation lengths wide this lowers the gap by 1 to 2 %. The spread between such pieces is that of surfaces with a
+    gaussian autocorrelation, for the piece's own width. The result is remembered.
+    Raises InputError for a flat map.
+    """
+    rows, columns = (max(size - MOST_POINTS, 0) // 2 for size in height_map.heights.shape)
+    heights = height_map.heights[rows : rows + MOST_POINTS, columns : columns + MOST_POINTS]
+    return _of_heights(heights.tobytes(), heights.shape)
+
+
+@lru_cache(maxsize=8)
+def _of_heights(content: bytes, shape: tuple[int, int]) -> GapCurve:
+    piece = levelled(HeightMap(heights=np.frombuffer(content).reshape(shape), spacing=1.0))
+    pressures, results = np.array(PRESSURES), list(pressed(piece.heights, PRESSURES, periodic=False))
+    open_ = np.array([result.mean_gap > NO_GAP for result in results])
+    knots = np.log(pressures[open_])[::-1]
+    gaps = np.log([result.mean_gap for result in results])[open_][::-1]
+    areas = np.array([min(result.area_fraction, 1 - NO_GAP) for result in results])[open_][::-1]
+    width = min(shape) / min(measure(piece).correlation_length, LONGEST * min(shape))
+    table = declared_gap_curve(Autocorrelation(kind="gaussian", length=10.0, spacing=1.0))
+    return GapCurve(
+        knots=knots, gaps=gaps, areas=areas, spreads=table.spread(knots) * table.width / width, width=width
+    )
+
+
+def pressed(heights: Array, pressures: tuple[float, ...], *, periodic: bool) -> Iterator[PressedSurface]:
+    """The surface under these mean pressures over E* slope, falling; each solution is the start for the next.
+
+    heights : (rows, columns), in any unit
+    periodic : the surface repeats itself; otherwise mirror images continue it, without a step at its edges
+    Slope is that of differences of neighbours, as in `heightmap.measure`.
+    Raises InputError for a flat surface or one that is not finite.
+    """
+    deviation = float(heights.std())
+    if not 0 < deviation < np.inf:
+        raise InputError(f"heights deviate by {deviation!r} from their mean: give the map of a rough surface")
+    heights = (heights - heights.mean()) / deviation
+    slope = np.sqrt(sum(float(np.mean(np.diff(heights, axis=axis) ** 2)) for axis in (0, 1)))
+    displacement, full_contact = _half_space(heights.shape, 2 * slope, periodic=periodic)
+    pressure = np.maximum(full_contact(heights) + pressures[0], 0.0)
+    for mean in pressures:
+        pressure, gap = _balanced(displacement, heights, pressure * (mean / pressure.mean()), mean)
+        yield PressedSurface(pressure=pressure, gap=gap)
+
+
+def _half_space(
+    shape: tuple[int, ...], factor: float, *, periodic: bool
+) -> tuple[Callable[[Array], Array], Callable[[Array], Array]]:
+    """Displacement of pressure, factor p(q)/|q| with q per point, and its inverse; both without their mean."""
+    rows, columns = shape
+    if periodic:
+        q = 2 * np.pi * np.hypot(fft.fftfreq(rows)[:, None], fft.rfftfreq(columns))
+    else:
+        q = np.pi * np.hypot(np.arange(rows)[:, None] / rows, np.arange(columns) / columns)
+
+    def filtered(gain: Array) -> Callable[[Array], Array]:
+        if periodic:
+            return lambda field: fft.irfft2(fft.rfft2(field) * gain, s=shape)
+        return lambda field: fft.idctn(fft.dctn(field) * gain)
+
+    return filtered(np.divide(factor, q, out=np.zeros_like(q), where=q > 0)), filtered(q / factor)
+
+
+def _balanced(
+    displacement: Callable[[Array], Array], heights: Array, pressure: Array, mean: float
+) -> tuple[Array, Array]:
+    """Pressure and gap, by conjugate gradients of the pressure where it is above 0; pressure : the start."""
+    gap = displacement(pressure) - heights
+    direction, before, keep = np.zeros_like(heights), 1.0, 0.0
+    error = np.inf
+    for _ in range(MOST_STEPS):
+        touching = pressure > 0
+        gap = gap - gap[touching].mean()
+        residual = gap[touching]
+        square = float(residual @ residual)
+        error = np.sqrt(square / residual.size) + float(np.maximum(-gap, 0.0, where=~touching, out=np.zeros_like(gap)).mean())
+        if error <= MISSED * max(float(gap.mean()), NO_GAP):
+            return pressure, np.maximum(np.where(touching, 0.0, gap), 0.0)
+        direction = np.where(touching, gap + keep * square / before * direction, 0.0)
+        change = displacement(direction)
+        change = change[touching] - change[touching].mean()
+        step = float(residual @ direction[touching]) / float(change @ direction[touching])
+        pressure = np.maximum(pressure - step * direction, 0.0)
+        overlapping = (pressure == 0) & (gap < 0)
+        pressure[overlapping] = -step * gap[overlapping]
+        before, keep = square, 0.0 if overlapping.any() else 1.0
+        pressure *= mean / pressure.mean()
+        gap = displacement(pressure) - heights
+    raise ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=float(error),
+        tolerance=MISSED * max(float(gap.mean()), NO_GAP),
+        unit="rms heights",
+        problem="the contact of a rough surface",
+        remedy="Check the height map for spikes, or give a smoother one.",
+    )
+
+
+def _monotone(x: Array, y: Array) -> Cubic:
+    """A cubic with continuous slope that rises or falls as the points do, at the ends too.
+
+    There the slope of SciPy's monotone cubic may be 0; here it is at least a third of that of the last piece.
+    """
+    from scipy.interpolate import CubicHermiteSpline, PchipInterpolator  # slow to import, only for rough surfaces
+
+    slopes = np.array(PchipInterpolator(x, y).derivative()(x))
+    pieces = np.diff(y) / np.diff(x)
+    for end in (0, -1):
+        slopes[end] = np.sign(pieces[end]) * np.clip(abs(slopes[end]), abs(pieces[end]) / 3, 3 * abs(pieces[end]))
+    return Cubic(x[1:-1], x[:-1], np.asarray(CubicHermiteSpline(x, y, slopes).c))
