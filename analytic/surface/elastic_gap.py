@@ -149,8 +149,8 @@ def elastic_gap(curve: GapCurve, *, moments: SpectralMoments, modulus: float) ->
 def declared_gap_curve(autocorrelation: Autocorrelation) -> GapCurve:
     """The mean over generated Gaussian surfaces, from the catalog.
 
-    gaussian: one curve. exponential: the curves of three spacings, linear in ln of the spacing over the length; beyond
-    the widest and the finest, theirs.
+    gaussian: one curve. exponential: the curves of several spacings, linear in ln of the spacing over the length;
+    beyond the widest and the finest, theirs.
     """
     require_positive(length=autocorrelation.length, spacing=autocorrelation.spacing)
     table = catalog.entry("corrections", "elastic_gap")
