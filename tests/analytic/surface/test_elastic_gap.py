@@ -1,0 +1,163 @@
+"""Curves of the mean gap: the wanted shape everywhere, limits, units, and measured maps.
+
+tests/validation/test_elastic_gap.py compares the stored curve with an independent code.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.scene import Array, Autocorrelation
+from analytic.surface.elastic_gap import GapCurve, declared_gap_curve, elastic_gap, measured_gap_curve
+from analytic.surface.heightmap import HeightMap
+from analytic.surface.moments import SpectralMoments
+from analytic.surface.roughness import generated_surface, spectral_moments
+
+GAUSSIAN = Autocorrelation(kind="gaussian", length=60e-6, spacing=2e-6)
+WIDE = Autocorrelation(kind="exponential", length=50e-6, spacing=5e-6)
+FINE = Autocorrelation(kind="exponential", length=50e-6, spacing=2.5e-6)
+BETWEEN = Autocorrelation(kind="exponential", length=50e-6, spacing=3.5e-6)
+
+
+def made(*, scale: float = 1.0, seed: int = 3, points: int = 128, spacing: float = 1e-6) -> HeightMap:
+    kind = Autocorrelation(kind="gaussian", length=10 * spacing, spacing=spacing)
+    heights = generated_surface(rms_roughness=0.2e-6, autocorrelation=kind, points=points, seed=seed).heights
+    return HeightMap(heights=scale * heights, spacing=spacing)
+
+
+@pytest.fixture(scope="module")
+def measured() -> GapCurve:
+    return measured_gap_curve(made())
+
+
+@pytest.fixture(params=["gaussian", "wide", "between", "measured"])
+def curve(request: pytest.FixtureRequest, measured: GapCurve) -> GapCurve:
+    declared = {"gaussian": GAUSSIAN, "wide": WIDE, "between": BETWEEN}
+    return measured if request.param == "measured" else declared_gap_curve(declared[request.param])
+
+
+def everywhere(curve: GapCurve) -> Array:
+    """200 random ln p within and near the knots, and far beyond both ends."""
+    near = np.random.default_rng(11).uniform(curve.knots[0] - 3, curve.knots[-1] + 2, 200)
+    return np.sort(np.concatenate([near, curve.knots, [-1e4, -2e3, -300.0, -40.0, 9.0, 150.0, 299.0, 310.0, 700.0]]))
+
+
+def test_the_gap_falls_everywhere(curve: GapCurve) -> None:
+    value, slope = curve.log_gap(everywhere(curve))
+    assert np.isfinite(value).all()
+    assert np.isfinite(slope).all()
+    assert np.all(np.diff(value) < 0)
+    assert np.all(slope < 0)
+
+
+def test_the_slope_is_the_derivative_and_has_no_jump(curve: GapCurve) -> None:
+    step = 1e-6
+    at = np.concatenate([everywhere(curve)[3:-5], curve.knots])
+    difference = (curve.log_gap(at + step)[0] - curve.log_gap(at - step)[0]) / (2 * step)
+    np.testing.assert_allclose(curve.log_gap(at)[1], difference, rtol=1e-4)  # the second derivative times the step
+    before, after = (curve.log_gap(curve.knots + side)[1] for side in (-1e-9, 1e-9))
+    np.testing.assert_allclose(before, after, rtol=1e-6)
+
+
+def test_the_inverse_gives_the_pressure_back(curve: GapCurve) -> None:
+    at = everywhere(curve)[1:-2]
+    np.testing.assert_allclose(curve.log_pressure(curve.log_gap(at)[0]), at, rtol=1e-9, atol=1e-9)  # of ln p = 0
+
+
+def test_the_gap_of_almost_no_pressure_is_that_of_gaussian_summits(curve: GapCurve) -> None:
+    """ln p = -g^2/2 and smaller terms: g dg/d ln p tends to -1."""
+    at = np.array([-1e4, -1e6])
+    value, slope = curve.log_gap(at)
+    smaller = np.array([0.05, 0.005])  # those terms are of the order of 1/g; the knots put 2 to 5 in place of 1
+    assert np.all(np.abs(np.exp(value) / np.sqrt(-2 * at) - 1) < smaller)
+    assert np.all(np.abs(np.exp(2 * value) * slope + 1) < smaller)
+
+
+def test_the_gap_closes_at_least_exponentially(curve: GapCurve) -> None:
+    """ln g over p has a falling slope: dg/d ln p over p falls."""
+    at = curve.knots[-1] + np.linspace(0.0, 5.0, 40)
+    assert np.all(np.diff(curve.log_gap(at)[1] / np.exp(at)) < 0)
+
+
+def test_the_area_rises_from_0_to_1(curve: GapCurve) -> None:
+    at = everywhere(curve)
+    area = curve.area_fraction(at)
+    assert np.all(np.diff(area) >= 0)
+    assert area[0] == 0
+    assert area[-1] == 1
+    low = np.array([-20.0, -21.0])
+    np.testing.assert_allclose(np.diff(np.log(curve.area_fraction(low))), -1, rtol=1e-6)  # proportional to p
+
+
+def test_the_area_is_near_that_of_a_theory_that_has_no_summits() -> None:
+    """[Persson2001]: erf(sqrt(2) p/(E* slope)), right at full contact, low by a third where few summits touch."""
+    from scipy.special import erf
+
+    pressure = np.array([0.3, 0.5, 0.9])
+    area = declared_gap_curve(GAUSSIAN).area_fraction(np.log(pressure))
+    np.testing.assert_allclose(area, erf(np.sqrt(2) * pressure), rtol=0.2)  # that theory's own error, [Persson2001]
+    assert np.all(area > erf(np.sqrt(2) * pressure))
+
+
+def test_exponential_curves_are_interpolated_in_the_spacing() -> None:
+    at = np.linspace(-6.0, 0.0, 21)
+    wide, fine, between = (declared_gap_curve(kind).log_gap(at)[0] for kind in (WIDE, FINE, BETWEEN))
+    assert np.all((between > np.minimum(wide, fine)) & (between < np.maximum(wide, fine)))
+    beyond = Autocorrelation(kind="exponential", length=50e-6, spacing=30e-6)
+    np.testing.assert_allclose(declared_gap_curve(beyond).log_gap(at)[0], wide, rtol=1e-12)
+
+
+def test_heights_and_spacing_do_not_change_a_dimensionless_curve(measured: GapCurve) -> None:
+    for other in (made(scale=2.0), made(spacing=0.3e-6)):
+        np.testing.assert_allclose(measured_gap_curve(other).gaps, measured.gaps, atol=1e-7)  # round-off, amplified
+
+
+def test_twice_the_heights_have_twice_the_gap_at_twice_the_pressure() -> None:
+    curve, modulus, at = declared_gap_curve(GAUSSIAN), 113e9, np.log([2e6, 3e8, 5e9])
+    moments = spectral_moments(rms_roughness=0.3e-6, autocorrelation=GAUSSIAN)
+    one, two = (elastic_gap(curve, moments=moments.scaled(factor), modulus=modulus) for factor in (1, 2))
+    np.testing.assert_allclose(two.log_gap(at + np.log(2))[0], one.log_gap(at)[0] + np.log(2), rtol=1e-12)
+    np.testing.assert_allclose(two.area_fraction(at + np.log(2)), one.area_fraction(at), rtol=1e-12)
+    np.testing.assert_allclose(one.log_pressure(one.log_gap(at)[0]), at, rtol=1e-9)
+    np.testing.assert_allclose(one.spread(at), curve.spread(at - np.log(modulus * 2 * 0.3 / 60)), rtol=1e-12)
+    # p/(E* slope) = 0.1 at slope = 2 sigma/B; 0.643 sigma is published, 3 % its uncertainty (test of the table)
+    (value,), _ = one.log_gap(np.log([0.1 * modulus * 2 * 0.3 / 60]))
+    assert np.exp(value) == pytest.approx(0.643 * 0.3e-6, rel=0.03)
+
+
+def test_a_measured_gaussian_surface_has_about_the_declared_curve(measured: GapCurve) -> None:
+    """Within four of its own standard deviations, of one surface 13 lengths wide, and what the mirrors take."""
+    declared = declared_gap_curve(GAUSSIAN).log_gap(measured.knots)[0]
+    assert measured.width == pytest.approx(12.8, rel=0.2)  # of the sample
+    assert np.all(np.abs(measured.gaps - declared) < 4 * measured.spreads + 0.03)
+
+
+def test_a_large_map_is_cut_to_its_middle_and_tilt_does_not_matter() -> None:
+    large = made(points=300, seed=8)
+    tilted = large.heights + np.linspace(0, 4e-6, 300)
+    rim = np.pad(np.zeros((256, 256)), 22, constant_values=1e-3)
+    changed = measured_gap_curve(HeightMap(heights=tilted + rim, spacing=1.0))
+    np.testing.assert_allclose(changed.gaps, measured_gap_curve(large).gaps, atol=1e-6)  # round-off, amplified
+
+
+def test_a_map_is_remembered_by_its_heights() -> None:
+    assert measured_gap_curve(made()) is measured_gap_curve(made())
+    assert measured_gap_curve(made()) is not measured_gap_curve(made(seed=4))
+
+
+def test_bad_input_is_refused() -> None:
+    smooth = SpectralMoments(height=0.0, slope=0.0, curvature=0.0)
+    with pytest.raises(InputError, match="height must be positive"):
+        elastic_gap(declared_gap_curve(GAUSSIAN), moments=smooth, modulus=1e11)
+    with pytest.raises(InputError, match="rough surface"):
+        measured_gap_curve(HeightMap(heights=np.zeros((40, 40)), spacing=1e-6))
+    with pytest.raises(InputError, match="gaussian or exponential"):
+        declared_gap_curve(Autocorrelation(kind="white", length=1e-5, spacing=1e-6))  # type: ignore[arg-type]
+
+
+def test_the_curves_ship_with_the_package() -> None:
+    from importlib.resources import files
+
+    assert Path(str(files("analytic") / "catalog" / "corrections" / "elastic_gap.toml")).is_file()
