@@ -76,9 +76,10 @@ def lubricate_races(
     Raises InputError if no hardness is known or if a formula refuses the oil.
     """
     roughness = gap_roughness(surface)
+    bodies = [(bearing.ball_material, groove.material) for groove in (bearing.inner, bearing.outer)]
     inner, outer = (
-        gap_law(surface, roughness, modulus=float(modulus), bodies=(bearing.ball_material, groove.material))
-        for modulus, groove in zip(balls.modulus.ravel(), (bearing.inner, bearing.outer), strict=True)
+        gap_law(surface, roughness, modulus=float(modulus), bodies=pair)
+        for modulus, pair in zip(balls.modulus.ravel(), bodies, strict=True)
     )
     speed = ring_speed[:, None] * balls.motion.entrainment_speed
     return LubricatedRaces(
@@ -86,7 +87,7 @@ def lubricate_races(
         lubricant=lubricant,
         surface=surface,
         roughness=roughness,
-        gaps=(inner, outer),
+        gaps=(inner, inner if bodies[0] == bodies[1] else outer),
         ring_speed=ring_speed,
         entrainment_speed=speed,
         variation=variation,

@@ -15,7 +15,6 @@ import numpy as np
 
 from analytic import catalog
 from analytic.errors import InputError, require_positive
-from analytic.numerics.root import bracketed_root
 from analytic.scene import Array, Autocorrelation
 from analytic.surface.asperity_table import Cubic
 from analytic.surface.boundary_elements import NO_GAP, pressed
@@ -58,25 +57,6 @@ class GapCurve:
             np.where(low, np.log(offset + root), value + steep),
             np.where(low, -1 / (root * (offset + root)), slope * growth),
         )
-
-    def log_pressure(self, log_gap: Array) -> Array:
-        """The inverse: ln of p/(E* slope) at which the mean gap is that; log_gap : -1e250 to 350."""
-        wanted = np.clip(log_gap, self.gaps[-1], self.gaps[0])
-        within = bracketed_root(
-            lambda x: (wanted - (cubic := self._gap(x))[0], -cubic[1]),
-            start=np.interp(-wanted, -self.gaps, self.knots),
-            low=np.full_like(wanted, self.knots[0]),
-            high=np.full_like(wanted, self.knots[-1]),
-            relative=1e-13,
-            absolute=1e-13,
-            problem="the pressure that closes the gap",
-            unit="of ln p",
-            remedy="Check the roughness.",
-        )
-        start, offset = self._tail
-        opened = np.maximum(np.exp(np.maximum(log_gap, self.gaps[0])) - offset, start)
-        closed = np.minimum(log_gap - self.gaps[-1], 0.0) / self._gap(self.knots[-1:])[1]
-        return within - (opened - start) * (opened + start) / 2 + np.log1p(2 * closed) / 2
 
     def area_fraction(self, log_pressure: Array) -> Array:
         """Real over nominal area, rising with p from 0 to 1: proportional to p where small."""
@@ -122,17 +102,9 @@ class ElasticGap:
         value, slope = self.curve.log_gap(log_pressure - self.log_scale)
         return value + np.log(self.sigma), slope
 
-    def log_pressure(self, log_gap: Array) -> Array:
-        """The inverse: ln p at which ln of the mean gap in m is that."""
-        return self.curve.log_pressure(log_gap - np.log(self.sigma)) + self.log_scale
-
     def area_fraction(self, log_pressure: Array) -> Array:
         """Real over nominal area."""
         return self.curve.area_fraction(log_pressure - self.log_scale)
-
-    def spread(self, log_pressure: Array) -> Array:
-        """Standard deviation of ln gap between surfaces of the curve's width."""
-        return self.curve.spread(log_pressure - self.log_scale)
 
 
 def elastic_gap(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> ElasticGap:

@@ -1,6 +1,5 @@
 """The gap law of a scene's surfaces: how much room they leave for the oil while asperities carry a pressure."""
 
-from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
@@ -8,6 +7,7 @@ import numpy as np
 from analytic.scene import Array, Material, Surface
 from analytic.surface.asperity import first_yield, softer_hardness
 from analytic.surface.asperity_table import tabulated_asperities
+from analytic.surface.elastic_gap import declared_gap_curve, elastic_gap, measured_gap_curve
 from analytic.surface.roughness import GapRoughness
 from analytic.surface.truncated_gap import TruncatedGap
 
@@ -29,7 +29,6 @@ class GapLaw(Protocol):
         ...
 
 
-@lru_cache(maxsize=64)
 def gap_law(
     surface: Surface, roughness: GapRoughness, *, modulus: float, bodies: tuple[Material, Material]
 ) -> GapLaw | None:
@@ -40,6 +39,13 @@ def gap_law(
     """
     if roughness.rms_roughness == 0:
         return None
+    if surface.gap == "elastic":
+        if roughness.height_map is not None:
+            curve = measured_gap_curve(roughness.height_map)
+        else:
+            assert surface.autocorrelation is not None
+            curve = declared_gap_curve(surface.autocorrelation)
+        return elastic_gap(curve, moments=roughness.ball + roughness.race, modulus=modulus)
     summits = roughness.summits
     if surface.asperities == "greenwood_williamson":
         depth = NEVER_YIELDS * float(summits.height_deviation)

@@ -26,6 +26,7 @@ class GapRoughness:
     ball: SpectralMoments
     race: SpectralMoments
     summits: Summits  # of the sum of both
+    height_map: HeightMap | None  # the measured race; None: declared statistics
     warnings: tuple[str, ...]
 
     @property
@@ -98,9 +99,11 @@ def gap_roughness(surface: Surface) -> GapRoughness:
     Warnings name numbers that depend on the spacing. Raises InputError as read_height_map does, and if the surface has
     neither a height map nor a roughness with its autocorrelation.
     """
+    height_map: HeightMap | None = None
     if surface.height_map is not None:
         try:
-            measured = measure(read_height_map(surface.height_map.path, spacing=surface.height_map.spacing))
+            height_map = read_height_map(surface.height_map.path, spacing=surface.height_map.spacing)
+            measured = measure(height_map)
         except InputError as problem:
             raise InputError(f"surface.height_map: {problem}") from problem
         race, warnings = measured.moments, measured.warnings
@@ -116,7 +119,8 @@ def gap_roughness(surface: Surface) -> GapRoughness:
     if surface.ball_rms_roughness is not None:
         require_non_negative(ball_rms_roughness=surface.ball_rms_roughness)
         ball = unit.scaled(surface.ball_rms_roughness)
-    return GapRoughness(ball=ball, race=race, summits=mccool_summits(ball + race), warnings=warnings)
+    summits = mccool_summits(ball + race)
+    return GapRoughness(ball=ball, race=race, summits=summits, height_map=height_map, warnings=warnings)
 
 
 def _require_sound(autocorrelation: Autocorrelation) -> None:
