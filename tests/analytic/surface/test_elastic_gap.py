@@ -61,11 +61,6 @@ def test_the_slope_is_the_derivative_and_has_no_jump(curve: GapCurve) -> None:
     np.testing.assert_allclose(before, after, rtol=1e-6)
 
 
-def test_the_inverse_gives_the_pressure_back(curve: GapCurve) -> None:
-    at = everywhere(curve)[1:-2]
-    np.testing.assert_allclose(curve.log_pressure(curve.log_gap(at)[0]), at, rtol=1e-9, atol=1e-9)  # of ln p = 0
-
-
 def test_the_gap_of_almost_no_pressure_is_that_of_gaussian_summits(curve: GapCurve) -> None:
     """ln p = -g^2/2 and smaller terms: g dg/d ln p tends to -1."""
     at = np.array([-1e4, -1e6])
@@ -120,8 +115,6 @@ def test_twice_the_heights_have_twice_the_gap_at_twice_the_pressure() -> None:
     one, two = (elastic_gap(curve, moments=moments.scaled(factor), modulus=modulus) for factor in (1, 2))
     np.testing.assert_allclose(two.log_gap(at + np.log(2))[0], one.log_gap(at)[0] + np.log(2), rtol=1e-12)
     np.testing.assert_allclose(two.area_fraction(at + np.log(2)), one.area_fraction(at), rtol=1e-12)
-    np.testing.assert_allclose(one.log_pressure(one.log_gap(at)[0]), at, rtol=1e-9)
-    np.testing.assert_allclose(one.spread(at), curve.spread(at - np.log(modulus * 2 * 0.3 / 60)), rtol=1e-12)
     # p/(E* slope) = 0.1 at slope = 2 sigma/B; 0.643 sigma is published, 3 % its uncertainty (test of the table)
     (value,), _ = one.log_gap(np.log([0.1 * modulus * 2 * 0.3 / 60]))
     assert np.exp(value) == pytest.approx(0.643 * 0.3e-6, rel=0.03)
