@@ -2,8 +2,8 @@
 
 Presses generated surfaces on an elastic half space, writes the mean of their curves into the catalog's
 corrections/elastic_gap.toml, which `analytic.surface.elastic_gap` reads, and prints it. Every surface counts with its
-own sigma and slope. Surfaces are periodic and 20 correlation lengths wide. The gaussian autocorrelation has one curve; the
-exponential one has one for each of several spacings, because its slope is that seen at the spacing.
+own sigma and slope. Surfaces are periodic and 20 correlation lengths wide. The gaussian autocorrelation has one curve;
+the exponential one has one for each of several spacings, because its slope is that seen at the spacing.
 
 With --check nothing is written. It compares the stored gaussian curve with an independent code
 (published/elastic_gap.csv), and one surface with Tamaas: periodic, and one continued by its mirror images. It ends with

@@ -107,7 +107,7 @@ class ElasticGap:
         return self.curve.area_fraction(log_pressure - self.log_scale)
 
 
-def elastic_gap(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> ElasticGap:
+def gap_between(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> ElasticGap:
     """The gap of surfaces with these moments, the sum of both; modulus : E*, Pa, > 0.
 
     Raises InputError for a smooth surface, whose gap is 0.

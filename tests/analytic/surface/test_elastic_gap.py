@@ -10,7 +10,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Array, Autocorrelation
-from analytic.surface.elastic_gap import GapCurve, declared_gap_curve, elastic_gap, measured_gap_curve
+from analytic.surface.elastic_gap import GapCurve, declared_gap_curve, gap_between, measured_gap_curve
 from analytic.surface.heightmap import HeightMap
 from analytic.surface.moments import SpectralMoments
 from analytic.surface.roughness import generated_surface, spectral_moments
@@ -112,7 +112,7 @@ def test_heights_and_spacing_do_not_change_a_dimensionless_curve(measured: GapCu
 def test_twice_the_heights_have_twice_the_gap_at_twice_the_pressure() -> None:
     curve, modulus, at = declared_gap_curve(GAUSSIAN), 113e9, np.log([2e6, 3e8, 5e9])
     moments = spectral_moments(rms_roughness=0.3e-6, autocorrelation=GAUSSIAN)
-    one, two = (elastic_gap(curve, moments=moments.scaled(factor), modulus=modulus) for factor in (1, 2))
+    one, two = (gap_between(curve, moments=moments.scaled(factor), modulus=modulus) for factor in (1, 2))
     np.testing.assert_allclose(two.log_gap(at + np.log(2))[0], one.log_gap(at)[0] + np.log(2), rtol=1e-12)
     np.testing.assert_allclose(two.area_fraction(at + np.log(2)), one.area_fraction(at), rtol=1e-12)
     # p/(E* slope) = 0.1 at slope = 2 sigma/B; 0.643 sigma is published, 3 % its uncertainty (test of the table)
@@ -143,7 +143,7 @@ def test_a_map_is_remembered_by_its_heights() -> None:
 def test_bad_input_is_refused() -> None:
     smooth = SpectralMoments(height=0.0, slope=0.0, curvature=0.0)
     with pytest.raises(InputError, match="height must be positive"):
-        elastic_gap(declared_gap_curve(GAUSSIAN), moments=smooth, modulus=1e11)
+        gap_between(declared_gap_curve(GAUSSIAN), moments=smooth, modulus=1e11)
     with pytest.raises(InputError, match="rough surface"):
         measured_gap_curve(HeightMap(heights=np.zeros((40, 40)), spacing=1e-6))
     with pytest.raises(InputError, match="gaussian or exponential"):
