@@ -1,0 +1,106 @@
+"""The mean gap of truncated surfaces: its integral in 40 digits, printed digits, limits, and its derivative."""
+
+from dataclasses import replace
+
+import mpmath
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.stats import norm
+
+from analytic.scene import Surface
+from analytic.surface.asperity import separation_at
+from analytic.surface.gap import gap_law
+from analytic.surface.roughness import gap_roughness
+from analytic.surface.truncated_gap import FAR, TruncatedGap, log_mean_gap
+from tests.analytic.specimens import FINISH, present
+from tests.contacts import STEEL
+
+E = 113.187e9  # Pa
+FINISHED = replace(FINISH, gap="truncated")
+
+
+def exact(x: float) -> tuple[float, float]:
+    """ln[phi(x) + x Phi(x)], and its derivative Phi over that; 60 digits, of which the sum cancels 12 at x = -1e6."""
+    with mpmath.workdps(60):
+        at = mpmath.mpf(x)
+        below = mpmath.erfc(-at / mpmath.sqrt(2)) / 2
+        gap = mpmath.exp(-(at**2) / 2) / mpmath.sqrt(2 * mpmath.pi) + at * below
+        return float(mpmath.log(gap)), float(below / gap)
+
+
+def law(surface: Surface = FINISHED) -> TruncatedGap:
+    found = present(gap_law(surface, gap_roughness(surface), modulus=E, bodies=(STEEL, STEEL)))
+    assert isinstance(found, TruncatedGap)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("x", "printed", "digits"),
+    [
+        (-12.0, 1.4605e-34, 5),  # phi + x Phi cancels to rounding here
+        (-5.0, 5.346166e-8, 7),
+        (-1.0, 0.08331547, 7),
+        (0.0, 0.3989423, 7),
+        (1.0, 1.08331547, 9),
+    ],
+)
+def test_printed_digits_and_40_digits(x: float, printed: float, digits: int) -> None:
+    log_gap = float(log_mean_gap(np.array(x))[0])
+    np.testing.assert_allclose(log_gap, exact(x)[0], rtol=1e-15, atol=1e-14)
+    np.testing.assert_allclose(np.exp(log_gap), printed, rtol=5 * 10.0**-digits)  # half a unit of a leading 1
+
+
+def test_random_separations_against_60_digits() -> None:
+    random = np.random.default_rng(20)
+    x = np.concatenate([random.uniform(-12, 12, 200), random.choice([-1, 1], 300) * 10 ** random.uniform(-9, 6, 300)])
+    x = np.concatenate([x, -FAR * (1 + np.array([-1e-9, 0.0, 1e-9])), [-1e6, 1e6]])
+    log_gap, slope = log_mean_gap(x)
+    expected, steepness = np.array([exact(float(each)) for each in x]).T
+    # 1 - t sqrt(pi/2) erfcx cancels to 1/t^2: at most 4 digits lost, of a logarithm near -5000 there.
+    np.testing.assert_allclose(log_gap, expected, rtol=1e-15, atol=5e-13)
+    np.testing.assert_allclose(slope, steepness, rtol=5e-12)  # those 4 digits
+
+
+def test_it_is_the_mean_of_what_is_not_cut_off() -> None:
+    """By integration over the heights, which the closed form does away with."""
+    for x in (-6.3, -1.7, 0.4, 3.1):
+        mean, _ = quad(lambda z, x=x: (x - z) * norm.pdf(z), -40, x, epsabs=0, epsrel=1e-10, points=(x - 1, x - 3))
+        np.testing.assert_allclose(np.exp(log_mean_gap(np.array(x))[0]), mean, rtol=1e-9)  # quad's
+
+
+def test_its_limits() -> None:
+    far = np.array([9.0, 40.0, 1e6])
+    np.testing.assert_allclose(np.exp(log_mean_gap(far)[0]), far, rtol=1e-13)  # nothing is cut off: the gap is d
+    deep = -np.array([1e4, 1e5, 1e6])
+    left = log_mean_gap(deep)[0] + deep**2 / 2 + np.log(2 * np.pi) / 2 + 2 * np.log(-deep)
+    np.testing.assert_allclose(left, 0, atol=1e-3)  # phi/t^2: logarithms of 5e11 are rounded to 6e-5
+    x = np.linspace(-200, 50, 100_001)
+    assert np.all(np.diff(log_mean_gap(x)[0]) > 0)
+
+
+def test_the_law_joins_pressure_and_gap() -> None:
+    """By the quadrature over the summits and over the heights, in place of splines and closed form."""
+    truncated, summits = law(), gap_roughness(FINISHED).summits
+    deviation = np.sqrt(2) * FINISHED.rms_roughness
+    for pressure in (3e4, 2e7, 8e8, 2.3e9):
+        d = float(separation_at(pressure=pressure, summits=summits, modulus=E, hardness=present(FINISHED.hardness)))
+        mean, _ = quad(lambda z, d=d: max(d - deviation * z, 0.0) * norm.pdf(z), -40, d / deviation, epsabs=0)
+        log_gap, slope = truncated.log_gap(np.log(pressure))
+        # Splines and quadrature agree to 3e-8 deviations; dh/dd = Phi(x) over h is 1/deviation at most |x| + 1 times.
+        np.testing.assert_allclose(np.exp(log_gap), mean, rtol=3e-8 * (1 + abs(d) / deviation))
+        step = 1e-4
+        beyond, before = (truncated.log_gap(np.log(pressure) + change)[0] for change in (step, -step))
+        np.testing.assert_allclose(slope, (beyond - before) / (2 * step), rtol=2e-6)  # third derivatives of a spline
+        assert slope < 0
+
+
+def test_the_dry_gap_of_smooth_and_unyielding_surfaces() -> None:
+    flat = replace(FINISHED, rms_roughness=0.0)
+    assert gap_law(flat, gap_roughness(flat), modulus=E, bodies=(STEEL, STEEL)) is None
+    hard, never = replace(FINISHED, hardness=1e15), replace(FINISHED, asperities="greenwood_williamson", hardness=None)
+    log_pressure = np.log([1e6, 1e9])
+    for found, expected in zip(law(never).log_gap(log_pressure), law(hard).log_gap(log_pressure), strict=True):
+        np.testing.assert_allclose(found, expected, rtol=1e-6)  # both splines, around other kinks
+    soft = replace(FINISHED, hardness=1e9)
+    assert np.all(law(never).log_gap(log_pressure)[0] > law(soft).log_gap(log_pressure)[0])  # yielding lets them closer
