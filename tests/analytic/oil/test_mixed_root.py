@@ -1,0 +1,226 @@
+"""The shared load against a root in 40 digits, the digits of another program, and another unknown."""
+
+import mpmath
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.optimize import brentq
+from scipy.stats import norm
+
+from analytic.scene import AsperityLaw
+from analytic.surface.asperity import asperity_load
+from analytic.surface.moments import Summits
+from analytic.surface.truncated_gap import TruncatedGap
+from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough, smooth_film
+from tests.analytic.specimens import hertzian
+
+
+def printed_film(share: mpmath.mpf, **changed: float) -> mpmath.mpf:
+    """The film formula as printed, of the load F (1 - s) and the modulus E* (1 - s)."""
+    q, given = mpmath.mpf, CONTACT | OIL | changed
+    r_x, stiff = 1 / q(given["curvature_rolling"]), 2 * q(given["modulus"]) * (1 - share)
+    u = 2 * q(given["viscosity"]) * given["entrainment_speed"] / (stiff * r_x)
+    m = q(given["load"]) * (1 - share) / (stiff * r_x**2) * u ** q("-0.75")
+    ell, lam = given["pressure_viscosity"] * stiff * mpmath.root(u, 4), q(given["curvature_transverse"]) * r_x
+    elastic = 1 + q("0.006") * mpmath.log(lam) + q("0.63") * lam ** (q(4) / 7)
+    ri = 145 * (1 + q("0.796") * lam ** (q(14) / 15)) ** (-q(15) / 7) / lam / m**2
+    rp = q("1.29") * (1 + q("0.691") * lam) ** (-q(2) / 3) * ell ** (q(2) / 3)
+    ei = q("3.18") * elastic ** (-q(14) / 25) * lam ** (-q(1) / 15) * m ** (-q(2) / 15)
+    ep = q("1.48") * elastic ** (-q(7) / 20) * lam ** (-q(1) / 24) * m ** (-q(1) / 12) * ell ** q("0.75")
+    s = 1.5 * (1 + mpmath.exp(-q("1.2") * ei / ep))
+    left = (ri ** q("1.5") + (ei**-4 + (q("1.8") / lam) ** -4) ** (-q(3) / 8)) ** (2 * s / 3)
+    return r_x * mpmath.sqrt(u) * (left + (rp**-8 + ep**-8) ** (-s / 8)) ** (1 / s)
+
+
+def printed_gap(d: mpmath.mpf, gap: TruncatedGap) -> mpmath.mpf:
+    """sigma [phi(x) + x Phi(x)], which cancels by no more than the digits there are."""
+    sigma = mpmath.mpf(gap.deviation)
+    x = d / sigma
+    density = mpmath.exp(-(x**2) / 2) / mpmath.sqrt(2 * mpmath.pi)
+    return sigma * (density + x * mpmath.erfc(-x / mpmath.sqrt(2)) / 2)
+
+
+def printed_pressure(separation: mpmath.mpf, summits: Summits) -> mpmath.mpf:
+    """Of the asperities, as printed, by quadrature over the heights of the summits."""
+    q = mpmath.mpf
+    radius, s = q(float(summits.radius)), q(float(summits.height_deviation))
+    d = separation - q(float(summits.mean_height))
+    w1 = (3 * mpmath.pi * q("0.4") * q(H) / (4 * q(E))) ** 2 * radius
+    w2 = 54 * w1
+
+    def load(z: mpmath.mpf) -> mpmath.mpf:
+        w = z - d
+        if w < w1:
+            force = q(4) / 3 * q(E) * mpmath.sqrt(radius) * w * mpmath.sqrt(w)
+        elif w < w2:
+            t = (w - w1) / (w2 - w1)
+            pressure = q(H) * (1 - q("0.6") * (mpmath.log(w2) - mpmath.log(w)) / (mpmath.log(w2) - mpmath.log(w1)))
+            force = pressure * mpmath.pi * radius * w * (1 - 2 * t**3 + 3 * t**2)
+        else:
+            force = 2 * mpmath.pi * radius * w * q(H)
+        return force * mpmath.exp((max(d, 0) ** 2 - z**2) / (2 * s**2)) / (s * mpmath.sqrt(2 * mpmath.pi))
+
+    bottom, top = max(d, -14 * s), mpmath.sqrt(max(d, 0) ** 2 + 200 * s**2)
+    steps = [bottom + (top - bottom) * part / 16 for part in (1, 2, 4, 8)]
+    breaks = {bottom, top, *(x for x in (d + w1, d + w2, *steps) if bottom < x < top)}
+    return q(float(summits.density)) * mpmath.quad(load, sorted(breaks)) * mpmath.exp(-(max(d, 0) ** 2) / (2 * s**2))
+
+
+@pytest.mark.parametrize(
+    ("sq", "changed"),
+    [
+        (0.1e-6, {}),  # a small share
+        (0.02e-6, {}),  # 1e-13 or so
+        (1.0e-6, {"load": 48.0}),
+        (0.6e-6, {"entrainment_speed": 3e-5}),  # most of the load
+        (0.3e-6, {"entrainment_speed": 1e-9, "load": 3.7}),  # all but 1e-6 of it
+        (0.3e-6, {"pressure_viscosity": 1e-13, "entrainment_speed": 0.02}),  # all but isoviscous
+    ],
+)
+def test_the_root_of_the_printed_equations_in_40_digits(sq: float, changed: dict[str, float]) -> None:
+    """The unknown is the separation of the mean planes, from which everything follows without an inverse."""
+    gap, given = rough(sq), CONTACT | changed
+    found = mixed(gap, **changed)
+    log_pressure = np.log(found.asperity_share * given["load"] / area(given["load"]))
+    start, slope = (float(part) for part in gap.asperities.separation(log_pressure))
+    step = -0.1 * slope * (1 - float(found.asperity_share))  # a tenth of 1 - s
+    with mpmath.workdps(40):
+        nominal = mpmath.mpf(area(given["load"]))
+
+        def share(d: mpmath.mpf) -> mpmath.mpf:
+            return printed_pressure(d, gap.asperities.summits) * nominal / given["load"]
+
+        def excess(d: mpmath.mpf) -> mpmath.mpf:
+            return mpmath.log(printed_gap(d, gap) / printed_film(share(d), **changed))
+
+        with mpmath.workdps(20):
+            d = mpmath.findroot(excess, (start + step, start + step / 2), solver="secant", tol=1e-24)
+        exact = share(d)
+        film = printed_film(exact, **changed)
+        remaining = float(1 - exact)
+    np.testing.assert_allclose(float(found.asperity_share), float(exact), rtol=ACCURACY)
+    np.testing.assert_allclose(float(found.film_thickness), float(film), rtol=ACCURACY)
+    # The splines' error in the gap is that of the film, which grows at least as (1 - s)^-1/2; round-off of 1 - s.
+    if remaining < 0.5:
+        np.testing.assert_allclose(1 - found.asperity_share, remaining, rtol=2 * ACCURACY, atol=1e-15)
+
+
+RING_SPEED = np.array([0.1, 10.471976, 52.359878])  # rad/s, of the inner ring: 1, 100 and 500 rpm
+# s, mean gap, separation of the mean planes, um, at each speed: by another program, which solves in the logarithm of
+# s/(1 - s) with Gauss panels and in the separation with an adaptive quadrature, to 6e-12 of each other.
+PRINTED: dict[tuple[AsperityLaw, float, float], list[tuple[float, ...]]] = {
+    ("zhao_maietta_chang", 0.1, 20): [
+        (0.34195, 0.0017031, -0.26401),
+        (0.11518, 0.047774, -0.018225),
+        (0.030084, 0.15699, 0.14590),
+    ],
+    ("zhao_maietta_chang", 0.1, 60): [
+        (0.11513, 0.0016091, -0.26713),
+        (0.038449, 0.047671, -0.018454),
+        (0.010033, 0.15695, 0.14586),
+    ],
+    ("zhao_maietta_chang", 0.4, 20): [
+        (0.99000, 0.012383, -0.91940),
+        (0.71219, 0.052164, -0.53523),
+        (0.45894, 0.15889, -0.14918),
+    ],
+    ("zhao_maietta_chang", 0.4, 60): [
+        (0.55616, 0.0018906, -1.3186),
+        (0.28720, 0.048126, -0.55946),
+        (0.17307, 0.15732, -0.15314),
+    ],
+    ("zhao_maietta_chang", 1, 60): [
+        (0.99365, 0.016123, -2.6702),
+        (0.79267, 0.055483, -1.9363),
+        (0.59575, 0.16090, -1.1752),
+    ],
+    ("zhao_maietta_chang", 1, 165): [
+        (0.56677, 0.0019049, -3.7138),
+        (0.33527, 0.048271, -2.0257),
+        (0.23823, 0.15754, -1.1919),
+    ],
+    ("greenwood_williamson", 0.4, 20): [(np.nan,) * 3, (0.81461, np.nan, np.nan), (np.nan,) * 3],
+    ("greenwood_williamson", 1, 60): [(np.nan,) * 3, (0.86597, np.nan, np.nan), (np.nan,) * 3],
+}
+DRY = {(0.1, 20): (-0.74484, 0.728), (0.1, 60): (-1.7544, 1.0), (0.4, 20): (-0.93274, 0.329)}
+DRY |= {(0.4, 60): (-2.3249, 0.600), (1, 60): (-2.6928, 0.356), (1, 165): (-6.3202, 0.639)}  # d um, A_a/A_H
+AT_500 = {(0.1, 20): 0.0, (0.1, 60): 0.0, (0.4, 20): 0.062235, (1, 60): 0.24048, (1, 165): 0.090532}  # s at 500 rad/s
+BALL, INNER_GROOVE, PITCH, ANGLE = 3.97e-3, 4.13e-3, 39.01e-3, 0.18  # m, rad: the inner contact of a 6205
+BALL_ON_INNER = {
+    "curvature_rolling": 1 / BALL + np.cos(ANGLE) / (PITCH / 2 - BALL * np.cos(ANGLE)),
+    "curvature_transverse": 1 / BALL - 1 / INNER_GROOVE,
+    "load": 620.630,
+    "modulus": E,
+}
+PER_RADIAN = 9.361428e-3  # u/w, m
+
+
+@pytest.mark.parametrize(("law", "sq", "length"), PRINTED)
+def test_the_values_of_another_program(law: AsperityLaw, sq: float, length: float) -> None:
+    """To its five printed digits: half a unit of the last, at most 5e-5 of the number."""
+    gap = rough(sq * 1e-6, length * 1e-6, law)
+    given = BALL_ON_INNER | {"viscosity": 0.06, "pressure_viscosity": 2e-8}
+    found = mixed(gap, **given, entrainment_speed=PER_RADIAN * RING_SPEED)
+    contact, _ = hertzian(given)
+    np.testing.assert_allclose(
+        [contact.semi_axis_rolling, contact.semi_axis_transverse], [0.120952e-3, 1.122238e-3], rtol=5e-6
+    )
+    separation = gap.asperities.separation(np.log(found.asperity_share * contact.mean_pressure))[0]
+    table = np.array([found.asperity_share, found.film_thickness * 1e6, separation * 1e6]).T
+    printed = np.array(PRINTED[law, sq, length])
+    known = np.isfinite(printed)
+    np.testing.assert_allclose(table[known], printed[known], rtol=5e-5)
+    if law == "zhao_maietta_chang":
+        still = mixed(gap, **given, entrainment_speed=0.0)
+        d = float(gap.asperities.separation(np.log(contact.mean_pressure))[0])
+        separation, touching = DRY[sq, length]
+        np.testing.assert_allclose(1e6 * d, separation, rtol=5e-5)
+        np.testing.assert_allclose(still.area_fraction, touching, atol=5e-4)  # three digits
+    if law == "zhao_maietta_chang" and (sq, length) in AT_500:
+        fast = mixed(gap, **given, entrainment_speed=PER_RADIAN * 500).asperity_share
+        np.testing.assert_allclose(fast, AT_500[sq, length], rtol=5e-5, atol=1e-6)  # 0 where it is printed as 0
+
+
+def adaptive_root(gap: TruncatedGap, sq: float, speed: float, **changed: float) -> tuple[float, float]:
+    """s and h from the separation of the mean planes, by adaptive quadratures over heights and summits."""
+    given = CONTACT | {"entrainment_speed": speed} | changed
+    summits = gap.asperities.summits
+    sigma, mean, deviation = gap.deviation, float(summits.mean_height), float(summits.height_deviation)
+    options = {"epsabs": 0, "epsrel": 1e-11, "limit": 500}
+
+    def gap_at(d: float) -> float:
+        x = d / sigma
+        return quad(lambda z: (x - z) * norm.pdf(z), -np.inf, x, **options)[0] * sigma  # pyright: ignore[reportCallIssue, reportArgumentType]
+
+    def share_at(d: float) -> float:
+        def load(z: float) -> float:
+            deep = deviation * z + mean - d
+            return norm.pdf(z) * float(
+                asperity_load(interference=deep, tip_radius=summits.radius, modulus=E, hardness=H).load
+            )
+
+        low = (d - mean) / deviation
+        edges = [edge for edge in np.linspace(-8, 10, 19) if edge > low]  # no summit is higher
+        parts = [quad(load, a, b, **options)[0] for a, b in zip([max(low, -8.0), *edges], edges, strict=False)]  # pyright: ignore[reportCallIssue, reportArgumentType]
+        return float(summits.density) * sum(parts) * area(given["load"]) / given["load"]
+
+    def excess(d: float) -> float:
+        share = share_at(d)
+        if share >= 1:
+            return -1.0
+        film = smooth_film(**(given | {"load": given["load"] * (1 - share), "modulus": E * (1 - share)}))
+        return float(np.log(gap_at(d) / film))
+
+    d = float(brentq(excess, -9 * sq, 5 * sq, xtol=1e-20, rtol=1e-14))  # pyright: ignore[reportArgumentType]
+    return share_at(d), gap_at(d)
+
+
+@pytest.mark.parametrize(
+    ("sq", "length", "speed"), [(0.1e-6, 20e-6, 0.4), (0.4e-6, 60e-6, 0.01), (1e-6, 60e-6, 0.9), (1e-6, 165e-6, 1e-3)]
+)
+def test_a_second_formulation_has_the_same_root(sq: float, length: float, speed: float) -> None:
+    gap = rough(sq, length)
+    found = mixed(gap, entrainment_speed=speed)
+    share, height = adaptive_root(gap, sq, speed)
+    np.testing.assert_allclose(found.asperity_share, share, rtol=1e-7)  # of the splines
+    np.testing.assert_allclose(found.film_thickness, height, rtol=1e-7)
