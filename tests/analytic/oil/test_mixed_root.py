@@ -142,19 +142,22 @@ PRINTED: dict[tuple[AsperityLaw, float, float], list[tuple[float, ...]]] = {
     ("greenwood_williamson", 0.4, 20): [(np.nan,) * 3, (0.81461, np.nan, np.nan), (np.nan,) * 3],
     ("greenwood_williamson", 1, 60): [(np.nan,) * 3, (0.86597, np.nan, np.nan), (np.nan,) * 3],
 }
-DRY: dict[tuple[float, float], tuple[float, float]] = {
+Finish = tuple[float, float]  # Sq and correlation length, um
+DRY: dict[Finish, tuple[float, float]] = {  # d, um, and A_a/A_H
     (0.1, 20): (-0.74484, 0.728),
     (0.1, 60): (-1.7544, 1.0),
     (0.4, 20): (-0.93274, 0.329),
+    (0.4, 60): (-2.3249, 0.600),
+    (1, 60): (-2.6928, 0.356),
+    (1, 165): (-6.3202, 0.639),
 }
-DRY |= {(0.4, 60): (-2.3249, 0.600), (1, 60): (-2.6928, 0.356), (1, 165): (-6.3202, 0.639)}  # d um, A_a/A_H
-AT_500: dict[tuple[float, float], float] = {
+AT_500: dict[Finish, float] = {  # s at 500 rad/s
     (0.1, 20): 0.0,
     (0.1, 60): 0.0,
     (0.4, 20): 0.062235,
     (1, 60): 0.24048,
     (1, 165): 0.090532,
-}  # s at 500 rad/s
+}
 BALL, INNER_GROOVE, PITCH, ANGLE = 3.97e-3, 4.13e-3, 39.01e-3, 0.18  # m, rad: the inner contact of a 6205
 BALL_ON_INNER = {
     "curvature_rolling": 1 / BALL + np.cos(ANGLE) / (PITCH / 2 - BALL * np.cos(ANGLE)),
