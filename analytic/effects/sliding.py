@@ -71,7 +71,7 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
         on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle)
         regime = replace(regime, **{name: on})
     ledger.decide("spin", bound=estimate.spin(scene, regime) if slides else None)
-    return estimate.mixed(regime)
+    return estimate.mixed(regime) if slides else None
 
 
 class _Torque(NamedTuple):

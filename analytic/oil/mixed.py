@@ -121,7 +121,7 @@ def mixed_contact(
     without_film = np.isneginf(film.rigid)
     return MixedContact(
         asperity_share=share,
-        boundary_share=np.where(without_film, 1.0, share + (1 - share) * np.exp(-height / MOLECULAR_FILM)),
+        boundary_share=share + (1 - share) * np.exp(-height / MOLECULAR_FILM),
         film_thickness=height,
         area_fraction=touched,
         capped=~without_film & (height >= np.exp(film.clearance)),

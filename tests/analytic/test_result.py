@@ -55,6 +55,7 @@ DESIGN = {
     "friction_coefficient": ["inner", "outer", "pocket"],
     "film": ["inner", "outer"],
     "asperity_share": ["inner", "outer"],
+    "boundary_share": ["inner", "outer"],
     "contact": ["inner", "outer"],
     "uncertainty": ["numerical", "model"],
     "cage": ["mean_force", "max_force", "interval", "duration", "state", "signed_moment"],

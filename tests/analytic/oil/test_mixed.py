@@ -160,6 +160,7 @@ def test_without_load_nothing_is_shared() -> None:
     found = mixed(rough(0.4e-6), load=np.array([0.0, 1e-300, 1e-12]), entrainment_speed=np.array([[0.3], [0.0]]))
     assert np.all(np.isfinite(found.film_thickness[0]))
     np.testing.assert_array_equal(found.asperity_share[:, 0], 0)
+    np.testing.assert_array_equal(found.boundary_share[:, 0], [0, 1])
     assert found.capped[0, 0]
     np.testing.assert_allclose(found.film_thickness[0, 0], 1 / (310 + 14.7), rtol=1e-14)
 

@@ -9,9 +9,13 @@ import pytest
 from hypothesis import given
 
 from analytic.errors import InputError
-from analytic.oil.traction import CoulombTraction, MixedTraction, oil_shear_stress
+from analytic.oil.mixed import mixed_contact
+from analytic.oil.traction import CoulombTraction, MixedTraction, mixed_traction, oil_shear_stress
+from analytic.surface.gap import gap_law
+from analytic.surface.roughness import gap_roughness
 from tests.analytic import specimens
 from tests.analytic.specimens import rolling_contact
+from tests.contacts import STEEL
 
 OIL = replace(specimens.OIL, temperature=329.0)
 
@@ -69,21 +73,45 @@ def test_it_has_no_jump_where_the_limit_takes_over() -> None:
 
 def test_a_mixed_contact_adds_boundary_friction_and_oil() -> None:
     law = MixedTraction(
-        lubricant=OIL, boundary_friction=0.13, asperity_share=0.3, area_fraction=0.02, film_thickness=60e-9
+        lubricant=OIL,
+        boundary_friction=0.13,
+        asperity_share=0.3,
+        boundary_share=0.37,
+        oil_area=0.91,
+        oil_thickness=60e-9,
     )
     p, v = np.array([0.4e9, 0.9e9]), 2.1e-4
     oil = shear(0.7 * p, v, 60e-9)  # the load on the asperities does not press on the oil
-    np.testing.assert_allclose(law.stress(p, np.asarray(v)), 0.13 * 0.3 * p + 0.98 * oil, rtol=1e-14)
+    np.testing.assert_allclose(law.stress(p, np.asarray(v)), 0.13 * 0.37 * p + 0.91 * oil, rtol=1e-14)
     contact, area = rolling_contact(load=310.0), np.pi * 0.12e-3 * 1.1e-3
-    expected = 0.13 * 0.3 * 310 + shear(0.7 * 310 / area, v, 60e-9) * 0.98 * area
+    expected = 0.13 * 0.37 * 310 + shear(0.7 * 310 / area, v, 60e-9) * 0.91 * area
     np.testing.assert_allclose(law.force(contact)(np.asarray(v)), expected, rtol=1e-13)
     unloaded = rolling_contact(load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
     assert law.force(unloaded)(np.asarray(v)) == 0
-    dry = replace(law, asperity_share=1.0, film_thickness=-1e-7)
+    dry = replace(law, asperity_share=1.0, boundary_share=1.0, oil_thickness=0.0)
     np.testing.assert_allclose(dry.stress(p, np.asarray(v)), 0.13 * p, rtol=1e-15)
     coulomb = CoulombTraction(friction_coefficient=0.08)
     np.testing.assert_array_equal(coulomb.stress(p, np.asarray(v)), 0.08 * p)
     assert coulomb.force(contact)(np.asarray(v)) == 0.08 * 310
+
+
+@pytest.mark.parametrize("traction", ["eyring_sinh", "eyring_constant"])
+def test_the_law_of_a_mixed_contact(traction: str) -> None:
+    """Boundary friction on asperities and on films of a molecule; oil beside the asperities, above the mean gap."""
+    surface = replace(specimens.FINISH, rms_roughness=0.4e-6, gap="truncated")
+    gap = gap_law(surface, gap_roughness(surface), modulus=1.13e11, bodies=(STEEL, STEEL))
+    contact, oil, p, v = rolling_contact(), replace(OIL, traction=traction), 0.7e9, 3e-3  # pyright: ignore[reportArgumentType]
+    shared = mixed_contact(
+        contact, entrainment_speed=np.array([0.0, 1e-3, 1.3]), viscosity=0.06, pressure_viscosity=2e-8, gap=gap
+    )
+    law = mixed_traction(oil, 0.13, shared)
+    s, h, touching = shared.asperity_share, shared.film_thickness, shared.area_fraction
+    molecular = np.exp(-h / 1e-9) * [0, 1, 1] + [1, 0, 0]  # at standstill nothing flows into the gap
+    assert 0.01 < molecular[1] < 0.99
+    stress = shear((1 - s) * p, v, h / (1 - touching), traction=traction)
+    expected = 0.13 * p * (s + (1 - s) * molecular) + stress * (1 - touching) * (1 - molecular)
+    np.testing.assert_allclose(law.stress(np.asarray(p), np.asarray(v)), expected, rtol=1e-12)
+    np.testing.assert_allclose(law.force(contact)(np.asarray(v))[0], 0.13 * contact.load, rtol=1e-15)
 
 
 def test_nonsense_is_refused() -> None:
@@ -93,7 +121,11 @@ def test_nonsense_is_refused() -> None:
         shear(1e9, 0.1, 1e-7, eyring_stress=0.0)
     with pytest.raises(InputError, match="speed must be at least 0"):
         shear(1e9, -0.1, 1e-7)
-    with pytest.raises(InputError, match="parts of a whole"):
-        MixedTraction(lubricant=OIL, boundary_friction=0.1, asperity_share=1.2, area_fraction=0.0, film_thickness=1e-7)
+    parts = {"asperity_share": 0.2, "boundary_share": 0.3, "oil_area": 0.9}
+    for name in parts:
+        with pytest.raises(InputError, match=f"{name} must be at most 1, got 1.2: it is a part of a whole"):
+            MixedTraction(lubricant=OIL, boundary_friction=0.1, oil_thickness=1e-7, **parts | {name: 1.2})
+        with pytest.raises(InputError, match=f"{name} must be at least 0"):
+            MixedTraction(lubricant=OIL, boundary_friction=0.1, oil_thickness=1e-7, **parts | {name: -0.1})
     with pytest.raises(InputError, match="friction_coefficient must be at least 0"):
         CoulombTraction(friction_coefficient=-0.1)

@@ -47,10 +47,10 @@ def run(bearing: Bearing, oil: Lubricant, *, groove: float, load: Any, speed: An
     operation = Operation(axial_load=thrust, inner_speed=np.zeros_like(thrust))
     balls = thrust_balls(replace(bearing, **rings), ANGLE, operation, STILL)
     races = lubricate_races(bearing, balls, lubricant=oil, surface=SMOOTH, ring_speed=speeds)
-    shared = races.shared(asperities=False, heating_factor=1.0)
+    mixed = races.mixed(asperities=False, film_factor=1.0)
     found = slip_friction(
         (balls.race(0), balls.race(1)),
-        (races.traction(shared, 0), races.traction(shared, 1)),
+        (races.traction(mixed.race(0)), races.traction(mixed.race(1))),
         ring_speed=speeds[:, None],
         spin_difference=np.zeros_like(balls.motion.spin_difference),
         spin_rule="balanced",
@@ -58,7 +58,8 @@ def run(bearing: Bearing, oil: Lubricant, *, groove: float, load: Any, speed: An
     )
     moments = np.stack([found.torque.inner_rolling_moment, found.torque.outer_rolling_moment])
     lever = rolling_lever(balls)
-    return balls, races.oil_friction(speeds[:, None] * lever) * lever, moments * balls.contacts.rolling_rate
+    mean = races.traction(mixed).force(balls.contacts)(speeds[:, None] * lever) * lever
+    return balls, mean, moments * balls.contacts.rolling_rate
 
 
 LOADS, SPEEDS = [7.0, 17.0, 41.0, 230.0], [0.3, 7.0, 1100.0]
