@@ -12,6 +12,7 @@ from analytic.oil.traction import mixed_traction, oil_shear_stress
 from analytic.oil.viscosity import roelands_viscosity
 from analytic.result import FrictionTorque
 from analytic.scene import Lubricant, Surface
+from analytic.surface.truncated_gap import TruncatedGap
 from fembearing.compare.hard.case import HardCase
 from fembearing.compare.hard.roughness import CORRELATION, HARDNESS, rough
 from fembearing.compare.hard.specimens import LARGE, LOAD, MODULUS, SMALL, bearing, exponent, torque_6205
@@ -62,9 +63,14 @@ def shared(rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, fi
         entrainment_speed=speed,
         viscosity=OIL.viscosity,
         pressure_viscosity=OIL.pressure_viscosity,
-        gap=rough(rms_roughness) if rms_roughness else None,
+        gap=truncated(rms_roughness) if rms_roughness else None,
         film_factor=film_factor,
     )
+
+
+def truncated(rms_roughness: float) -> TruncatedGap:
+    """The gap between these surfaces; what overlaps is cut off."""
+    return TruncatedGap(asperities=rough(rms_roughness), deviation=math.sqrt(2) * rms_roughness)
 
 
 def share(rms_roughness: float, **changed: float) -> float:
@@ -112,7 +118,11 @@ def oiled(*, speed: float = 31.0, rms_roughness: float = 0.3e-6, conformity: flo
         radius = conformity * bearing().ball_diameter
         close = replace(bearing(), **{race: replace(getattr(bearing(), race), groove_radius=radius) for race in RACES})
     surface = Surface(
-        rms_roughness=rms_roughness, autocorrelation=CORRELATION, hardness=HARDNESS, boundary_friction=BOUNDARY_FRICTION
+        rms_roughness=rms_roughness,
+        autocorrelation=CORRELATION,
+        hardness=HARDNESS,
+        boundary_friction=BOUNDARY_FRICTION,
+        gap="truncated",
     )
     return torque_6205(
         axial_load=700.0, speed=speed, bearing=close, friction_coefficient=None, lubricant=OIL, surface=surface
@@ -252,7 +262,7 @@ LUBRICATION_CASES: tuple[HardCase, ...] = (
         name="mixed: no film after inlet heating",
         problem="the share where heating of the inlet leaves no film",
         answer="1: as at standstill",
-        evaluate=lambda: share(0.3e-6, heating_factor=0.0),
+        evaluate=lambda: share(0.3e-6, film_factor=0.0),
         expected=1.0,
     ),
     HardCase(

@@ -38,6 +38,7 @@ def summits(rms_roughness: float) -> Summits:
 
 
 def rough(rms_roughness: float) -> AsperityTable:
+    """Asperities of two surfaces, each of this roughness, m."""
     return tabulated_asperities(summits=summits(rms_roughness), modulus=MODULUS, hardness=HARDNESS)
 
 

@@ -70,7 +70,7 @@ def printed_pressure(separation: mpmath.mpf, summits: Summits) -> mpmath.mpf:
     ("sq", "changed"),
     [
         (0.1e-6, {}),  # a small share
-        (0.02e-6, {}),  # 1e-13 or so
+        (0.016e-6, {}),  # 1e-11 or so
         (1.0e-6, {"load": 48.0}),
         (0.6e-6, {"entrainment_speed": 3e-5}),  # most of the load
         (0.3e-6, {"entrainment_speed": 1e-9, "load": 3.7}),  # all but 1e-6 of it
