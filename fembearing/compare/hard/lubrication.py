@@ -36,6 +36,7 @@ OIL = Lubricant(
 # Tolerances, relative, with their reasons
 LOGARITHMS = (1e-12, "logarithms of size 30 to 200, whose rounding is that of the result")
 ASYMPTOTE = (1e-12, "logarithms of size 100; the other asymptotes add less than 1e-16")
+SLOW = (1e-11, "the film over that of a molecule")
 SPLINE = (1e-7, "the asperities' splines are good to 1e-8, and the film grows with its power 0.6 or more")
 
 
@@ -135,10 +136,10 @@ def warned(torque: FrictionTorque, words: str) -> int:
 
 
 def coefficient_at_standstill() -> float:
-    """Friction coefficient of the inner race; NaN unless there is a warning for both races."""
-    torque = oiled(speed=0.0)
-    assert torque.friction_coefficient.inner is not None
-    return float(torque.friction_coefficient.inner[0]) if warned(torque, "at standstill") == 2 else math.nan
+    """Friction coefficient of the inner race."""
+    coefficient = oiled(speed=0.0).friction_coefficient.inner
+    assert coefficient is not None
+    return float(coefficient[0])
 
 
 def share_of_smooth_races() -> float:
@@ -246,9 +247,17 @@ LUBRICATION_CASES: tuple[HardCase, ...] = (
     HardCase(
         name="mixed: very rough",
         problem="the oil's share at Sq = 40 um, 400 times the film",
-        answer="the root of film(s) = separation(s), by 40 digits: the asperities' share s is near 1 but not 1",
+        answer="the root of film(s) = gap(s), by 40 digits: the asperities' share s is near 1 but not 1",
         evaluate=lambda: 1 - share(40e-6),
-        expected=0.00016194905824766592232,
+        expected=0.0001399154246617205731102,
+        tolerance=SPLINE,
+    ),
+    HardCase(
+        name="mixed: 1e-9 m/s",
+        problem="what boundary friction leaves of the load at 1e-9 m/s, where the film is 0.0006 nm",
+        answer="(1 - s)(1 - exp(-h/1 nm)) at the root of film(s) = gap(s), by 40 digits: 1e-4, and 0 at standstill",
+        evaluate=lambda: 1 - float(shared(0.3e-6, speed=1e-9).boundary_share),
+        expected=0.0001058039710646594447058,
         tolerance=SPLINE,
     ),
     HardCase(
@@ -332,9 +341,17 @@ LUBRICATION_CASES: tuple[HardCase, ...] = (
     HardCase(
         name="oiled torque: standstill",
         problem="the friction coefficient of the inner race at 0 rpm over that of the boundary",
-        answer="1, with a warning for each race that slow running may differ; wrong without the warnings",
+        answer="1: there is no film",
         evaluate=lambda: coefficient_at_standstill() / BOUNDARY_FRICTION,
         expected=1.0,
+    ),
+    HardCase(
+        name="oiled torque: slow running",
+        problem="the torque at 1e-20 rad/s over that at standstill",
+        answer="1: the film of 4e-12 nm carries load, but shears like a boundary film",
+        evaluate=lambda: float(oiled(speed=1e-20).torque.total[0] / oiled(speed=0.0).torque.total[0]),
+        expected=1.0,
+        tolerance=SLOW,
     ),
     HardCase(
         name="oiled torque: reversed rotation",

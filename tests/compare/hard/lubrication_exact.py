@@ -109,19 +109,38 @@ def log_pressure(t: mpf, sq: str) -> mpf:
     return mpmath.log(density * mpmath.quad(load, sorted(edges)) / mpmath.sqrt(2 * mpmath.pi)) - t**2 / 2
 
 
-def left_to_oil(sq: str) -> mpf:
-    """1 - s, where the film under the oil's part of load and stiffness is the separation under the asperities' part."""
+def left_to_oil(sq: str, **changed: str) -> tuple[mpf, mpf]:
+    """1 - s and h, where the film under the oil's part of load and stiffness fills the gap under the asperities' part.
+
+    The unknown is by how much, in logarithms, the separation exceeds that of dry surfaces, in deviations of summits.
+    """
     _, _, deviation, mean = summits(sq)
+    sigma = mpmath.sqrt(2) * mpf(sq)
     ellipse = hertz(mpf(310), mpf("9.7"), mpf(613), mpf(STIFF))
-    area = mpmath.pi * ellipse["minor"] * ellipse["major"]
+    log_area = mpmath.log(mpmath.pi * ellipse["minor"] * ellipse["major"] / 613)
 
-    def excess(log_borne: mpf) -> mpf:
-        borne = mpmath.exp(log_borne)
-        carried = log_pressure((film(borne=borne) - mean) / deviation, sq) + mpmath.log(area)
-        return carried - mpmath.log((1 - borne) * 613)
+    def log_share(t: mpf) -> mpf:
+        return log_pressure(t, sq) + log_area
 
-    with mpmath.workdps(22):
-        return mpmath.exp(mpmath.findroot(excess, (mpf(-9), mpf(-12)), solver="anderson", tol=mpf(10) ** -40))
+    def mean_gap(t: mpf) -> mpf:
+        x = (mean + t * deviation) / sigma
+        return sigma * (mpmath.npdf(x) + x * mpmath.ncdf(x))
+
+    with mpmath.workdps(30):
+        dry = mpmath.findroot(log_share, (mpf(0), mpf(-1)), tol=mpf(10) ** -56)
+
+        def excess(log_rise: mpf) -> mpf:
+            t = dry + mpmath.exp(log_rise)
+            return mpmath.log(mean_gap(t) / film(borne=-mpmath.expm1(log_share(t)), **changed))
+
+        t = dry + mpmath.exp(mpmath.findroot(excess, (mpf(-9), mpf(-10)), tol=mpf(10) ** -44))
+        return -mpmath.expm1(log_share(t)), mean_gap(t)
+
+
+def left_by_boundary(sq: str, **changed: str) -> mpf:
+    """(1 - s)(1 - exp(-h/h_m)) with a molecular film of 1 nm."""
+    borne, gap = left_to_oil(sq, **changed)
+    return -borne * mpmath.expm1(-gap / mpf("1e-9"))
 
 
 def pressed_flat() -> mpf:
@@ -158,7 +177,8 @@ LUBRICATION: dict[str, Callable[[], mpf]] = {
     "film: 1e-12 N, 1e-12 m/s": lambda: film(load="1e-12", speed="1e-12"),
     "film: no piezoviscosity": isoviscous,
     "film: rigid bodies": lambda: rigid_isoviscous(load="1e-28", speed="1e-30", alpha="0"),
-    "mixed: very rough": lambda: left_to_oil("40e-6"),
+    "mixed: very rough": lambda: left_to_oil("40e-6")[0],
+    "mixed: 1e-9 m/s": lambda: left_by_boundary("0.3e-6", speed="1e-9"),
     "mixed: friction at vanishing load": lambda: mpf(2) / 3,
     "asperity: vanishing interference": lambda: elastic_summit(mpf("1e-150"), mpf("50e-6")),
     "asperity: first yield": lambda: elastic_summit(first_yield(mpf("50e-6")), mpf("50e-6")),
