@@ -25,17 +25,16 @@ from analytic import friction_torque, load_scene
 from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import RollingContact
 from analytic.effects.table import COMPUTED
-from analytic.loads.balls import LoadedBalls, thrust_balls
+from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.oil.mixed import mixed_contact
-from analytic.oil.traction import MixedTraction
-from analytic.scene import Autocorrelation, ContactAngle, Lubricant, Scene
+from analytic.oil.traction import mixed_traction
+from analytic.scene import Autocorrelation, ContactAngle, Lubricant, Operation, Scene, Surface
 from analytic.scenefile.read import builtin_scene
 from analytic.sliding.ball import SlidingMethod, slip_friction
 from analytic.sliding.long_ellipse import MicroslipTorque
 from analytic.sliding.methods import QUADRATURES, Quadrature
-from analytic.surface.asperity_table import tabulated_asperities
-from analytic.surface.moments import mccool_summits
-from analytic.surface.roughness import spectral_moments
+from analytic.surface.gap import gap_law
+from analytic.surface.roughness import gap_roughness
 from random_scenes import of_oil_and_finish, thrust_scene
 
 METHODS: tuple[SlidingMethod, ...] = ("single_coefficient", "along_axis", "over_ellipse")
@@ -45,6 +44,7 @@ BOUNDS = (0.0, 0.01, 0.03, 0.1, 0.25, 0.5, 1.0, np.inf)  # by which scenes are g
 MANY = (48, 48)  # nodes whose error counts as none
 STRICT = 1e-6  # tolerance that needs the most nodes
 ANGLE, LOAD, HARDNESS = 0.18, 1000.0, 7.8e9  # rad, N, Pa
+BOUNDARY_FRICTION = 0.12
 LENGTH = 150e-6  # m, of the gaussian autocorrelation
 OIL = Lubricant(
     viscosity=0.06,
@@ -96,18 +96,23 @@ def ladder(out: Console) -> None:
 def contacts(roughness: float, speed: np.ndarray) -> tuple[LoadedBalls, dict[str, Any]]:
     """The loaded balls, and the arguments of mixed_contact with them, (2, n)."""
     bearing = load_scene(builtin_scene("6205")).bearing
-    balls = thrust_balls(bearing, ContactAngle(rule="given", value=ANGLE), axial_load=np.array([LOAD]))
+    still = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
+    operation = Operation(axial_load=np.array([LOAD]), inner_speed=np.zeros(1))
+    balls = thrust_balls(bearing, ContactAngle(rule="given", value=ANGLE), operation, still)
     correlation = Autocorrelation(kind="gaussian", length=LENGTH, spacing=LENGTH / 20)
-    moments = spectral_moments(rms_roughness=roughness, autocorrelation=correlation)
-    modulus = contact_modulus(bearing.ball_material, bearing.inner.material)
+    surface = Surface(rms_roughness=roughness, autocorrelation=correlation, hardness=HARDNESS)
+    modulus = float(contact_modulus(bearing.ball_material, bearing.inner.material))
     both = RollingContact(**{name: value[..., 0] for name, value in vars(balls.contacts).items()})  # (2, 1)
     return balls, {
         "contact": both,
         "entrainment_speed": speed * balls.motion.entrainment_speed[0, 0],
         "viscosity": OIL.viscosity,
         "pressure_viscosity": OIL.pressure_viscosity,
-        "asperities": tabulated_asperities(
-            summits=mccool_summits(moments + moments), modulus=modulus, hardness=HARDNESS
+        "gap": gap_law(
+            surface,
+            gap_roughness(surface),
+            modulus=modulus,
+            bodies=(bearing.ball_material, bearing.inner.material),
         ),
     }
 
@@ -118,14 +123,7 @@ def race_torque(method: SlidingMethod, traction: Law, roughness: float, rpm: flo
     balls, film = contacts(roughness, speed)
     shared = mixed_contact(**film)
     inner_law, outer_law = (
-        MixedTraction(
-            lubricant=replace(OIL, traction=traction),
-            boundary_friction=0.12,
-            asperity_share=shared.asperity_share[race],
-            area_fraction=shared.area_fraction[race],
-            film_thickness=shared.film_thickness[race],
-        )
-        for race in (0, 1)
+        mixed_traction(replace(OIL, traction=traction), BOUNDARY_FRICTION, shared.race(race)) for race in (0, 1)
     )
     contact = film["contact"]
     inner, outer = (RollingContact(**{name: value[race] for name, value in vars(contact).items()}) for race in (0, 1))

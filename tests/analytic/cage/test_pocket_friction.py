@@ -54,21 +54,27 @@ def film(scene: Scene, entrainment_speed: np.ndarray) -> np.ndarray:
     return computed.thickness
 
 
+def with_molecules(scene: Scene, shear: np.ndarray | float) -> np.ndarray:
+    """The coefficient of oil with this shear stress, Pa; films of 7 to 13 nm are a molecule to e^-7 and less."""
+    molecular = np.exp(-film(scene, SPEED / 2) / 1e-9)
+    return FINISH.boundary_friction * molecular + shear * contact(scene)[1] / LOAD * (1 - molecular)
+
+
 def test_smooth_surfaces_shear_the_oil_in_their_contact(scene: Scene) -> None:
     """Newton's tau = eta v/h, as the stress of thin oil is far below that of Eyring; v slides and v/2 entrains."""
     computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
     shear = THIN.viscosity * SPEED / film(scene, SPEED / 2)
     assert np.all(shear < 0.005 * THIN.eyring_stress)
     # Tolerance: asinh(x)/x = 1 - x^2/6
-    np.testing.assert_allclose(computed.coefficient, shear * contact(scene)[1] / LOAD, rtol=1e-5)
+    np.testing.assert_allclose(computed.coefficient, with_molecules(scene, shear), rtol=1e-5)
     assert computed.warnings == ()
     assert computed.source == "mixed lubrication"
 
 
-def test_constant_stress_does_not_depend_on_speed(scene: Scene) -> None:
+def test_constant_stress_depends_on_speed_by_its_molecules_alone(scene: Scene) -> None:
     scene = replace(scene, lubricant=replace(THIN, traction="eyring_constant"))
     computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
-    np.testing.assert_allclose(computed.coefficient, THIN.eyring_stress * contact(scene)[1] / LOAD, rtol=1e-9)
+    np.testing.assert_allclose(computed.coefficient, with_molecules(scene, THIN.eyring_stress), rtol=1e-9)
 
 
 def test_the_softer_body_determines_the_contact_area(scene: Scene) -> None:
@@ -80,4 +86,5 @@ def test_the_softer_body_determines_the_contact_area(scene: Scene) -> None:
     steel = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
     scene = replace(scene, cage=replace(cage, material=soft))
     computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
-    np.testing.assert_allclose(computed / steel, (98 / 2) ** (2 / 3), rtol=1e-9)
+    # Thin films on steel are a molecule to 9e-4, with boundary friction in place of 0.18 there.
+    np.testing.assert_allclose(computed / steel, (98 / 2) ** (2 / 3), rtol=1e-3)
