@@ -14,6 +14,7 @@ from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import elliptic_contact
 from analytic.errors import InputError
 from analytic.oil.film import central_film, inlet_heating_factor
+from analytic.oil.variation import Variation
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
 from analytic.scenefile.read import builtin_scene, parse_scene
 from analytic.surface.asperity import asperity_contact, separation_at
@@ -265,11 +266,11 @@ def test_a_factor_on_the_film_reaches_film_and_torque(scene: Scene) -> None:
     """Smooth, the film is the formula's times the factor; rough, a thinner film leaves asperities more of the load."""
     smooth = replace(scene, surface=replace(FINISH, rms_roughness=0.0, ball_rms_roughness=0.0))
     for race in RACES:
-        plain, thick = (getattr(friction_torque(smooth, film_factor=by).film, race) for by in (1.0, 1.37))
+        plain, thick = (getattr(friction_torque(smooth, variation=Variation(film=by)).film, race) for by in (1.0, 1.37))
         np.testing.assert_allclose(thick, 1.37 * plain, rtol=1e-12)  # round-off
-    plain, thin = (friction_torque(scene, film_factor=by) for by in (1.0, 0.6))
+    plain, thin = (friction_torque(scene, variation=Variation(film=by)) for by in (1.0, 0.6))
     for race in RACES:
         assert np.all(getattr(thin.asperity_share, race) > getattr(plain.asperity_share, race))
     assert np.all(thin.torque.total > plain.torque.total)  # a share of load meets 0.11, the oil here far less
-    with pytest.raises(InputError, match="film_factor must be positive"):
-        friction_torque(scene, film_factor=0.0)
+    with pytest.raises(InputError, match="film must be positive"):
+        friction_torque(scene, variation=Variation(film=0.0))

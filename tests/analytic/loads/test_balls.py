@@ -237,8 +237,10 @@ def test_pure_radial_load_spreads_as_the_cosine(scene: Scene) -> None:
 
 
 @pytest.mark.parametrize(("metre", "kilogram", "second"), [(3.7, 0.21, 1.9), (0.013, 41.0, 0.3)])
-def test_the_torque_does_not_depend_on_units(oiled: Scene, metre: float, kilogram: float, second: float) -> None:
-    """The same scene in smaller units, without formulas that are fitted in mm and Pa (Roelands, inlets)."""
+def test_the_torque_does_not_depend_on_units(
+    oiled: Scene, metre: float, kilogram: float, second: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The same scene and molecules in smaller units, without formulas fitted in mm and Pa (Roelands, inlets)."""
     pressure, newton = kilogram / metre / second**2, kilogram * metre / second**2
 
     def material(noun: Material) -> Material:
@@ -288,7 +290,9 @@ def test_the_torque_does_not_depend_on_units(oiled: Scene, metre: float, kilogra
             hardness=7.3e9 * pressure,
         ),
     )
-    expected, found = (friction_torque(each).torque for each in (plain, scaled))
+    expected = friction_torque(plain).torque
+    monkeypatch.setattr("analytic.oil.mixed.MOLECULAR_FILM", 1e-9 * metre)
+    found = friction_torque(scaled).torque
     for name in ("total", "spin", "conformity", "hysteresis", "rolling"):
         np.testing.assert_allclose(getattr(found, name), getattr(expected, name) * newton * metre, rtol=1e-7)
 
