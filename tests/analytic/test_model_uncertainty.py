@@ -1,4 +1,4 @@
-"""What the film formula's uncertainty does to the torque."""
+"""What the uncertainty of the formulas does to the torque."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -6,8 +6,10 @@ from pathlib import Path
 import numpy as np
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.variation import Variation
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque, with_model_uncertainty
+from tests.analytic.specimens import present
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"
 
@@ -19,22 +21,34 @@ def test_without_a_film_nothing_is_known() -> None:
     assert found.to_json()["points"][0]["uncertainty"]["model"] is None
 
 
-def test_a_thinner_film_by_twice_the_standard_uncertainty_counts() -> None:
-    """In the calibrated scene asperities carry a few per cent of the load: the thinner film is the worse one."""
+def test_films_moved_by_twice_the_standard_uncertainty_count() -> None:
+    """A thinner film leaves asperities more of the load, a thicker one less; the larger change counts."""
     scene = load_scene(SCENES / "6205_paper_calibrated.toml")
     found = with_model_uncertainty(scene, friction_torque(scene))
-    thin = friction_torque(scene, film_factor=1 - 2 * FORMULA_UNCERTAINTY)
-    assert found.model_uncertainty is not None
-    np.testing.assert_allclose(found.model_uncertainty, thin.torque.total / found.torque.total - 1, rtol=1e-12)
-    assert found.to_json()["points"][2]["uncertainty"]["model"] == found.model_uncertainty[2]
+    thin, thick = (
+        friction_torque(scene, variation=Variation(film=np.exp(2 * sign * FORMULA_UNCERTAINTY))) for sign in (-1, 1)
+    )
+    more, less = (moved.torque.total / found.torque.total - 1 for moved in (thin, thick))
+    assert np.all((more > 0) & (less < 0))
+    parts, whole = present(found.model_parts), present(found.model_uncertainty)
+    np.testing.assert_allclose(parts["film"], np.maximum(more, -less), rtol=1e-12)
+    assert set(parts) == {"film", "gap", "surfaces"}  # rolling is left out there
+    np.testing.assert_allclose(whole**2, sum(part**2 for part in parts.values()), rtol=1e-12)
+    told = found.to_json()["points"][2]["uncertainty"]
+    assert told["model"] == whole[2]
+    assert told["model_parts"] == {name: part[2] for name, part in parts.items()}
 
 
 def test_smooth_oil_of_constant_stress_does_not_care() -> None:
     scene = load_scene(SCENES / "6205_paper_calibrated.toml")
     assert scene.surface is not None
     smooth = replace(scene, surface=replace(scene.surface, rms_roughness=0.0))
-    found = with_model_uncertainty(smooth, friction_torque(smooth)).model_uncertainty
-    np.testing.assert_allclose(found, 0.0, atol=1e-12)  # e^-30 of a film of 30 nm is a molecule's
+    plain = friction_torque(smooth)
+    parts = present(with_model_uncertainty(smooth, plain).model_parts)
+    # But for the molecules of a film: of the load e^-h meets 0.035, and of the stress's share as much is lost.
+    thin = np.exp(-2 * FORMULA_UNCERTAINTY) * np.minimum(present(plain.film.inner), present(plain.film.outer)) / 1e-9
+    assert np.all(parts["film"] <= 20 * np.exp(-thin))
+    assert parts["film"][-1] < 1e-9
 
 
 def test_the_same_effects_are_taken_again() -> None:
@@ -42,6 +56,6 @@ def test_the_same_effects_are_taken_again() -> None:
     scene = replace(load_scene(SCENES / "6205_physical.toml"), tolerance=0.5)
     found = friction_torque(scene)
     out = {effect.name for effect in found.effects if effect.decision == "off"}
-    again = friction_torque(found.settled(replace(scene, tolerance=1e-4)), film_factor=0.7)
+    again = friction_torque(found.settled(replace(scene, tolerance=1e-4)), variation=Variation(film=0.7))
     assert {effect.name for effect in again.effects if effect.decision == "off"} == out
     assert again.sliding == found.sliding

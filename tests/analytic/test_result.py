@@ -57,7 +57,7 @@ DESIGN = {
     "asperity_share": ["inner", "outer"],
     "boundary_share": ["inner", "outer"],
     "contact": ["inner", "outer"],
-    "uncertainty": ["numerical", "model"],
+    "uncertainty": ["numerical", "model", "model_parts"],
     "cage": ["mean_force", "max_force", "interval", "duration", "state", "signed_moment"],
 }
 

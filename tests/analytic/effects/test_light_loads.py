@@ -8,9 +8,12 @@ import pytest
 from analytic.contact.factors import ContactCorrection
 from analytic.effects.table import COMPUTED
 from analytic.errors import InputError
+from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.variation import Variation
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque, with_model_uncertainty
+from tests.analytic.specimens import present
 
 OILED = """
 name = "light"
@@ -106,8 +109,8 @@ def test_factors_stay_where_the_film_is_moved() -> None:
     identity = ContactCorrection()
     found = with_model_uncertainty(scene, friction_torque(scene, correction=identity), correction=identity)
     moved = [
-        friction_torque(found.settled(scene), correction=identity, film_factor=by).torque.total for by in (0.78, 1.22)
+        friction_torque(found.settled(scene), correction=identity, variation=Variation(film=by)).torque.total
+        for by in np.exp([-2 * FORMULA_UNCERTAINTY, 2 * FORMULA_UNCERTAINTY])
     ]
     expected = np.max(np.abs(np.array(moved) / found.torque.total - 1), axis=0)
-    assert found.model_uncertainty is not None
-    np.testing.assert_allclose(found.model_uncertainty, expected, rtol=1e-9)  # round-off
+    np.testing.assert_allclose(present(found.model_parts)["film"], expected, rtol=1e-9)  # round-off
