@@ -182,10 +182,11 @@ def _log_line_gap(log_excess: Array) -> Array:
     between = np.exp(np.clip(log_excess, np.log(NEAR), np.log(FAR)))
     root = np.sqrt(between * (between + 2))
     middle = np.log((1 + between) * root - np.log1p(between + root))
+    far = 2 * np.logaddexp(0.0, log_excess)
     near = np.exp(np.minimum(log_excess, np.log(NEAR)))
     # In powers of m - 1, from those of t: (4 sqrt 2/3) (m - 1)^1.5 [1 + 3/20 (m - 1) - 3/224 (m - 1)^2]
     series = LINE_EDGE + 1.5 * log_excess + np.log1p(near * (3 / 20 - 3 / 224 * near))
-    return np.where(log_excess < np.log(NEAR), series, np.where(log_excess > np.log(FAR), 2 * log_excess, middle))
+    return np.where(log_excess < np.log(NEAR), series, np.where(log_excess > np.log(FAR), far, middle))
 
 
 def _log_excess(log_gap: Array, reach: Array) -> Array:
