@@ -26,7 +26,7 @@ from analytic.effects.sliding import Resisting, decide_sliding, decide_whether_s
 from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError, require_finite, require_non_negative
 from analytic.loads.balls import LoadedBalls
-from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.film import FILM_FACTORS
 from analytic.oil.inlets import inlets_of, starvation_source
 from analytic.oil.lubricated_races import LubricatedRaces, lubricate_races
 from analytic.oil.mixed import MixedContact
@@ -168,8 +168,7 @@ def with_model_uncertainty(
     same = result.settled(scene)
     surface, lubricant = scene.surface, scene.lubricant
     if surface is not None and result.film.inner is not None:
-        factors = [np.exp(sign * COVERAGE * FORMULA_UNCERTAINTY) for sign in (-1, 1)]
-        variations["film"] = tuple((same, Variation(film=factor)) for factor in factors)
+        variations["film"] = tuple((same, Variation(film=factor)) for factor in FILM_FACTORS)
         if result.is_on("asperities"):
             other = replace(surface, gap="truncated" if surface.gap == "elastic" else "elastic")
             variations["gap"] = ((replace(same, surface=other), NOMINAL),)

@@ -18,7 +18,7 @@ from rich.table import Table
 from scipy.optimize import brentq
 
 from analytic.contact.rolling_contact import elliptic_contact
-from analytic.oil.film import FITTED_ELLIPTICITY, FORMULA_UNCERTAINTY, central_film
+from analytic.oil.film import FILM_FACTORS, FITTED_ELLIPTICITY, FORMULA_UNCERTAINTY, central_film
 
 mpl.use("agg")
 
@@ -66,10 +66,28 @@ class Comparison:
         """E/D."""
         return self.error / self.measured
 
-    @property
-    def model_uncertainty(self) -> float:
-        """Root mean square of E/D over the judged points: the error of the formula, including that of its inputs."""
-        return float(np.sqrt(np.mean(self.relative[self.judged] ** 2)))
+    def spread(self, rows: np.ndarray) -> "Spread":
+        """Of these points; rows : bool, (n,)."""
+        log_ratio = np.log(self.measured / self.computed)[rows]
+        low, high = np.log(FILM_FACTORS)
+        return Spread(
+            points=log_ratio.size,
+            bias=float(np.exp(log_ratio.mean())),
+            deviation=float(log_ratio.std(ddof=1)),
+            root_mean_square=float(np.sqrt(np.mean(log_ratio**2))),
+            covered=int(np.sum((low <= log_ratio) & (log_ratio <= high))),
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spread:
+    """How measured films lie about the computed ones: ln(D/S), with the errors of inputs and measurement."""
+
+    points: int
+    bias: float  # exp of the mean: measured over computed film
+    deviation: float  # standard deviation
+    root_mean_square: float
+    covered: int  # points within FILM_FACTORS
 
 
 def main() -> None:
@@ -144,8 +162,17 @@ def report(found: Comparison, out: Console) -> None:
         f"{100 * found.relative[fast].std(ddof=1):.1f} %.",
         f"Power of speed: measured {measured_power:.3f}, computed {computed_power:.3f}.",
         f"A pressure-viscosity coefficient of {coefficient:.2e} 1/Pa would take the mean E away there; it is not used.",
-        f"Model uncertainty, root mean square of E/D over the points judged: {100 * found.model_uncertainty:.1f} %.",
-        f"The formula carries {100 * FORMULA_UNCERTAINTY:.0f} % as its standard uncertainty.",
+        *(
+            f"{words}: {spread.points} films, D/S {spread.bias:.3f} on average, ln(D/S) has the standard deviation "
+            f"{spread.deviation:.3f} and the root mean square {spread.root_mean_square:.3f}; {spread.covered} of "
+            f"{spread.points} within {FILM_FACTORS[0]:.2f} to {FILM_FACTORS[1]:.2f}."
+            for words, spread in (
+                ("All measured films", found.spread(np.full_like(judged, True))),
+                ("Judged", found.spread(judged)),
+                ("Slower, kept out of the judgement", found.spread(~judged)),
+            )
+        ),
+        f"The formula carries {FORMULA_UNCERTAINTY:g} as its standard deviation of ln(film).",
         f"Ellipticity 1 is the edge of the fit ({FITTED_ELLIPTICITY[0]:g} to {FITTED_ELLIPTICITY[1]:g}), and a race "
         "has 0.03 to 0.07: how the formula goes with ellipticity remains unvalidated.",
     )

@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from rich.table import Table
 
-from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.film import FILM_FACTORS
 from analytic.scene import Array, Autocorrelation, ContactAngle, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
@@ -252,10 +252,9 @@ def variations(scene: Scene) -> Iterator[Variation]:
         name="film formula",
         base="as computed",
         ends=tuple(
-            End(label=f"{100 * (factor - 1):+.0f} %", scene=scene, film_factor=factor)
-            for factor in (1 - 2 * FORMULA_UNCERTAINTY, 1 + 2 * FORMULA_UNCERTAINTY)
+            End(label=f"{100 * (factor - 1):+.0f} %", scene=scene, film_factor=factor) for factor in FILM_FACTORS
         ),
-        source="twice its standard uncertainty, validation/film.py",
+        source="its 95 % interval, analytic/oil/film.py",
     )
 
 

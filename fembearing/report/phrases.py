@@ -5,7 +5,7 @@ from itertools import groupby
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.film import FILM_FACTORS
 from fembearing.compare.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, Quantity
 
@@ -123,8 +123,8 @@ def uncertainty_of(model: float | None) -> str:
     if model is None:
         return "Model uncertainty: not known, as no film is computed, and no measurement was found."
     return (
-        f"Model uncertainty: the film formula's, {200 * FORMULA_UNCERTAINTY:.0f} % of the film, moves the total by up "
-        f"to {100 * model:.2g} %; what else the model leaves is not known, as no "
+        f"Model uncertainty: the film formula's, {FILM_FACTORS[0]:.2f} to {FILM_FACTORS[1]:.2f} times the film, moves "
+        f"the total by up to {100 * model:.2g} %; what else the model leaves is not known, as no "
         "measured torque of such a bearing was found."
     )
 

@@ -1,14 +1,18 @@
 """Computed films against measured ones: the script's comparison, and the uncertainty that the formula states."""
 
+import math
+import statistics
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
-from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.film import FILM_FACTORS, FORMULA_UNCERTAINTY
 
 
 @pytest.fixture(scope="module")
@@ -17,8 +21,29 @@ def comparison(script: Callable[[str], ModuleType]) -> Any:
 
 
 def test_the_formula_states_the_uncertainty_that_the_measured_films_show(comparison: Any) -> None:
-    """At least the root mean square of the errors, and not so much more that the measured films would not matter."""
-    assert comparison.model_uncertainty <= FORMULA_UNCERTAINTY < 1.5 * comparison.model_uncertainty
+    """At least the root mean square of ln(D/S), and not so much more that the measured films would not matter."""
+    judged = comparison.spread(comparison.judged)
+    assert judged.root_mean_square <= FORMULA_UNCERTAINTY < 1.5 * judged.root_mean_square
+    assert judged.covered == judged.points == 20
+    # Films of 2 to 15 nm, measured to 1.1 nm, scatter beyond: 5 of 11 by the table of errors, +35 % at most.
+    everything = comparison.spread(np.full(31, True))
+    assert (everything.points, everything.covered) == (31, 26)
+
+
+def test_the_interval_of_the_film_is_that_of_95_per_cent() -> None:
+    """Of the normal distribution: 1.96 standard deviations, rounded to 2."""
+    low, high = norm.cdf(np.log(FILM_FACTORS) / FORMULA_UNCERTAINTY)
+    np.testing.assert_allclose(high - low, 0.95, atol=0.005)
+
+
+def test_the_spread_is_that_of_a_known_sample(comparison: Any) -> None:
+    """Films of 2, 1/2 and 1.1 times the computed ones."""
+    ratios = np.array([2.0, 0.5, 1.1])
+    known = replace(comparison, measured=ratios, computed=np.ones(3)).spread(np.array([True, True, True]))
+    np.testing.assert_allclose(known.bias, 1.1 ** (1 / 3), rtol=1e-14)
+    np.testing.assert_allclose(known.deviation, statistics.stdev(map(math.log, ratios)), rtol=1e-14)
+    np.testing.assert_allclose(known.root_mean_square**2, (2 * math.log(2) ** 2 + math.log(1.1) ** 2) / 3, rtol=1e-14)
+    assert (known.points, known.covered) == (3, 1)
 
 
 def test_the_formula_agrees_within_the_validation_uncertainty(comparison: Any) -> None:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.film import FILM_FACTORS
 from analytic.result import COORDINATES
 from fembearing.quantities import RPM
 from fembearing.report import phrases
@@ -50,7 +50,7 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
         phrases=phrases,
         per_minute=RPM.factor,
         coordinates=COORDINATES,
-        film_uncertainty=FORMULA_UNCERTAINTY,
+        film_factors=FILM_FACTORS,
         verdict_section=verdict_section(document),
         torque_section=torque_section(document),
         next_section=next_section(document),
