@@ -163,6 +163,7 @@ class Lubricant:
     traction: Traction
     supply: Supply = "oil_bath"  # how oil returns to the track
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
+    compressible: bool = False  # whether pressure squeezes the oil in the film
 
 
 @dataclass(frozen=True, kw_only=True)

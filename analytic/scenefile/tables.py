@@ -48,6 +48,12 @@ def _whole(things: str, *, low: int, high: int, example: int) -> BeforeValidator
     return BeforeValidator(read)
 
 
+def _switch(given: object) -> bool:
+    if not isinstance(given, bool):
+        raise ValueError("is neither true nor false; give one of them, without quotes")
+    return given
+
+
 def _series(given: object) -> list[object]:
     if given == []:
         raise ValueError("is empty; give a quantity or a list of them")
@@ -208,6 +214,7 @@ class LubricantTable(Table):
     # Distance of the oil's meniscus from the centre of a contact, over its semi-axis along rolling; by the supply if
     # it is not given.
     starvation_degree: Annotated[float, Dimension(unit="", low=1, high=1e9, example="2")] | None = None
+    compressible: Annotated[bool, BeforeValidator(_switch)] = Lubricant.compressible
 
 
 class AutocorrelationTable(Table):

@@ -7,7 +7,14 @@ import pytest
 from hypothesis import given
 
 from analytic.errors import InputError
-from analytic.oil.film import CentralFilm, central_film, film_asymptotes, inlet_heating_factor, thermal_loading
+from analytic.oil.film import (
+    CentralFilm,
+    central_film,
+    density_ratio,
+    film_asymptotes,
+    inlet_heating_factor,
+    thermal_loading,
+)
 from tests.analytic.specimens import hertzian
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
@@ -179,18 +186,46 @@ def test_more_speed_and_oil_thicken_and_load_thins(load: float, speed: float, al
     assert film(**(here | {"load": load / 1.3})).thickness >= base
 
 
-@given(load=loads, speed=speeds, alpha=st.floats(1e-9, 3e-8), remaining=st.floats(-3, 0))
+@given(load=loads, speed=speeds, alpha=st.floats(1e-9, 3e-8), remaining=st.floats(-3, 0), compressible=st.booleans())
 def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
-    load: float, speed: float, alpha: float, remaining: float
+    load: float, speed: float, alpha: float, remaining: float, compressible: bool
 ) -> None:
     """What sharing the load iterates by, against differences."""
     here = CONTACT | OIL | {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
     contact, rest = hertzian(here)
-    asymptotes = film_asymptotes(contact, **rest)
+    asymptotes = film_asymptotes(contact, **rest, compressible=compressible)
     step = 1e-5
     (up, _), (down, _) = (asymptotes.log_film(remaining + sign * step) for sign in (1, -1))
     _, slope = asymptotes.log_film(remaining)
     np.testing.assert_allclose(slope, (up - down) / (2 * step), rtol=1e-6, atol=1e-8)  # round-off over the step
+
+
+def test_the_density_of_oil_in_the_digits_given() -> None:
+    """Values of another program; from 1 without pressure to 1.34 without end."""
+    np.testing.assert_allclose(
+        density_ratio([0.5e9, 1e9, 1.83e9, 2.18e9]), [1.15596, 1.21384, 1.25711, 1.26758], atol=6e-6
+    )
+    np.testing.assert_allclose(density_ratio([0.0, 1e30]), [1.0, 1.34], rtol=ROUND_OFF)
+    with pytest.raises(InputError, match="pressure must be at least 0"):
+        density_ratio(-1.0)
+
+
+@given(load=loads, speed=speeds)
+def test_compressible_oil_is_thinner_by_its_density_at_the_peak_pressure(load: float, speed: float) -> None:
+    """p0^3 = 6 F E*^2/(pi^3 R^2) on a circle, which is Hertz's own; a full clearance stays full."""
+    circle = {"curvature_transverse": 310.0, "load": load, "entrainment_speed": speed}
+    plain, squeezed = film(**circle), film(**circle, compressible=True)
+    peak = np.cbrt(6 * load * (1.13e11 * 310.0) ** 2 / np.pi**3)
+    free = ~(plain.capped | squeezed.capped)
+    expected = np.where(free, plain.thickness / density_ratio(peak), squeezed.thickness)
+    np.testing.assert_allclose(squeezed.thickness, expected, rtol=1e-12)
+    assert squeezed.thickness <= plain.thickness
+
+
+def test_compressible_oil_without_load_or_speed() -> None:
+    none = film(load=np.array([0.0, 613.0]), entrainment_speed=np.array([0.37, 0.0]), compressible=True)
+    plain = film(load=np.array([0.0, 613.0]), entrainment_speed=np.array([0.37, 0.0]))
+    np.testing.assert_array_equal(none.thickness, plain.thickness)
 
 
 @given(metre=st.floats(1e-3, 1e3), newton=st.floats(1e-3, 1e3), second=st.floats(1e-3, 1e3), alpha=alphas)

@@ -60,6 +60,8 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (OIL.replace('"60 mPa s"', '"68 mm^2/s"'), ("lubricant.viscosity = '68 mm^2/s'", "Pa*s", '"0.06 Pa s"')),
     (OIL.replace("eyring_sinh", "newtonian"), ("lubricant.traction = 'newtonian'", "eyring_sinh", "eyring_constant")),
     (OIL + 'temperature = "-80 degC"', ("lubricant.temperature = '-80 degC'", "200 to 600 K", '"40 degC"')),
+    (OIL + 'compressible = "yes"', ("lubricant.compressible = 'yes'", "neither true nor false")),
+    (OIL + "compressible = 1", ("lubricant.compressible = 1", "neither true nor false")),
     (OIL + "limiting_shear = 1.2", ("lubricant.limiting_shear = 1.2", "0 to 1")),
     (PLAIN + '[lubricant]\nviscosity = "0.06 Pa s"', ("lubricant.pressure_viscosity is missing", "eyring_stress")),
     ("lubricant = 7\n" + PLAIN, ("lubricant = 7", "not a table", "eyring_stress")),
