@@ -109,8 +109,12 @@ def film(speed: np.ndarray, **changed: float) -> np.ndarray:
         load=inputs["load"],
         modulus=inputs["modulus"],
     )
-    oil = {name: inputs[name] for name in ("viscosity", "pressure_viscosity")}
-    return central_film(contact, entrainment_speed=speed, **oil).thickness
+    return central_film(
+        contact,
+        entrainment_speed=speed,
+        viscosity=inputs["viscosity"],
+        pressure_viscosity=inputs["pressure_viscosity"],
+    ).thickness
 
 
 def compare() -> Comparison:

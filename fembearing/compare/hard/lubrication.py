@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -44,7 +45,7 @@ def film(**changed: float) -> float:
     """Central film, m; NaN unless exactly the ellipses outside the fitted shapes are marked."""
     of_contact = {name: changed.pop(name) for name in ("load", "curvature_transverse") if name in changed}
     here = contact(**of_contact)
-    oil = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
+    oil: dict[str, Any] = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
     central = central_film(here, **({"entrainment_speed": SPEED} | oil | changed))
     fitted = 0.03 <= here.curvature_transverse / here.curvature_rolling <= 1
     return float(central.thickness) if bool(central.outside_range) != fitted else math.nan

@@ -40,7 +40,7 @@ def inner_6205(rpm: float) -> tuple[EllipticContact, dict[str, Any]]:
     contact = elliptic_contact(
         curvature_rolling=rolling, curvature_transverse=transverse, load=620.630, modulus=113.187e9
     )
-    motion = OIL | {"entrainment_speed": RATE * rpm * 2 * np.pi / 60}
+    motion: dict[str, Any] = OIL | {"entrainment_speed": RATE * rpm * 2 * np.pi / 60}
     return contact, {
         "film": central_film(contact, **motion).thickness,
         "minimum_ratio": minimum_ratio(contact, **motion),

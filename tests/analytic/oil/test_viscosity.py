@@ -1,5 +1,7 @@
 """Roelands' viscosity against the printed formula in 40 digits and the slopes that define its constants."""
 
+from typing import Any
+
 import hypothesis.strategies as st
 import mpmath
 import numpy as np
@@ -11,7 +13,12 @@ from analytic.oil.viscosity import inlet_viscosity, roelands_viscosity
 from analytic.scene import Lubricant
 
 ETA, ALPHA, BETA, T0 = 0.061, 2.1e-8, 0.043, 311.0
-OIL = {"viscosity": ETA, "pressure_viscosity": ALPHA, "viscosity_temperature": BETA, "reference_temperature": T0}
+OIL: dict[str, Any] = {
+    "viscosity": ETA,
+    "pressure_viscosity": ALPHA,
+    "viscosity_temperature": BETA,
+    "reference_temperature": T0,
+}
 ROUND_OFF = 1e-12  # ln(eta) reaches 30, and its rounding is the viscosity's
 
 
