@@ -41,12 +41,12 @@ SLOW = (1e-11, "the film over that of a molecule")
 SPLINE = (1e-7, "the asperities' splines are good to 1e-8, and the film grows with its power 0.6 or more")
 
 
-def film(**changed: float) -> float:
+def film(**changed: Any) -> float:
     """Central film, m; NaN unless exactly the ellipses outside the fitted shapes are marked."""
     of_contact = {name: changed.pop(name) for name in ("load", "curvature_transverse") if name in changed}
     here = contact(**of_contact)
     oil: dict[str, Any] = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
-    central = central_film(here, **({"entrainment_speed": SPEED} | oil | changed))
+    central = central_film(here, **(oil | {"entrainment_speed": SPEED} | changed))
     fitted = 0.03 <= here.curvature_transverse / here.curvature_rolling <= 1
     return float(central.thickness) if bool(central.outside_range) != fitted else math.nan
 

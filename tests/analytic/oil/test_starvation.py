@@ -26,7 +26,7 @@ from analytic.oil.starvation import (
 from tests.analytic.specimens import BEARING_6205, rolling_contact
 
 ANGLE = 0.18
-OIL = {"viscosity": 0.06, "pressure_viscosity": 2e-8}
+OIL: dict[str, Any] = {"viscosity": 0.06, "pressure_viscosity": 2e-8}
 RATE = (39.01e-3**2 - (7.94e-3 * np.cos(ANGLE)) ** 2) / (4 * 39.01e-3)  # u/w, m
 FILM = {"film": 157e-9, "minimum_ratio": 0.796}
 excesses = st.floats(-7, 9).map(lambda power: 10.0**power)
@@ -40,7 +40,7 @@ def inner_6205(rpm: float) -> tuple[EllipticContact, dict[str, Any]]:
     contact = elliptic_contact(
         curvature_rolling=rolling, curvature_transverse=transverse, load=620.630, modulus=113.187e9
     )
-    motion: dict[str, Any] = OIL | {"entrainment_speed": RATE * rpm * 2 * np.pi / 60}
+    motion = OIL | {"entrainment_speed": RATE * rpm * 2 * np.pi / 60}
     return contact, {
         "film": central_film(contact, **motion).thickness,
         "minimum_ratio": minimum_ratio(contact, **motion),
