@@ -15,6 +15,7 @@ from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import elliptic_contact
 from analytic.errors import InputError
+from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.traction import mixed_traction
 from analytic.oil.viscosity import inlet_viscosity
@@ -54,14 +55,15 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
     contact = elliptic_contact(curvature_rolling=curvature, curvature_transverse=curvature, load=force, modulus=modulus)
     gap = gap_law(surface, gap_roughness(surface), modulus=modulus, bodies=(pocket.ball_material, pocket.race_material))
     oil = inlet_viscosity(lubricant)
-    shared = mixed_contact(
+    film = film_asymptotes(
         contact,
         entrainment_speed=speed / 2,
         viscosity=oil.viscosity,
         pressure_viscosity=oil.pressure_viscosity,
-        gap=gap,
         largest_gap=pocket.groove_radius - pocket.ball_radius,
+        compressible=lubricant.compressible,
     )
+    shared = mixed_contact(contact, film, gap=gap)
     traction = mixed_traction(lubricant, surface.boundary_friction, shared)
     warnings = ()
     if np.any(shared.capped):

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadedBalls
+from analytic.oil.film import FilmAsymptotes, film_asymptotes
 from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import MixedTraction, mixed_traction
 from analytic.oil.variation import Variation
@@ -29,7 +29,7 @@ class LubricatedRaces:
     roughness: GapRoughness
     gaps: tuple[GapLaw | None, GapLaw | None]  # of inner and outer race; None: smooth
     ring_speed: Array  # (n,) w, rad/s
-    entrainment_speed: Array  # (n, m) u, m/s
+    film: FilmAsymptotes  # (2, n, m) of smooth surfaces, flooded and isothermal
     variation: Variation
 
     def mixed(self, *, asperities: bool, film_factor: Array | float) -> MixedContact:
@@ -38,27 +38,26 @@ class LubricatedRaces:
         film_factor : of heated and starved inlets, on the film
         """
         balls, factor = self.balls, self.variation.film * np.broadcast_to(film_factor, self.balls.load.shape)
-        gaps = self.gaps if asperities else (None, None)
+        gaps, pressure = self.gaps if asperities else (None, None), self.variation.asperity_pressure
         if gaps[0] is gaps[1]:
-            return self._mixed(balls.contacts, gaps[0], factor)
-        races = [self._mixed(balls.race(race), gap, factor[race]) for race, gap in enumerate(gaps)]
+            contacts = balls.contacts
+            return mixed_contact(contacts, self.film, gap=gaps[0], film_factor=factor, pressure_factor=pressure)
+        films = {name: np.broadcast_to(values, factor.shape) for name, values in vars(self.film).items()}
+        races = [
+            mixed_contact(
+                balls.race(race),
+                FilmAsymptotes(**{name: values[race] for name, values in films.items()}),
+                gap=gap,
+                film_factor=factor[race],
+                pressure_factor=pressure,
+            )
+            for race, gap in enumerate(gaps)
+        ]
         return MixedContact(**{name: np.stack([getattr(race, name) for race in races]) for name in vars(races[0])})
 
     def traction(self, mixed: MixedContact) -> MixedTraction:
         """The law of traction of mixed contacts."""
         return mixed_traction(self.lubricant, self.surface.boundary_friction, mixed)
-
-    def _mixed(self, contact: RollingContact, gap: GapLaw | None, film_factor: Array) -> MixedContact:
-        oil = inlet_viscosity(self.lubricant)
-        return mixed_contact(
-            contact,
-            entrainment_speed=self.entrainment_speed,
-            viscosity=oil.viscosity,
-            pressure_viscosity=oil.pressure_viscosity,
-            gap=gap,
-            film_factor=film_factor,
-            pressure_factor=self.variation.asperity_pressure,
-        )
 
 
 def lubricate_races(
@@ -81,7 +80,7 @@ def lubricate_races(
         gap_law(surface, roughness, modulus=float(modulus), bodies=pair)
         for modulus, pair in zip(balls.modulus.ravel(), bodies, strict=True)
     )
-    speed = ring_speed[:, None] * balls.motion.entrainment_speed
+    oil = inlet_viscosity(lubricant)
     return LubricatedRaces(
         balls=balls,
         lubricant=lubricant,
@@ -89,6 +88,12 @@ def lubricate_races(
         roughness=roughness,
         gaps=(inner, inner if bodies[0] == bodies[1] else outer),
         ring_speed=ring_speed,
-        entrainment_speed=speed,
+        film=film_asymptotes(
+            balls.contacts,
+            entrainment_speed=ring_speed[:, None] * balls.motion.entrainment_speed,
+            viscosity=oil.viscosity,
+            pressure_viscosity=oil.pressure_viscosity,
+            compressible=lubricant.compressible,
+        ),
         variation=variation,
     )

@@ -15,7 +15,7 @@ from scipy.special import expit
 from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.numerics.root import Sought, bracketed_root
-from analytic.oil.film import FilmAsymptotes, film_asymptotes
+from analytic.oil.film import FilmAsymptotes
 from analytic.scene import Array
 from analytic.surface.gap import GapLaw
 
@@ -58,19 +58,16 @@ class MixedContact:
 
 def mixed_contact(
     contact: EllipticContact,
+    film: FilmAsymptotes,
     *,
-    entrainment_speed: ArrayLike,
-    viscosity: ArrayLike,
-    pressure_viscosity: ArrayLike,
     gap: GapLaw | None,
     film_factor: ArrayLike = 1.0,
     pressure_factor: float = 1.0,
-    largest_gap: ArrayLike | None = None,
 ) -> MixedContact:
     """The share of the load that asperities carry, and the film thickness; fields and arguments broadcast.
 
     contact : smooth, with the area A_H = pi a b of its semi-axes
-    entrainment_speed, viscosity, pressure_viscosity, largest_gap : as in `film.central_film`
+    film : film_asymptotes of this contact
     gap : of both surfaces together, one law for all contacts; None: smooth
     film_factor : on the film, >= 0, for a heated or starved inlet and for the uncertainty of the film
     pressure_factor : on the asperities' pressure at any gap, > 0, for the uncertainty of the surfaces
@@ -78,30 +75,22 @@ def mixed_contact(
         gap(s F/A_H) = film_factor * film(F (1 - s), E* (1 - s))
     As s grows, the film grows and the gap falls, so there is one solution. As the speed falls to 0 so does the film,
     while asperities that carry all leave a gap: s grows to 1, its value at standstill. Asperities also carry all where
-    they do so at largest_gap. Without load there is no share. A smooth contact has a share only without speed, where
-    h = 0 and s = 1.
+    they do so at the largest gap that bodies and surroundings allow. Without load there is no share. A smooth contact
+    has a share only without speed, where h = 0 and s = 1.
     The boundary share counts the oil's part too as far as its film is only a molecule thick: h_m = 1 nm.
-    Raises InputError if an argument has the wrong sign or is not finite, if shapes do not broadcast, or if a semi-axis
-    is 0 under load.
+    Raises InputError if a factor has the wrong sign, if shapes do not broadcast, or if a semi-axis is 0 under load.
     """
     require_non_negative(film_factor=film_factor)
     require_positive(pressure_factor=pressure_factor)
-    asymptotes = film_asymptotes(
-        contact,
-        entrainment_speed=entrainment_speed,
-        viscosity=viscosity,
-        pressure_viscosity=pressure_viscosity,
-        largest_gap=largest_gap,
-    )
     force, area = np.asarray(contact.load, dtype=np.float64), contact.area
     try:
         with np.errstate(divide="ignore", invalid="ignore"):  # without load the softness is not used
             log_factor, log_softness = np.log(film_factor), np.log(area * pressure_factor) - np.log(force)
             thinned = {
-                name: np.where(log_factor == -np.inf, -np.inf, log_factor + getattr(asymptotes, name))
+                name: np.where(log_factor == -np.inf, -np.inf, log_factor + getattr(film, name))
                 for name in ("rigid", "elastic", "unloaded", "piezoviscous")
             }
-        parts = (*vars(replace(asymptotes, **thinned)).values(), log_softness, force)
+        parts = (*vars(replace(film, **thinned)).values(), log_softness, force)
         shape = np.broadcast(*parts).shape
         numbers = np.empty((len(parts), *shape))
         for row, part in enumerate(parts):

@@ -26,6 +26,7 @@ from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import RollingContact
 from analytic.effects.table import COMPUTED
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
+from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.traction import mixed_traction
 from analytic.scene import Autocorrelation, ContactAngle, Lubricant, Operation, Scene, Surface
@@ -105,9 +106,12 @@ def contacts(roughness: float, speed: np.ndarray) -> tuple[LoadedBalls, dict[str
     both = RollingContact(**{name: value[..., 0] for name, value in vars(balls.contacts).items()})  # (2, 1)
     return balls, {
         "contact": both,
-        "entrainment_speed": speed * balls.motion.entrainment_speed[0, 0],
-        "viscosity": OIL.viscosity,
-        "pressure_viscosity": OIL.pressure_viscosity,
+        "film": film_asymptotes(
+            both,
+            entrainment_speed=speed * balls.motion.entrainment_speed[0, 0],
+            viscosity=OIL.viscosity,
+            pressure_viscosity=OIL.pressure_viscosity,
+        ),
         "gap": gap_law(
             surface,
             gap_roughness(surface),

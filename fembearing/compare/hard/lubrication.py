@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact.rolling_contact import EllipticContact, elliptic_contact
-from analytic.oil.film import central_film
+from analytic.oil.film import central_film, film_asymptotes
 from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import mixed_traction, oil_shear_stress
 from analytic.oil.viscosity import roelands_viscosity
@@ -60,11 +60,11 @@ def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> Elliptic
 
 def shared(rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, film_factor: float = 1.0) -> MixedContact:
     """Oil and asperities of two surfaces, each of this roughness, m; 0: smooth."""
+    here = contact(load)
+    oil = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
     return mixed_contact(
-        contact(load),
-        entrainment_speed=speed,
-        viscosity=OIL.viscosity,
-        pressure_viscosity=OIL.pressure_viscosity,
+        here,
+        film_asymptotes(here, entrainment_speed=speed, **oil),
         gap=truncated(rms_roughness) if rms_roughness else None,
         film_factor=film_factor,
     )

@@ -1,6 +1,6 @@
 """A rough contact in oil as the tests of the shared load vary it."""
 
-from analytic.oil.film import central_film
+from analytic.oil.film import central_film, film_asymptotes
 from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.scene import Array, AsperityLaw, Autocorrelation, Surface
 from analytic.surface.gap import GapLaw, gap_law
@@ -38,7 +38,8 @@ def area(load: float = 613.0) -> float:
 
 def mixed(gap: GapLaw | None, **changed: object) -> MixedContact:
     contact, rest = hertzian(CONTACT | OIL | changed)
-    return mixed_contact(contact, gap=gap, **rest)
+    factors = {name: rest.pop(name) for name in ("film_factor", "pressure_factor") if name in rest}
+    return mixed_contact(contact, film_asymptotes(contact, **rest), gap=gap, **factors)
 
 
 def smooth_film(**changed: object) -> Array:

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 
 from analytic.errors import InputError
+from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.traction import CoulombTraction, MixedTraction, mixed_traction, oil_shear_stress
 from analytic.surface.gap import gap_law
@@ -101,9 +102,9 @@ def test_the_law_of_a_mixed_contact(traction: str) -> None:
     surface = replace(specimens.FINISH, rms_roughness=0.4e-6, gap="truncated")
     gap = gap_law(surface, gap_roughness(surface), modulus=1.13e11, bodies=(STEEL, STEEL))
     contact, oil, p, v = rolling_contact(), replace(OIL, traction=traction), 0.7e9, 3e-3  # pyright: ignore[reportArgumentType]
-    shared = mixed_contact(
-        contact, entrainment_speed=np.array([0.0, 1e-3, 1.3]), viscosity=0.06, pressure_viscosity=2e-8, gap=gap
-    )
+    speeds = np.array([0.0, 1e-3, 1.3])
+    film = film_asymptotes(contact, entrainment_speed=speeds, viscosity=0.06, pressure_viscosity=2e-8)
+    shared = mixed_contact(contact, film, gap=gap)
     law = mixed_traction(oil, 0.13, shared)
     s, h, touching = shared.asperity_share, shared.film_thickness, shared.area_fraction
     molecular = np.exp(-h / 1e-9) * [0, 1, 1] + [1, 0, 0]  # at standstill nothing flows into the gap

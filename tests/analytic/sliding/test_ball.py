@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 from analytic.contact.rolling_contact import Pair, RollingContact, deformed_radius, elliptic_contact
 from analytic.errors import InputError
 from analytic.loads.kinematics import ball_kinematics
+from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.rolling import hysteresis_moment
 from analytic.oil.traction import CoulombTraction, MixedTraction, Traction, mixed_traction
@@ -78,13 +79,13 @@ def running(
             deformed_radius=deformed_radius(groove_radius=groove, ball_diameter=BALL),
             rolling_rate=rolling_rate,
         )
-        shared = mixed_contact(
+        film = film_asymptotes(
             contact,
             entrainment_speed=motion.entrainment_speed,
             viscosity=OIL.viscosity,
             pressure_viscosity=OIL.pressure_viscosity,
-            gap=gap,
         )
+        shared = mixed_contact(contact, film, gap=gap)
         return contact, mixed_traction(replace(OIL, traction=traction), 0.12, shared)  # pyright: ignore[reportArgumentType]
 
     inner, inner_law = race(4.13e-3, 1, rates.inner_radius, rates.inner_rolling_rate)
