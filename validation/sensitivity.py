@@ -19,6 +19,7 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from rich.table import Table
 
+from analytic.oil import variation as oil_variation
 from analytic.oil.film import FILM_FACTORS
 from analytic.scene import Array, Autocorrelation, ContactAngle, Scene
 from analytic.scenefile.read import load_scene
@@ -99,7 +100,8 @@ def swings(scene: Scene) -> list[Swing]:
         Swing(
             variation=variation,
             changes=tuple(
-                friction_torque(end.scene, film_factor=end.film_factor).torque.total / base - 1
+                friction_torque(end.scene, variation=oil_variation.Variation(film=end.film_factor)).torque.total / base
+                - 1
                 for end in variation.ends
             ),
         )

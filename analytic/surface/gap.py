@@ -7,7 +7,7 @@ import numpy as np
 from analytic.scene import Array, Material, Surface
 from analytic.surface.asperity import first_yield, softer_hardness
 from analytic.surface.asperity_table import tabulated_asperities
-from analytic.surface.elastic_gap import declared_gap_curve, elastic_gap, measured_gap_curve
+from analytic.surface.elastic_gap import declared_gap_curve, gap_between, measured_gap_curve
 from analytic.surface.roughness import GapRoughness
 from analytic.surface.truncated_gap import TruncatedGap
 
@@ -45,7 +45,7 @@ def gap_law(
         else:
             assert surface.autocorrelation is not None
             curve = declared_gap_curve(surface.autocorrelation)
-        return elastic_gap(curve, moments=roughness.ball + roughness.race, modulus=modulus)
+        return gap_between(curve, moments=roughness.ball + roughness.race, modulus=modulus)
     summits = roughness.summits
     if surface.asperities == "greenwood_williamson":
         depth = NEVER_YIELDS * float(summits.height_deviation)

@@ -61,7 +61,7 @@ def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> Elliptic
 def shared(rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, film_factor: float = 1.0) -> MixedContact:
     """Oil and asperities of two surfaces, each of this roughness, m; 0: smooth."""
     here = contact(load)
-    oil = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
+    oil: dict[str, Any] = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
     return mixed_contact(
         here,
         film_asymptotes(here, entrainment_speed=speed, **oil),

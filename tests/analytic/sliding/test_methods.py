@@ -9,6 +9,7 @@ import pytest
 from analytic.effects.table import COMPUTED
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.oil.lubricated_races import lubricate_races
+from analytic.oil.variation import Variation
 from analytic.scene import Array, Bearing, ContactAngle, Lubricant, Operation
 from analytic.sliding.ball import slip_friction
 from analytic.sliding.methods import largest_error, rolling_lever
@@ -46,7 +47,7 @@ def run(bearing: Bearing, oil: Lubricant, *, groove: float, load: Any, speed: An
     thrust = loads * bearing.ball_count * np.sin(0.2)
     operation = Operation(axial_load=thrust, inner_speed=np.zeros_like(thrust))
     balls = thrust_balls(replace(bearing, **rings), ANGLE, operation, STILL)
-    races = lubricate_races(bearing, balls, lubricant=oil, surface=SMOOTH, ring_speed=speeds)
+    races = lubricate_races(bearing, balls, lubricant=oil, surface=SMOOTH, ring_speed=speeds, variation=Variation())
     mixed = races.mixed(asperities=False, film_factor=1.0)
     found = slip_friction(
         (balls.race(0), balls.race(1)),
