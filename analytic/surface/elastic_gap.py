@@ -144,8 +144,9 @@ def measured_gap_curve(height_map: HeightMap) -> GapCurve:
     """The curve of a measured surface, of the middle of its map, at most 256 by 256 points, levelled again.
 
     Mirror images continue the map beyond its edges, where they make ridges and furrows: on generated surfaces 20
-    correlation lengths wide this lowers the gap by 2 % or less up to p/(E* slope) = 0.3, by 4 % at 0.9. The spread between such pieces is that of surfaces with a
-    gaussian autocorrelation, for the piece's own width. The result is remembered.
+    correlation lengths wide this lowers the gap by 2 % or less up to p/(E* slope) = 0.3, by 4 % at 0.9. The
+    spread between such pieces is that of surfaces with a gaussian autocorrelation, for the piece's own width. The
+    result is remembered.
     Raises InputError for a flat map.
     """
     rows, columns = (max(size - MOST_POINTS, 0) // 2 for size in height_map.heights.shape)
