@@ -59,11 +59,10 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
         and resisting.inlets.starvation is not None
         and not ledger.rules_out("starvation"),
     )
-    acts = {
-        "asperities": slides,
-        "inlet_heating": resisting.rolling is not None or resisting.oiled is not None,
-        "starvation": resisting.rolling is not None or resisting.oiled is not None,
-    }
+    rolls, inlets = resisting.rolling is not None, resisting.inlets
+    shears = slides and resisting.oiled is not None
+    thins = inlets is not None and inlets.starvation is not None and bool(np.any(inlets.starvation.film_factor < 1))
+    acts = {"asperities": slides, "inlet_heating": rolls or shears, "starvation": rolls or (shears and thins)}
     for name, can_act in acts.items():
         other = replace(regime, **{name: not getattr(regime, name)})
         possible = can_act and ENTRIES[name].lacks(scene) is None
@@ -131,7 +130,7 @@ class _Estimate:
         if self.resisting.rolling is not None and inlets is not None:
             factor = inlets.rolling_factor(heats=regime.inlet_heating, starves=regime.starvation)
             rolling = self.resisting.rolling * factor
-        if oiled is None or inlets is None:
+        if oiled is None or inlets is None or not self.slides:
             force = self.resisting.friction_coefficient * balls.load
             return _Torque(None, tuple(force for _ in self.levers), rolling)
         factor = inlets.film_factor(heats=regime.inlet_heating, starves=regime.starvation)

@@ -160,7 +160,7 @@ TABLE = (
         meaning="inlets to which the oil does not return in time",
         needs=RING_DIAMETERS,
         bound="the rolling torque lost, and the friction that a thinner film adds",
-        idle='nothing slides or rolls in oil: give effects.rolling = "auto"',
+        idle='rolling is left out, and no film is so starved that it thins: give effects.rolling = "auto"',
     ),
     Entry(
         name="spin",
