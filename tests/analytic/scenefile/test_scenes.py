@@ -53,12 +53,12 @@ def test_the_calibrated_race_torque(usual: bool, roughness: float, speeds: np.nd
 
 
 def test_the_physical_scene() -> None:
-    """Loaded angle by an independent calculation; rolling grows with speed and is as large as sliding."""
+    """Loaded angle by an independent calculation; rolling grows with speed to more than a third of all."""
     scene = load_scene(SCENES / "6205_physical.toml")
     result = friction_torque(replace(scene, effects={"finite_geometry": "off"}))
     np.testing.assert_allclose(result.contact_angle, 0.3031, atol=0.5e-4)
     assert np.all(np.diff(result.torque.total) > 0)
-    assert present(result.torque.rolling)[-1] > 0.5 * result.torque.total[-1]
+    assert present(result.torque.rolling)[-1] > result.torque.total[-1] / 3
 
 
 def test_the_hybrid_scene() -> None:
