@@ -81,9 +81,9 @@ def friction_torque(
         assert scene.hysteresis_loss is not None
         moment = hysteresis_moment(balls.contacts, hysteresis_loss=scene.hysteresis_loss)
         parts["hysteresis"] = balls.total(moment * balls.contacts.rolling_rate)
-    resisting, resistance = _resisting(scene, balls, speed, ledger, constant=_sum(parts, speed), variation=variation)
+    slides, constant = decide_whether_sliding(ledger), _sum(parts, speed)
+    resisting, resistance = _resisting(ledger, balls, speed, constant=constant, slides=slides, variation=variation)
     oiled, inlets = resisting.oiled, resisting.inlets
-    slides = decide_whether_sliding(ledger)
     mixed = decide_sliding(scene, resisting, ledger, slides=slides)
     if resisting.rolling is not None and inlets is not None:
         left = inlets.rolling_factor(heats=ledger.is_on("inlet_heating"), starves=ledger.is_on("starvation"))
@@ -212,10 +212,10 @@ def _require_friction(scene: Scene) -> None:
 
 
 def _resisting(
-    scene: Scene, balls: LoadedBalls, speed: Array, ledger: Ledger, *, constant: Array, variation: Variation
+    ledger: Ledger, balls: LoadedBalls, speed: Array, *, constant: Array, slides: bool, variation: Variation
 ) -> tuple[Resisting, RollingResistance | None]:
     """What resists the balls; settles rolling. constant : (n,) N m, torques that no oil changes."""
-    lubricant = scene.lubricant
+    scene, lubricant = ledger.scene, ledger.scene.lubricant
     resistance: RollingResistance | None = None
     rolling: Array | None = None
     if ledger.decide("rolling"):
@@ -232,7 +232,7 @@ def _resisting(
             resistance = hydrodynamic_rolling(balls.contacts, viscosity=oil.viscosity, entrainment_speed=entrainment)
         rolling = rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed)
     oiled: LubricatedRaces | None = None
-    if lubricant is not None and scene.surface is not None:
+    if slides and lubricant is not None and scene.surface is not None:
         oiled = lubricate_races(
             scene.bearing,
             balls,

@@ -53,14 +53,13 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
     """
     estimate = _Estimate(resisting, ledger, slides=slides)
     regime = Regime(
-        asperities=slides and resisting.oiled is not None and not ledger.rules_out("asperities"),
+        asperities=resisting.oiled is not None and not ledger.rules_out("asperities"),
         inlet_heating=resisting.inlets is not None and not ledger.rules_out("inlet_heating"),
         starvation=resisting.inlets is not None
         and resisting.inlets.starvation is not None
         and not ledger.rules_out("starvation"),
     )
-    rolls, inlets = resisting.rolling is not None, resisting.inlets
-    shears = slides and resisting.oiled is not None
+    rolls, shears, inlets = resisting.rolling is not None, resisting.oiled is not None, resisting.inlets
     thins = inlets is not None and inlets.starvation is not None and bool(np.any(inlets.starvation.film_factor < 1))
     acts = {"asperities": slides, "inlet_heating": rolls or shears, "starvation": rolls or (shears and thins)}
     for name, can_act in acts.items():
@@ -70,7 +69,7 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
         on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle)
         regime = replace(regime, **{name: on})
     ledger.decide("spin", bound=estimate.spin(scene, regime) if slides else None)
-    return estimate.mixed(regime) if slides else None
+    return estimate.mixed(regime)
 
 
 class _Torque(NamedTuple):
@@ -91,7 +90,6 @@ class _Estimate:
         self.rolls = rolling_lever(balls) * (slides and ledger.is_on("conformity"))
         spins = slides and not ledger.rules_out("spin")
         self.levers = (self.rolls, self.rolls + largest_spin_lever(balls)) if spins else (self.rolls,)
-        self.slides = slides
         self.uneven = 1 + largest_error(balls, None if oiled is None else oiled.lubricant)
         self.known: dict[Regime, _Torque] = {}
 
@@ -130,7 +128,7 @@ class _Estimate:
         if self.resisting.rolling is not None and inlets is not None:
             factor = inlets.rolling_factor(heats=regime.inlet_heating, starves=regime.starvation)
             rolling = self.resisting.rolling * factor
-        if oiled is None or inlets is None or not self.slides:
+        if oiled is None or inlets is None:
             force = self.resisting.friction_coefficient * balls.load
             return _Torque(None, tuple(force for _ in self.levers), rolling)
         factor = inlets.film_factor(heats=regime.inlet_heating, starves=regime.starvation)

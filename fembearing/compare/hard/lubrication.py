@@ -46,7 +46,8 @@ def film(**changed: Any) -> float:
     of_contact = {name: changed.pop(name) for name in ("load", "curvature_transverse") if name in changed}
     here = contact(**of_contact)
     oil: dict[str, Any] = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
-    central = central_film(here, **(oil | {"entrainment_speed": SPEED} | changed))
+    oil |= {"entrainment_speed": SPEED} | changed
+    central = central_film(here, **oil)
     fitted = 0.03 <= here.curvature_transverse / here.curvature_rolling <= 1
     return float(central.thickness) if bool(central.outside_range) != fitted else math.nan
 

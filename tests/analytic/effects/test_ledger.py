@@ -96,7 +96,7 @@ def test_without_sliding_the_inlets_act_on_rolling(bearing_6205: Bearing) -> Non
         ({}, {"asperities": "on"}, "neither spin nor conformity is computed"),
         ({"lubricant": None}, {"inlet_heating": "on"}, "no lubricant is given"),
         ({}, {"inlet_heating": "on", "rolling": "off"}, "nothing slides or rolls in oil"),
-        ({}, {"starvation": "on", "rolling": "off"}, "rolling is left out"),
+        ({}, {"starvation": "on", "rolling": "off"}, "rolling is left out, and no film is so starved"),
         ({}, {"spin": "on", "starvation": "on", "rolling": "off"}, "rolling is left out"),
         ({"friction_coefficient": 0.07, "surface": None}, {"spin": "on", "asperities": "on"}, "coefficient is given"),
         ({}, {"cage": "on"}, "no cage is given"),
