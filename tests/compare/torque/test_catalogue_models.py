@@ -157,7 +157,7 @@ def test_both_factors_lie_between_0_and_1_and_fall_with_speed(speed: float, visc
         ({"radial_load": math.nan}, "radial_load must be at least 0"),
         ({"ring_speed": -3.0}, "ring_speed must be at least 0"),
         ({"kinematic_viscosity": 0.0}, "kinematic_viscosity must be positive"),
-        ({"lubrication": "oil"}, '"oil_bath" or "grease"'),
+        ({"lubrication": "oil"}, "one of oil_bath, oil_spot, grease"),
     ],
 )
 def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:

@@ -140,8 +140,8 @@ def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Va
     oiled = load_scene(Path("validation/scenes/6205_paper_calibrated.toml"))
     words = " ".join(page_of(with_scene(checked, oiled), tmp_path).text.split())
     for said in (
-        "viscosity 0.06 Pa s",
-        "rms roughness 1 um of each, gaussian autocorrelation of 165 um",
+        "viscosity 0.0145 Pa s",
+        "rms roughness 1 um of each, gaussian autocorrelation of 150 um",
         "by mixed lubrication, from the scene's lubricant and surface",
         "Calibration: oil, hardness, boundary friction, hysteresis loss and autocorrelation to the paper's race torque",
     ):
