@@ -14,6 +14,7 @@ from analytic.scene import Array
 
 # Each step halves the bracket or the step before the last; 4 to 8 are usual, and bisection alone takes 60.
 MOST_STEPS = 200
+LEAST_STEP = 1e-10  # relative, of a secant
 
 
 class Sought(NamedTuple):
@@ -66,21 +67,20 @@ def bracketed_root(
     )
 
 
-def with_secant_slopes(
-    rising: Callable[[Array], Array], *, first_slope: Array
-) -> Callable[[Array], tuple[Array, Array]]:
+class SecantSlopes:
     """A function for `bracketed_root` from one without slopes: each slope is the secant to the call before.
 
-    first_slope : a guess for the first call
+    slopes : a guess for the first call; afterwards the last ones
+    A step so small that the secant would be round-off keeps the slope.
     """
-    slope, x_before, value_before = first_slope, np.full_like(first_slope, np.nan), first_slope
 
-    def sloped(x: Array) -> tuple[Array, Array]:
-        nonlocal slope, x_before, value_before
-        value = rising(x)
-        moved = np.abs(x - x_before) > 0  # not where x has settled, nor at first
-        slope = np.divide(value - value_before, x - x_before, out=np.array(slope), where=moved)
-        x_before, value_before = x, value
-        return value, slope
+    def __init__(self, rising: Callable[[Array], Array], slopes: Array) -> None:
+        self.slopes = slopes
+        self._rising, self._x, self._value = rising, np.full_like(slopes, np.nan), slopes
 
-    return sloped
+    def __call__(self, x: Array) -> tuple[Array, Array]:
+        value = self._rising(x)
+        moved = np.abs(x - self._x) > LEAST_STEP * np.abs(x)  # not where x has settled, nor at first
+        self.slopes = np.divide(value - self._value, x - self._x, out=np.array(self.slopes), where=moved)
+        self._x, self._value = x, value
+        return value, self.slopes

@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import Pair, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.root import Sought, bracketed_root, with_secant_slopes
+from analytic.numerics.root import SecantSlopes, Sought, bracketed_root
 from analytic.oil.traction import Traction
 from analytic.scene import Array, Lubricant, SpinRule
 from analytic.sliding.ellipse import NODES, SlipMoments, slip_along_axis, slip_over_ellipse
@@ -165,9 +165,12 @@ def _inner_share(
         moment, other = spin_moments(share)
         return np.where(np.abs(moment + other) <= ROUND_OFF * moment, 0.0, moment + other)
 
+    moment, other = spin_moments(whole / 2)
+    slope = 2 * (moment - other)  # as if the moments grew evenly
+    step = np.divide(moment + other, slope, out=np.zeros(shape), where=slope > 0)  # at most 1/2
     return bracketed_root(
-        with_secant_slopes(excess, first_slope=2 * spin_moments(whole / 2)[0]),  # as if the moment grew evenly
-        start=whole / 2,
+        SecantSlopes(excess, slope),
+        start=whole / 2 - step,
         low=none,
         high=whole,
         relative=ROUND_OFF,
@@ -206,10 +209,13 @@ def _integrated(
         halves = zip(laws, (slice(n), slice(n, None)), strict=True)
         return np.concatenate([law.stress(pressure[half], fast * slide[half]) for law, half in halves])
 
+    last: SlipMoments | None = None
+
     def moments(share: Array) -> SlipMoments:
+        nonlocal last
         rate = np.concatenate([share * difference, (share - 1) * difference])
-        result = slip(contact, traction=stress, spin_rate=rate)
-        return SlipMoments(**{name: loaded * value for name, value in vars(result).items()})
+        last = slip(contact, traction=stress, spin_rate=rate, near=last)
+        return SlipMoments(**{name: loaded * value for name, value in vars(last).items()})
 
     def spin_moments(share: Array) -> tuple[Array, Array]:
         spin = moments(share).spin_moment

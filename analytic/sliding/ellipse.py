@@ -19,13 +19,16 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import InputError, require_finite, require_positive
-from analytic.numerics.root import Sought, bracketed_root, with_secant_slopes
+from analytic.numerics.root import SecantSlopes, Sought, bracketed_root
 from analytic.scene import Array
+from analytic.sliding.long_ellipse import pure_rolling_lines
 
 Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; all (*points, nodes)
 # Net force that counts as none, relative to the sum of all friction: round-off of the sum over a thousand nodes.
 BALANCED = 1e-14
 NARROWEST = 4 * np.finfo(np.float64).eps  # bracket of c, relative to the largest speed
+ROLLS_NOT = 1e9  # eps from which a contact only spins
+USUAL_FRICTION = 0.05  # for the slope of the first step
 NODES = (16, 16)  # transverse and rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
 
 
@@ -38,10 +41,16 @@ class SlipMoments:
     slip_power: Array  # W: spin moment times w_s + rolling moment times w_roll
     unit_power: Array  # W: what a friction coefficient of 1 would lose at the same sliding of every point
     creep_speed: Array  # c, m/s
+    creep_stiffness: Array  # N s/m: by how much the net force falls as c grows; about right
 
 
 def slip_over_ellipse(
-    contact: RollingContact, *, traction: Traction, spin_rate: ArrayLike, nodes: tuple[int, int] = NODES
+    contact: RollingContact,
+    *,
+    traction: Traction,
+    spin_rate: ArrayLike,
+    nodes: tuple[int, int] = NODES,
+    near: SlipMoments | None = None,
 ) -> SlipMoments:
     """Moments of one contact by sliding in both directions at every point; fields and spin_rate broadcast.
 
@@ -52,20 +61,26 @@ def slip_over_ellipse(
     spin_rate : w_s, any sign, in the unit of the contact's rolling_rate: rad/s, or per unit ring speed w. With rates
         per unit w, speeds, creep speed and slip power are per unit w too
     nodes : in the transverse direction for each of three panels that meet where v_x = 0, and in that of rolling
+    near : the same contacts at another spin; the search of c begins at theirs
         M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
     Raises InputError if an argument has the wrong sign or is not finite, ConvergenceError if no c is found.
     """
-    return _slip(contact, traction, spin_rate, nodes=nodes, sideways=True)
+    return _slip(contact, traction, spin_rate, nodes=nodes, sideways=True, near=near)
 
 
 def slip_along_axis(
-    contact: RollingContact, *, traction: Traction, spin_rate: ArrayLike, nodes: tuple[int, int] = NODES
+    contact: RollingContact,
+    *,
+    traction: Traction,
+    spin_rate: ArrayLike,
+    nodes: tuple[int, int] = NODES,
+    near: SlipMoments | None = None,
 ) -> SlipMoments:
     """The same with v_y = 0, for a contact much longer transverse to rolling; arguments as in `slip_over_ellipse`.
 
     The traction still follows the pressure at each point in the direction of rolling.
     """
-    return _slip(contact, traction, spin_rate, nodes=nodes, sideways=False)
+    return _slip(contact, traction, spin_rate, nodes=nodes, sideways=False, near=near)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -150,9 +165,28 @@ class _Integrand:
         return (edges[..., :-1, None] + length * step).reshape(flat), (length * slope * weight).reshape(flat)
 
 
-def _slip(
+def slip_power(
+    contact: RollingContact,
+    *,
+    traction: Traction,
+    spin_rate: ArrayLike,
+    creep_speed: ArrayLike,
+    nodes: tuple[int, int],
+    sideways: bool,
+) -> Array:
+    """int tau |v| dA of each of the three transverse panels at a given c, (*points, 3), W: one evaluation.
+
+    creep_speed : c, m/s, of a solution, perhaps with other nodes;  sideways : with v_y;  others as `slip_over_ellipse`
+    """
+    integrand = _integrand(contact, traction, spin_rate, nodes=nodes, sideways=sideways)
+    at = integrand.at(np.broadcast_to(creep_speed, integrand.roll.shape[:-1])[..., None])
+    lost = np.sum(at.friction * at.speed, axis=-1)
+    return lost.reshape(*lost.shape[:-1], 3, nodes[0]).sum(axis=-1)
+
+
+def _integrand(
     contact: RollingContact, traction: Traction, spin_rate: ArrayLike, *, nodes: tuple[int, int], sideways: bool
-) -> SlipMoments:
+) -> _Integrand:
     require_positive(
         semi_axis_rolling=contact.semi_axis_rolling, semi_axis_transverse=contact.semi_axis_transverse, nodes=nodes
     )
@@ -167,7 +201,7 @@ def _slip(
             "the arguments of a slip have shapes that do not fit together: give equal lengths"
         ) from problem
     load, rolling, transverse, radius, roll, spin = (array[..., None] for array in arrays)
-    integrand = _Integrand(
+    return _Integrand(
         traction=traction,
         pressure=1.5 * load / (np.pi * rolling * transverse),
         rolling=rolling,
@@ -177,20 +211,38 @@ def _slip(
         sideways=sideways,
         nodes=nodes,
     )
-    creep = _forceless_creep(integrand)
+
+
+def _slip(
+    contact: RollingContact,
+    traction: Traction,
+    spin_rate: ArrayLike,
+    *,
+    nodes: tuple[int, int],
+    sideways: bool,
+    near: SlipMoments | None,
+) -> SlipMoments:
+    integrand = _integrand(contact, traction, spin_rate, nodes=nodes, sideways=sideways)
+    creep, stiffness = _forceless_creep(integrand, near)
     at = integrand.at(creep)
-    pull, rolling, transverse = at.pull, rolling[..., None], transverse[..., None]
+    pull, rolling, transverse = at.pull, integrand.rolling[..., None], integrand.transverse[..., None]
     return SlipMoments(
-        spin_moment=np.sign(arrays[5]) * _sum(pull * (at.slide * at.y * transverse + at.turn * at.x**2 * rolling)),
-        rolling_moment=_sum(pull * at.slide * at.y**2) * arrays[2] ** 2 / (2 * arrays[3]),
+        spin_moment=np.sign(spin_rate) * _sum(pull * (at.slide * at.y * transverse + at.turn * at.x**2 * rolling)),
+        rolling_moment=_sum(pull * at.slide * at.y**2)
+        * np.asarray(contact.semi_axis_transverse) ** 2
+        / (2 * np.asarray(contact.deformed_radius)),
         slip_power=_sum(at.friction * at.speed),
         unit_power=_sum(at.unit * at.speed),
         creep_speed=creep[..., 0],
+        creep_stiffness=stiffness[..., 0],
     )
 
 
-def _forceless_creep(integrand: _Integrand) -> Array:
-    """c of no net force, (*points, 1). Its bracket: at one end all friction points forwards, at the other backwards."""
+def _forceless_creep(integrand: _Integrand, near: SlipMoments | None) -> tuple[Array, Array]:
+    """c of no net force and its stiffness, (*points, 1).
+
+    Its bracket: at one end all friction points forwards, at the other backwards.
+    """
     roll, spin = integrand.roll, integrand.spin
     vertex = -np.divide(spin, 2 * roll, out=np.ones_like(spin), where=spin < 2 * roll)
     low, high = (roll * vertex + spin) * vertex, roll + spin
@@ -200,9 +252,14 @@ def _forceless_creep(integrand: _Integrand) -> Array:
         force = _sum(at.pull * at.slide)
         return np.where(np.abs(force) <= BALANCED * _sum(at.friction), 0.0, -force)[..., None]
 
-    return bracketed_root(
-        with_secant_slopes(rising, first_slope=np.zeros_like(low)),
-        start=(low + high) / 2,
+    if near is None:
+        start, stiffness = _coulomb_creep(integrand)
+    else:
+        start, stiffness = near.creep_speed[..., None], near.creep_stiffness[..., None]
+    secant = SecantSlopes(rising, stiffness)
+    creep = bracketed_root(
+        secant,
+        start=np.clip(start, low, high),
         low=low,
         high=high,
         relative=float(NARROWEST),
@@ -212,6 +269,20 @@ def _forceless_creep(integrand: _Integrand) -> Array:
             remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",
         ),
     )
+    return creep, secant.slopes
+
+
+def _coulomb_creep(integrand: _Integrand) -> tuple[Array, Array]:
+    """c and its stiffness by Coulomb friction on a long ellipse: where a search may begin."""
+    roll, spin = integrand.roll, integrand.spin
+    eps = np.divide(spin, 2 * roll, out=np.full_like(spin, ROLLS_NOT), where=spin < 2 * ROLLS_NOT * roll)
+    lines = pure_rolling_lines(eps)
+    width, slope = np.zeros_like(roll), np.hypot(spin, roll)
+    for line in lines:
+        width = width + np.maximum(1 - line**2, 0.0)
+    force = USUAL_FRICTION * integrand.pressure * integrand.rolling * integrand.transverse
+    stiffness = np.pi * force * np.divide(width, slope, out=np.zeros_like(slope), where=slope > 0)
+    return -roll * lines[0] * lines[1], stiffness
 
 
 @cache

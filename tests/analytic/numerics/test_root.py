@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from analytic.errors import ConvergenceError
-from analytic.numerics.root import Sought, bracketed_root, with_secant_slopes
+from analytic.numerics.root import SecantSlopes, Sought, bracketed_root
 from analytic.scene import Array
 
 WORDS = Sought(problem="the test", unit="of x", remedy="Give a number.")
@@ -39,7 +39,7 @@ def test_secants_replace_slopes() -> None:
         return cubes(x)[0]
 
     ends = np.full(5, -9.0), np.full(5, 9.0)
-    sloped = with_secant_slopes(rising, first_slope=np.full(5, 40.0))
+    sloped = SecantSlopes(rising, np.full(5, 40.0))
     roots = bracketed_root(
         sloped, start=ROOTS + 0.4, low=ends[0], high=ends[1], relative=1e-13, absolute=1e-15, sought=WORDS
     )
