@@ -17,15 +17,15 @@ from functools import partial
 from typing import Any, Literal, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from analytic.contact.rolling_contact import Pair, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.root import SecantSlopes, Sought, bracketed_root
 from analytic.oil.traction import Traction
 from analytic.scene import Array, Lubricant, SpinRule
-from analytic.sliding.ellipse import NODES, SlipMoments, slip_along_axis, slip_over_ellipse
-from analytic.sliding.long_ellipse import MicroslipTorque, contact_moments, microslip_torque
+from analytic.sliding.ellipse import NODES, SlipMoments, power_of_panels, slip_along_axis, slip_over_ellipse
+from analytic.sliding.long_ellipse import MicroslipTorque, contact_moments, long_ellipse_creep, microslip_torque
 
 SlidingMethod = Literal["single_coefficient", "along_axis", "over_ellipse"]
 SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
@@ -45,6 +45,8 @@ class SlipFriction:
     outer_coefficient: Array
     inner_slip_speed: Array  # m/s, mean weighted by the pressure
     outer_slip_speed: Array
+    inner_creep: Array  # c over the ring speed, m, as in `analytic.sliding.ellipse`
+    outer_creep: Array
 
 
 def slip_friction(
@@ -86,17 +88,17 @@ def slip_friction(
         columns = _single_coefficient(contacts, traction, speed, difference, spin_rule)
     elif method in SLIP:
         slip = partial(SLIP[method], nodes=nodes)
-        flat = with_numbers(contacts, traction, lambda value: np.broadcast_to(value, shape).ravel())
-        speed, difference = speed.ravel(), difference.ravel()
-        blocks = []
-        for part in np.array_split(np.arange(speed.size), max(1, -(-speed.size // BLOCK))):
-            block = with_numbers(*flat, lambda value, part=part: value[part])
-            blocks.append(_integrated(*block, (speed[part], difference[part]), spin_rule, slip))
-        columns = tuple(np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
+        columns = _in_blocks(
+            lambda pair, laws, fast, apart: _integrated(pair, laws, (fast, apart), spin_rule, slip),
+            contacts,
+            traction,
+            speed,
+            difference,
+        )
     else:
         raise InputError(f'method must be "single_coefficient", "along_axis" or "over_ellipse", got {method!r}')
-    inner_rate, inner_spin, inner_roll, inner_coefficient, inner_slip = columns[:5]
-    outer_rate, outer_spin, outer_roll, outer_coefficient, outer_slip = columns[5:]
+    inner_rate, inner_spin, inner_roll, inner_coefficient, inner_slip, inner_creep = columns[:6]
+    outer_rate, outer_spin, outer_roll, outer_coefficient, outer_slip, outer_creep = columns[6:]
     return SlipFriction(
         torque=MicroslipTorque.of(
             contacts,
@@ -108,10 +110,62 @@ def slip_friction(
         outer_coefficient=outer_coefficient,
         inner_slip_speed=inner_slip,
         outer_slip_speed=outer_slip,
+        inner_creep=inner_creep,
+        outer_creep=outer_creep,
     )
 
 
-# For the inner and then the outer contact: spin rate, spin moment, rolling moment, coefficient, slip speed.
+def slip_power(
+    contacts: Pair,
+    traction: Tractions,
+    sliding: SlipFriction,
+    *,
+    ring_speed: ArrayLike,
+    nodes: tuple[int, int],
+    sideways: bool,
+) -> Array:
+    """Power over w of each race and panel, N m, at spin and creep that are known; (2, 3, *shape of sliding).
+
+    sliding : by any method and nodes; its creep and spin rates count. Panels as in `ellipse.slip_power`
+    nodes, sideways : of the one evaluation of the integrals
+    """
+    torque = sliding.torque
+    rates = (torque.inner_spin_rate, torque.outer_spin_rate)
+    fields = (np.abs(np.asarray(ring_speed, dtype=np.float64)), *rates, sliding.inner_creep, sliding.outer_creep)
+    shape = sliding.inner_creep.shape
+
+    def panels(pair: Pair, laws: Tractions, fast: Array, *known: Array) -> Columns:
+        both = _Stacked.of(pair, laws, fast)
+        power = power_of_panels(
+            both.contact,
+            traction=both.stress,
+            spin_rate=np.concatenate(known[:2]),
+            creep_speed=np.concatenate(known[2:]),
+            nodes=nodes,
+            sideways=sideways,
+        )
+        power = both.loaded[:, None] * power
+        return *power[: fast.size].T, *power[fast.size :].T
+
+    columns = _in_blocks(panels, contacts, traction, *(np.broadcast_to(field, shape) for field in fields))
+    return np.stack(columns).reshape(2, 3, *shape)
+
+
+def _in_blocks(
+    evaluate: Callable[..., "Columns"], contacts: Pair, traction: Tractions, *fields: Array
+) -> "Columns":
+    """Columns of evaluate(contacts, traction, *fields) of one shape, a block of points at a time."""
+    shape = fields[0].shape
+    flat = with_numbers(contacts, traction, lambda value: np.broadcast_to(value, shape).ravel())
+    numbers = [field.ravel() for field in fields]
+    blocks = []
+    for part in np.array_split(np.arange(numbers[0].size), max(1, -(-numbers[0].size // BLOCK))):
+        block = with_numbers(*flat, lambda value, part=part: value[part])
+        blocks.append(evaluate(*block, *(number[part] for number in numbers)))
+    return tuple(np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
+
+
+# For the inner and then the outer contact: spin rate, spin moment, rolling moment, coefficient, slip speed, creep.
 Columns = tuple[Array, ...]
 
 
@@ -134,6 +188,7 @@ def _single_coefficient(
             for column in (
                 *(rate, spin, roll, _over(force, contact.load)),
                 speed * _over(spin * rate + roll * contact.rolling_rate, force),
+                long_ellipse_creep(contact, spin_rate=rate),
             )
         )
 
@@ -141,7 +196,8 @@ def _single_coefficient(
         spin, roll = contact_moments(contacts[race], friction_force=1.0, spin_rate=rate)  # per N of friction
         slip = speed * (spin * rate + roll * contacts[race].rolling_rate)
         force = np.broadcast_to(laws[race](slip), speed.shape)
-        return rate, force * spin, force * roll, _over(force, contacts[race].load), slip
+        creep = long_ellipse_creep(contacts[race], spin_rate=rate)
+        return rate, force * spin, force * roll, _over(force, contacts[race].load), slip, creep
 
     share = _inner_share(
         spin_rule, lambda x: (columns(0, x * difference)[1], columns(1, (x - 1) * difference)[1]), speed.shape
@@ -196,26 +252,14 @@ def _integrated(
     """
     speed, difference = speeds
     n = speed.size
-    both = {name: np.concatenate([getattr(contact, name) for contact in contacts]) for name in vars(contacts[0])}
-    load = both["load"]
-    loaded = load > 0  # a contact without load is a point without friction; it gets semi-axes of 1
-    for name in ("semi_axis_rolling", "semi_axis_transverse"):
-        both[name] = np.where(loaded, both[name], 1.0)
-    contact = RollingContact(**both)
-    laws = [_changed(law, lambda value: np.asarray(value)[..., None]) for law in traction]
-    fast = speed[:, None]
-
-    def stress(pressure: Array, slide: Array) -> Array:
-        halves = zip(laws, (slice(n), slice(n, None)), strict=True)
-        return np.concatenate([law.stress(pressure[half], fast * slide[half]) for law, half in halves])
-
+    both = _Stacked.of(contacts, traction, speed)
     last: SlipMoments | None = None
 
     def moments(share: Array) -> SlipMoments:
         nonlocal last
         rate = np.concatenate([share * difference, (share - 1) * difference])
-        last = slip(contact, traction=stress, spin_rate=rate, near=last)
-        return SlipMoments(**{name: loaded * value for name, value in vars(last).items()})
+        last = slip(both.contact, traction=both.stress, spin_rate=rate, near=last)
+        return SlipMoments(**{name: both.loaded * value for name, value in vars(last).items()})
 
     def spin_moments(share: Array) -> tuple[Array, Array]:
         spin = moments(share).spin_moment
@@ -225,9 +269,36 @@ def _integrated(
     result = moments(share)
     columns = (
         *(np.concatenate([share * difference, (share - 1) * difference]), result.spin_moment, result.rolling_moment),
-        *(_over(result.slip_power, result.unit_power), np.concatenate([speed, speed]) * _over(result.unit_power, load)),
+        *(_over(result.slip_power, result.unit_power), np.concatenate([speed, speed]) * _over(result.unit_power, both.load)),
+        result.creep_speed,
     )
     return *(column[:n] for column in columns), *(column[n:] for column in columns)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Stacked:
+    """Both races of n points as one array of 2 n contacts. One without load is a point, and gets semi-axes of 1."""
+
+    contact: RollingContact
+    load: Array
+    loaded: NDArray[np.bool_]
+    stress: Callable[[Array, Array], Array]  # of pressure and speed over the ring speed
+
+    @classmethod
+    def of(cls, contacts: Pair, traction: Tractions, ring_speed: Array) -> "_Stacked":
+        n = ring_speed.size
+        both = {name: np.concatenate([getattr(contact, name) for contact in contacts]) for name in vars(contacts[0])}
+        loaded = both["load"] > 0
+        for name in ("semi_axis_rolling", "semi_axis_transverse"):
+            both[name] = np.where(loaded, both[name], 1.0)
+        laws = [_changed(law, lambda value: np.asarray(value)[..., None]) for law in traction]
+        fast = ring_speed[:, None]
+
+        def stress(pressure: Array, slide: Array) -> Array:
+            halves = zip(laws, (slice(n), slice(n, None)), strict=True)
+            return np.concatenate([law.stress(pressure[half], fast * slide[half]) for law, half in halves])
+
+        return cls(contact=RollingContact(**both), load=both["load"], loaded=loaded, stress=stress)
 
 
 def _over(numerator: Array, denominator: ArrayLike) -> Array:

@@ -165,7 +165,7 @@ class _Integrand:
         return (edges[..., :-1, None] + length * step).reshape(flat), (length * slope * weight).reshape(flat)
 
 
-def slip_power(
+def power_of_panels(
     contact: RollingContact,
     *,
     traction: Traction,

@@ -163,6 +163,17 @@ def spin_to_roll_ratio(contact: RollingContact, *, spin_rate: ArrayLike) -> Arra
         return np.nan_to_num(numerator / denominator, nan=0.0)
 
 
+def long_ellipse_creep(contact: RollingContact, *, spin_rate: ArrayLike) -> Array:
+    """c/w of no net force on a contact that spins with w_s/w = spin_rate, m: -w_roll b^2/(2 R) g1 g2.
+
+    0 for a contact that is a point, and where one line has left the contact.
+    """
+    eps = np.abs(spin_to_roll_ratio(contact, spin_rate=spin_rate))
+    product = np.where(eps < FULL_SPIN, _half_distance(eps) ** 2 - np.minimum(eps, FULL_SPIN) ** 2, 0.0)
+    length = np.asarray(contact.semi_axis_transverse)
+    return np.asarray(contact.rolling_rate) * length**2 / (2 * np.asarray(contact.deformed_radius)) * product
+
+
 def sliding_number(contact: RollingContact, *, friction_coefficient: ArrayLike, entrainment_speed: ArrayLike) -> Array:
     """chi = [w_roll b^2/(2 R u)]/(mu a/R_x): sliding by conformity over elastic creep; fields and arguments broadcast.
 
