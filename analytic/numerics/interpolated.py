@@ -36,7 +36,7 @@ def sampled_series(
     coordinates: Array,
     *,
     missed: Callable[[Array, Array, NDArray[np.intp]], Array],
-    allowed: float,
+    allowed: Callable[[], float],
 ) -> SampledSeries | None:
     """The quantities at all points, or None where no sample is good enough.
 
@@ -44,7 +44,7 @@ def sampled_series(
     coordinates : (n, d) the numbers that they depend on, in units in which they are about equally smooth (logarithms,
         say)
     missed : (interpolated, true, indices) -> measure of the error at each of them, (k,)
-    allowed : limit of that measure
+    allowed : limit of that measure, asked after each evaluation
     """
     from scipy.interpolate import RBFInterpolator  # 0.1 s to import, which few scenes need
 
@@ -69,7 +69,7 @@ def sampled_series(
         errors.append(SAFETY * float(np.max(missed(last[joining], true, joining))))
         at, known = np.concatenate([at, joining]), np.concatenate([known, true])
         before, last = last, interpolated(len(at))
-        if max(errors[-IN_A_ROW:]) <= allowed:
+        if max(errors[-IN_A_ROW:]) <= allowed():
             last[at] = known
             return SampledSeries(values=last, at=at, error=max(errors[-IN_A_ROW:]))
     return None

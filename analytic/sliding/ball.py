@@ -151,9 +151,7 @@ def slip_power(
     return np.stack(columns).reshape(2, 3, *shape)
 
 
-def _in_blocks(
-    evaluate: Callable[..., "Columns"], contacts: Pair, traction: Tractions, *fields: Array
-) -> "Columns":
+def _in_blocks(evaluate: Callable[..., "Columns"], contacts: Pair, traction: Tractions, *fields: Array) -> "Columns":
     """Columns of evaluate(contacts, traction, *fields) of one shape, a block of points at a time."""
     shape = fields[0].shape
     flat = with_numbers(contacts, traction, lambda value: np.broadcast_to(value, shape).ravel())
@@ -269,7 +267,10 @@ def _integrated(
     result = moments(share)
     columns = (
         *(np.concatenate([share * difference, (share - 1) * difference]), result.spin_moment, result.rolling_moment),
-        *(_over(result.slip_power, result.unit_power), np.concatenate([speed, speed]) * _over(result.unit_power, both.load)),
+        *(
+            _over(result.slip_power, result.unit_power),
+            np.concatenate([speed, speed]) * _over(result.unit_power, both.load),
+        ),
         result.creep_speed,
     )
     return *(column[:n] for column in columns), *(column[n:] for column in columns)

@@ -35,7 +35,7 @@ def sampled(quantity, coordinates: Array, allowed: float) -> tuple[SampledSeries
     def missed(interpolated: Array, true: Array, points: NDArray[np.intp]) -> Array:  # noqa: ARG001
         return np.abs(interpolated - true).max(axis=1)
 
-    return sampled_series(evaluate, coordinates, missed=missed, allowed=allowed), evaluated
+    return sampled_series(evaluate, coordinates, missed=missed, allowed=lambda: allowed), evaluated
 
 
 @pytest.mark.parametrize("allowed", [1e-1, 3e-2, 6e-3])
