@@ -32,6 +32,7 @@ from analytic.sliding.ellipse import NODES
 from analytic.sliding.long_ellipse import MicroslipTorque, microslip_moments
 
 SAFETY = 2.0  # times the difference of two rules; the largest observed need is NEED
+LEAST = 1e-7  # the estimate of an error that is smaller: of creep and spin, and of the judging rule itself
 EVEN_STRESS = 0.182  # error of a mean stress, relative to the true power, where the stress does not follow the pressure
 # The same for sinh traction, for decisions before anything slides. The largest observed errors are 0.87, at a few N in
 # thin oil that pressure thickens steeply, and 0.69 on the scenes of the benchmark.
@@ -104,7 +105,7 @@ def race_sliding(
     other_torque : (n,) of the other effects, N m
     allowed : (n,) error that the method may have, relative to the whole torque
     """
-    sliders = _Sliders(balls=balls, traction=traction, model=model, ring_speed=ring_speed)
+    sliders = Sliders(balls=balls, traction=traction, model=model, ring_speed=ring_speed)
     cheap = sliders.slide(QUADRATURES[0])
     if model.microslip == "as_printed":
         return _as_printed(sliders, cheap)
@@ -133,7 +134,7 @@ def race_sliding(
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class _Sliders:
+class Sliders:
     """All contacts of all balls at n operating points."""
 
     balls: LoadedBalls
@@ -164,21 +165,22 @@ class _Sliders:
         if by_mean and all(isinstance(law, CoulombTraction) for law in self.traction):
             error = _long_ellipse_error(self.balls)[:, points]
             return np.sum(_weight(self._at(points)[0], result) * error / (1 - error), axis=(0, 2))
-        contacts, traction = self._at(points)
-
-        def power(nodes: tuple[int, int], *, sideways: bool) -> Array:
-            """(2, 3, n, m) of each race and panel."""
-            speed = self.ring_speed[points, None]
-            return slip_power(contacts, traction, result, ring_speed=speed, nodes=nodes, sideways=sideways)
-
-        judge = power(quadrature.judge, sideways=True)
+        judge = self.power(result, quadrature.judge, points, sideways=True)
         if by_mean:
-            own, judge = _race_power(contacts, result), judge.sum(axis=1)
+            own, judge = _race_power(self._at(points)[0], result), judge.sum(axis=1)
         else:
-            own = power(quadrature.nodes, sideways=quadrature.method == "over_ellipse")
+            own = self.power(result, quadrature.nodes, points, sideways=quadrature.method == "over_ellipse")
         parts = tuple(range(own.ndim - 2))
         missed, whole = np.abs(judge - own).sum(axis=parts), own.sum(axis=parts)
-        return SAFETY * _over(missed.sum(axis=-1), whole.sum(axis=-1))
+        return SAFETY * _over(missed.sum(axis=-1), whole.sum(axis=-1)) + LEAST
+
+    def power(
+        self, result: SlipFriction, nodes: tuple[int, int], points: Points = slice(None), *, sideways: bool
+    ) -> Array:
+        """(2, 3, n, m) of each race and panel over the ring speed, N m, at the sliding of a result at these points."""
+        contacts, traction = self._at(points)
+        speed = self.ring_speed[points, None]
+        return slip_power(contacts, traction, result, ring_speed=speed, nodes=nodes, sideways=sideways)
 
     def _at(self, points: Points) -> tuple[Pair, Tractions]:
         shape = self.balls.load.shape[1:]
@@ -274,7 +276,7 @@ def _quantities(result: SlipFriction) -> Array:
     return np.concatenate(columns, axis=1)
 
 
-def _as_printed(sliders: _Sliders, derived: SlipFriction) -> Sliding:
+def _as_printed(sliders: Sliders, derived: SlipFriction) -> Sliding:
     """By the printed moments, at the spin and the coefficients of the derived ones; their error has no known bound."""
     balls = sliders.balls
     coefficients = derived.inner_coefficient, derived.outer_coefficient
