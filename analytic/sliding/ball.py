@@ -124,7 +124,9 @@ def slip_power(
     nodes: tuple[int, int],
     sideways: bool,
 ) -> Array:
-    """Power over w of each race and panel, N m, at spin and creep that are known; (2, 3, *shape of sliding).
+    """Powers over w of each race and panel, N m, at spin and creep that are known; (2, 2, 3, *shape of sliding).
+
+    Races, then slip and net force, then panels; see `ellipse.power_of_panels`.
 
     sliding : by any method and nodes; its creep and spin rates count. Panels as in `ellipse.slip_power`
     nodes, sideways : of the one evaluation of the integrals
@@ -148,7 +150,7 @@ def slip_power(
         return *power[: fast.size].T, *power[fast.size :].T
 
     columns = _in_blocks(panels, contacts, traction, *(np.broadcast_to(field, shape) for field in fields))
-    return np.stack(columns).reshape(2, 3, *shape)
+    return np.stack(columns).reshape(2, 2, 3, *shape)
 
 
 def _in_blocks(evaluate: Callable[..., "Columns"], contacts: Pair, traction: Tractions, *fields: Array) -> "Columns":

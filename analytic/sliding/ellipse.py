@@ -174,14 +174,17 @@ def power_of_panels(
     nodes: tuple[int, int],
     sideways: bool,
 ) -> Array:
-    """int tau |v| dA of each of the three transverse panels at a given c, (*points, 3), W: one evaluation.
+    """What each of the three transverse panels adds to two powers at a given c, (*points, 6), W: one evaluation.
 
     creep_speed : c, m/s, of a solution, perhaps with other nodes;  sideways : with v_y;  others as `slip_over_ellipse`
+    The powers are those of slip, int tau |v| dA, and of the net force, c int tau v_x/|v| dA.
     """
     integrand = _integrand(contact, traction, spin_rate, nodes=nodes, sideways=sideways)
-    at = integrand.at(np.broadcast_to(creep_speed, integrand.roll.shape[:-1])[..., None])
-    lost = np.sum(at.friction * at.speed, axis=-1)
-    return lost.reshape(*lost.shape[:-1], 3, nodes[0]).sum(axis=-1)
+    creep = np.broadcast_to(creep_speed, integrand.roll.shape[:-1])[..., None, None]
+    at = integrand.at(creep[..., 0])
+    powers = (at.friction * at.speed, creep * at.pull * at.slide)
+    panels = [each.reshape(*each.shape[:-2], 3, -1).sum(axis=-1) for each in powers]
+    return np.concatenate(panels, axis=-1)
 
 
 def _integrand(

@@ -278,7 +278,7 @@ def judged_methods(seed: int) -> Iterator[tuple[Quadrature, Judged]]:
     model = SlidingModel(spins=True, conforms=True, spin_rule=rule, microslip="derived", method="auto")
     sliders = Sliders(balls=balls, traction=traction, model=model, ring_speed=speed)
     results = {quadrature: sliders.slide(quadrature) for quadrature in QUADRATURES}
-    true = sliders.power(results[QUADRATURES[-1]], MANY, sideways=True).sum(axis=(0, 1, 3))
+    true = sliders.powers(results[QUADRATURES[-1]], MANY, sideways=True)[:, 0].sum(axis=(0, 1, 3))
     for quadrature, result in results.items():
         own = np.sum(result.torque.spin + result.torque.conformity, axis=1)
         stated = sliders.error(quadrature, result)
