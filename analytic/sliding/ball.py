@@ -31,6 +31,7 @@ SlidingMethod = Literal["single_coefficient", "along_axis", "over_ellipse"]
 SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
 ROUND_OFF = 4 * np.finfo(np.float64).eps  # of a spin moment, and of the share of spin that balances it
 LAST_STEP = 1e-6  # of the share of spin: the power is least at the balance, so its error is the square of this step
+EDGE = 1e-3  # a share of spin at which the search may begin
 BLOCK = 32  # points at a time: a contact has 768 nodes
 
 Tractions = tuple[Traction, Traction]  # on the inner and on the outer race
@@ -58,6 +59,7 @@ def slip_friction(
     spin_rule: SpinRule,
     method: SlidingMethod,
     nodes: tuple[int, int] = NODES,
+    near: SlipFriction | None = None,
 ) -> SlipFriction:
     """Torque of one ball from its slip on both races; all fields, ring_speed and spin_difference broadcast.
 
@@ -65,6 +67,7 @@ def slip_friction(
     ring_speed : w, inner less outer, rad/s, any sign; at 0 the law of traction gives its limit
     spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) if the contact angles are equal
     spin_rule : as in `long_ellipse.microslip_torque`;  nodes : of the quadrature over a contact, as in `ellipse`
+    near : a result by another method; an integral begins the search of the spin there
     With `single_coefficient` each contact has the force of its law at the mean sliding speed
         |v| = |w| [w_roll M_roll + w_s M_spin]/(mu Q)
     of its share of the spin. With every method the moment of a contact grows with this share, so there is one balance.
@@ -88,12 +91,13 @@ def slip_friction(
         columns = _single_coefficient(contacts, traction, speed, difference, spin_rule)
     elif method in SLIP:
         slip = partial(SLIP[method], nodes=nodes)
+        start = np.full(shape, 0.5)
+        if near is not None:
+            rate = np.broadcast_to(near.torque.inner_spin_rate, shape)
+            start = np.divide(rate, difference, out=start, where=difference > 0)
         columns = _in_blocks(
-            lambda pair, laws, fast, apart: _integrated(pair, laws, (fast, apart), spin_rule, slip),
-            contacts,
-            traction,
-            speed,
-            difference,
+            lambda pair, laws, *speeds: _integrated(pair, laws, speeds, spin_rule, slip),
+            *(contacts, traction, speed, difference, start),
         )
     else:
         raise InputError(f'method must be "single_coefficient", "along_axis" or "over_ellipse", got {method!r}')
@@ -200,16 +204,19 @@ def _single_coefficient(
         return rate, force * spin, force * roll, _over(force, contacts[race].load), slip, creep
 
     share = _inner_share(
-        spin_rule, lambda x: (columns(0, x * difference)[1], columns(1, (x - 1) * difference)[1]), speed.shape
+        spin_rule,
+        lambda x: (columns(0, x * difference)[1], columns(1, (x - 1) * difference)[1]),
+        np.full(speed.shape, 0.5),
     )
     return *columns(0, share * difference), *columns(1, (share - 1) * difference)
 
 
-def _inner_share(
-    spin_rule: SpinRule, spin_moments: Callable[[Array], tuple[Array, Array]], shape: tuple[int, ...]
-) -> Array:
-    """Share of the spin difference on the inner race; spin_moments: share -> moments on inner and outer race."""
-    none, whole = np.zeros(shape), np.ones(shape)
+def _inner_share(spin_rule: SpinRule, spin_moments: Callable[[Array], tuple[Array, Array]], start: Array) -> Array:
+    """Share of the spin difference on the inner race; spin_moments: share -> moments on inner and outer race.
+
+    start : a guess, above 0 and below 1
+    """
+    none, whole = np.zeros_like(start), np.ones_like(start)
     if spin_rule == "inner_control":
         return none
     if spin_rule == "outer_control":
@@ -221,12 +228,13 @@ def _inner_share(
         moment, other = spin_moments(share)
         return np.where(np.abs(moment + other) <= ROUND_OFF * moment, 0.0, moment + other)
 
-    moment, other = spin_moments(whole / 2)
-    slope = 2 * (moment - other)  # as if the moments grew evenly
-    step = np.divide(moment + other, slope, out=np.zeros(shape), where=slope > 0)  # at most 1/2
+    start = np.clip(start, EDGE, 1 - EDGE)
+    moment, other = spin_moments(start)
+    slope = moment / start - other / (1 - start)  # as if the moments grew evenly: the step ends between 0 and 1
+    step = np.divide(moment + other, slope, out=np.zeros_like(start), where=slope > 0)
     return bracketed_root(
         SecantSlopes(excess, slope),
-        start=whole / 2 - step,
+        start=np.clip(start - step, none, whole),
         low=none,
         high=whole,
         relative=ROUND_OFF,
@@ -242,15 +250,15 @@ def _inner_share(
 def _integrated(
     contacts: Pair,
     traction: Tractions,
-    speeds: tuple[Array, Array],
+    speeds: tuple[Array, ...],
     spin_rule: SpinRule,
     slip: Callable[..., SlipMoments],
 ) -> Columns:
-    """Integrals over every contact; all numbers (n,). speeds : ring speed and spin difference.
+    """Integrals over every contact; all numbers (n,). speeds : ring speed, spin difference, and a guess of its share on the inner race.
 
     One call integrates both races, because most callers have few points.
     """
-    speed, difference = speeds
+    speed, difference, start = speeds
     n = speed.size
     both = _Stacked.of(contacts, traction, speed)
     last: SlipMoments | None = None
@@ -265,7 +273,7 @@ def _integrated(
         spin = moments(share).spin_moment
         return spin[:n], spin[n:]
 
-    share = _inner_share(spin_rule, spin_moments, speed.shape)
+    share = _inner_share(spin_rule, spin_moments, start)
     result = moments(share)
     columns = (
         *(np.concatenate([share * difference, (share - 1) * difference]), result.spin_moment, result.rolling_moment),

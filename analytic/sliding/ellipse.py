@@ -26,7 +26,7 @@ from analytic.sliding.long_ellipse import pure_rolling_lines
 Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; all (*points, nodes)
 # Net force that counts as none, relative to the sum of all friction: round-off of the sum over a thousand nodes.
 BALANCED = 1e-14
-NARROWEST = 4 * np.finfo(np.float64).eps  # bracket of c, relative to the largest speed
+LAST_STEP = 1e-9  # of c, relative: secant steps converge so fast that the next one would be round-off
 ROLLS_NOT = 1e9  # eps from which a contact only spins
 USUAL_FRICTION = 0.05  # for the slope of the first step
 NODES = (16, 16)  # transverse and rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
@@ -265,7 +265,7 @@ def _forceless_creep(integrand: _Integrand, near: SlipMoments | None) -> tuple[A
         start=np.clip(start, low, high),
         low=low,
         high=high,
-        relative=float(NARROWEST),
+        relative=LAST_STEP,
         sought=Sought(
             unit="of the slip speed",
             problem="the balance of friction in the direction of rolling",

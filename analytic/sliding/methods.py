@@ -13,7 +13,9 @@ power beyond full spin, with m = 1 - (a/b)^2. It is largest just before full spi
 ratio of 0.43.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import Literal
 
 import numpy as np
@@ -125,10 +127,10 @@ def race_sliding(
     expected = allowed_of(balls.total(cheap.torque.spin), balls.total(cheap.torque.conformity))
     *cheaper, last = [each for each in QUADRATURES if model.method in ("auto", each.method)]
     some = _some(expected.size, FORETOLD)
-    foretelling = _rows(cheap, some)
+    foretold = sliders.errors_at(_rows(cheap, some), some)
     for quadrature in cheaper:
         # Every method spreads the power over contacts and effects in nearly the same way.
-        if np.any(sliders.error(quadrature, foretelling, some) > expected[some]):
+        if np.any(foretold(quadrature) > expected[some]):
             continue
         result = sliders.result(quadrature, cheap, expected)
         if np.all(result.error <= allowed_of(result.spin, result.conformity)):
@@ -145,7 +147,9 @@ class Sliders:
     model: SlidingModel
     ring_speed: Array
 
-    def slide(self, quadrature: Quadrature, points: Points = slice(None)) -> SlipFriction:
+    def slide(
+        self, quadrature: Quadrature, points: Points = slice(None), near: SlipFriction | None = None
+    ) -> SlipFriction:
         shape = self.balls.load.shape[1:]
         difference = np.abs(self.balls.motion.spin_difference) if self.model.spins else np.zeros(shape)
         contacts, traction = self._at(points)
@@ -157,30 +161,38 @@ class Sliders:
             spin_rule=self.model.spin_rule,
             method=quadrature.method,
             nodes=quadrature.nodes,
+            near=near,
         )
 
-    def error(self, quadrature: Quadrature, result: SlipFriction, points: Points = slice(None)) -> Array:
-        """(n,) estimate of the error of a method, relative to its power, at the sliding of a result at these points.
+    def errors_at(self, result: SlipFriction, points: Points = slice(None)) -> Callable[[Quadrature], Array]:
+        """(n,) estimate of the error of any method, relative to its power, at the sliding of a result at these points.
 
-        The result may be that of a cheaper method.
+        The result may be that of a cheaper method. Methods that are judged by the same nodes share them.
         """
-        if self._has_closed_form(quadrature):
-            error = _long_ellipse_error(self.balls)[:, points]
-            return np.sum(_weight(self._at(points)[0], result) * error / (1 - error), axis=(0, 2))
-        judges = [self.powers(result, nodes, points, sideways=True) for nodes in quadrature.judges]
-        if quadrature.method == "single_coefficient":
-            own = _race_power(self._at(points)[0], result)
-            differences = [np.abs(judge[:, 0].sum(axis=1) - own).sum(axis=0) for judge in judges]
-            whole = own.sum(axis=0)
-        else:
-            sideways = quadrature.method == "over_ellipse"
-            own = self.powers(result, quadrature.nodes, points, sideways=sideways)
-            whole = own[:, 0].sum(axis=(0, 1))
-            slip = np.max([np.abs(judge - own)[:, 0] for judge in judges], axis=0).sum(axis=(0, 1))
-            force = [np.abs((judge - own)[:, 1].sum(axis=1)).sum(axis=0) for judge in judges]
-            differences = [slip, *force]
-        missed = np.max(differences, axis=0)
-        return SAFETY * _over(missed.sum(axis=-1), whole.sum(axis=-1)) + LEAST
+
+        @cache
+        def powers(nodes: tuple[int, int], sideways: bool) -> Array:  # noqa: FBT001
+            return self.powers(result, nodes, points, sideways=sideways)
+
+        def error(quadrature: Quadrature) -> Array:
+            if self._has_closed_form(quadrature):
+                error = _long_ellipse_error(self.balls)[:, points]
+                return np.sum(_weight(self._at(points)[0], result) * error / (1 - error), axis=(0, 2))
+            judges = [powers(nodes, True) for nodes in quadrature.judges]
+            if quadrature.method == "single_coefficient":
+                own = _race_power(self._at(points)[0], result)
+                differences = [np.abs(judge[:, 0].sum(axis=1) - own).sum(axis=0) for judge in judges]
+                whole = own.sum(axis=0)
+            else:
+                own = powers(quadrature.nodes, quadrature.method == "over_ellipse")
+                whole = own[:, 0].sum(axis=(0, 1))
+                slip = np.max([np.abs(judge - own)[:, 0] for judge in judges], axis=0).sum(axis=(0, 1))
+                force = [np.abs((judge - own)[:, 1].sum(axis=1)).sum(axis=0) for judge in judges]
+                differences = [slip, *force]
+            missed = np.max(differences, axis=0)
+            return SAFETY * _over(missed.sum(axis=-1), whole.sum(axis=-1)) + LEAST
+
+        return error
 
     def _has_closed_form(self, quadrature: Quadrature) -> bool:
         by_coulomb = all(isinstance(law, CoulombTraction) for law in self.traction)
@@ -211,7 +223,7 @@ class Sliders:
             sampled = self._sampled(quadrature, cheap, np.flatnonzero(moving), allowed)
             if sampled is not None:
                 return sampled
-        return self._all_points(quadrature, self.slide(quadrature))
+        return self._all_points(quadrature, self.slide(quadrature, near=cheap))
 
     @property
     def _are_alike(self) -> bool:
@@ -221,9 +233,9 @@ class Sliders:
         points = self.ring_speed.size
         if self._are_alike and points >= SERIES and not self._has_closed_form(quadrature):
             some = _some(points, JUDGED)
-            error = np.full(points, BETWEEN * np.max(self.error(quadrature, _rows(result, some), some)))
+            error = np.full(points, BETWEEN * np.max(self.errors_at(_rows(result, some), some)(quadrature)))
         else:
-            error = self.error(quadrature, result)
+            error = self.errors_at(result)(quadrature)
         return Sliding(
             spin=self.balls.total(result.torque.spin),
             conformity=self.balls.total(result.torque.conformity),
@@ -250,8 +262,8 @@ class Sliders:
         def evaluate(points: NDArray[np.intp]) -> Array:
             nonlocal worst
             at = moving[points]
-            found = self.slide(quadrature, at)
-            worst = max(worst, BETWEEN * float(np.max(self.error(quadrature, found, at))))
+            found = self.slide(quadrature, at, _rows(cheap, at))
+            worst = max(worst, BETWEEN * float(np.max(self.errors_at(found, at)(quadrature))))
             return (_quantities(found) - base[at]) / scale[at]
 
         def relative_error(interpolated: Array, true: Array, points: NDArray[np.intp]) -> Array:
@@ -270,7 +282,7 @@ class Sliders:
         values[moving] += scale[moving] * series.values
         standing = np.flatnonzero(self.ring_speed == 0)
         if standing.size:
-            values[standing] = _quantities(self.slide(quadrature, standing))
+            values[standing] = _quantities(self.slide(quadrature, standing, _rows(cheap, standing)))
         return Sliding(
             spin=self.balls.alike * values[:, 0],
             conformity=self.balls.alike * values[:, 1],

@@ -281,7 +281,7 @@ def judged_methods(seed: int) -> Iterator[tuple[Quadrature, Judged]]:
     true = sliders.powers(results[QUADRATURES[-1]], MANY, sideways=True)[:, 0].sum(axis=(0, 1, 3))
     for quadrature, result in results.items():
         own = np.sum(result.torque.spin + result.torque.conformity, axis=1)
-        stated = sliders.error(quadrature, result)
+        stated = sliders.errors_at(result)(quadrature)
         yield quadrature, Judged(seed=seed, traction=name, error=np.abs(true / own - 1), stated=stated)
 
 
