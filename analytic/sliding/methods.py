@@ -1,16 +1,18 @@
 """The torque that the balls lose by sliding on their races, by the cheapest method that is accurate enough.
 
-The methods are those of `analytic.sliding.ball`. The error of a method is estimated from two rules: the power by its own
-rule, and by more nodes over the whole ellipse, at the spin and the creep that the method found. The second rule costs one
-evaluation. It sees the error of the nodes and what the method leaves out, but not that spin and creep are those of the
-first rule: this error of the power is of second order for Coulomb friction, and small otherwise. The differences add up
-with their magnitudes over races and panels, so that they do not cancel by chance. The estimate is `SAFETY` times their
-sum. It is no bound; validation/benchmarks/friction.py --nodes searches for contacts where it is too small.
-The same two rules at the spin and the creep of `single_coefficient` foretell the error of a method before it is computed.
+The methods are those of `analytic.sliding.ball`. The error of a method is estimated from several rules: the power by its
+own rule, and by other nodes over the whole ellipse, at the spin and the creep that the method found. Each other rule
+costs one evaluation. It sees the error of the nodes and what the method leaves out. Spin and creep stay those of the
+first rule, which matters in second order with Coulomb friction; else the net force that the other rule finds shows it.
+Differences add up with their magnitudes over races and panels, so that they do not cancel by chance. The estimate is
+their sum times a safety factor. It is no bound; the factors held on the random balls of
+`validation/benchmarks/friction.py --nodes`, which needed at most 1.5 for `single_coefficient` and `along_axis` and 2.4
+for `over_ellipse`.
+The same rules at the spin and the creep of `single_coefficient` foretell the error of a method before it is computed.
 
-With Coulomb friction the error of `single_coefficient` is that of the long ellipse, and has a closed form: E(m) - 1 of the
-power beyond full spin, with m = 1 - (a/b)^2. It is largest just before full spin: 1.11 times as much at a spin-to-roll
-ratio of 0.43.
+With Coulomb friction the error of `single_coefficient` is that of the long ellipse, and has a closed form: E(m) - 1 of
+the power beyond full spin, with m = 1 - (a/b)^2. It is largest just before full spin: 1.11 times as much at a
+spin-to-roll ratio of 0.43.
 """
 
 from collections.abc import Callable
@@ -33,7 +35,6 @@ from analytic.sliding.ball import SlidingMethod, SlipFriction, Tractions, slip_f
 from analytic.sliding.ellipse import NODES
 from analytic.sliding.long_ellipse import MicroslipTorque, microslip_moments
 
-SAFETY = 2.0  # times the difference of two rules; the largest observed need is NEED
 LEAST = 1e-7  # the estimate of an error that is smaller: of creep and spin, and of the judging rule itself
 EVEN_STRESS = 0.182  # error of a mean stress, relative to the true power, where the stress does not follow the pressure
 # The same for sinh traction, for decisions before anything slides. The largest observed errors are 0.87, at a few N in
@@ -62,13 +63,14 @@ class Quadrature:
     method: SlidingMethod
     nodes: tuple[int, int] = NODES
     judges: tuple[tuple[int, int], ...] = ((24, 24),)
+    safety: float = 2.0  # times the difference of the rules
 
 
 QUADRATURES = (  # from cheap to accurate
     Quadrature(method="single_coefficient"),
     Quadrature(method="along_axis", nodes=(12, 8)),
-    Quadrature(method="over_ellipse", nodes=(12, 8), judges=((17, 13), (24, 24))),
-    Quadrature(method="over_ellipse", nodes=(24, 24), judges=((37, 41), (48, 48))),
+    Quadrature(method="over_ellipse", nodes=(12, 8), judges=((17, 13), (24, 24)), safety=3.0),
+    Quadrature(method="over_ellipse", nodes=(24, 24), judges=((37, 41), (48, 48)), safety=3.0),
 )
 
 
@@ -171,7 +173,7 @@ class Sliders:
         """
 
         @cache
-        def powers(nodes: tuple[int, int], sideways: bool) -> Array:  # noqa: FBT001
+        def powers(nodes: tuple[int, int], sideways: bool) -> Array:
             return self.powers(result, nodes, points, sideways=sideways)
 
         def error(quadrature: Quadrature) -> Array:
@@ -190,7 +192,7 @@ class Sliders:
                 force = [np.abs((judge - own)[:, 1].sum(axis=1)).sum(axis=0) for judge in judges]
                 differences = [slip, *force]
             missed = np.max(differences, axis=0)
-            return SAFETY * _over(missed.sum(axis=-1), whole.sum(axis=-1)) + LEAST
+            return quadrature.safety * _over(missed.sum(axis=-1), whole.sum(axis=-1)) + LEAST
 
         return error
 
@@ -301,7 +303,7 @@ def _quantities(result: SlipFriction) -> Array:
 
 
 def _as_printed(sliders: Sliders, derived: SlipFriction) -> Sliding:
-    """By the printed moments, at the spin and the coefficients of the derived ones; their error has no known bound."""
+    """By the printed moments, at the spin and the coefficients of the derived ones; their error is unknown."""
     balls = sliders.balls
     coefficients = derived.inner_coefficient, derived.outer_coefficient
     inner, outer = balls.race(0), balls.race(1)
