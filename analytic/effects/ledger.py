@@ -2,8 +2,8 @@
 
 `auto` leaves an effect out where the bound on its share of the torque fits into what remains of half the scene's
 tolerance. The other half is for the method by which sliding is integrated. The bounds of everything that `auto` leaves
-out add up to less than that half. An effect without a cheap bound is always computed. One decision holds for the whole
-series, by its worst point. Every effect of `analytic.effects.table` must be settled, whatever the scene.
+out compound to less than that half. An effect without a cheap bound is always computed, and so is one that the state of
+the balls demands. One decision holds for the whole series, by its worst point. Every effect of `analytic.effects.table` must be settled, whatever the scene.
 """
 
 from collections.abc import Mapping
@@ -52,14 +52,17 @@ class Ledger:
                 raise InputError(f'effects.{name} = "on" cannot be had: not modelled; give "auto" or "off"')
         self.scene = scene
         self.budget = SHARE_OF_TOLERANCE * scene.tolerance
-        self.left_out = np.zeros(points)  # sum of the bounds of what auto leaves out, at each point
+        self.left_out = np.zeros(points)  # bounds of what auto leaves out, compounded, at each point
         self.made: dict[str, Effect] = {}
 
-    def decide(self, name: str, *, bound: Array | None = None, lacks: str | None = None) -> bool:
+    def decide(
+        self, name: str, *, bound: Array | None = None, lacks: str | None = None, demanded: str | None = None
+    ) -> bool:
         """Whether to compute the effect.
 
         bound : (n,) bound on its share of the torque; None: no bound is known, or it needs the missing input
         lacks : a reason besides a missing input why the effect cannot act, in words
+        demanded : why auto computes it whatever the tolerance, in words
         Raises InputError if the scene says on and nothing can be computed.
         """
         wanted, missing = self.scene.effects.get(name, "auto"), ENTRIES[name].lacks(self.scene)
@@ -74,9 +77,11 @@ class Ledger:
             return self._settle(name, on=True, share=bound, reason="the scene says on")
         if bound is None:
             return self._settle(name, on=True, share=None, reason="always computed: no cheaper bound is known")
-        worst, together = _largest(bound), _largest(self.left_out + bound)
-        if together <= self.budget:
-            self.left_out = self.left_out + bound
+        if demanded is not None:
+            return self._settle(name, on=True, share=bound, reason=demanded)
+        worst, together = _largest(bound), self.left_out + bound + self.left_out * bound
+        if _largest(together) <= self.budget:
+            self.left_out = together
             reason = f"at most {worst:.2g} of the torque, within what {self.budget:.2g} leaves"
             return self._settle(name, on=False, share=bound, reason=reason)
         reason, before = size_of(worst), _largest(self.left_out)

@@ -1,8 +1,9 @@
 """Decides load distribution, inertia of the balls, and finite geometry of their contacts.
 
 Thrust alone loads all balls alike, in closed form but for the angle, at speed too; radial load and moment take the
-equilibrium of the ring. Contacts are Hertz's, or corrected for their finite geometry. `analytic.loads` computes all of
-these; the decisions read numbers alone.
+equilibrium of the ring. A closed estimate of the balls' loads says when that is solved whatever the tolerance; then the
+state of the balls says whether their own forces count. Contacts are Hertz's, or corrected for their finite geometry.
+`analytic.loads` computes all of these; the decisions read numbers alone.
 """
 
 import numpy as np
@@ -11,16 +12,16 @@ from analytic.contact.factors import ContactCorrection
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import (
     ENTRIES,
+    LARGEST_WAVES,
     PER_CENTRIFUGAL,
     PER_DISTRIBUTION,
-    PER_FREE_BALL,
     PER_SIZE_SQUARED,
-    UNLOADS,
+    PRESSED,
 )
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
 from analytic.loads.finite_geometry import corrected_balls
-from analytic.loads.shares import THRUST_ALONE, LoadShares, load_shares
+from analytic.loads.shares import LoadShares, inertia_of_lightest, load_shares
 from analytic.loads.thrust import play_and_free_angle
 from analytic.scene import Operation, Scene
 
@@ -40,12 +41,19 @@ def chosen_balls(
     """
     bearing, contact_angle = scene.bearing, scene.contact_angle
     shares = load_shares(bearing, contact_angle, operation)
-    effects = _decide_load_effects(operation, shares, ledger)
+    distributed = _decide_distribution(shares, ledger)
+    massless = LoadEffects(load_distribution=distributed, centrifugal=False, gyroscopic=False)
+    solved = distributed and not operation.is_thrust
+    if shares.thrust is not None and not solved:
+        balls = shares.thrust
+    else:
+        balls = loaded_balls(bearing, contact_angle, operation, massless, correction=correction if solved else None)
+    effects = _decide_inertia(operation, balls, shares, ledger, distributed=distributed)
     if correction is not None:
         ledger.settle("finite_geometry", on=True, reason=ENTRIES["finite_geometry"].given)
         return loaded_balls(bearing, contact_angle, operation, effects, correction=correction), []
-    known = shares.thrust if effects == THRUST_ALONE else None
-    balls = loaded_balls(bearing, contact_angle, operation, effects) if known is None else known
+    if effects != massless:
+        balls = loaded_balls(bearing, contact_angle, operation, effects)
     if not _decide_finite_geometry(scene, balls, ledger):
         return balls, []
     corrected, warnings = corrected_balls(bearing, contact_angle, operation, effects, balls)
@@ -56,19 +64,40 @@ def chosen_balls(
     return corrected, warnings
 
 
-def _decide_load_effects(operation: Operation, shares: LoadShares, ledger: Ledger) -> LoadEffects:
-    """load_distribution, centrifugal and gyroscopic. Raises InputError for loads that no method takes."""
+def _decide_distribution(shares: LoadShares, ledger: Ledger) -> bool:
+    """load_distribution. Raises InputError for loads that no method takes."""
     scene, unequal = ledger.scene, shares.unequal
-    distributed = ledger.decide("load_distribution", bound=PER_DISTRIBUTION * unequal)
+    worst = float(np.max(shares.waves))
+    distributed = ledger.decide(
+        "load_distribution",
+        bound=PER_DISTRIBUTION * unequal,
+        demanded=f"ball loads change by {worst:.3g} of their mean, more than {LARGEST_WAVES:g}"
+        if LARGEST_WAVES < worst < np.inf
+        else None,
+    )
     lacks = ENTRIES["load_distribution"].lacks(scene)
     if not distributed and (shares.thrust is None or (lacks and np.any(unequal > scene.tolerance))):
         raise InputError(
             f"operation.radial_load and operation.moment are up to {unequal.max():.3g} of what thrust does, and "
             + (lacks or "without thrust they are the whole load: leave effects.load_distribution on auto")
         )
-    rolls = scene.lubricant is not None and not ledger.rules_out("rolling")
-    free = PER_FREE_BALL * np.cbrt(shares.centrifugal) * (rolls & distributed & (unequal > UNLOADS))
-    centrifugal = ledger.decide("centrifugal", bound=PER_CENTRIFUGAL * shares.centrifugal + free)
+    return distributed
+
+
+def _decide_inertia(
+    operation: Operation, balls: LoadedBalls, shares: LoadShares, ledger: Ledger, *, distributed: bool
+) -> LoadEffects:
+    """centrifugal and gyroscopic. balls : without both. Raises InputError for balls that skid."""
+    outward, across = inertia_of_lightest(ledger.scene.bearing, operation, balls)
+    lightest = float(np.max(outward))
+    centrifugal = ledger.decide(
+        "centrifugal",
+        bound=PER_CENTRIFUGAL * outward,
+        demanded=f"a ball is pressed with {'nothing' if np.isinf(lightest) else f'{1 / lightest:.3g} times the force'}, "
+        f"less than {PRESSED:g} times"
+        if lightest * PRESSED > 1
+        else None,
+    )
     worst = int(np.argmax(shares.centrifugal))
     if centrifugal and shares.centrifugal[worst] > MOST_CENTRIFUGAL:
         raise InputError(
@@ -76,10 +105,8 @@ def _decide_load_effects(operation: Operation, shares: LoadShares, ledger: Ledge
             f"{shares.centrifugal[worst]:.3g} times its load under {operation.axial_load[worst]:g} N of thrust, above "
             f"{MOST_CENTRIFUGAL:g}, and it skids: raise the load or lower the speed"
         )
-    # Friction that holds the moment turns the force on a free ball; a moment on the ring may bring it to any angle.
-    tilted = (np.asarray(operation.moment) != 0) & (shares.thrust is None)
-    turned = free * np.where(tilted, 1.0, np.sin(shares.contact_angle))
-    gyroscopic = ledger.decide("gyroscopic", bound=shares.pull + turned)
+    # Under thrust alone the radial part of the friction that holds the moment moves no ball's angle to first order.
+    gyroscopic = ledger.decide("gyroscopic", bound=shares.pull if balls.method == "thrust" else across)
     return LoadEffects(load_distribution=distributed, centrifugal=centrifugal, gyroscopic=gyroscopic)
 
 

@@ -15,12 +15,11 @@ PER_DISTRIBUTION = 1.25
 # Change of the torque over the centrifugal force's share of the ball load: 4/3 to 5/3 by the outer race's load alone.
 # The contact angles change too: 4.0 at most (tests/analytic/effects/test_effect_bounds.py compares with measured ones).
 PER_CENTRIFUGAL = 4.5
-# Balls that the load leaves free are pressed on the outer race by that force alone and roll against the oil there. The
-# torque follows the semi-axis, the cube root of the force: in random scenes the change was at most 8.4 cube roots of
-# the share. No ball is free below a load distribution of 0.6 at constant angles (eps = 1 of the load-distribution
-# integrals). Under a light moment, which changes the angles, some are from 0.25 on
-# (tests/analytic/effects/test_light_loads.py).
-PER_FREE_BALL, UNLOADS = 10.0, 0.15
+# |e1| + e2 of `analytic.loads.shares.load_waves`: beyond, waves are no longer small and the ring's equilibrium is solved
+LARGEST_WAVES = 0.1
+# Ball load over centrifugal force: a ball that is pressed with less on a race has its own force computed. One that the
+# loads leave free is pressed on the outer race by that force alone, and rolls against the oil there.
+PRESSED = 10.0
 # Change of the torque over (b/r)^2 by the finite geometry of contacts under thrust: 0.48 at most, of grooves, loads and
 # angles drawn (tests/analytic/effects/test_effect_bounds.py compares a few).
 PER_SIZE_SQUARED = 0.5
@@ -113,22 +112,24 @@ TABLE = (
         kind="computed",
         meaning="unequal ball loads by a radial load or a moment",
         needs=SOLVED_ANGLE,
-        bound=f"{PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa",
+        bound=f"{PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa; computed where the closed estimate of the loads' waves "
+        f"exceeds {LARGEST_WAVES:g}",
     ),
     Entry(
         name="centrifugal",
         kind="computed",
         meaning="centrifugal force on the balls",
         needs=SOLVED_ANGLE,
-        bound=f"{PER_CENTRIFUGAL:g} times the force over the ball load, and {PER_FREE_BALL:g} times its cube root for "
-        f"balls that the loads leave free, from (Fr tan al + 2 M/d_m)/Fa = {UNLOADS:g} on",
+        bound=f"{PER_CENTRIFUGAL:g} times the force over the load of the lightest ball; computed where it exceeds "
+        f"1/{PRESSED:g} of that load",
     ),
     Entry(
         name="gyroscopic",
         kind="computed",
         meaning="gyroscopic moment on the balls",
         needs=SOLVED_ANGLE,
-        bound="the axial pull of the friction that holds the moment, over a ball's thrust",
+        bound="the axial pull of the friction that holds the moment, over a ball's thrust; under unequal loads all of that "
+        "friction, over the load of the lightest ball",
     ),
     Entry(
         name="finite_geometry",

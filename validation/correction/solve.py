@@ -1,8 +1,9 @@
 """Solves for the correction of Hertz for finite geometry: python validation/correction/solve.py
 
 Solves contacts of true shape by finite elements and stores each quantity over Hertz's, with its uncertainty, in
-solves.csv for fit.py. There are three sets: `fit`, a Sobol sequence over the box below; `held out`, random contacts of
-that box; `bearing`, both races of the bearings in bearings.toml under random loads. The fit uses the first set only.
+solves.csv for fit.py. There are four sets: `fit`, a Sobol sequence over the box below; `held out`, random contacts of
+that box; `bearing`, both races of the bearings in bearings.toml under random loads; `beyond`, steel contacts outside the
+box, with shoulders nearer than it allows. The fit uses the first set only.
 
 `analytic.contact.finite_geometry.ContactShape` describes a contact; in elasticity nothing else matters. The rolling
 curvatures are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (the heavy series 64), r/R is
@@ -72,10 +73,16 @@ def main(
     fit: Annotated[int, typer.Option(help="Contacts of the set `fit`.")] = 192,
     held_out: Annotated[int, typer.Option(help="Contacts of the set `held out`.")] = 48,
     bearings: Annotated[bool, typer.Option(help="Solve the set `bearing` as well.")] = True,
+    beyond: Annotated[int, typer.Option(help="Contacts of the set `beyond`.")] = 24,
 ) -> None:
     rows = read_rows()
     done = {(row["set"], row["number"]) for row in rows}
-    wanted = [*drawn("fit", fit), *drawn("held out", held_out), *(of_bearings() if bearings else ())]
+    wanted = [
+        *drawn("fit", fit),
+        *drawn("held out", held_out),
+        *(of_bearings() if bearings else ()),
+        *with_near_shoulders(beyond),
+    ]
     origin = {"solver": solver_commit(), "date": datetime.now(UTC).date().isoformat()}
     ahead = [each for each in wanted if (each[0], str(each[1])) not in done]
     for group, number, name, shape in track(ahead, console=Console(stderr=True)):
@@ -121,6 +128,26 @@ def of_bearings() -> Iterator[tuple[str, int, str, dict[str, float]]]:
                 shape["size"] *= pressure * MODULUS / hertz_quantities(contact_of_shape(shape)).peak_pressure
                 yield "bearing", number, f"{bearing['name']}, {race}", shape
                 number += 1
+
+
+def with_near_shoulders(count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
+    """Outside the box: two of three with shoulders nearer than it allows, one of three nearer than 1.15 semi-axes."""
+    rng = np.random.default_rng(SEED + 3)
+    for number in range(count):
+        if number % 3:
+            size = rng.uniform(0.05, 0.4)
+            shoulder = rng.uniform(max(0.12, size), BOX["shoulder"][0])
+        else:
+            size = rng.uniform(0.35, 0.48)
+            shoulder = size * rng.uniform(1.0, OFF_SHOULDER)
+        steel = {"ball_poisson_ratio": 0.3, "race_poisson_ratio": 0.3, "ball_share": 0.5}
+        shape = {
+            "conformity": rng.uniform(0.508, 0.55),
+            "rolling_curvature": rng.uniform(-0.2, 0.35),
+            "size": size,
+            "shoulder": max(shoulder, size),
+        }
+        yield "beyond", number, "", shape | steel
 
 
 def contact_of_shape(shape: dict[str, float]) -> Contact:
@@ -189,7 +216,7 @@ def write_rows(rows: list[Row]) -> None:
 def provenance() -> Iterator[str]:
     yield "Contacts of ball and race: finite elements over Hertz, and relative half-widths of their 95 % intervals"
     yield "generator: python validation/correction/solve.py"
-    yield f"seeds: {SEED} (fit, scrambled Sobol), {SEED + 1} (held out), {SEED + 2} (bearing)"
+    yield f"seeds: {SEED} (fit, scrambled Sobol), {SEED + 1} (held out), {SEED + 2} (bearing), {SEED + 3} (beyond)"
     yield f"mesh: recipe race, levels {', '.join(map(str, LEVELS))}, extrapolated"
     versions = (f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy", "scikit-fem"))
     yield f"versions: {', '.join(versions)}"

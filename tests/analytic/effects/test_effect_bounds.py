@@ -26,10 +26,10 @@ def shares(
     told: dict[str, np.ndarray] = {}
     original = Ledger.decide
 
-    def remembered(self: Ledger, name: str, *, bound: np.ndarray | None = None, lacks: str | None = None) -> bool:
+    def remembered(self: Ledger, name: str, *, bound: np.ndarray | None = None, **other: str | None) -> bool:
         if bound is not None:
             told[name] = bound
-        return original(self, name, bound=bound, lacks=lacks)
+        return original(self, name, bound=bound, **other)
 
     with monkeypatch.context() as patch:
         patch.setattr(Ledger, "decide", remembered)

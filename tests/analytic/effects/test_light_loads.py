@@ -64,6 +64,29 @@ def test_what_auto_leaves_out_is_within_the_uncertainty(loads: str, clearance: f
     assert np.all(error <= found.numerical_uncertainty + full.numerical_uncertainty)
 
 
+def test_balls_that_a_slight_radial_load_lifts_roll_by_their_own_force() -> None:
+    """A radial load of 0.16 of the thrust unloads four of nine balls of a steep contact angle."""
+    scene = under('axial_load = "10 N"\nradial_load = "1.6 N"')
+    tall = {race: replace(getattr(scene.bearing, race), shoulder_half_width=3.9e-3) for race in ("inner", "outer")}
+    scene = replace(
+        scene,
+        bearing=replace(scene.bearing, **tall),
+        contact_angle=replace(scene.contact_angle, free=0.7),
+        operation=replace(scene.operation, inner_speed=np.array([120 * np.pi / 30])),
+    )
+    found, full = friction_torque(scene), friction_torque(everything(scene))
+    error = abs(found.torque.total / full.torque.total - 1)
+    assert np.all(error <= found.numerical_uncertainty + full.numerical_uncertainty)
+    for name, word in (("load_distribution", "7.92 of their mean"), ("centrifugal", "pressed with nothing")):
+        effect = next(effect for effect in found.effects if effect.name == name)
+        assert effect.decision == "on"
+        assert word in effect.reason
+    loose = friction_torque(replace(scene, tolerance=1.0))
+    assert all(loose.is_on(name) for name in ("load_distribution", "centrifugal"))  # whatever the tolerance
+    stiff = friction_torque(replace(scene, effects={"centrifugal": "off", "gyroscopic": "off"}))
+    assert np.all(stiff.torque.total < 0.9 * full.torque.total)  # what was once left out
+
+
 def test_thrust_fades_beside_a_radial_load() -> None:
     none = friction_torque(under('axial_load = "0 N"\nradial_load = "1000 N"')).torque.total
     tiny = friction_torque(under('axial_load = "1e-9 N"\nradial_load = "1000 N"')).torque.total

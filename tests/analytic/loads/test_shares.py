@@ -5,7 +5,9 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, ring_balls
-from analytic.loads.shares import load_distribution_ratio, load_shares
+from analytic.loads.ring import ring_equilibrium
+from analytic.loads.shares import inertia_of_lightest, load_distribution_ratio, load_shares, load_waves
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle, Operation
 
 
@@ -52,3 +54,54 @@ def test_without_thrust_nothing_bounds_how_unequal_the_balls_are(bearing_6205: B
     assert found.thrust is None
     np.testing.assert_array_equal(np.isinf(found.unequal), [True, False])
     assert np.all(found.centrifugal > 0)
+
+
+STEEP = ContactAngle(rule="solved", free=0.7)
+
+
+@pytest.mark.parametrize(
+    ("axial", "radial", "moment", "expected", "error"),
+    [
+        # Ratios of the ring's equilibrium, computed elsewhere; the error of the closed form is of the order of waves^2.
+        (10.0, 0.1, 0.0, {2: 0.9741}, 1.5e-3),
+        (10.0, 0.0, 0.002, {0: 1.0339, 1: 1.0008, 2: 0.9590, 3: 0.9830, 4: 1.0404}, 2.5e-3),
+        (1000.0, 20.0, 0.0, {}, 6e-4),
+    ],
+)
+def test_waves_of_the_ball_loads_are_those_of_the_ring(
+    bearing_6205: Bearing, axial: float, radial: float, moment: float, expected: dict[int, float], error: float
+) -> None:
+    thrust = thrust_equilibrium(bearing_6205, STEEP, axial_load=axial)
+    first, second = load_waves(
+        bearing_6205,
+        axial_load=axial,
+        radial_load=radial,
+        moment=moment,
+        contact_angle=thrust.contact_angle,
+        approach=thrust.approach,
+    )
+    ring = ring_equilibrium(bearing_6205, STEEP, axial_load=axial, radial_load_x=radial, moment_y=moment)
+    ratio = ring.inner_load / thrust.ball_load
+    for ball, value in expected.items():
+        assert ratio[ball] == pytest.approx(value, abs=5e-5)  # four digits are given
+    closed = 1 + first * np.cos(ring.azimuth) + second * np.cos(2 * ring.azimuth)
+    np.testing.assert_allclose(closed, ratio, atol=error)
+
+
+def test_waves_that_are_not_small_unload_balls(bearing_6205: Bearing) -> None:
+    operation = Operation(axial_load=np.array([10.0]), inner_speed=np.array([12.566]), radial_load=1.6).as_series()
+    found = load_shares(bearing_6205, STEEP, operation)
+    assert found.waves == pytest.approx([0.158 + 7.76], rel=1e-3)
+    balls = ring_balls(bearing_6205, STEEP, operation, LoadEffects(centrifugal=False, gyroscopic=False))
+    assert np.count_nonzero(balls.load[0] == 0) == 4  # of nine
+    assert inertia_of_lightest(bearing_6205, operation, balls) == (np.inf, np.inf)
+
+
+def test_the_lightest_ball_under_thrust_is_any(bearing_6205: Bearing) -> None:
+    operation = Operation(axial_load=np.array([300.0]), inner_speed=np.array([700.0])).as_series()
+    found = load_shares(bearing_6205, STEEP, operation)
+    assert found.thrust is not None
+    outward, across = inertia_of_lightest(bearing_6205, operation, found.thrust)
+    np.testing.assert_allclose(outward, found.centrifugal, rtol=1e-12)  # round-off
+    # Upright all of the friction counts, at the angle its axial part.
+    np.testing.assert_allclose(across * np.cos(found.thrust.contact_angle[0, :, 0]), found.pull, rtol=1e-12)
