@@ -2,8 +2,9 @@
 
 `auto` leaves an effect out where the bound on its share of the torque fits into what remains of half the scene's
 tolerance. The other half is for the method by which sliding is integrated. The bounds of everything that `auto` leaves
-out compound to less than that half. An effect without a cheap bound is always computed, and so is one that the state of
-the balls demands. One decision holds for the whole series, by its worst point. Every effect of `analytic.effects.table` must be settled, whatever the scene.
+out compound to less than that half. An effect without a cheap bound is always computed, and so is one that the state
+of the balls demands. One decision holds for the whole series, by its worst point. Every effect of
+`analytic.effects.table` must be settled, whatever the scene.
 """
 
 from collections.abc import Mapping
@@ -79,7 +80,7 @@ class Ledger:
             return self._settle(name, on=True, share=None, reason="always computed: no cheaper bound is known")
         if demanded is not None:
             return self._settle(name, on=True, share=bound, reason=demanded)
-        worst, together = _largest(bound), self.left_out + bound + self.left_out * bound
+        worst, together = _largest(bound), self.left_out + (1 + self.left_out) * bound
         if _largest(together) <= self.budget:
             self.left_out = together
             reason = f"at most {worst:.2g} of the torque, within what {self.budget:.2g} leaves"

@@ -28,6 +28,7 @@ from analytic.scene import Operation, Scene
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner one. A bearing
 # needs at least a hundredth of that to roll, and the equilibrium of the ring converges up to some 6000.
 MOST_CENTRIFUGAL = 1000.0
+TINIEST = 1e-300  # keeps a bearing at standstill from a division by 0
 
 
 def chosen_balls(
@@ -90,13 +91,11 @@ def _decide_inertia(
     """centrifugal and gyroscopic. balls : without both. Raises InputError for balls that skid."""
     outward, across = inertia_of_lightest(ledger.scene.bearing, operation, balls)
     lightest = float(np.max(outward))
+    pressed = "nothing" if np.isinf(lightest) else f"{1 / max(lightest, TINIEST):.3g} times the force"
     centrifugal = ledger.decide(
         "centrifugal",
         bound=PER_CENTRIFUGAL * outward,
-        demanded=f"a ball is pressed with {'nothing' if np.isinf(lightest) else f'{1 / lightest:.3g} times the force'}, "
-        f"less than {PRESSED:g} times"
-        if lightest * PRESSED > 1
-        else None,
+        demanded=f"a ball is pressed with {pressed}, less than {PRESSED:g} times" if lightest * PRESSED > 1 else None,
     )
     worst = int(np.argmax(shares.centrifugal))
     if centrifugal and shares.centrifugal[worst] > MOST_CENTRIFUGAL:

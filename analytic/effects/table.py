@@ -15,7 +15,7 @@ PER_DISTRIBUTION = 1.25
 # Change of the torque over the centrifugal force's share of the ball load: 4/3 to 5/3 by the outer race's load alone.
 # The contact angles change too: 4.0 at most (tests/analytic/effects/test_effect_bounds.py compares with measured ones).
 PER_CENTRIFUGAL = 4.5
-# |e1| + e2 of `analytic.loads.shares.load_waves`: beyond, waves are no longer small and the ring's equilibrium is solved
+# |e1| + e2 of `analytic.loads.shares.load_waves`: beyond, the waves are not small and the ring is solved
 LARGEST_WAVES = 0.1
 # Ball load over centrifugal force: a ball that is pressed with less on a race has its own force computed. One that the
 # loads leave free is pressed on the outer race by that force alone, and rolls against the oil there.
@@ -128,8 +128,8 @@ TABLE = (
         kind="computed",
         meaning="gyroscopic moment on the balls",
         needs=SOLVED_ANGLE,
-        bound="the axial pull of the friction that holds the moment, over a ball's thrust; under unequal loads all of that "
-        "friction, over the load of the lightest ball",
+        bound="the axial pull of the friction that holds the moment, over a ball's thrust; under unequal loads all of "
+        "that friction, over the load of the lightest ball",
     ),
     Entry(
         name="finite_geometry",

@@ -2,8 +2,8 @@
 
 Solves contacts of true shape by finite elements and stores each quantity over Hertz's, with its uncertainty, in
 solves.csv for fit.py. There are four sets: `fit`, a Sobol sequence over the box below; `held out`, random contacts of
-that box; `bearing`, both races of the bearings in bearings.toml under random loads; `beyond`, steel contacts outside the
-box, with shoulders nearer than it allows. The fit uses the first set only.
+that box; `bearing`, both races of the bearings in bearings.toml under random loads; `beyond`, steel contacts outside
+the box, with shoulders nearer than it allows. The fit uses the first set only.
 
 `analytic.contact.finite_geometry.ContactShape` describes a contact; in elasticity nothing else matters. The rolling
 curvatures are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (the heavy series 64), r/R is
