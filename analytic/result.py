@@ -129,7 +129,8 @@ class FrictionTorque:
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts
-    # Of the total, relative: bounds on what auto left out and on the method of sliding; infinite where none is known.
+    # Of the total, relative: bounds on what auto left out and on the method of sliding, and what contacts past a limit
+    # or outside the fit for finite geometry change; infinite where it is not known.
     numerical_uncertainty: Array
     friction_coefficient: FrictionCoefficients
     film: OnRaces  # h, mean gap that the oil fills, m; None without a lubrication model
@@ -145,6 +146,7 @@ class FrictionTorque:
     cage: CagePart | None = None  # what its torque comes from; None: left out
     model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.torque
     model_parts: Mapping[str, Array] | None = None  # of it, likewise, by the formula that is varied
+    unknown: tuple[str, ...] = ()  # why the numerical uncertainty is not known; empty: it is
     gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
 
     def settled(self, scene: Scene) -> Scene:
@@ -163,6 +165,7 @@ class FrictionTorque:
             "gap_roughness": self.gap_roughness,
             "effects": self.effects_to_json(),
             "warnings": list(self.warnings),
+            "unknown": list(self.unknown),
             "provenance": dict(self.provenance),
             "seconds": self.seconds,
         }
@@ -234,7 +237,9 @@ class FrictionTorque:
                 f"{self.axial_load[i]:.4g}",
                 *(f"{values[i]:.4g}" for values in sideways.values()),
                 *(f"{part[i] * NEWTON_MILLIMETRE.factor:.4g}" for part in parts.values()),
-                f"{100 * self.numerical_uncertainty[i]:.2g}",
+                f"{100 * self.numerical_uncertainty[i]:.2g}"
+                if np.isfinite(self.numerical_uncertainty[i])
+                else "unknown",
             ]
             for i in range(shown)
         ]

@@ -24,7 +24,7 @@ from analytic.effects.limits import check_limits
 from analytic.effects.loads import chosen_balls
 from analytic.effects.sliding import Resisting, decide_sliding, decide_whether_sliding
 from analytic.effects.warnings import torque_warnings
-from analytic.errors import InputError, require_finite, require_non_negative
+from analytic.errors import FembearingError, InputError, require_finite, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.film import FILM_FACTORS
 from analytic.oil.inlets import inlets_of, starvation_source
@@ -75,7 +75,8 @@ def friction_torque(
     speed = operation.inner_speed
     require_finite(**{"operation.inner_speed": speed})
     ledger = Ledger(scene, speed.size)
-    balls, load_warnings = chosen_balls(scene, operation, ledger, correction=correction)
+    chosen = chosen_balls(scene, operation, ledger, correction=correction)
+    balls, load_warnings = chosen.balls, list(chosen.warnings)
     parts: dict[str, Array] = {}
     if ledger.decide("hysteresis"):
         assert scene.hysteresis_loss is not None
@@ -118,9 +119,9 @@ def friction_torque(
         parts["cage"] = cage.torque
         load_warnings = load_warnings + list(cage.warnings)
     limits = check_limits(scene, operation, balls, ledger, sliding=sliding)
-    uncertainty = _uncertainty(ledger, sliding, parts, race=race, total=total)
+    uncertainty = _uncertainty(ledger, sliding, parts, race=race, total=total) + limits.uncertainty
     at = balls.heaviest
-    return FrictionTorque(
+    result = FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
         radial_load=np.asarray(operation.radial_load),
@@ -143,11 +144,32 @@ def friction_torque(
         sliding="auto" if sliding is None else sliding.method,
         gap_roughness=None if oiled is None else oiled.roughness.rms_roughness,
         warnings=tuple(
-            torque_warnings(ledger, limits=limits, oiled=oiled, mixed=mixed, resistance=resistance) + load_warnings
+            torque_warnings(ledger, limits=limits.warnings, oiled=oiled, mixed=mixed, resistance=resistance)
+            + load_warnings
         ),
+        unknown=limits.unknown + _unknown_sliding(sliding),
         provenance=_provenance(scene, balls, ledger, correction=correction, oiled=oiled, sliding=sliding, cage=cage),
         seconds=perf_counter() - started,
     )
+    if chosen.farthest is not None:
+        result = _beyond_the_fit(scene, result, chosen.farthest, variation)
+    return replace(result, seconds=perf_counter() - started)
+
+
+def _beyond_the_fit(
+    scene: Scene, result: FrictionTorque, farthest: ContactCorrection, variation: Variation
+) -> FrictionTorque:
+    """The torque with the uncertainty of contacts outside the fit for finite geometry: its change at their far end."""
+    settled = result.settled(scene)
+    settled = replace(settled, effects={**settled.effects, "cage": "off", "cage_dynamics": "off"})
+    try:
+        other = friction_torque(settled, correction=farthest, variation=variation)
+    except FembearingError as problem:
+        reason = f"contacts outside the fit for finite geometry may be such that there is no answer: {problem}"
+        unsure = np.full(result.inner_speed.shape, np.inf)
+        return replace(result, numerical_uncertainty=unsure, unknown=(*result.unknown, reason))
+    moved = share_in(np.abs(other.torque.race - result.torque.race), result.torque.total)
+    return replace(result, numerical_uncertainty=result.numerical_uncertainty + moved)
 
 
 def with_model_uncertainty(
@@ -271,6 +293,12 @@ def _uncertainty(
     unknown = np.isinf(sliding.error)
     error = np.where(unknown, np.inf, share_in(np.where(unknown, 0.0, sliding.error) * slipping, total))
     return left_out + error
+
+
+def _unknown_sliding(sliding: Sliding | None) -> tuple[str, ...]:
+    if sliding is None or not np.any(np.isinf(sliding.error)):
+        return ()
+    return (f"nothing bounds the error of sliding by the method {sliding.method}",)
 
 
 def _inlet_words(scene: Scene, ledger: Ledger) -> str:

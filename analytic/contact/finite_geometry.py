@@ -13,7 +13,7 @@ Its approach to a plane far away differs from that of a half space by Q/(E R) ti
 in. This is derived here; the sphere of [Sternberg1952] has such a logarithm.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cache
 from types import MappingProxyType
@@ -28,7 +28,23 @@ from analytic.contact.geometry import Race, race_curvatures, shoulder_distance
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.scene import Array, Bearing, Contact, Material
 
-OFF_SHOULDER = 1.15  # least distance from a solved contact's centre to the shoulder, in Hertz's semi-axes b
+OFF_SHOULDER = 1.15  # least distance from a fitted contact's centre to the shoulder, in Hertz's semi-axes b
+# Beyond its range the fit is held at the border, for as far as finite elements confirm it (the set `beyond` of
+# validation/correction/solves.csv: shoulders down to the edge of the contact, or 0.14 r; sizes to 0.5). These lengths
+# are one step of `beyond_range`. Over the second step the correction fades.
+STEP = {
+    "conformity": 0.0025,
+    "rolling_curvature": 0.12,
+    "size": 0.05,
+    "ball_poisson_ratio": 0.1,
+    "race_poisson_ratio": 0.1,
+    "ball_share": 0.01,
+    "shoulder": 0.28,
+}
+STEP_TO_SHOULDER = 0.15  # of the shoulder's distance over b, likewise
+# Uncertainty over the held change of Hertz, by (b/r)^2 larger where the size is: what grows over the first step, and
+# what the fading adds. Solves beyond the range lie within the fit's own uncertainty and a fifth of the first.
+HELD, FADED = 0.1, 1.4
 SMALL = 0.1  # b/r below which the uncertainty falls in proportion to b/r, as the factors do: a point contact is Hertz's
 BASES = (  # of `shape_bases`
     *("size", "axis_ratio", "relative_load", "rolling_curvature", "openness", "shoulder_curvature", "log_drift"),
@@ -36,6 +52,7 @@ BASES = (  # of `shape_bases`
 )
 MOST_POWER = 4  # highest power of a base in a term
 TINIEST = 1e-300  # replaces a size of 0 in the logarithm, which is multiplied by the size
+LEAST_FACTOR = 0.1  # of what the uncertainty allows
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -55,11 +72,13 @@ class ContactShape:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CorrectedGeometry:
-    """Factors on Hertz's contact, all of one shape; 1 outside the range of the fit."""
+    """Factors on Hertz's contact, all of one shape; held at the border of the fit's range, and 1 far outside."""
 
     factors: ContactFactors
-    uncertainty: Mapping[str, Array]  # of each factor, relative half-width, 95 %; NaN outside the range
+    farthest: ContactFactors  # those that lie as far beyond Hertz's as the growth of the uncertainty outside allows
+    uncertainty: Mapping[str, Array]  # of each factor, relative half-width, 95 %; grows outside the range
     covered: NDArray[np.bool_]  # where the shape lies within the range
+    applied: Array  # 1 within the range and one step beyond, from there falling to 0
     warnings: tuple[str, ...]  # which ratios lie outside, with the numbers
 
 
@@ -75,6 +94,10 @@ class RaceCorrections:
         return ContactCorrection(inner=self.inner.factors, outer=self.outer.factors)
 
     @property
+    def farthest(self) -> ContactCorrection:
+        return ContactCorrection(inner=self.inner.farthest, outer=self.outer.farthest)
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         sides = (("inner", self.inner), ("outer", self.outer))
         return tuple(f"{race}: {warning}" for race, side in sides for warning in side.warnings)
@@ -84,21 +107,41 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     """Semi-axes, peak pressure and approach of the true shape over Hertz's, with their uncertainty.
 
     The range of each ratio is that of the file, and the shoulder is at least 1.15 Hertz semi-axes b away. Smaller sizes
-    are accepted too: there the correction fades to 1. Outside the range the factors are 1, and the warnings say why.
+    are accepted too: there the correction fades to 1. Outside the range it is held at the border, and its uncertainty
+    grows from there; two steps of `beyond_range` away the factors are 1, and the uncertainty holds all of what the
+    border's correction was, by (b/r)^2 larger. The warnings say which ratios lie outside.
     """
     fit = stored_fit()
-    values = _broadcast(shape)
-    covered, warnings = _covered(values, fit["range"])
-    with np.errstate(all="ignore"):  # outside the range any value may appear
-        powers = _powers(shape_bases(shape))
-        factors, uncertainty = {}, {}
-        for name, quantity in fit["quantity"].items():
-            factors[name] = np.where(covered, 1 + _change(name, powers), 1.0)
-            half_width = quantity["uncertainty"] * np.minimum(1, values["size"] / SMALL)
-            uncertainty[name] = np.where(covered, half_width, np.nan)
+    values, beyond = _broadcast(shape), beyond_range(shape)
+    held, grown = _held(values, fit["range"])
+    powers = _powers(shape_bases(held))
+    applied = np.clip(2 - beyond, 0.0, 1.0)
+    growth = grown**2 * (HELD * np.minimum(beyond, 1.0) + FADED * (1 - applied))
+    factors, farthest, uncertainty = {}, {}, {}
+    for name, quantity in fit["quantity"].items():
+        change = _change(name, powers)
+        factors[name] = 1 + applied * change
+        # A contact far beyond the range may have any size, but no factor is negative.
+        farthest[name] = np.maximum(1 + (applied + growth) * change, LEAST_FACTOR)
+        uncertainty[name] = quantity["uncertainty"] * np.minimum(1, values["size"] / SMALL) + growth * np.abs(change)
     return CorrectedGeometry(
-        factors=ContactFactors(**factors), uncertainty=MappingProxyType(uncertainty), covered=covered, warnings=warnings
+        factors=ContactFactors(**factors),
+        farthest=ContactFactors(**farthest),
+        uncertainty=MappingProxyType(uncertainty),
+        covered=beyond == 0,
+        applied=applied,
+        warnings=tuple(_outside(values, fit["range"], applied)),
     )
+
+
+def beyond_range(shape: ContactShape) -> Array:
+    """How far a shape lies outside the range of the fit, in steps of each ratio; the largest of these, 0 within."""
+    values, limits = _broadcast(shape), stored_fit()["range"]
+    beyond = np.maximum(OFF_SHOULDER - values["shoulder"] / np.maximum(values["size"], TINIEST), 0.0) / STEP_TO_SHOULDER
+    for name, (low, high) in limits.items():
+        outside = np.maximum((0.0 if name == "size" else low) - values[name], values[name] - high)
+        beyond = np.maximum(beyond, outside / STEP[name])
+    return beyond
 
 
 def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> ContactShape:
@@ -197,26 +240,34 @@ def _change(name: str, powers: Array) -> Array:
     return np.tensordot(coefficients, products, axes=1)
 
 
-def _covered(values: Mapping[str, Array], limits: Mapping[str, Any]) -> tuple[NDArray[np.bool_], tuple[str, ...]]:
-    """Where the values lie within the range of the fit, and why not elsewhere."""
-    covered, warnings = np.ones(values["size"].shape, dtype=bool), []
+def _held(values: Mapping[str, Array], limits: Mapping[str, Any]) -> tuple[ContactShape, Array]:
+    """The nearest shape within the range, and how much larger the contact is than there."""
+    held = {name: np.clip(values[name], 0.0 if name == "size" else low, high) for name, (low, high) in limits.items()}
+    held["shoulder"] = np.maximum(held["shoulder"], OFF_SHOULDER * held["size"])
+    grown = np.divide(values["size"], held["size"], out=np.ones_like(held["size"]), where=held["size"] > 0)
+    return ContactShape(**held), grown
 
-    def require(inside: NDArray[np.bool_], words: str) -> None:
-        nonlocal covered
-        if not inside.all():
-            warnings.append(f"{words}: contacts there stay Hertz's, uncorrected")
-            covered &= inside
+
+def _outside(values: Mapping[str, Array], limits: Mapping[str, Any], applied: Array) -> Iterator[str]:
+    """Which ratios lie outside the range, and what the correction does there."""
+
+    def done(outside: NDArray[np.bool_]) -> str:
+        least = applied[outside].min()
+        if least == 1:
+            return "the correction is held at the border"
+        return "the correction is not applied" if least == 0 else f"{least:.2g} of the correction is applied"
 
     for name, (low, high) in limits.items():
         value, low = values[name], 0.0 if name == "size" else low
-        outside = value[~((value >= low) & (value <= high))]
-        if outside.size:
-            require(
-                (value >= low) & (value <= high), f"{name} {outside[0]:.4g} is outside {low:g} to {high:g} of the fit"
-            )
-    clear = values["shoulder"] >= OFF_SHOULDER * values["size"]
-    require(clear, f"the contact comes nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, and the fit does not")
-    return covered, tuple(warnings)
+        outside = ~((value >= low) & (value <= high))
+        if outside.any():
+            yield f"{name} {value[outside][0]:.4g} is outside {low:g} to {high:g} of the fit: {done(outside)}"
+    near = values["shoulder"] < OFF_SHOULDER * values["size"]
+    if near.any():
+        yield (
+            f"the contact comes nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, and the fit does not: "
+            f"{done(near)}"
+        )
 
 
 def _shape(

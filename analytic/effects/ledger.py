@@ -98,6 +98,10 @@ class Ledger:
         """
         self._settle(name, on=on, share=share, reason=reason)
 
+    def not_applied(self, name: str, reason: str) -> None:
+        """Record that an effect was decided on and has no answer here: off, whatever the scene says, with its bound."""
+        self.made[name] = replace(self.made[name], decision="off", reason=reason)
+
     def rules_out(self, name: str) -> bool:
         """Whether the scene says off, before the effect is settled."""
         return self.scene.effects.get(name) == "off"

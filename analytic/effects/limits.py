@@ -4,54 +4,98 @@ Each is off, with the number of the worst ball and operating point as its reason
 """
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
 from analytic.contact.geometry import RACES, shoulder_distance
 from analytic.effects.ledger import Ledger
-from analytic.effects.table import ENTRIES, LEAST_SLIDING, STATIC_LIMIT
+from analytic.effects.table import ENTRIES, LEAST_SLIDING, MOST_CUT, PER_CUT_SHARE, STATIC_LIMIT
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.inertia import gyroscopic_slip_ratio
-from analytic.scene import Operation, Scene
+from analytic.scene import Array, Operation, Scene
 from analytic.sliding.long_ellipse import sliding_number
 from analytic.sliding.methods import Sliding
 
 CHECKED = "checked, not modelled"  # how a reason begins
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Limits:
+    """What is past a limit."""
+
+    warnings: tuple[str, ...]
+    uncertainty: Array  # (n,) of the torque by contacts past a limit, relative; infinite where nothing is known of it
+    unknown: tuple[str, ...]  # why, where it is infinite
+
+
 def check_limits(
     scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger, *, sliding: Sliding | None
-) -> list[str]:
-    """Settle every effect of the kind "limit" with its number as the reason; return the warnings.
+) -> Limits:
+    """Settle every effect of the kind "limit" with its number as the reason; say what is past its limit.
 
     operation : every array (n,);  sliding : None where nothing slides
     Raises InputError for a contact that has left its race.
     """
-    return [
-        *_shoulder(scene, operation, balls, ledger),
+    distance = _shoulder_distance(scene, balls)
+    warnings = (
+        *_shoulder(distance, operation, balls, ledger),
         *_plasticity(balls, ledger),
         *_elastic_creep(balls, ledger, sliding),
         *_gyroscopic_slip(scene, operation, balls, sliding),
-    ]
+    )
+    share = cut_off_share(distance, balls.contact.semi_axis_y).max(axis=(0, 2))
+    plastic = balls.contact.peak_pressure.max(axis=(0, 2)) > STATIC_LIMIT
+    unknown = []
+    if np.any(share > MOST_CUT):
+        unknown.append(
+            f"a shoulder cuts off {share.max():.2g} of a contact's load by Hertz, more than {MOST_CUT:g}: its pressure "
+            "and its place are no longer Hertz's; raise shoulder_half_width or lower the load"
+        )
+    if np.any(plastic):
+        unknown.append(
+            f"a peak pressure above the static limit {STATIC_LIMIT:.2g} Pa: the contact is plastic, and no formula "
+            "here is; lower the load"
+        )
+    return Limits(
+        warnings=warnings,
+        uncertainty=np.where(plastic | (share > MOST_CUT), np.inf, PER_CUT_SHARE * share),
+        unknown=tuple(unknown),
+    )
 
 
-def _shoulder(scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
-    b = balls.contact.semi_axis_y
+def cut_off_share(distance: Array, semi_axis: Array) -> Array:
+    """Share of an ellipse's load beyond a line across it, of one shape: (2 - 3 t + t^3)/4, t = distance/semi_axis.
+
+    distance : of the line from the centre, m, > 0;  semi_axis : b, to which the line is perpendicular, m, >= 0
+    Hertz's pressure, integrated along rolling, is a parabola over b.
+    """
+    reach = np.minimum(distance, semi_axis)
+    t = np.divide(reach, semi_axis, out=np.ones(np.shape(semi_axis)), where=semi_axis > 0)
+    return (1 - t) ** 2 * (2 + t) / 4
+
+
+def _shoulder_distance(scene: Scene, balls: LoadedBalls) -> Array:
+    """(2, n, m) from the contacts' centres to their nearer shoulders, m; infinite without load."""
     distance = np.stack(
         [
             shoulder_distance(scene.bearing, race, contact_angle=np.abs(angle))
             for race, angle in zip(RACES, balls.contact_angle, strict=True)
         ]
     )
-    distance = np.where(balls.load > 0, distance, np.inf)
+    return np.where(balls.load > 0, distance, np.inf)
+
+
+def _shoulder(distance: Array, operation: Operation, balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
+    b, bearing = balls.contact.semi_axis_y, ledger.scene.bearing
     left, nearest = np.inf, ENTRIES["shoulder"].idle
     for index, name in enumerate(RACES):
         point, ball = np.unravel_index(np.argmin(distance[index]), distance[index].shape)
         if distance[index, point, ball] <= 0:
             angles = np.abs(balls.contact_angle[:, point, ball])
             # The ball's inertia separates its two angles: without it both would be near their mean.
-            separated = shoulder_distance(scene.bearing, name, contact_angle=angles.mean()) > 0
+            separated = shoulder_distance(bearing, name, contact_angle=angles.mean()) > 0
             speed = f"the speed of {operation.inner_speed[point]:.5g} rad/s, whose centrifugal force moves it there"
             raise InputError(
                 f"{_loads(operation, int(point))}: the contact moves to {angles[index]:.4f} rad, beyond the {name} "

@@ -6,9 +6,12 @@ state of the balls says whether their own forces count. Contacts are Hertz's, or
 `analytic.loads` computes all of these; the decisions read numbers alone.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from analytic.contact.factors import ContactCorrection
+from analytic.contact.finite_geometry import beyond_range
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import (
     ENTRIES,
@@ -20,7 +23,7 @@ from analytic.effects.table import (
 )
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
-from analytic.loads.finite_geometry import corrected_balls
+from analytic.loads.finite_geometry import corrections_of, shapes_of
 from analytic.loads.shares import LoadShares, inertia_of_lightest, load_shares
 from analytic.loads.thrust import play_and_free_angle
 from analytic.scene import Operation, Scene
@@ -31,10 +34,20 @@ MOST_CENTRIFUGAL = 1000.0
 TINIEST = 1e-300  # keeps a bearing at standstill from a division by 0
 
 
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ChosenBalls:
+    """The loaded balls, and what is known of the correction of their contacts."""
+
+    balls: LoadedBalls
+    warnings: tuple[str, ...] = ()
+    # Factors on Hertz's contacts at the far end of what is not known outside the fit's range; None: all lie within
+    farthest: ContactCorrection | None = None
+
+
 def chosen_balls(
     scene: Scene, operation: Operation, ledger: Ledger, *, correction: ContactCorrection | None
-) -> tuple[LoadedBalls, list[str]]:
-    """The balls at each operating point, and warnings; settles load_distribution to finite_geometry.
+) -> ChosenBalls:
+    """The balls at each operating point; settles load_distribution to finite_geometry.
 
     operation : the scene's, every array (n,)
     correction : the caller's factors on Hertz's contacts; None: those of the finite geometry, if it is on
@@ -52,17 +65,18 @@ def chosen_balls(
     effects = _decide_inertia(operation, balls, shares, ledger, distributed=distributed)
     if correction is not None:
         ledger.settle("finite_geometry", on=True, reason=ENTRIES["finite_geometry"].given)
-        return loaded_balls(bearing, contact_angle, operation, effects, correction=correction), []
+        return ChosenBalls(balls=loaded_balls(bearing, contact_angle, operation, effects, correction=correction))
     if effects != massless:
         balls = loaded_balls(bearing, contact_angle, operation, effects)
     if not _decide_finite_geometry(scene, balls, ledger):
-        return balls, []
-    corrected, warnings = corrected_balls(bearing, contact_angle, operation, effects, balls)
-    if corrected is None:
-        reason = f"{ENTRIES['finite_geometry'].idle}: {'; '.join(warnings)}"
-        ledger.settle("finite_geometry", on=False, share=ledger.made["finite_geometry"].share, reason=reason)
-        return balls, warnings
-    return corrected, warnings
+        return ChosenBalls(balls=balls)
+    found = corrections_of(bearing, balls)
+    farthest = None if np.all(found.inner.covered & found.outer.covered) else found.farthest
+    if np.any(found.inner.applied + found.outer.applied):
+        balls = loaded_balls(bearing, contact_angle, operation, effects, correction=found.correction)
+    else:
+        ledger.not_applied("finite_geometry", f"not applied: {'; '.join(found.warnings)}")
+    return ChosenBalls(balls=balls, warnings=found.warnings, farthest=farthest)
 
 
 def _decide_distribution(shares: LoadShares, ledger: Ledger) -> bool:
@@ -115,4 +129,6 @@ def _decide_finite_geometry(scene: Scene, balls: LoadedBalls, ledger: Ledger) ->
     # Where balls are loaded unequally or by a preload, a stiffer contact changes loads and angles: no bound is known.
     preloaded = scene.contact_angle.rule == "solved" and play_and_free_angle(scene.bearing, scene.contact_angle)[0] < 0
     bounded = not preloaded and not ledger.is_on("load_distribution")
+    if bounded and not ledger.rules_out("finite_geometry"):  # the bound was found within the range of the fit
+        bounded = not any(np.any(beyond_range(shape)) for shape in shapes_of(scene.bearing, balls))
     return ledger.decide("finite_geometry", bound=PER_SIZE_SQUARED * size**2 if bounded else None)

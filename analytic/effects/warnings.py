@@ -14,7 +14,7 @@ from analytic.oil.rolling import RollingResistance
 def torque_warnings(
     ledger: Ledger,
     *,
-    limits: list[str],
+    limits: tuple[str, ...],
     oiled: LubricatedRaces | None,
     mixed: MixedContact | None,
     resistance: RollingResistance | None,

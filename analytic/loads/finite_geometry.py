@@ -9,11 +9,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.finite_geometry import RaceCorrections, finite_geometry_factors, race_shape
+from analytic.contact.finite_geometry import ContactShape, RaceCorrections, finite_geometry_factors, race_shape
 from analytic.contact.geometry import RACES
-from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
+from analytic.loads.balls import LoadedBalls
 from analytic.loads.thrust import thrust_equilibrium
-from analytic.scene import Array, Bearing, ContactAngle, Operation
+from analytic.scene import Array, Bearing, ContactAngle
 
 
 def thrust_correction(bearing: Bearing, contact_angle: ContactAngle, *, axial_load: ArrayLike) -> RaceCorrections:
@@ -22,21 +22,7 @@ def thrust_correction(bearing: Bearing, contact_angle: ContactAngle, *, axial_lo
     axial_load : Fa, (n,), N, > 0
     """
     balls = thrust_equilibrium(bearing, contact_angle, axial_load=axial_load)
-    return _corrections(bearing, angles=(balls.contact_angle,) * 2, loads=(balls.ball_load,) * 2)
-
-
-def corrected_balls(
-    bearing: Bearing, contact_angle: ContactAngle, operation: Operation, effects: LoadEffects, balls: LoadedBalls
-) -> tuple[LoadedBalls | None, list[str]]:
-    """The balls with corrected contacts, and warnings; None where the fit covers no contact.
-
-    balls : with Hertz's contacts, under the same effects;  other arguments and errors of loaded_balls
-    """
-    corrections = corrections_of(bearing, balls)
-    warnings = list(corrections.warnings)
-    if not np.any(corrections.inner.covered | corrections.outer.covered):
-        return None, warnings
-    return loaded_balls(bearing, contact_angle, operation, effects, correction=corrections.correction), warnings
+    return _corrections(_shapes(bearing, angles=(balls.contact_angle,) * 2, loads=(balls.ball_load,) * 2))
 
 
 def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
@@ -44,17 +30,25 @@ def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
 
     A contact without load has no place on its race, and its factors are 1.
     """
+    return _corrections(shapes_of(bearing, balls))
+
+
+def shapes_of(bearing: Bearing, balls: LoadedBalls) -> tuple[ContactShape, ContactShape]:
+    """The shapes of the contacts on both races, of the arrays' shapes of corrections_of."""
     each = (..., 0) if balls.method == "thrust" else ...  # an equilibrium takes one factor for each element of this
     inner_angle, outer_angle = np.where(balls.load > 0, np.abs(balls.contact_angle), 0.0)
     inner_load, outer_load = balls.load
-    return _corrections(
-        bearing, angles=(inner_angle[each], outer_angle[each]), loads=(inner_load[each], outer_load[each])
-    )
+    return _shapes(bearing, angles=(inner_angle[each], outer_angle[each]), loads=(inner_load[each], outer_load[each]))
 
 
-def _corrections(bearing: Bearing, *, angles: Sequence[Array], loads: Sequence[Array]) -> RaceCorrections:
+def _shapes(bearing: Bearing, *, angles: Sequence[Array], loads: Sequence[Array]) -> tuple[ContactShape, ContactShape]:
     inner, outer = (
-        finite_geometry_factors(race_shape(bearing, race, contact_angle=angle, ball_load=load))
+        race_shape(bearing, race, contact_angle=angle, ball_load=load)
         for race, angle, load in zip(RACES, angles, loads, strict=True)
     )
+    return inner, outer
+
+
+def _corrections(shapes: tuple[ContactShape, ContactShape]) -> RaceCorrections:
+    inner, outer = (finite_geometry_factors(shape) for shape in shapes)
     return RaceCorrections(inner=inner, outer=outer)

@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from skfem import MeshHex2
 
+from analytic.effects.limits import cut_off_share
+from analytic.effects.table import PER_CUT_SHARE
 from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.compare.contact.discrepancy import ContactSolution
@@ -192,3 +194,21 @@ def test_functions_for_a_symmetric_contact_refuse_half_of_one(cut: MeshSolution)
         subsurface_stress(cut)
     with pytest.raises(InputError, match="reaches over"):
         ring_compression(cut, recipe=load_recipe("race"))
+
+
+def least_loss(y: np.ndarray, force: np.ndarray, semi_axis: float) -> float:
+    """Of a contact that rolls freely with Coulomb friction: slip is y^2/b^2 less what loses least, over load."""
+    return min(float(force @ np.abs((y / semi_axis) ** 2 - even)) for even in np.linspace(0, 1, 401)) / force.sum()
+
+
+def test_a_cut_contact_loses_less_within_what_is_stated_of_it(contacts: dict[str, Contact], cut: MeshSolution) -> None:
+    """The share beyond the shoulder by Hertz's parabola, and the factor on it in the torque's uncertainty."""
+    whole = solve_on_mesh(
+        replace(contacts["inner"], contact_angle=0.0), recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES
+    )
+    before = least_loss(np.append(whole.y, -whole.y), np.append(whole.force, whole.force), 0.946e-3)
+    share = float(cut_off_share(np.array(0.8e-3), np.array(0.946e-3)))
+    y = np.linspace(0.8e-3, 0.946e-3, 2001) / 0.946e-3
+    assert share == pytest.approx(0.75 * np.trapezoid(1 - y**2, y), rel=1e-5)  # a parabola of unit load
+    change = least_loss(cut.y, cut.force, 0.946e-3) / before - 1
+    assert 0.5 * share < -change < PER_CUT_SHARE * share

@@ -57,8 +57,7 @@ def balls_of(scene: Scene) -> LoadedBalls:
     """The loaded balls at every operating point, with Hertz's contacts. Raises InputError as friction_torque does."""
     plain = replace(scene, effects={**scene.effects, "finite_geometry": "off"})
     operation = plain.operation.as_series()
-    balls, _ = chosen_balls(plain, operation, Ledger(plain, operation.axial_load.size), correction=None)
-    return balls
+    return chosen_balls(plain, operation, Ledger(plain, operation.axial_load.size), correction=None).balls
 
 
 @contextmanager

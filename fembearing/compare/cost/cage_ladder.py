@@ -34,7 +34,7 @@ def cage_methods(scene: Scene) -> UntimedLadder:
     if turning == 0:
         raise InputError("the bearing stands still, and its cage takes nothing")
     resting = replace(scene, operation=operation, effects={**scene.effects, "cage": "on", "cage_dynamics": "off"})
-    balls, _ = chosen_balls(resting, operation, Ledger(resting, 1), correction=None)
+    balls = chosen_balls(resting, operation, Ledger(resting, 1), correction=None).balls
 
     def closed_form() -> CagePart:
         return cage_friction(resting, cage_drive(bearing, cage, balls, operation.inner_speed), moves=False)

@@ -35,7 +35,10 @@ class SceneTorque:
         if not self.within_tolerance:
             worst = float(np.max(self.friction.numerical_uncertainty))
             limit = self.scene.tolerance
-            yield f"The numerical uncertainty of the torque, {worst:.2g}, is beyond the tolerance {limit:g}."
+            if np.isfinite(worst):
+                yield f"The numerical uncertainty of the torque, {worst:.2g}, is beyond the tolerance {limit:g}."
+            else:
+                yield f"The numerical uncertainty of the torque is not known: {'; '.join(self.friction.unknown)}."
         for race in ("inner", "outer"):
             yield from static_doubt(race, getattr(self.friction, race).peak_pressure)
         band, total = self.catalogue.band, self.friction.torque.total

@@ -130,6 +130,7 @@ class Torque(Table):
     gap_roughness: Positive | None
     effects: list[Effect]
     warnings: list[str]
+    unknown: list[str]  # why the numerical uncertainty is not known
     provenance: dict[str, str]
     seconds: float
     tolerance: float

@@ -14,9 +14,9 @@ from tests.analytic.specimens import idling
 def test_a_radial_load_takes_the_ring(bearing_6205: Bearing, radial_load: float, method: str) -> None:
     scene = idling(bearing_6205)
     operation = Operation(axial_load=np.array([60.0]), inner_speed=np.array([1.7]), radial_load=radial_load).as_series()
-    balls, warnings = chosen_balls(scene, operation, Ledger(scene, 1), correction=None)
-    assert (balls.method, warnings) == (method, [])
-    assert balls.load.shape == (2, 1, 1 if method == "thrust" else bearing_6205.ball_count)
+    found = chosen_balls(scene, operation, Ledger(scene, 1), correction=None)
+    assert (found.balls.method, found.warnings, found.farthest) == (method, (), None)
+    assert found.balls.load.shape == (2, 1, 1 if method == "thrust" else bearing_6205.ball_count)
 
 
 def test_an_operation_becomes_a_series_once() -> None:
