@@ -83,10 +83,11 @@ def main() -> None:
 
 
 def solves_of(group: str) -> Solves:
-    """The converged solves of a set that lie in the box."""
+    """The converged solves of a set; those that lie in the box, but for the set `beyond`."""
     rows = [row for row in read_rows() if row["set"] == group and not row["trouble"]]
-    rows = [row for row in rows if float(row["size"]) <= BOX["size"][1]]
-    rows = [row for row in rows if float(row["shoulder"]) >= OFF_SHOULDER * float(row["size"])]
+    if group != "beyond":
+        rows = [row for row in rows if float(row["size"]) <= BOX["size"][1]]
+        rows = [row for row in rows if float(row["shoulder"]) >= OFF_SHOULDER * float(row["size"])]
 
     def column(name: str) -> Array:
         return np.array([float(row[name]) for row in rows])
