@@ -107,8 +107,8 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
 
     The range of each ratio is that of the file, and the shoulder is at least 1.15 Hertz semi-axes b away. Smaller sizes
     are accepted too: there the correction fades to 1. Outside the range the change of Hertz is that at the border,
-    times (b/r)^2 over that there, and its uncertainty grows. Two steps of `beyond_range` away the factors are 1, and the
-    uncertainty holds all of that change. The warnings say which ratios lie outside.
+    times (b/r)^2 over that there, and its uncertainty grows. Two steps of `beyond_range` away the factors are 1, and
+    the uncertainty holds all of that change. The warnings say which ratios lie outside.
     """
     fit = stored_fit()
     values, beyond = _broadcast(shape), beyond_range(shape)
@@ -250,8 +250,7 @@ def _held(values: Mapping[str, Array], limits: Mapping[str, Any]) -> tuple[Conta
 def _outside(values: Mapping[str, Array], limits: Mapping[str, Any], applied: Array) -> Iterator[str]:
     """Which ratios lie outside the range, and what the correction does there."""
 
-    def done(outside: NDArray[np.bool_]) -> str:
-        least = applied[outside].min()
+    def done(least: float) -> str:
         if least == 1:
             return "the correction is held at the border"
         return "the correction is not applied" if least == 0 else f"{least:.2g} of the correction is applied"
@@ -260,12 +259,14 @@ def _outside(values: Mapping[str, Array], limits: Mapping[str, Any], applied: Ar
         value, low = values[name], 0.0 if name == "size" else low
         outside = ~((value >= low) & (value <= high))
         if outside.any():
-            yield f"{name} {value[outside][0]:.4g} is outside {low:g} to {high:g} of the fit: {done(outside)}"
+            farthest = value[outside][np.argmax(np.abs(value[outside] - (low + high) / 2))]
+            least = applied[value == farthest].min()
+            yield f"{name} {farthest:.4g} is outside {low:g} to {high:g} of the fit: {done(least)}"
     near = values["shoulder"] < OFF_SHOULDER * values["size"]
     if near.any():
         yield (
             f"the contact comes nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, and the fit does not: "
-            f"{done(near)}"
+            f"{done(applied[near].min())}"
         )
 
 

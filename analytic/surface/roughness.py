@@ -18,6 +18,8 @@ from analytic.scene import Array, Autocorrelation, Surface
 from analytic.surface.heightmap import FEWEST_POINTS, MOST_POINTS, WIDEST, HeightMap, measure, read_height_map
 from analytic.surface.moments import SpectralMoments, Summits, mccool_summits
 
+STEEPEST = 1.0  # rms slope of ball and race together, 45 degrees: far past what asperities on half spaces stand for
+
 
 @dataclass(frozen=True, kw_only=True)
 class GapRoughness:
@@ -97,7 +99,7 @@ def gap_roughness(surface: Surface) -> GapRoughness:
     """Ball and race of a scene, declared or measured, and the summits of both together.
 
     Warnings name numbers that depend on the spacing. Raises InputError as read_height_map does, and if the surface has
-    neither a height map nor a roughness with its autocorrelation.
+    neither a height map nor a roughness with its autocorrelation, or is steeper than the model's asperities.
     """
     height_map: HeightMap | None = None
     if surface.height_map is not None:
@@ -119,6 +121,14 @@ def gap_roughness(surface: Surface) -> GapRoughness:
     if surface.ball_rms_roughness is not None:
         require_non_negative(ball_rms_roughness=surface.ball_rms_roughness)
         ball = unit.scaled(surface.ball_rms_roughness)
+    slope = (ball + race).slope ** 0.5
+    if slope > STEEPEST:
+        key = "rms_roughness" if surface.height_map is None else "height_map"
+        raise InputError(
+            f"surface.{key} = {race.rms_roughness:g} m (Sq) gives ball and race together an rms slope of {slope:.3g}, "
+            f"and asperities are shallow in the model: give a slope up to {STEEPEST:g}, by at most "
+            f"{race.rms_roughness * STEEPEST / slope:.3g} m or by a longer autocorrelation.length"
+        )
     summits = mccool_summits(ball + race)
     return GapRoughness(ball=ball, race=race, summits=summits, height_map=height_map, warnings=warnings)
 
@@ -130,13 +140,14 @@ def _require_sound(autocorrelation: Autocorrelation) -> None:
 
 
 def _doubts(autocorrelation: Autocorrelation) -> Iterator[str]:
+    length, spacing = autocorrelation.length, autocorrelation.spacing
     if autocorrelation.kind == "exponential":
         yield (
-            "an exponential autocorrelation has no curvature of its own: the summits are those seen at the spacing "
-            f"{autocorrelation.spacing:g} m, by finite differences, and change with it"
+            f"surface.autocorrelation.spacing {spacing:g} m sets the summits' slope and curvature, by finite "
+            "differences there, and they change with it: an exponential autocorrelation has none of its own"
         )
-    if autocorrelation.spacing > WIDEST * autocorrelation.length * (1 + 1e-12):
+    elif spacing > WIDEST * length * (1 + 1e-12):
         yield (
-            f"surface.autocorrelation.spacing {autocorrelation.spacing:g} m is more than a tenth of the length "
-            f"{autocorrelation.length:g} m: a surface generated with it would not be smooth"
+            f"surface.autocorrelation.spacing {spacing:g} m is more than a tenth of the length {length:g} m and is "
+            "ignored: a gaussian autocorrelation has its slope and curvature in closed form"
         )

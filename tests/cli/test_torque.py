@@ -106,6 +106,7 @@ def test_beyond_the_tolerance_the_status_is_3(command) -> None:
     status, out, err = command("torque", str(SCENES / "6205_paper_as_printed.toml"))
     assert status == NOT_SOLVED
     assert "beyond the tolerance 0.05: numerical uncertainty unknown" in " ".join(out.split())
+    assert "uncertainty of the torque is not known: nothing bounds the error of sliding" in " ".join(out.split())
     assert "is no model" in err
 
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.effects.table import LIMITS
+from analytic.effects.table import LIMITS, PER_CUT_SHARE
 from analytic.loads.inertia import gyroscopic_slip_ratio
 from analytic.loads.ring import ring_equilibrium
 from analytic.result import FrictionTorque
@@ -81,6 +81,38 @@ def test_each_limit_is_warned_of_when_it_is_passed(scene: Scene) -> None:
     assert [warned(load, "static limit") for load in (7100.0, 7140.0)] == [False, True]
     assert [warned(load, "inner race's shoulder") for load in (11840.0, 11930.0)] == [False, True]
     assert [warned(1000.0, "sliding number of the outer", mu) for mu in (0.2145, 0.216)] == [False, True]
+
+
+def test_a_plastic_contact_has_no_known_uncertainty(scene: Scene) -> None:
+    """At the point where it is plastic, past 7121 N, and with its reason."""
+    series = Operation(axial_load=np.array([7100.0, 7140.0]), inner_speed=np.array([31.0, 31.0]))
+    found = friction_torque(replace(scene, operation=series))
+    np.testing.assert_array_equal(np.isinf(found.numerical_uncertainty), [False, True])
+    (reason,) = found.unknown
+    assert "static limit" in reason
+    document = found.to_json()
+    assert document["unknown"] == [reason]
+    assert [point["uncertainty"]["numerical"] is None for point in document["points"]] == [False, True]
+    assert friction_torque(scene).unknown == ()
+
+
+def test_what_a_shoulder_cuts_off_is_uncertain_and_then_unknown(scene: Scene) -> None:
+    """With b = 1.1222 mm inside at 1000 N and the room r_g sin(asin(w/r_g) - al) to a shoulder at w."""
+
+    def narrowed(room: float) -> FrictionTorque:
+        groove = scene.bearing.inner.groove_radius
+        width = groove * np.sin(0.18 + np.arcsin(room / groove))
+        bearing = replace(scene.bearing, inner=replace(scene.bearing.inner, shoulder_half_width=float(width)))
+        return friction_torque(replace(scene, bearing=bearing))
+
+    whole, cut, torn = (narrowed(t * 1.1222e-3) for t in (1.01, 0.75, 0.55))
+    y = np.linspace(0.75, 1, 10001)
+    beyond = 0.75 * np.trapezoid(1 - y**2, y)  # of Hertz's parabola with unit load
+    grown = cut.numerical_uncertainty - whole.numerical_uncertainty
+    np.testing.assert_allclose(grown, [0.0, PER_CUT_SHARE * beyond], rtol=2e-3, atol=1e-15)  # b has five digits
+    assert whole.unknown == cut.unknown == ()
+    assert np.isinf(torn.numerical_uncertainty[1])
+    assert "shoulder cuts off 0.1" in torn.unknown[0]
 
 
 def test_a_ball_that_friction_cannot_hold_is_warned_of(scene: Scene) -> None:

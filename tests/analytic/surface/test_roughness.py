@@ -1,5 +1,6 @@
 """Declared surfaces against derivatives of their autocorrelation; generated ones against both, over many seeds."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import mpmath
@@ -189,9 +190,28 @@ def test_dependence_on_the_spacing_gives_warnings() -> None:
     (warning,) = gap_roughness(Surface(rms_roughness=SQ, autocorrelation=FRACTAL)).warnings
     assert "2.1e-06 m" in warning
     assert "exponential" in warning
+    assert "sets the summits' slope and curvature" in warning
+    wide = Surface(rms_roughness=SQ, autocorrelation=replace(FRACTAL, spacing=3e-6))
+    assert (
+        gap_roughness(wide).race.slope != gap_roughness(Surface(rms_roughness=SQ, autocorrelation=FRACTAL)).race.slope
+    )
+    (warning,) = gap_roughness(wide).warnings  # kept, and not called ignored
+    assert "sets" in warning
+    assert "ignored" not in warning
     coarse = Autocorrelation(kind="gaussian", length=21e-6, spacing=3e-6)
     (warning,) = gap_roughness(Surface(rms_roughness=SQ, autocorrelation=coarse)).warnings
-    assert "more than a tenth of the length 2.1e-05 m" in warning
+    assert "more than a tenth of the length 2.1e-05 m and is ignored" in warning
+    assert gap_roughness(Surface(rms_roughness=SQ, autocorrelation=coarse)).race.slope == pytest.approx(
+        2 * SQ**2 / 21e-6**2, rel=1e-12
+    )  # as at any spacing
+
+
+def test_a_surface_too_steep_for_shallow_asperities_is_refused() -> None:
+    """Ball and race together have the mean square slope 4 Sq^2/B^2, 1 at Sq = B/2."""
+    assert gap_roughness(Surface(rms_roughness=10.4e-6, autocorrelation=SMOOTH)).rms_roughness > 0
+    message = r"surface\.rms_roughness = 1\.06e-05 m.*rms slope of 1\.01.*at most 1\.05e-05 m.*longer"
+    with pytest.raises(InputError, match=message):
+        gap_roughness(Surface(rms_roughness=10.6e-6, autocorrelation=SMOOTH))
 
 
 @pytest.mark.parametrize(
