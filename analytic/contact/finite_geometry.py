@@ -29,9 +29,9 @@ from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.scene import Array, Bearing, Contact, Material
 
 OFF_SHOULDER = 1.15  # least distance from a fitted contact's centre to the shoulder, in Hertz's semi-axes b
-# Beyond its range the fit's change of Hertz is held at the border, and follows (b/r)^2 beyond the largest size, for as
-# far as finite elements confirm it (the set `beyond` of validation/correction/solves.csv: shoulders down to the edge of
-# the contact, or 0.15 r; sizes to 0.49). These lengths are one step of `beyond_range`. Over the second it fades.
+# Beyond its range the fit's change of Hertz is held at the border, and follows a power of b/r beyond the largest size,
+# for as far as finite elements confirm it (the set `beyond` of validation/correction/solves.csv: shoulders down to the
+# edge of the contact, or 0.15 r; sizes to 0.49). These lengths are a step of `beyond_range`; over the second it fades.
 STEP = {
     "conformity": 0.0025,
     "rolling_curvature": 0.12,
@@ -42,6 +42,7 @@ STEP = {
     "shoulder": 0.28,
 }
 STEP_TO_SHOULDER = 0.15  # of the shoulder's distance over b, likewise
+SIZE_POWER = {"semi_axis_rolling": 2, "semi_axis_transverse": 2, "peak_pressure": 2, "approach": 1}  # the leading ones
 # Uncertainty over the held change of Hertz: what grows over the first step, and what the fading adds.
 HELD, FADED = 0.1, 1.4
 SMALL = 0.1  # b/r below which the uncertainty falls in proportion to b/r, as the factors do: a point contact is Hertz's
@@ -107,8 +108,8 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
 
     The range of each ratio is that of the file, and the shoulder is at least 1.15 Hertz semi-axes b away. Smaller sizes
     are accepted too: there the correction fades to 1. Outside the range the change of Hertz is that at the border,
-    times (b/r)^2 over that there, and its uncertainty grows. Two steps of `beyond_range` away the factors are 1, and
-    the uncertainty holds all of that change. The warnings say which ratios lie outside.
+    times b/r (approach) or (b/r)^2 over that there, and its uncertainty grows. Two steps of `beyond_range` away the
+    factors are 1, and the uncertainty holds all of that change. The warnings say which ratios lie outside.
     """
     fit = stored_fit()
     values, beyond = _broadcast(shape), beyond_range(shape)
@@ -118,7 +119,7 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     growth = HELD * np.minimum(beyond, 1.0) + FADED * (1 - applied)
     factors, farthest, uncertainty = {}, {}, {}
     for name, quantity in fit["quantity"].items():
-        change = grown**2 * _change(name, powers)
+        change = grown ** SIZE_POWER[name] * _change(name, powers)
         factors[name] = 1 + applied * change
         # A contact far beyond the range may have any size, but no factor is negative.
         farthest[name] = np.maximum(1 + (applied + growth) * change, LEAST_FACTOR)

@@ -61,7 +61,7 @@ def test_without_oil_the_band_is_left_out_with_a_reason() -> None:
 
 
 def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
-    """Nothing bounds the centrifugal force of balls that no load presses; left out on purpose, no uncertainty has it."""
+    """Nothing bounds the centrifugal force of balls that no load presses; left out on purpose it is not uncertain."""
     text = SERIES.replace('["900 N", "400 N"]', '"0 N"\nradial_load = "100 N"').replace("2000 rpm", "30000 rpm")
     off = parse_scene(text + '[effects]\ncentrifugal = "off"\n', origin="here")
     said = " ".join(printed(text + '[effects]\ncentrifugal = "off"\n').split())

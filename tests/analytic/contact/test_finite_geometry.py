@@ -169,8 +169,8 @@ def test_beyond_the_range_the_correction_is_held_with_a_warning(name: str, value
     assert f"{value:.4g}" in warning
     border = stored_fit()["range"][name][int(value > inside)]
     held = finite_geometry_factors(replace(SHAPE, **{name: np.array(border)}))
-    grown = (value / border) ** 2 if name == "size" else 1.0
     for quantity in NAMES:
+        grown = 1.0 if name != "size" else (value / border) ** (1 if quantity == "approach" else 2)
         change, there = (np.asarray(getattr(each.factors, quantity)) - 1 for each in (found, held))
         assert change[0] == change[2]
         assert change[1] == pytest.approx(float(found.applied[1] * grown * there), rel=1e-9)
