@@ -240,7 +240,7 @@ def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, 
     called, left = ledger.made["centrifugal"], ledger.made["spin"]
     assert called.reason == (f"{words}, more than 0.15 leaves" if share < 1 else words)  # half of the tolerance
     assert (left.decision, left.share, left.reason) == ("off", share, "the scene says off")
-    told = torque_warnings(ledger, limits=[], oiled=None, mixed=None, resistance=None)
+    told = torque_warnings(ledger, limits=(), oiled=None, mixed=None, resistance=None)
     beyond = ", more than the tolerance" if share < 1 else ""
     assert f"spin is left out and {words}{beyond}: the scene says off" in told
 
