@@ -77,6 +77,7 @@ class _Torque(NamedTuple):
 
     mixed: MixedContact | None
     friction: tuple[Array, ...]  # N, at each of the levers
+    boundary: Array  # N, part of the friction by asperities and films of a molecule
     rolling: Array  # N m
 
 
@@ -100,15 +101,18 @@ class _Estimate:
         """(n,) estimate of the change between two regimes, over the smaller torque of both."""
         total, before, after = self.resisting.balls.total, self._at(first), self._at(second)
         shares = []
+        boundary = before.boundary - after.boundary
         for lever, one, other in zip(self.levers, before.friction, after.friction, strict=True):
-            moved = total(self.uneven * np.abs(one - other) * lever + np.abs(before.rolling - after.rolling))
+            # What asperities add and what they take from the oil cancel at the mean stress alone: both count.
+            changed = np.abs(boundary) + np.abs(one - other - boundary)
+            moved = total(self.uneven * changed * lever + np.abs(before.rolling - after.rolling))
             least = np.minimum(total(one * lever + before.rolling), total(other * lever + after.rolling))
             shares.append(_over(moved, least + self.resisting.constant))
         return np.max(shares, axis=0)
 
     def spin(self, scene: Scene, regime: Regime) -> Array:
         """(n,) bound on what spin adds, over the torque without it."""
-        _, friction, rolling = self._at(regime)
+        _, friction, _, rolling = self._at(regime)
         if len(self.levers) < 2:
             return np.zeros_like(self.resisting.constant)
         with_spin, without = friction[1] * self.levers[1], friction[0] * self.rolls
@@ -130,13 +134,14 @@ class _Estimate:
             rolling = self.resisting.rolling * factor
         if oiled is None or inlets is None:
             force = self.resisting.friction_coefficient * balls.load
-            return _Torque(None, tuple(force for _ in self.levers), rolling)
+            return _Torque(None, tuple(force for _ in self.levers), force, rolling)
         factor = inlets.film_factor(heats=regime.inlet_heating, starves=regime.starvation)
         mixed = oiled.mixed(asperities=regime.asperities, film_factor=factor)
         friction = oiled.traction(mixed).force(balls.contacts)
         speed = np.abs(oiled.ring_speed)[:, None]
         slips = (self.rolls, self.rolls + full_spin_lever(balls))[: len(self.levers)]
-        return _Torque(mixed, tuple(friction(speed * slip) for slip in slips), rolling)
+        boundary = oiled.surface.boundary_friction * mixed.boundary_share * balls.load
+        return _Torque(mixed, tuple(friction(speed * slip) for slip in slips), boundary, rolling)
 
 
 def _over(part: Array, floor: Array) -> Array:

@@ -109,7 +109,9 @@ def test_what_a_shoulder_cuts_off_is_uncertain_and_then_unknown(scene: Scene) ->
     y = np.linspace(0.75, 1, 10001)
     beyond = 0.75 * np.trapezoid(1 - y**2, y)  # of Hertz's parabola with unit load
     grown = cut.numerical_uncertainty - whole.numerical_uncertainty
-    np.testing.assert_allclose(grown, np.array([0.0, PER_CUT_SHARE * beyond]), rtol=2e-3, atol=1e-15)  # b has five digits
+    np.testing.assert_allclose(
+        grown, np.array([0.0, PER_CUT_SHARE * beyond]), rtol=2e-3, atol=1e-15
+    )  # b has five digits
     assert whole.unknown == cut.unknown == ()
     assert np.isinf(torn.numerical_uncertainty[1])
     assert "shoulder cuts off 0.1" in torn.unknown[0]
