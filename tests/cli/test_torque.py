@@ -109,6 +109,20 @@ def test_beyond_the_tolerance_the_status_is_3(command) -> None:
     assert "is no model" in err
 
 
+def test_a_contact_torn_by_its_shoulder_ends_with_status_3_and_its_reason(command, tmp_path: Path) -> None:
+    """20 kN push a ball so far up that a shoulder cuts off 0.13 of its load; at 400 N all is known."""
+    (tmp_path / "a.toml").write_text(SERIES.replace('"900 N"', '"20000 N"'), "utf-8")
+    status, out, _ = command("torque", str(tmp_path / "a.toml"))
+    assert status == NOT_SOLVED
+    said = " ".join(out.split())
+    assert "uncertainty of the torque is not known: a shoulder cuts off 0.13 of a contact" in said
+    status, out, _ = command("torque", str(tmp_path / "a.toml"), "--json")
+    assert status == NOT_SOLVED
+    found = json.loads(out)
+    assert [point["uncertainty"]["numerical"] is None for point in found["points"]] == [True, False]
+    assert "shoulder" in found["unknown"][0]
+
+
 def test_a_tighter_tolerance_chooses_a_costlier_method(command, tmp_path: Path) -> None:
     (tmp_path / "a.toml").write_text(SERIES, "utf-8")
     methods = []
