@@ -28,7 +28,6 @@ Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; a
 BALANCED = 1e-14
 LAST_STEP = 1e-9  # of c, relative: secant steps converge so fast that the next one would be round-off
 ROLLS_NOT = 1e9  # eps from which a contact only spins
-USUAL_FRICTION = 0.05  # for the slope of the first step
 NODES = (16, 16)  # transverse and rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
 
 
@@ -41,7 +40,7 @@ class SlipMoments:
     slip_power: Array  # W: spin moment times w_s + rolling moment times w_roll
     unit_power: Array  # W: what a friction coefficient of 1 would lose at the same sliding of every point
     creep_speed: Array  # c, m/s
-    creep_stiffness: Array  # N s/m: by how much the net force falls as c grows; about right
+    creep_stiffness: Array  # s/m: by how much the net force over all friction falls as c grows; about right
 
 
 def slip_over_ellipse(
@@ -252,8 +251,9 @@ def _forceless_creep(integrand: _Integrand, near: SlipMoments | None) -> tuple[A
 
     def rising(creep: Array) -> Array:
         at = integrand.at(creep)
-        force = _sum(at.pull * at.slide)
-        return np.where(np.abs(force) <= BALANCED * _sum(at.friction), 0.0, -force)[..., None]
+        force, friction = _sum(at.pull * at.slide), _sum(at.friction)
+        share = np.divide(force, friction, out=np.zeros_like(force), where=friction > 0)
+        return np.where(np.abs(share) <= BALANCED, 0.0, -share)[..., None]
 
     if near is None:
         start, stiffness = _coulomb_creep(integrand)
@@ -283,8 +283,7 @@ def _coulomb_creep(integrand: _Integrand) -> tuple[Array, Array]:
     width, slope = np.zeros_like(roll), np.hypot(spin, roll)
     for line in lines:
         width = width + np.maximum(1 - line**2, 0.0)
-    force = USUAL_FRICTION * integrand.pressure * integrand.rolling * integrand.transverse
-    stiffness = np.pi * force * np.divide(width, slope, out=np.zeros_like(slope), where=slope > 0)
+    stiffness = 1.5 * np.divide(width, slope, out=np.zeros_like(slope), where=slope > 0)
     return -roll * lines[0] * lines[1], stiffness
 
 
