@@ -1,7 +1,7 @@
 """The torque that the balls lose by sliding on their races, by the cheapest method that is accurate enough.
 
-The methods are those of `analytic.sliding.ball`. The error of a method is estimated from several rules: the power by its
-own rule, and by other nodes over the whole ellipse, at the spin and the creep that the method found. Each other rule
+The methods are those of `analytic.sliding.ball`. The error of a method is estimated from several rules: the power by
+its own rule, and by other nodes over the whole ellipse, at the spin and the creep that the method found. Each other rule
 costs one evaluation. It sees the error of the nodes and what the method leaves out. Spin and creep stay those of the
 first rule, which matters in second order with Coulomb friction; else the net force that the other rule finds shows it.
 Differences add up with their magnitudes over races and panels, so that they do not cancel by chance. The estimate is

@@ -1,0 +1,81 @@
+"""Estimates of the errors of sliding, from several rules at the sliding that a method found."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.oil.lubricated_races import lubricate_races
+from analytic.oil.traction import CoulombTraction
+from analytic.oil.variation import Variation
+from analytic.scene import Bearing, ContactAngle, Lubricant, Operation
+from analytic.sliding.methods import LEAST, QUADRATURES, Quadrature, Sliders, SlidingModel
+from tests.analytic.specimens import FINISH, OIL
+
+FAST = LoadEffects(load_distribution=False, centrifugal=True, gyroscopic=False)
+MODEL = SlidingModel(spins=True, conforms=True, spin_rule="balanced", microslip="derived", method="auto")
+REFERENCE = (96, 96)  # nodes: 16 times as many as the finest method has
+
+
+def sliders(bearing: Bearing, *, load: float, rpm: np.ndarray, oil: Lubricant | None) -> Sliders:
+    """An angular contact bearing of 15 degrees like a 7205C; without oil by Coulomb friction."""
+    rings = {
+        race: replace(getattr(bearing, race), groove_radius=conformity * bearing.ball_diameter)
+        for race, conformity in {"inner": 0.52, "outer": 0.53}.items()
+    }
+    speed = rpm * np.pi / 30
+    operation = Operation(axial_load=np.full_like(speed, load), inner_speed=speed)
+    angle = ContactAngle(rule="solved", free=np.deg2rad(15))
+    balls = thrust_balls(replace(bearing, **rings), angle, operation, FAST)
+    if oil is None:
+        law = CoulombTraction(friction_coefficient=0.07)
+        return Sliders(balls=balls, traction=(law, law), model=MODEL, ring_speed=speed)
+    races = lubricate_races(
+        replace(bearing, **rings), balls, lubricant=oil, surface=FINISH, ring_speed=speed, variation=Variation()
+    )
+    mixed = races.mixed(asperities=True, film_factor=1.0)
+    laws = races.traction(mixed.race(0)), races.traction(mixed.race(1))
+    return Sliders(balls=balls, traction=laws, model=MODEL, ring_speed=speed)
+
+
+def errors(case: Sliders, quadrature: Quadrature) -> tuple[np.ndarray, np.ndarray]:
+    """True and estimated, relative to the power of the method."""
+    result = case.slide(quadrature)
+    true = case.powers(case.slide(QUADRATURES[-1]), REFERENCE, sideways=True)[:, 0].sum(axis=(0, 1, 3))
+    own = np.sum(result.torque.spin + result.torque.conformity, axis=1)
+    return np.abs(true / own - 1), case.errors_at(result)(quadrature)
+
+
+@pytest.mark.parametrize("quadrature", QUADRATURES, ids=lambda each: f"{each.method}{each.nodes}")
+@pytest.mark.parametrize("load", [0.3, 97.0, 900.0])
+@pytest.mark.parametrize("viscosity", [0.01, 1.0])
+def test_the_estimate_is_above_the_error_and_not_far(
+    bearing_6205: Bearing, quadrature: Quadrature, load: float, viscosity: float
+) -> None:
+    """At 16 290 1/min and other speeds, where the position of the kink makes the error change sign."""
+    case = sliders(
+        bearing_6205,
+        load=load,
+        rpm=np.array([0.01, 30.0, 1000.0, 6000.0, 16290.0]),
+        oil=replace(OIL, viscosity=viscosity),
+    )
+    true, stated = errors(case, quadrature)
+    assert np.all(true <= stated)
+    matters = true > 1e-4  # a tenth of the strictest tolerance that is promised
+    assert not matters.any() or np.median(stated[matters] / true[matters]) < 5
+
+
+def test_rules_agree_where_the_stress_is_smooth(bearing_6205: Bearing) -> None:
+    case = sliders(bearing_6205, load=97.0, rpm=np.array([700.0]), oil=None)
+    _, stated = errors(case, QUADRATURES[-1])
+    np.testing.assert_allclose(stated, LEAST, rtol=0.1)  # the rules themselves differ by 1e-9
+
+
+def test_viscous_contacts_find_their_creep(bearing_6205: Bearing) -> None:
+    """Friction of 1e-9 of the load: a first step by a usual coefficient would be taken for the last."""
+    thin = replace(OIL, viscosity=1.0, pressure_viscosity=1e-9)
+    case = sliders(bearing_6205, load=0.1, rpm=np.array([0.01]), oil=thin)
+    result = case.slide(QUADRATURES[2])
+    slip, force = np.moveaxis(case.powers(result, (12, 8), sideways=True).sum(axis=2), 1, 0)
+    assert np.all(np.abs(force) <= 1e-12 * slip)  # round-off
