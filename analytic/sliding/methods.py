@@ -1,9 +1,9 @@
 """The torque that the balls lose by sliding on their races, by the cheapest method that is accurate enough.
 
 The methods are those of `analytic.sliding.ball`. The error of a method is estimated from several rules: the power by
-its own rule, and by other nodes over the whole ellipse, at the spin and the creep that the method found. Each other rule
-costs one evaluation. It sees the error of the nodes and what the method leaves out. Spin and creep stay those of the
-first rule, which matters in second order with Coulomb friction; else the net force that the other rule finds shows it.
+its own rule, and by other nodes over the whole ellipse, at the spin and the creep that the method found. Each other
+rule costs one evaluation. It sees the error of the nodes and what the method leaves out. Spin and creep stay those of
+the first rule, which matters in second order with Coulomb friction; else the net force by the other rule shows it.
 Differences add up with their magnitudes over races and panels, so that they do not cancel by chance. The estimate is
 their sum times a safety factor. It is no bound; the factors held on the random balls of
 `validation/benchmarks/friction.py --nodes`, which needed at most 1.5 for `single_coefficient` and `along_axis` and 2.4

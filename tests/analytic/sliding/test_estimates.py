@@ -63,7 +63,7 @@ def test_the_estimate_is_above_the_error_and_not_far(
     true, stated = errors(case, quadrature)
     assert np.all(true <= stated)
     matters = true > 1e-4  # a tenth of the strictest tolerance that is promised
-    assert not matters.any() or np.median(stated[matters] / true[matters]) < 5
+    assert not matters.any() or np.median(stated[matters] / true[matters]) < 10  # of few; 3 in the median of many
 
 
 def test_rules_agree_where_the_stress_is_smooth(bearing_6205: Bearing) -> None:
