@@ -254,8 +254,9 @@ def _integrated(
     spin_rule: SpinRule,
     slip: Callable[..., SlipMoments],
 ) -> Columns:
-    """Integrals over every contact; all numbers (n,). speeds : ring speed, spin difference, and a guess of its share on the inner race.
+    """Integrals over every contact; all numbers (n,).
 
+    speeds : ring speed, spin difference, and a guess of its share on the inner race
     One call integrates both races, because most callers have few points.
     """
     speed, difference, start = speeds

@@ -252,7 +252,7 @@ def _forceless_creep(integrand: _Integrand, near: SlipMoments | None) -> tuple[A
     def rising(creep: Array) -> Array:
         at = integrand.at(creep)
         force, friction = _sum(at.pull * at.slide), _sum(at.friction)
-        share = np.divide(force, friction, out=np.zeros_like(force), where=friction > 0)
+        share = np.divide(force, friction, out=np.zeros_like(force), where=friction != 0)  # nan stays
         return np.where(np.abs(share) <= BALANCED, 0.0, -share)[..., None]
 
     if near is None:

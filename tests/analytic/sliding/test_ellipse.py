@@ -199,8 +199,9 @@ def test_points_broadcast_and_the_traction_may_have_numbers_of_its_own() -> None
             spin_rate=spin[i, 0],
         )
         for name, values in vars(table).items():
-            # c leaves 1e-14 of the force; some points converge before others
-            np.testing.assert_allclose(values[i, j], getattr(alone, name), rtol=1e-9, atol=1e-15)
+            # c leaves 1e-14 of the force; some points converge before others. The stiffness is a secant's.
+            rtol = 1e-4 if name == "creep_stiffness" else 1e-9
+            np.testing.assert_allclose(values[i, j], getattr(alone, name), rtol=rtol, atol=1e-15)
 
 
 @pytest.mark.parametrize(
