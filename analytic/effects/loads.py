@@ -11,22 +11,21 @@ from dataclasses import dataclass
 import numpy as np
 
 from analytic.contact.factors import ContactCorrection
-from analytic.contact.finite_geometry import beyond_range
+from analytic.contact.finite_geometry import RaceCorrections
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import (
     ENTRIES,
     LARGEST_WAVES,
     PER_CENTRIFUGAL,
     PER_DISTRIBUTION,
-    PER_SIZE_SQUARED,
     PRESSED,
 )
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
-from analytic.loads.finite_geometry import corrections_of, shapes_of
+from analytic.loads.finite_geometry import corrections_of
 from analytic.loads.shares import LoadShares, inertia_of_lightest, load_shares
 from analytic.loads.thrust import play_and_free_angle
-from analytic.scene import Operation, Scene
+from analytic.scene import Array, Operation, Scene
 
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner one. A bearing
 # needs at least a hundredth of that to roll, and the equilibrium of the ring converges up to some 6000.
@@ -68,9 +67,9 @@ def chosen_balls(
         return ChosenBalls(balls=loaded_balls(bearing, contact_angle, operation, effects, correction=correction))
     if effects != massless:
         balls = loaded_balls(bearing, contact_angle, operation, effects)
-    if not _decide_finite_geometry(scene, balls, ledger):
-        return ChosenBalls(balls=balls)
     found = corrections_of(bearing, balls)
+    if not _decide_finite_geometry(scene, found, ledger):
+        return ChosenBalls(balls=balls)
     farthest = None if np.all(found.inner.covered & found.outer.covered) else found.farthest
     if np.any(found.inner.applied + found.outer.applied):
         balls = loaded_balls(bearing, contact_angle, operation, effects, correction=found.correction)
@@ -123,12 +122,22 @@ def _decide_inertia(
     return LoadEffects(load_distribution=distributed, centrifugal=centrifugal, gyroscopic=gyroscopic)
 
 
-def _decide_finite_geometry(scene: Scene, balls: LoadedBalls, ledger: Ledger) -> bool:
-    """balls : with Hertz's contacts."""
-    size = np.max(balls.contact.semi_axis_y, axis=(0, 2)) / scene.bearing.ball_radius
+def _decide_finite_geometry(scene: Scene, found: RaceCorrections, ledger: Ledger) -> bool:
+    """found : the correction of the balls with Hertz's contacts."""
     # Where balls are loaded unequally or by a preload, a stiffer contact changes loads and angles: no bound is known.
     preloaded = scene.contact_angle.rule == "solved" and play_and_free_angle(scene.bearing, scene.contact_angle)[0] < 0
     bounded = not preloaded and not ledger.is_on("load_distribution")
-    if bounded and not ledger.rules_out("finite_geometry"):  # the bound was found within the range of the fit
-        bounded = not any(np.any(beyond_range(shape)) for shape in shapes_of(scene.bearing, balls))
-    return ledger.decide("finite_geometry", bound=PER_SIZE_SQUARED * size**2 if bounded else None)
+    if bounded and not ledger.rules_out("finite_geometry"):  # outside the fit's range its factors are no bound
+        bounded = bool(np.all(found.inner.covered & found.outer.covered))
+    return ledger.decide("finite_geometry", bound=_largest_change(found) if bounded else None)
+
+
+def _largest_change(found: RaceCorrections) -> Array:
+    """(n,) of the torque under thrust: sliding follows b^2 at most, the area a, and the angle the approach."""
+    changes = []
+    for race in (found.inner, found.outer):
+        factors = race.factors
+        b, a, approach = factors.semi_axis_transverse, factors.semi_axis_rolling, factors.approach
+        changes.append(2 * np.abs(np.asarray(b) - 1) + np.abs(np.asarray(a) - 1) + np.abs(np.asarray(approach) - 1))
+    change = np.maximum(*changes)
+    return change if change.ndim < 2 else change.max(axis=-1)

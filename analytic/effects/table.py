@@ -20,9 +20,6 @@ LARGEST_WAVES = 0.1
 # Ball load over centrifugal force: a ball that is pressed with less on a race has its own force computed. One that the
 # loads leave free is pressed on the outer race by that force alone, and rolls against the oil there.
 PRESSED = 10.0
-# Change of the torque over (b/r)^2 by the finite geometry of contacts under thrust: 0.48 at most, of grooves, loads and
-# angles drawn (tests/analytic/effects/test_effect_bounds.py compares a few).
-PER_SIZE_SQUARED = 0.5
 LEAST_WHIRL = 1.0  # of the whirl number: a cage cannot whirl below
 # Simulated time that `auto` allows, with start-up and all seeds, s: about ten minutes of computing in default steps
 LONGEST_MOTION = 500.0
@@ -139,7 +136,7 @@ TABLE = (
         name="finite_geometry",
         kind="computed",
         meaning="the true shapes of ball and groove, which are no half spaces",
-        bound=f"{PER_SIZE_SQUARED:g} (b/r)^2 under thrust, within the range of the fit",
+        bound="the fit's own changes under thrust: twice that of b, that of a and that of the approach",
         given="the factors on the contacts come with the call",
     ),
     Entry(
