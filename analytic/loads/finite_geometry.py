@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.finite_geometry import ContactShape, RaceCorrections, finite_geometry_factors, race_shape
+from analytic.contact.finite_geometry import RaceCorrections, finite_geometry_factors, race_shape
 from analytic.contact.geometry import RACES
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.thrust import thrust_equilibrium
@@ -22,7 +22,7 @@ def thrust_correction(bearing: Bearing, contact_angle: ContactAngle, *, axial_lo
     axial_load : Fa, (n,), N, > 0
     """
     balls = thrust_equilibrium(bearing, contact_angle, axial_load=axial_load)
-    return _corrections(_shapes(bearing, angles=(balls.contact_angle,) * 2, loads=(balls.ball_load,) * 2))
+    return _corrections(bearing, angles=(balls.contact_angle,) * 2, loads=(balls.ball_load,) * 2)
 
 
 def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
@@ -30,25 +30,17 @@ def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
 
     A contact without load has no place on its race, and its factors are 1.
     """
-    return _corrections(shapes_of(bearing, balls))
-
-
-def shapes_of(bearing: Bearing, balls: LoadedBalls) -> tuple[ContactShape, ContactShape]:
-    """The shapes of the contacts on both races, of the arrays' shapes of corrections_of."""
     each = (..., 0) if balls.method == "thrust" else ...  # an equilibrium takes one factor for each element of this
     inner_angle, outer_angle = np.where(balls.load > 0, np.abs(balls.contact_angle), 0.0)
     inner_load, outer_load = balls.load
-    return _shapes(bearing, angles=(inner_angle[each], outer_angle[each]), loads=(inner_load[each], outer_load[each]))
+    return _corrections(
+        bearing, angles=(inner_angle[each], outer_angle[each]), loads=(inner_load[each], outer_load[each])
+    )
 
 
-def _shapes(bearing: Bearing, *, angles: Sequence[Array], loads: Sequence[Array]) -> tuple[ContactShape, ContactShape]:
+def _corrections(bearing: Bearing, *, angles: Sequence[Array], loads: Sequence[Array]) -> RaceCorrections:
     inner, outer = (
-        race_shape(bearing, race, contact_angle=angle, ball_load=load)
+        finite_geometry_factors(race_shape(bearing, race, contact_angle=angle, ball_load=load))
         for race, angle, load in zip(RACES, angles, loads, strict=True)
     )
-    return inner, outer
-
-
-def _corrections(shapes: tuple[ContactShape, ContactShape]) -> RaceCorrections:
-    inner, outer = (finite_geometry_factors(shape) for shape in shapes)
     return RaceCorrections(inner=inner, outer=outer)
