@@ -19,7 +19,7 @@ import tempfile
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 SCENES = Path(__file__).parent / "scenes"
 RUN = "from fembearing.cli import main; main()"
@@ -205,7 +205,7 @@ def differences(before: Any, after: Any, relative: float, path: str = "") -> Ite
                 yield from differences(before[key], after[key], relative, f"{path}.{key}")
     elif isinstance(before, list) and isinstance(after, list) and len(before) == len(after):
         for index, pair in enumerate(zip(before, after, strict=True)):
-            yield from differences(*pair, relative, f"{path}[{index}]")
+            yield from differences(pair[0], pair[1], relative, f"{path}[{index}]")
     elif is_number(before) and is_number(after):
         if not (
             before == after or math.isclose(before, after, rel_tol=relative) or (before != before and after != after)
@@ -215,7 +215,7 @@ def differences(before: Any, after: Any, relative: float, path: str = "") -> Ite
         yield f"{path}: {str(before)[:160]!r} is now {str(after)[:160]!r}"
 
 
-def is_number(value: Any) -> bool:
+def is_number(value: Any) -> TypeGuard[float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
@@ -238,7 +238,7 @@ def compare(before: Path, after: Path, relative: float) -> int:
         documents = [
             json.loads(file.read_text()) if (file := place / name).exists() else None for place in (before, after)
         ]
-        found = list(differences(*documents, relative))
+        found = list(differences(documents[0], documents[1], relative))
         changed += bool(found)
         for line in found[:20]:
             write(f"{name}{line}")

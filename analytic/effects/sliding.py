@@ -1,7 +1,7 @@
 """Decisions about conformity, asperities, inlet heating, starvation and spin, before anything slides.
 
 The torque is estimated with an effect and without it, from stresses at the mean pressure and the mean sliding speed of
-each contact. The change counts times the largest error of such a stress (`analytic.sliding.methods.largest_error`). It
+each contact. The change counts times the largest error of such a stress (`analytic.sliding.levers.largest_error`). It
 is estimated twice, for balls that only roll and for races that take all spin, and the larger share counts.
 """
 
@@ -17,7 +17,7 @@ from analytic.oil.inlets import Inlets
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.scene import Array, Scene
-from analytic.sliding.methods import full_spin_lever, largest_error, largest_spin_lever, rolling_lever
+from analytic.sliding.levers import full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -14,7 +14,7 @@ law of traction takes the true sliding speeds, which are |w| times as large.
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Literal, TypeVar
+from typing import Any, Literal, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -50,6 +50,13 @@ class SlipFriction:
     outer_creep: Array
 
 
+class SlipRule(NamedTuple):
+    """How slip is integrated over a contact."""
+
+    method: SlidingMethod
+    nodes: tuple[int, int] = NODES  # of the quadrature, transverse and rolling, as in `ellipse`
+
+
 def slip_friction(
     contacts: Pair,
     traction: Tractions,
@@ -57,8 +64,7 @@ def slip_friction(
     ring_speed: ArrayLike,
     spin_difference: ArrayLike,
     spin_rule: SpinRule,
-    method: SlidingMethod,
-    nodes: tuple[int, int] = NODES,
+    rule: SlipRule,
     near: SlipFriction | None = None,
 ) -> SlipFriction:
     """Torque of one ball from its slip on both races; all fields, ring_speed and spin_difference broadcast.
@@ -66,7 +72,7 @@ def slip_friction(
     contacts, traction : on the inner and the outer race
     ring_speed : w, inner less outer, rad/s, any sign; at 0 the law of traction gives its limit
     spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) if the contact angles are equal
-    spin_rule : as in `long_ellipse.microslip_torque`;  nodes : of the quadrature over a contact, as in `ellipse`
+    spin_rule : as in `long_ellipse.microslip_torque`
     near : a result by another method; an integral begins the search of the spin there
     With `single_coefficient` each contact has the force of its law at the mean sliding speed
         |v| = |w| [w_roll M_roll + w_s M_spin]/(mu Q)
@@ -87,10 +93,10 @@ def slip_friction(
     except ValueError as problem:
         raise InputError("both contacts and their speeds have shapes that do not fit: give equal lengths") from problem
     speed, difference = (np.broadcast_to(value, shape) for value in (speed, difference))
-    if method == "single_coefficient":
+    if rule.method == "single_coefficient":
         columns = _single_coefficient(contacts, traction, speed, difference, spin_rule)
-    elif method in SLIP:
-        slip = partial(SLIP[method], nodes=nodes)
+    elif rule.method in SLIP:
+        slip = partial(SLIP[rule.method], nodes=rule.nodes)
         start = np.full(shape, 0.5)
         if near is not None:
             rate = np.broadcast_to(near.torque.inner_spin_rate, shape)
@@ -100,7 +106,7 @@ def slip_friction(
             *(contacts, traction, speed, difference, start),
         )
     else:
-        raise InputError(f'method must be "single_coefficient", "along_axis" or "over_ellipse", got {method!r}')
+        raise InputError(f'method must be "single_coefficient", "along_axis" or "over_ellipse", got {rule.method!r}')
     inner_rate, inner_spin, inner_roll, inner_coefficient, inner_slip, inner_creep = columns[:6]
     outer_rate, outer_spin, outer_roll, outer_coefficient, outer_slip, outer_creep = columns[6:]
     return SlipFriction(

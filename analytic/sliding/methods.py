@@ -22,35 +22,34 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ellipe
 
 from analytic.contact.rolling_contact import Pair
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
 from analytic.numerics.interpolated import sampled_series
 from analytic.oil.traction import CoulombTraction
-from analytic.scene import Array, Lubricant, Microslip, SpinRule
+from analytic.scene import Array, Microslip, SpinRule
 from analytic.sliding.as_printed import as_printed_torque
-from analytic.sliding.ball import SlidingMethod, SlipFriction, Tractions, slip_friction, slip_power, with_numbers
-from analytic.sliding.ellipse import NODES
-from analytic.sliding.long_ellipse import MicroslipTorque, microslip_moments
+from analytic.sliding.ball import (
+    SlidingMethod,
+    SlipFriction,
+    SlipRule,
+    Tractions,
+    slip_friction,
+    slip_power,
+    with_numbers,
+)
+from analytic.sliding.levers import long_ellipse_error
+from analytic.sliding.long_ellipse import MicroslipTorque
 
 LEAST = 1e-7  # the estimate of an error that is smaller: of creep and spin, and of the judging rule itself
-EVEN_STRESS = 0.182  # error of a mean stress, relative to the true power, where the stress does not follow the pressure
-# The same for sinh traction, for decisions before anything slides. The largest observed errors are 0.87, at a few N in
-# thin oil that pressure thickens steeply, and 0.69 on the scenes of the benchmark.
-MOST_UNEVEN = 0.9
 Points = NDArray[np.intp] | slice
 
-BELOW_FULL_SPIN = (
-    1.15  # times E(m) - 1; the largest observed factor is 1.11, for any shape, with both contacts together
-)
 SERIES = 1000  # from this number of points on, a sample of them costs less
 FORETOLD = 64  # points of a series that foretell the errors of the methods
 JUDGED = 256  # points of a long series under thrust that give the error of all
 BETWEEN = 1.25  # times the largest error at the points of a sample: what lies between them
 SEED = 31
-SPIN_STIFFNESS = 0.9163  # d(M_spin/mu Q b)/d eps at eps = 0, its largest value; see analytic.sliding.long_ellipse
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,17 +59,16 @@ class Quadrature:
     Where a kink of the stress is all that the nodes miss, two rules may agree by chance: three rarely do.
     """
 
-    method: SlidingMethod
-    nodes: tuple[int, int] = NODES
+    rule: SlipRule
     judges: tuple[tuple[int, int], ...] = ((24, 24),)
     safety: float = 2.0  # times the difference of the rules
 
 
 QUADRATURES = (  # from cheap to accurate
-    Quadrature(method="single_coefficient"),
-    Quadrature(method="along_axis", nodes=(12, 8)),
-    Quadrature(method="over_ellipse", nodes=(12, 8), judges=((17, 13), (24, 24)), safety=3.0),
-    Quadrature(method="over_ellipse", nodes=(24, 24), judges=((37, 41), (48, 48)), safety=3.0),
+    Quadrature(rule=SlipRule("single_coefficient")),
+    Quadrature(rule=SlipRule("along_axis", (12, 8))),
+    Quadrature(rule=SlipRule("over_ellipse", (12, 8)), judges=((17, 13), (24, 24)), safety=3.0),
+    Quadrature(rule=SlipRule("over_ellipse", (24, 24)), judges=((37, 41), (48, 48)), safety=3.0),
 )
 
 
@@ -127,7 +125,7 @@ def race_sliding(
         )
 
     expected = allowed_of(balls.total(cheap.torque.spin), balls.total(cheap.torque.conformity))
-    *cheaper, last = [each for each in QUADRATURES if model.method in ("auto", each.method)]
+    *cheaper, last = [each for each in QUADRATURES if model.method in ("auto", each.rule.method)]
     some = _some(expected.size, FORETOLD)
     foretold = sliders.errors_at(_rows(cheap, some), some)
     for quadrature in cheaper:
@@ -161,8 +159,7 @@ class Sliders:
             ring_speed=self.ring_speed[points, None],
             spin_difference=difference[points],
             spin_rule=self.model.spin_rule,
-            method=quadrature.method,
-            nodes=quadrature.nodes,
+            rule=quadrature.rule,
             near=near,
         )
 
@@ -178,15 +175,15 @@ class Sliders:
 
         def error(quadrature: Quadrature) -> Array:
             if self._has_closed_form(quadrature):
-                error = _long_ellipse_error(self.balls)[:, points]
+                error = long_ellipse_error(self.balls)[:, points]
                 return np.sum(_weight(self._at(points)[0], result) * error / (1 - error), axis=(0, 2))
             judges = [powers(nodes, True) for nodes in quadrature.judges]
-            if quadrature.method == "single_coefficient":
+            if quadrature.rule.method == "single_coefficient":
                 own = _race_power(self._at(points)[0], result)
                 differences = [np.abs(judge[:, 0].sum(axis=1) - own).sum(axis=0) for judge in judges]
                 whole = own.sum(axis=0)
             else:
-                own = powers(quadrature.nodes, quadrature.method == "over_ellipse")
+                own = powers(quadrature.rule.nodes, quadrature.rule.method == "over_ellipse")
                 whole = own[:, 0].sum(axis=(0, 1))
                 slip = np.max([np.abs(judge - own)[:, 0] for judge in judges], axis=0).sum(axis=(0, 1))
                 force = [np.abs((judge - own)[:, 1].sum(axis=1)).sum(axis=0) for judge in judges]
@@ -198,7 +195,7 @@ class Sliders:
 
     def _has_closed_form(self, quadrature: Quadrature) -> bool:
         by_coulomb = all(isinstance(law, CoulombTraction) for law in self.traction)
-        return by_coulomb and quadrature.method == "single_coefficient"
+        return by_coulomb and quadrature.rule.method == "single_coefficient"
 
     def powers(
         self, result: SlipFriction, nodes: tuple[int, int], points: Points = slice(None), *, sideways: bool
@@ -242,7 +239,7 @@ class Sliders:
             spin=self.balls.total(result.torque.spin),
             conformity=self.balls.total(result.torque.conformity),
             coefficient=np.stack([result.inner_coefficient, result.outer_coefficient]),
-            method=quadrature.method,
+            method=quadrature.rule.method,
             error=error,
         )
 
@@ -289,7 +286,7 @@ class Sliders:
             spin=self.balls.alike * values[:, 0],
             conformity=self.balls.alike * values[:, 1],
             coefficient=values[:, 2:].T[..., None],
-            method=quadrature.method,
+            method=quadrature.rule.method,
             error=np.full(base.shape[0], worst + series.error),
             computed=series.at.size + standing.size,
         )
@@ -320,40 +317,6 @@ def _as_printed(sliders: Sliders, derived: SlipFriction) -> Sliding:
         method="single_coefficient",
         error=np.full(balls.load.shape[1], np.inf),
     )
-
-
-def rolling_lever(balls: LoadedBalls) -> Array:
-    """(2, n, m) torque by conformity without spin per N of friction force, m: 0.0806 b^2/R w_roll/w."""
-    contacts = balls.contacts
-    _, moment = microslip_moments(
-        friction_force=1.0,
-        semi_axis_transverse=contacts.semi_axis_transverse,
-        deformed_radius=contacts.deformed_radius,
-        spin_to_roll=0.0,
-    )
-    return moment * contacts.rolling_rate
-
-
-def full_spin_lever(balls: LoadedBalls) -> Array:
-    """(2, n, m) 3/8 b w_s/w, m: torque per N of friction force on a race that takes all spin and does not roll."""
-    return 3 / 8 * balls.contacts.semi_axis_transverse * np.abs(balls.motion.spin_difference)
-
-
-def largest_spin_lever(balls: LoadedBalls) -> Array:
-    """(2, n, m) bound on the torque that all spin adds on one race per N of Coulomb friction, m.
-
-    The spin moment grows from 0 to at most 3/8 mu Q b, and its slope is largest at 0. The slip power is the integral of
-    the moment over the spin: at most 0.458 eps b w_s/w, and at most 3/8 b w_s/w.
-    """
-    spin = np.abs(balls.motion.spin_difference)
-    ratio = spin * balls.contacts.deformed_radius / balls.contacts.rolling_rate  # eps b, m
-    return np.minimum(SPIN_STIFFNESS / 2 * ratio * spin, full_spin_lever(balls))
-
-
-def largest_error(balls: LoadedBalls, lubricant: Lubricant | None) -> Array:
-    """(2, n, m) bound on the torque by sliding over that of mean stresses on a long ellipse, less 1."""
-    uneven = {"eyring_sinh": MOST_UNEVEN, "eyring_constant": EVEN_STRESS}[lubricant.traction] if lubricant else 0.0
-    return (1 + _long_ellipse_error(balls)) / (1 - uneven) - 1
 
 
 def _race_power(contacts: Pair, result: SlipFriction) -> Array:
@@ -390,10 +353,3 @@ def _rows(result: SlipFriction, points: NDArray[np.intp]) -> SlipFriction:
     torque = MicroslipTorque(**{name: value[points] for name, value in vars(result.torque).items()})
     rest = {name: value[points] for name, value in vars(result).items() if name != "torque"}
     return SlipFriction(torque=torque, **rest)
-
-
-def _long_ellipse_error(balls: LoadedBalls) -> Array:
-    """(2, n, m) error of a long ellipse relative to the true power; at most that of a circle, also where a > b."""
-    a, b = balls.contact.semi_axis_x, balls.contact.semi_axis_y
-    ratio = np.divide(a, b, out=np.zeros_like(b), where=b > 0)
-    return BELOW_FULL_SPIN * (ellipe(1 - np.minimum(ratio, 1.0) ** 2) - 1)

@@ -91,7 +91,8 @@ def test_the_result_says_where_its_friction_comes_from(scene: Scene) -> None:
     assert any("friction coefficient 0.1 comes from the scene" in warning for warning in found.warnings)
     assert any("without a cage" in warning for warning in found.warnings)
     assert any("rolling needs [lubricant]" in warning for warning in found.warnings)
-    assert len(found.warnings) == 4  # nothing else is doubtful here
+    assert any("finite_geometry is left out" in warning for warning in found.warnings)  # the scene says off
+    assert len(found.warnings) == 5  # nothing else is doubtful here
 
 
 @pytest.mark.parametrize(

@@ -31,7 +31,7 @@ from analytic.oil.lubricated_races import LubricatedRaces, lubricate_races
 from analytic.oil.variation import Variation
 from analytic.scene import Array, Autocorrelation, ContactAngle, Lubricant, Operation, Scene, SpinRule, Surface
 from analytic.scenefile.read import builtin_scene
-from analytic.sliding.ball import SlidingMethod, slip_friction
+from analytic.sliding.ball import SlidingMethod, SlipRule, slip_friction
 from analytic.sliding.long_ellipse import MicroslipTorque
 from analytic.sliding.methods import QUADRATURES, Quadrature, Sliders, SlidingModel
 from random_contacts import sliding_balls
@@ -129,7 +129,7 @@ def race_torque(method: SlidingMethod, traction: Law, roughness: float, rpm: flo
             ring_speed=speed[:, None],
             spin_difference=np.sin(ANGLE),
             spin_rule="balanced",
-            method=method,
+            rule=SlipRule(method),
         ).torque
 
     slip()
@@ -262,7 +262,7 @@ def estimates(balls: int, first: int, out: Console) -> bool:
         matters = error > ROUND_OFF
         wide = np.median(stated[matters] / error[matters]) if matters.any() else np.nan
         table.add_row(
-            *(traction, quadrature.method, "{} by {}".format(*quadrature.nodes), str(error.size)),
+            *(traction, quadrature.rule.method, "{} by {}".format(*quadrature.rule.nodes), str(error.size)),
             *(f"{np.median(error):.1e}", f"{error.max():.1e}", f"{wide:.2f}", f"{worst.used.max():.2f}"),
             f"{worst.seed}, {worst.used.argmax()}",
         )

@@ -16,7 +16,7 @@ from analytic.oil.mixed import mixed_contact
 from analytic.oil.rolling import hysteresis_moment
 from analytic.oil.traction import CoulombTraction, MixedTraction, Traction, mixed_traction
 from analytic.scene import Array, Autocorrelation, SpinRule, Surface
-from analytic.sliding.ball import SlidingMethod, SlipFriction, Tractions, slip_friction
+from analytic.sliding.ball import SlidingMethod, SlipFriction, SlipRule, Tractions, slip_friction
 from analytic.sliding.long_ellipse import microslip_torque
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
@@ -46,7 +46,7 @@ class Running:
             ring_speed=self.ring_speed,
             spin_difference=self.spin_difference,
             spin_rule=spin_rule,
-            method=method,
+            rule=SlipRule(method),
         )
 
 
@@ -138,7 +138,7 @@ def pair(**changed: object) -> Pair:
 
 def friction(contacts: Pair, law: Traction, method: SlidingMethod, **changed: object) -> SlipFriction:
     given = {"ring_speed": 31.0, "spin_difference": 0.179, "spin_rule": "balanced"} | changed
-    return slip_friction(contacts, (law, law), method=method, **given)  # pyright: ignore[reportArgumentType]
+    return slip_friction(contacts, (law, law), rule=SlipRule(method), **given)  # pyright: ignore[reportArgumentType]
 
 
 def both(found: SlipFriction) -> Array:

@@ -47,7 +47,7 @@ def errors(case: Sliders, quadrature: Quadrature) -> tuple[np.ndarray, np.ndarra
     return np.abs(true / own - 1), case.errors_at(result)(quadrature)
 
 
-@pytest.mark.parametrize("quadrature", QUADRATURES, ids=lambda each: f"{each.method}{each.nodes}")
+@pytest.mark.parametrize("quadrature", QUADRATURES, ids=lambda each: f"{each.rule.method}{each.rule.nodes}")
 @pytest.mark.parametrize("load", [0.3, 97.0, 900.0])
 @pytest.mark.parametrize("viscosity", [0.01, 1.0])
 def test_the_estimate_is_above_the_error_and_not_far(

@@ -11,8 +11,8 @@ from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.oil.lubricated_races import lubricate_races
 from analytic.oil.variation import Variation
 from analytic.scene import Array, Bearing, ContactAngle, Lubricant, Operation
-from analytic.sliding.ball import slip_friction
-from analytic.sliding.methods import largest_error, rolling_lever
+from analytic.sliding.ball import SlipRule, slip_friction
+from analytic.sliding.levers import largest_error, rolling_lever
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL, drawn, without
 
@@ -55,7 +55,7 @@ def run(bearing: Bearing, oil: Lubricant, *, groove: float, load: Any, speed: An
         ring_speed=speeds[:, None],
         spin_difference=np.zeros_like(balls.motion.spin_difference),
         spin_rule="balanced",
-        method="over_ellipse",
+        rule=SlipRule("over_ellipse"),
     )
     moments = np.stack([found.torque.inner_rolling_moment, found.torque.outer_rolling_moment])
     lever = rolling_lever(balls)
