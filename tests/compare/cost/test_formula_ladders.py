@@ -101,7 +101,7 @@ def test_methods_for_sliding_become_more_accurate(oiled: Scene) -> None:
         *("single coefficient", "along axis", "over ellipse", "over ellipse")
     ]
     assert present(single.error) > present(along.error) > 1e-3 > present(few.error) > 0
-    assert over.chosen
+    assert (few if present(few.bound) <= 1e-3 else over).chosen  # the cheapest that is accurate enough
     check_bounds(ladder)
 
 
