@@ -54,7 +54,7 @@ COLUMNS: dict[str, Column] = {
     "torque_cage": Column("N m", "part of the friction torque by the cage"),
     "torque_declared": Column("N m", "part of the friction torque that the scene declares for seals and drag"),
     "uncertainty_numerical": Column("1", "numerical uncertainty of the friction torque, relative"),
-    "uncertainty_model": Column("1", "uncertainty of the friction torque by the film formula, relative, 95 %"),
+    "uncertainty_model": Column("1", "uncertainty of the friction torque by the model's formulas, relative, 95 %"),
     "contact_angle": Column("rad", "contact angle of the heaviest ball", "al"),
     "ball_load": Column("N", "load of the heaviest ball on the race where it is larger", "Q"),
     **{

@@ -1,11 +1,10 @@
 """Titles, sentences and numbers as text, which terminal, page and figures share."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import groupby
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
-from analytic.oil.film import FILM_FACTORS
 from fembearing.compare.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, Quantity
 
@@ -14,6 +13,12 @@ if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from fembearing.report.document.torque import OperatingPoint
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
+VARIED = {  # the parts of the model's uncertainty
+    "film": "film formula",
+    "gap": "law of the gap between surfaces",
+    "surfaces": "spread of surfaces",
+    "rolling": "formula of rolling",
+}
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
 SHARES = (
@@ -118,14 +123,17 @@ def share_of(kind: str, share: float | None) -> str:
     return f"{'' if kind == 'part' else '<= '}{100 * share:{'.0f' if share > 1 else '.3g'}} %"
 
 
-def uncertainty_of(model: float | None) -> str:
-    """What is known of the model's uncertainty, at most of all operating points and relative, in a sentence."""
+def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
+    """What is known of the model's uncertainty, at most of all operating points and relative, in a sentence.
+
+    parts : of it, by the formula that is varied
+    """
     if model is None:
-        return "Model uncertainty: not known, as no film is computed, and no measurement was found."
+        return "Model uncertainty: not known, as no oil is computed, and no measurement was found."
+    named = ", ".join(f"{VARIED[name]} {100 * part:.2g} %" for name, part in parts.items())
     return (
-        f"Model uncertainty: the film formula's, {FILM_FACTORS[0]:.2f} to {FILM_FACTORS[1]:.2f} times the film, moves "
-        f"the total by up to {100 * model:.2g} %; what else the model leaves is not known, as no "
-        "measured torque of such a bearing was found."
+        f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Oil data, traction and inputs "
+        "come on top; no measured torque of such a bearing was found."
     )
 
 

@@ -45,7 +45,8 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
     for word in (
         "A share with <= is a bound",
         "Methods: loads by thrust, all balls alike; contacts by Hertz",
-        "the film formula's, 0.74 to 1.35 times the film",
+        "Model uncertainty, 95 %: up to",
+        "law of the gap between surfaces",
         "neither truth nor a check",
         "within the tolerance 0.02",
         "declared by the scene",

@@ -78,7 +78,7 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
         )
     words = [
         "numerical" if numerical is not None else "",
-        "of the film formula at 95 %" if model is not None else "",
+        "of the model's formulas at 95 %" if model is not None else "",
     ]
     return " and ".join(word for word in words if word) or "not known"
 

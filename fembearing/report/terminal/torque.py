@@ -33,9 +33,10 @@ def print_torque(out: Console, result: SceneTorque) -> None:
         out.print(f"{len(points)} of {count} operating points; --json has all of them.")
     scene = result.scene
     model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
+    varied = {name: float(part.max()) for name, part in (friction.model_parts or {}).items()}
     out.print(
-        f"In {NEWTON_MILLIMETRE.name} about the bearing axis; +-: numerical uncertainty. {uncertainty_of(model)}\n"
-        f"{capital(result.catalogue.note)}.\n",
+        f"In {NEWTON_MILLIMETRE.name} about the bearing axis; +-: numerical uncertainty.\n"
+        f"{uncertainty_of(model, varied)}\n{capital(result.catalogue.note)}.\n",
         style="dim",
         markup=False,
     )

@@ -98,7 +98,7 @@ def test_the_band_holds_both_uncertainties(document: Document) -> None:
     _, low, high = area_of(panel_of(found), "uncertainty of it")
     np.testing.assert_allclose(high, np.array([25.8, 33.2, 40.3]) * (1 + np.array([0.05, 0.05, 0.05])), rtol=1e-9)
     np.testing.assert_allclose(low, np.array([25.8, 33.2, 40.3]) * 0.95, rtol=1e-9)
-    assert "numerical and of the film formula at 95 %" in found[1]
+    assert "numerical and of the model's formulas at 95 %" in found[1]
     for each in document["torque"]["points"]:
         each["uncertainty"] = {"numerical": None, "model": None}
     found = torque_plot(as_document(document))

@@ -51,9 +51,17 @@ def torque_section(document: Report) -> TorqueSection | None:
         parts=parts,
         change=change,
         model_uncertainty=uncertainty_of(
-            max((point.uncertainty.model for point in points if point.uncertainty.model is not None), default=None)
+            max((point.uncertainty.model for point in points if point.uncertainty.model is not None), default=None),
+            _largest_parts(points),
         ),
     )
+
+
+def _largest_parts(points: Sequence[Point]) -> dict[str, float]:
+    """Of the model's uncertainty, each at its worst operating point."""
+    known = [point.uncertainty.model_parts or {} for point in points]
+    names = dict.fromkeys(name for parts in known for name in parts)
+    return {name: max(parts.get(name, 0.0) for parts in known) for name in names}
 
 
 def _totals(torque: Torque, parts: Sequence[str]) -> list[tuple[str, ...]]:
