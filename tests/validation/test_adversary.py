@@ -1,4 +1,4 @@
-"""The search for scenes that break their stated uncertainty: what it draws, and that it sees a statement that is wrong."""
+"""The search for scenes that break their stated uncertainty: what it draws, and that it sees a wrong statement."""
 
 from collections.abc import Callable
 from dataclasses import replace
