@@ -30,7 +30,7 @@ from rich.table import Table
 
 from analytic import friction_torque
 from analytic.effects.table import COMPUTED, ENTRIES
-from analytic.errors import FembearingError
+from analytic.errors import FembearingError, InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
@@ -53,7 +53,9 @@ class Trial:
 
     @property
     def ratio(self) -> float:
-        """Error over stated uncertainty: above 1 the statement is wrong."""
+        """Error over stated uncertainty: above 1 the statement is wrong, and so is one about no number."""
+        if np.isnan(self.error):
+            return np.inf
         return 0.0 if self.error <= ROUND_OFF or np.isinf(self.stated) else self.error / max(self.stated, ROUND_OFF)
 
 
@@ -77,7 +79,7 @@ class Draw:
         return next(self.numbers) < share
 
 
-INPUTS = 32  # numbers that a place has; `scene_text` takes no more
+INPUTS = 40  # numbers that a place has; `scene_text` takes no more
 
 
 def scene_text(place: Iterable[float], *, tolerance: float) -> str:
@@ -126,15 +128,19 @@ def scene_text(place: Iterable[float], *, tolerance: float) -> str:
         f"limiting_shear = {draw.between(0.03, 0.1):.6g}",
         f'traction = "{draw.one_of("eyring_sinh", "eyring_sinh", "eyring_constant")}"',
         f'supply = "{draw.one_of("oil_bath", "oil_spot", "grease")}"',
+        f"compressible = {'true' if draw.chance(0.2) else 'false'}",
     ]
+    degree = 1 + draw.power(1e-3, 1e2)
+    oil += [f"starvation_degree = {degree:.9g}"] if draw.chance(0.15) else []
     length = draw.power(10e-6, 200e-6)
     surface = [
         "[surface]",
         f'rms_roughness = "{draw.power(5e-9, 1e-6):.9g} m"',
-        f'autocorrelation = {{ kind = "gaussian", length = "{length:.9g} m", spacing = "{length / 20:.9g} m" }}',
+        f'autocorrelation = {{ kind = "{draw.one_of(*4 * ("gaussian",), "exponential")}", length = "{length:.9g} m", '
+        f'spacing = "{length / 20:.9g} m" }}',
         'hardness = "7.8 GPa"',
         f"boundary_friction = {draw.between(0.05, 0.2):.6g}",
-        f'gap = "{draw.one_of("elastic", "truncated")}"',
+        draw.one_of('gap = "elastic"', 'gap = "truncated"', 'gap = "truncated"\nasperities = "greenwood_williamson"'),
     ]
     friction = ["[friction]", f"hysteresis_loss = {draw.power(1e-3, 2e-2):.6g}"]
     friction += [f'spin_rule = "{draw.one_of("balanced", "balanced", "inner_control", "outer_control")}"']
@@ -145,7 +151,7 @@ def scene_text(place: Iterable[float], *, tolerance: float) -> str:
 
 
 def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
-    """One scene at every tolerance; None where it is refused."""
+    """One scene at every tolerance; None where it is refused. A computation that fails is no refusal."""
     try:
         scene = parse_scene(scene_text(place, tolerance=TOLERANCES[0]), origin="drawn")
         exact = everything_on(scene)
@@ -161,8 +167,10 @@ def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
                     stated=float(auto.numerical_uncertainty[0]),
                 )
             )
-    except FembearingError:
+    except InputError:
         return None
+    except FembearingError:
+        return [Trial(place=place, tolerance=tolerance, error=np.nan, stated=0.0) for tolerance in TOLERANCES]
     return trials
 
 
@@ -172,7 +180,7 @@ def everything_on(scene: Scene) -> FrictionTorque:
     dearest = replace(scene, tolerance=1e-7, sliding="over_ellipse")
     try:
         return friction_torque(replace(dearest, effects=wanted))
-    except FembearingError:  # an effect that cannot act in this scene: auto then computes all that can
+    except InputError:  # an effect that cannot act in this scene: auto then computes all that can
         return friction_torque(dearest)
 
 

@@ -83,6 +83,7 @@ def slowest_and_fastest(scene: Scene) -> Scene:
     operation = scene.operation
     return replace(
         scene,
+        sliding="along_axis",  # one method throughout, so that the input alone changes the torque
         operation=replace(
             operation,
             axial_load=operation.axial_load[ends],

@@ -72,10 +72,17 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
         other = replace(regime, **{name: not getattr(regime, name)})
         possible = can_act and ENTRIES[name].lacks(scene) is None
         bound = estimate.change(regime, other) if possible else None
-        on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle)
+        demanded = _carried(estimate.mixed(regime), scene.tolerance) if name == "asperities" and possible else None
+        on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle, demanded=demanded)
         regime = replace(regime, **{name: on})
     ledger.decide("spin", bound=estimate.spin(scene, regime) if slides else None)
     return estimate.mixed(regime)
+
+
+def _carried(mixed: MixedContact | None, tolerance: float) -> str | None:
+    """Why asperities count whatever they change, in words: else film and share would not be those of the contact."""
+    share = 0.0 if mixed is None else float(np.max(mixed.asperity_share))
+    return f"asperities carry up to {share:.2g} of a contact's load" if share > tolerance else None
 
 
 class _Torque(NamedTuple):

@@ -162,12 +162,16 @@ def _at(place: Array, given: _Given, lengths: tuple[float, float]) -> _PushedBal
     outer = _contact(place, lengths[1], given.outer_stiffness)
     work = np.sum(given.ball_force * (place - np.array([lengths[1], 0.0])), axis=-1)
     tangent = inner.tangent + outer.tangent
+    rounded = PLACE_ROUND_OFF * sum(lengths)  # of a place; a contact with a smaller approach may come out as none
+    smallest = np.maximum(given.inner_stiffness, given.outer_stiffness) * rounded**1.5
     return _PushedBalls(
         place=place,
         energy=inner.energy + outer.energy - work,
         gradient=outer.force - inner.force - given.ball_force,
         tangent=tangent,
-        tolerance=PLACE_ROUND_OFF * (sum(lengths) * np.trace(tangent, axis1=-2, axis2=-1) + inner.load + outer.load),
+        tolerance=rounded * np.trace(tangent, axis1=-2, axis2=-1)
+        + PLACE_ROUND_OFF * (inner.load + outer.load)
+        + smallest,
         energy_rounding=ENERGY_ROUND_OFF * (inner.load * lengths[0] + outer.load * lengths[1]),
         longest_step=np.full(len(place), lengths[1]),
         given=given,

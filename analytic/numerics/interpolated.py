@@ -51,6 +51,8 @@ def sampled_series(
     if not np.any(np.ptp(coordinates, axis=0)):
         return None  # the same point each time
     points = _principal(coordinates)
+    if len(np.unique(points, axis=0)) < FIRST + MORE:
+        return None  # a sample of so few different points is all of them
     at = _spread(points, FIRST, known=np.array([], dtype=np.intp), weight=np.ones(len(points)))
     known = evaluate(at)
 

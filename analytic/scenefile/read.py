@@ -174,6 +174,8 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
             yield "surface needs exactly one of rms_roughness and height_map"
         elif (surface.rms_roughness is None) != (surface.autocorrelation is None):
             yield "surface.autocorrelation goes with rms_roughness, and with it alone: a height map has its own"
+        if surface.asperities is not None and surface.gap != "truncated":
+            yield 'surface.asperities is the law of summits of gap = "truncated": leave it out, or give that gap'
         if surface.height_map is not None and Path(surface.height_map.path).suffix.lower() not in HEIGHT_MAPS:
             yield fault_at(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
     for name in ("cage", "cage_dynamics"):
@@ -251,7 +253,7 @@ def _lubricant(given: LubricantTable) -> Lubricant:
 def _surface(given: SurfaceTable, folder: Path) -> Surface:
     correlation, heights = given.autocorrelation, given.height_map
     return Surface(
-        **given.model_dump(exclude={"autocorrelation", "height_map"}),
+        **given.model_dump(exclude={"autocorrelation", "height_map"}, exclude_none=True),
         autocorrelation=None if correlation is None else Autocorrelation(**correlation.model_dump()),
         height_map=None if heights is None else HeightMapFile(path=str(folder / heights.path), spacing=heights.spacing),
     )

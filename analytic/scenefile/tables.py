@@ -239,7 +239,7 @@ class SurfaceTable(Table):
     # 0.1 to 0.15 for steel on steel with mineral oil (no source seen).
     boundary_friction: Annotated[float, Dimension(unit="", low=0, high=5, example="0.12")] = Surface.boundary_friction
     gap: GapModel = Surface.gap
-    asperities: AsperityLaw = Surface.asperities  # of gap = "truncated"
+    asperities: AsperityLaw | None = None  # of gap = "truncated", zhao_maietta_chang by default
 
 
 class FrictionTable(Table):

@@ -48,7 +48,7 @@ def largest_spin_lever(balls: LoadedBalls) -> Array:
 
 
 def largest_error(balls: LoadedBalls, lubricant: Lubricant | None) -> Array:
-    """(2, n, m) bound on the torque by sliding over that of mean stresses on a long ellipse, less 1."""
+    """(2, n, m) largest torque by sliding that was observed over that of mean stresses on a long ellipse, less 1."""
     uneven = {"eyring_sinh": MOST_UNEVEN, "eyring_constant": EVEN_STRESS}[lubricant.traction] if lubricant else 0.0
     return (1 + long_ellipse_error(balls)) / (1 - uneven) - 1
 

@@ -160,7 +160,7 @@ def _of_heights(content: bytes, shape: tuple[int, int]) -> GapCurve:
     pressures, results = np.array(PRESSURES), list(pressed(piece.heights, PRESSURES, periodic=False))
     open_ = np.array([result.mean_gap > NO_GAP for result in results])
     knots = np.log(pressures[open_])[::-1]
-    gaps = np.log([result.mean_gap for result in results])[open_][::-1]
+    gaps = np.log(np.array([result.mean_gap for result in results])[open_])[::-1]
     areas = np.array([min(result.area_fraction, 1 - NO_GAP) for result in results])[open_][::-1]
     width = min(shape) / min(measure(piece).correlation_length, LONGEST * min(shape))
     table = declared_gap_curve(Autocorrelation(kind="gaussian", length=10.0, spacing=1.0))

@@ -22,8 +22,8 @@ VARIED = {  # the parts of the model's uncertainty
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
 SHARES = (
-    "Share: of the total, the largest of all operating points. A share with <= is a bound: leaving the effect out "
-    "changes the total by no more. The uncertainty of the torque does not count effects that the scene switches off."
+    "Share: of the total, the largest of all operating points. A share with <= is an estimate from above of what "
+    "leaving the effect out changes. The uncertainty of the torque does not count effects that the scene switches off."
 )
 AXES = "a along rolling (x), b transverse (y), load along z"
 

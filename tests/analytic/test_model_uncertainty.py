@@ -39,6 +39,24 @@ def test_films_moved_by_twice_the_standard_uncertainty_count() -> None:
     assert told["model_parts"] == {name: part[2] for name, part in parts.items()}
 
 
+def test_the_other_parts_are_the_changes_by_other_formulas() -> None:
+    """Each is computed here by hand, at a speed where the two formulas of rolling differ little."""
+    scene = load_scene(SCENES / "6205_physical.toml")
+    plain = friction_torque(scene)
+    parts, same = present(with_model_uncertainty(scene, plain).model_parts), plain.settled(scene)
+    total = plain.torque.total
+    truncated = replace(same, surface=replace(present(scene.surface), gap="truncated"))
+    np.testing.assert_allclose(parts["gap"], np.abs(friction_torque(truncated).torque.total / total - 1), rtol=1e-12)
+    assert np.all(parts["gap"] > 0.1)  # the laws differ by up to 2.5 times in the share
+    pressed = friction_torque(same, variation=Variation(asperity_pressure=np.exp(-0.16))).torque.total
+    np.testing.assert_allclose(parts["surfaces"], np.abs(pressed / total - 1), rtol=0.2)  # or by exp(0.16), alike
+    assert np.all(parts["surfaces"] > 1e-3)
+    rolling = present(plain.torque.rolling)
+    np.testing.assert_allclose(parts["rolling"], np.expm1(0.5) * rolling / total, rtol=1e-6)  # round-off of the sliding
+    houpert = friction_torque(same, variation=Variation(rolling_formula="houpert")).torque
+    assert np.all(np.abs(present(houpert.rolling) / rolling - 1) > 0.01)
+
+
 def test_smooth_oil_of_constant_stress_does_not_care() -> None:
     scene = load_scene(SCENES / "6205_paper_calibrated.toml")
     assert scene.surface is not None

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic.errors import ConvergenceError, InputError
 from analytic.result import FrictionTorque
 from analytic.scenefile.read import parse_scene
 
@@ -53,3 +54,20 @@ def test_the_worst_place_comes_first_and_once(adversary: ModuleType) -> None:
     found = adversary.worst_places([trial, unknown, worse, replace(trial, tolerance=0.05, error=1e-3)])
     assert [each.place for each in found] == [(0.2,), (0.1,), (0.3,)]
     assert [each.ratio for each in found] == [5.0, 2.0, 0.0]  # what is unknown is no violation
+    assert replace(trial, error=np.nan).ratio > 1  # no number is one
+
+
+def test_a_computation_that_fails_is_a_violation_and_a_refusal_is_none(
+    adversary: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def failing(problem: Exception) -> Callable[[Any], FrictionTorque]:
+        def raised(_: Any) -> FrictionTorque:
+            raise problem
+
+        return raised
+
+    monkeypatch.setattr(adversary, "friction_torque", failing(InputError("too fast")))
+    assert adversary.trials_at(place(adversary, 5)) is None
+    stuck = ConvergenceError(iterations=3, residual=1.0, tolerance=0.1)
+    monkeypatch.setattr(adversary, "friction_torque", failing(stuck))
+    assert all(trial.ratio > 1 for trial in adversary.trials_at(place(adversary, 5)))
