@@ -144,11 +144,14 @@ def _pushed_balls(
         remedy="Check the speed and the ball's mass for a slipped unit.",
     )
     inner, outer = balls.inner, balls.outer
+    # A force too small to press a ball in leaves it free: then both springs are slack, and so are two in a row.
+    slack = np.trace(balls.tangent, axis1=-2, axis2=-1) == 0
+    held = balls.tangent + slack[:, None, None] * np.eye(2)
     toward = np.where(inner.load[:, None] > 0, given.span - balls.place, given.span)
     return BallBalance(
         energy=balls.energy,
         force=inner.force,
-        tangent=inner.tangent @ np.linalg.solve(balls.tangent, outer.tangent),  # two springs in a row
+        tangent=inner.tangent @ np.linalg.solve(held, outer.tangent),  # two springs in a row
         inner_load=inner.load,
         outer_load=outer.load,
         inner_angle=np.arctan2(toward[:, 1], toward[:, 0]),

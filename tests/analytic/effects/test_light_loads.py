@@ -10,8 +10,8 @@ from analytic.effects.table import COMPUTED
 from analytic.errors import InputError
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import Variation
-from analytic.scene import Scene
-from analytic.scenefile.read import parse_scene
+from analytic.scene import Operation, Scene
+from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque, with_model_uncertainty
 from tests.analytic.specimens import present
 
@@ -91,6 +91,16 @@ def test_thrust_fades_beside_a_radial_load() -> None:
     none = friction_torque(under('axial_load = "0 N"\nradial_load = "1000 N"')).torque.total
     tiny = friction_torque(under('axial_load = "1e-9 N"\nradial_load = "1000 N"')).torque.total
     np.testing.assert_allclose(tiny, none, rtol=1e-6)  # tilts by the root of 1e-12 at most
+
+
+def test_balls_without_load_cross_standstill() -> None:
+    """Under a radial load alone half of the balls carry nothing, and their own force falls below every round-off."""
+    scene = load_scene("validation/scenes/6205_physical.toml")
+    speeds = np.array([0.0, 1e-12, 1e-9, 1e-8, 1e-7])
+    aside = Operation(axial_load=np.zeros(5), inner_speed=speeds, radial_load=np.full(5, 1000.0))
+    for decision in ("auto", "on"):
+        found = friction_torque(replace(scene, operation=aside, effects={"centrifugal": decision})).torque.total
+        np.testing.assert_allclose(found, found[0], rtol=0.01)  # of the rolling that speed adds
 
 
 def test_no_load_at_all_is_refused() -> None:

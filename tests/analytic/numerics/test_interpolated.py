@@ -48,6 +48,12 @@ def test_the_error_is_within_the_bound_everywhere(allowed: float) -> None:
     np.testing.assert_array_equal(sample.values[sample.at], smooth(PLANE[sample.at]))
 
 
+def test_few_different_points_are_no_sample() -> None:
+    """Two loads at two speeds, over and over: an interpolation through points that coincide would be singular."""
+    few = np.array([[0.0, 2.0], [0.0, 3.1], [1.2, 2.0], [1.2, 3.1]])[np.arange(POINTS) % 4]
+    assert sampled(smooth, few, 0.1) == (None, [])
+
+
 def test_a_function_that_jumps_is_not_interpolated() -> None:
     sample, evaluated = sampled(cliff, PLANE, 0.02)
     assert sample is None

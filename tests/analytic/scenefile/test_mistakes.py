@@ -73,6 +73,8 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (ROUGH.replace(', spacing = "2 um"', ""), ("surface.autocorrelation.spacing is missing", '"2 um"')),
     (ROUGH + 'hardness = "780 HV"', ("surface.hardness = '780 HV'", '"7.8 GPa"')),
     (ROUGH + "boundary_friction = -0.1", ("surface.boundary_friction = -0.1", "0 to 5")),
+    (ROUGH + 'gap = "flat"', ("surface.gap = 'flat'", "'elastic'", "'truncated'")),
+    (ROUGH + 'asperities = "zhao_maietta_chang"', ("surface.asperities", 'gap = "truncated"', "leave it out")),
     (ROUGH.partition("autocorrelation")[0], ("surface.autocorrelation goes with rms_roughness",)),
     (ROUGH + f"height_map = {MAP}", ("surface", "exactly one of")),
     (PLAIN + f"[surface]\nheight_map = {MAP}", ("surface.height_map.path = 'a.npy'", "not a file")),
