@@ -151,7 +151,7 @@ def scene_text(place: Iterable[float], *, tolerance: float) -> str:
 
 
 def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
-    """One scene at every tolerance; None where it is refused. A computation that fails is no refusal."""
+    """One scene at every tolerance; None where it is refused, nothing where an iteration does not converge."""
     try:
         scene = parse_scene(scene_text(place, tolerance=TOLERANCES[0]), origin="drawn")
         exact = everything_on(scene)
@@ -170,7 +170,7 @@ def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
     except InputError:
         return None
     except FembearingError:
-        return [Trial(place=place, tolerance=tolerance, error=np.nan, stated=0.0) for tolerance in TOLERANCES]
+        return []
     return trials
 
 
@@ -192,7 +192,7 @@ def climbed(trial: Trial, seed: int, steps: int) -> list[Trial]:
         change = np.where(rng.random(INPUTS) < 3 / INPUTS, rng.normal(size=INPUTS), 0.0)
         moved = np.clip(np.array(best.place) + change * STEP * (0.1 if step % 2 else 1.0), 0.0, 1.0 - 1e-9)
         at_tolerances = trials_at(tuple(moved.tolist()))
-        if at_tolerances is None:
+        if not at_tolerances:
             continue
         seen += at_tolerances
         here = at_tolerances[TOLERANCES.index(best.tolerance)]
@@ -214,10 +214,10 @@ def main(
     with ProcessPoolExecutor(jobs) as pool, Progress(console=Console(stderr=True)) as bar:
         task = bar.add_task("random scenes", total=scenes)
         drawn: list[Trial] = []
-        refused = 0
+        refused = stuck = 0
         for trials in pool.map(trials_at, places, chunksize=4):
             bar.advance(task)
-            refused += trials is None
+            refused, stuck = refused + (trials is None), stuck + (trials == [])
             drawn += trials or []
         starts = worst_places(drawn)[:climbs]
         task = bar.add_task("climbs", total=len(starts))
@@ -225,7 +225,8 @@ def main(
         for trials in pool.map(climbed, starts, range(seed, seed + len(starts)), repeat(steps)):
             bar.advance(task)
             searched += trials
-    show(drawn, searched, refused, out)
+    show(drawn, searched, out)
+    out.print(f"Of the random scenes {refused} more were refused, and {stuck} ended without convergence.")
     out.print(f"{time.perf_counter() - started:.0f} s, {jobs} processes, seed {seed}.")
     sys.exit(int(any(trial.ratio > 1 for trial in drawn + searched)))
 
@@ -238,7 +239,7 @@ def worst_places(trials: list[Trial]) -> list[Trial]:
     return list(worst.values())
 
 
-def show(drawn: list[Trial], searched: list[Trial], refused: int, out: Console) -> None:
+def show(drawn: list[Trial], searched: list[Trial], out: Console) -> None:
     table = Table("tolerance", "search", "scenes", "held", "largest ratio", "unknown", "stated/error", "of scenes")
     for tolerance in TOLERANCES:
         for name, trials in (("random", drawn), ("directed", searched)):
@@ -259,8 +260,8 @@ def show(drawn: list[Trial], searched: list[Trial], refused: int, out: Console) 
             )
     out.print(table)
     out.print(
-        f"{refused} more random scenes were refused. ratio: error over stated uncertainty. stated/error: median over "
-        "the scenes whose error exceeds a tenth of the tolerance."
+        "ratio: error over stated uncertainty. stated/error: median over the scenes whose error exceeds a tenth of the "
+        "tolerance."
     )
     for trial in worst_places(drawn + searched)[:SHOWN]:
         if trial.ratio > 1:

@@ -17,13 +17,7 @@ from analytic.oil.inlets import Inlets
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.scene import Array, Scene
-from analytic.sliding.levers import (
-    full_spin_lever,
-    largest_error,
-    largest_spin_lever,
-    long_ellipse_error,
-    rolling_lever,
-)
+from analytic.sliding.levers import full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -104,7 +98,6 @@ class _Estimate:
         self.rolls = rolling_lever(balls) * (slides and ledger.is_on("conformity"))
         spins = slides and not ledger.rules_out("spin")
         self.levers = (self.rolls, self.rolls + largest_spin_lever(balls)) if spins else (self.rolls,)
-        self.long = 1 + long_ellipse_error(balls)  # boundary friction follows the pressure, so its mean is right
         self.uneven = 1 + largest_error(balls, None if oiled is None else oiled.lubricant)
         self.known: dict[Regime, _Torque] = {}
 
@@ -118,7 +111,7 @@ class _Estimate:
         boundary = before.boundary - after.boundary
         for lever, one, other in zip(self.levers, before.friction, after.friction, strict=True):
             # What asperities add and what they take from the oil cancel at the mean stress alone: both count.
-            changed = self.long * np.abs(boundary) + self.uneven * np.abs(one - other - boundary)
+            changed = self.uneven * (np.abs(boundary) + np.abs(one - other - boundary))
             moved = total(changed * lever + np.abs(before.rolling - after.rolling))
             least = np.minimum(total(one * lever + before.rolling), total(other * lever + after.rolling))
             shares.append(_over(moved, least + self.resisting.constant))

@@ -15,8 +15,9 @@ from analytic.errors import ConvergenceError
 from analytic.numerics.rows import merged, part_of
 from analytic.scene import Array
 
-# Usual are 3 to 15 steps; contacts that touch and part take up to some 50.
-MOST_STEPS = 300
+# Usual are 3 to 15 steps; contacts that touch and part take up to some 50. A ball that next to nothing holds follows
+# its groove in small steps, some 300.
+MOST_STEPS = 1000
 LEAST_DESCENT = 1e-4  # of what the slope promises: the customary share
 # Of the tangent's trace: keeps the step finite along a freedom that nothing holds, and is well below the softest
 # freedom that a loaded contact holds.

@@ -57,7 +57,7 @@ def test_the_worst_place_comes_first_and_once(adversary: ModuleType) -> None:
     assert replace(trial, error=np.nan).ratio > 1  # no number is one
 
 
-def test_a_computation_that_fails_is_a_violation_and_a_refusal_is_none(
+def test_a_refusal_and_a_computation_that_fails_are_told_apart(
     adversary: ModuleType, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def failing(problem: Exception) -> Callable[[Any], FrictionTorque]:
@@ -70,4 +70,4 @@ def test_a_computation_that_fails_is_a_violation_and_a_refusal_is_none(
     assert adversary.trials_at(place(adversary, 5)) is None
     stuck = ConvergenceError(iterations=3, residual=1.0, tolerance=0.1)
     monkeypatch.setattr(adversary, "friction_torque", failing(stuck))
-    assert all(trial.ratio > 1 for trial in adversary.trials_at(place(adversary, 5)))
+    assert adversary.trials_at(place(adversary, 5)) == []

@@ -93,5 +93,5 @@ def test_a_step_that_overshoots_is_halved() -> None:
 
 def test_an_energy_that_is_not_a_number_is_reported() -> None:
     start = springs(np.array([[np.nan]]), np.zeros((1, 1)), np.ones((1, 1)))
-    with pytest.raises(ConvergenceError, match=r"the test did not settle in 300 iterations.*Give a number"):
+    with pytest.raises(ConvergenceError, match=r"the test did not settle in 1000 iterations.*Give a number"):
         least_energy(evaluate, start, **WORDS)
