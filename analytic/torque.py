@@ -41,7 +41,7 @@ from analytic.oil.traction import CoulombTraction, Traction
 from analytic.oil.variation import COVERAGE, ROLLING_SPREAD, SURFACE_SPREAD, Variation
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
-from analytic.scene import Array, Scene
+from analytic.scene import Array, Bearing, Scene, Surface
 from analytic.sliding.methods import Sliding, SlidingModel, race_sliding
 
 BY_SLIP = ("spin", "conformity")
@@ -192,8 +192,7 @@ def with_model_uncertainty(
     if surface is not None and result.film.inner is not None:
         variations["film"] = tuple((same, Variation(film=factor)) for factor in FILM_FACTORS)
         if result.is_on("asperities"):
-            other = replace(surface, gap="truncated" if surface.gap == "elastic" else "elastic")
-            variations["gap"] = ((replace(same, surface=other), NOMINAL),)
+            variations["gap"] = ((replace(same, surface=_other_gap(surface, scene.bearing)), NOMINAL),)
             factors = [np.exp(sign * COVERAGE * SURFACE_SPREAD) for sign in (-1, 1)]
             variations["surfaces"] = tuple((same, Variation(asperity_pressure=factor)) for factor in factors)
     if result.torque.rolling is not None and lubricant is not None:
@@ -213,6 +212,16 @@ def with_model_uncertainty(
     parts = {name: np.max(changes(pairs), axis=0) for name, pairs in variations.items()}
     whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
     return replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts))
+
+
+def _other_gap(surface: Surface, bearing: Bearing) -> Surface:
+    """The surface with the other law of the gap; its summits never yield where no hardness is known."""
+    if surface.gap == "truncated":
+        return replace(surface, gap="elastic")
+    bodies = (bearing.ball_material, bearing.inner.material, bearing.outer.material)
+    if surface.hardness is None and any(body.hardness is None for body in bodies):
+        return replace(surface, gap="truncated", asperities="greenwood_williamson")
+    return replace(surface, gap="truncated")
 
 
 def _require_friction(scene: Scene) -> None:

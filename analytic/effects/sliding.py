@@ -118,7 +118,7 @@ class _Estimate:
         return np.max(shares, axis=0)
 
     def spin(self, scene: Scene, regime: Regime) -> Array:
-        """(n,) bound on what spin adds, over the torque without it."""
+        """(n,) estimate from above of what spin adds, over the torque without it."""
         _, friction, _, rolling = self._at(regime)
         if len(self.levers) < 2:
             return np.zeros_like(self.resisting.constant)
@@ -152,6 +152,6 @@ class _Estimate:
 
 
 def _over(part: Array, floor: Array) -> Array:
-    """part/floor: a bound on the share of an effect; infinite where there is no other torque."""
+    """part/floor: an estimate of the share of an effect; infinite where there is no other torque."""
     part, floor = np.broadcast_arrays(part, floor)
     return np.divide(part, floor, out=np.where(part > 0, np.inf, 0.0), where=floor > 0)

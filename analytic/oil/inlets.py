@@ -82,7 +82,8 @@ def _starvation(
         "viscosity": oil.viscosity,
         "pressure_viscosity": oil.pressure_viscosity,
     }
-    film, ratio = central_film(contact, **flow).thickness, minimum_ratio(contact, **flow)
+    film = central_film(contact, **flow, compressible=lubricant.compressible).thickness
+    ratio = minimum_ratio(contact, **flow)
     if lubricant.starvation_degree is not None:
         return starved_at_degree(contact, degree=lubricant.starvation_degree, film=film, minimum_ratio=ratio)
     assert bearing.bore_diameter is not None

@@ -57,6 +57,22 @@ def test_the_other_parts_are_the_changes_by_other_formulas() -> None:
     assert np.all(np.abs(present(houpert.rolling) / rolling - 1) > 0.01)
 
 
+def test_without_a_hardness_the_other_gap_has_summits_that_never_yield() -> None:
+    """The elastic gap needs no hardness, so its uncertainty must not ask for one."""
+    scene = load_scene(SCENES / "6205_physical.toml")
+    soft = replace(scene.bearing.ball_material, hardness=None)
+    rings = {name: replace(getattr(scene.bearing, name), material=soft) for name in ("inner", "outer")}
+    unknown = replace(
+        scene,
+        bearing=replace(scene.bearing, ball_material=soft, **rings),
+        surface=replace(present(scene.surface), hardness=None),
+    )
+    found = with_model_uncertainty(unknown, plain := friction_torque(unknown))
+    law = replace(present(unknown.surface), gap="truncated", asperities="greenwood_williamson")
+    other = friction_torque(replace(plain.settled(unknown), surface=law)).torque.total
+    np.testing.assert_allclose(present(found.model_parts)["gap"], np.abs(other / plain.torque.total - 1), rtol=1e-12)
+
+
 def test_smooth_oil_of_constant_stress_does_not_care() -> None:
     scene = load_scene(SCENES / "6205_paper_calibrated.toml")
     assert scene.surface is not None
