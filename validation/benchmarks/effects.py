@@ -30,7 +30,7 @@ from rich.progress import track
 from rich.table import Table
 
 from analytic import friction_torque
-from analytic.effects.table import COMPUTED
+from analytic.effects.table import COMPUTED, ENTRIES
 from analytic.errors import FembearingError
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
@@ -42,7 +42,6 @@ mpl.use("agg")
 STRICT = 1e-6  # tolerance that selects the most nodes
 TOLERANCES = (0.1, 0.01, 0.001)
 SPREAD = 1.8  # largest factor of the random horizontal shift of points in the figure
-OF_OIL = ("rolling", "inlet_heating", "starvation")
 REPORTS = Path(__file__).parents[1] / "reports"
 
 
@@ -118,10 +117,10 @@ def compare(scene: Scene, seed: int) -> list[Trial]:
 
 
 def everything_on(scene: Scene) -> Scene:
-    """The scene with every effect that it allows; without a lubricant, the effects of oil cannot be on."""
-    effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on")
-    if scene.lubricant is None:
-        effects |= dict.fromkeys(OF_OIL, "auto")
+    """The scene with every effect that it has inputs for."""
+    effects: dict[str, Literal["auto", "on", "off"]] = {
+        name: "on" for name in COMPUTED if ENTRIES[name].lacks(scene) is None
+    }
     return replace(scene, tolerance=STRICT, effects=effects, sliding="over_ellipse")
 
 
