@@ -31,6 +31,9 @@ AsperityLaw = Literal["zhao_maietta_chang", "greenwood_williamson"]
 Sliding = Literal["auto", "single_coefficient", "along_axis", "over_ellipse"]
 
 
+STANDARD_GRAVITY = 9.80665  # m/s^2
+
+
 def read_only(mapping: Mapping) -> MappingProxyType:
     return MappingProxyType(mapping)
 
@@ -256,6 +259,7 @@ class Scene:
     microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
     effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
+    down: tuple[float, float, float] | None = None  # direction of gravity along x, y, z, of length 1; None: unknown
     warnings: tuple[str, ...] = ()
 
     @property

@@ -18,9 +18,7 @@ from scipy.special import ellipe
 
 from analytic.cage.pocket import impact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.scene import Array, PocketAxis
-
-STANDARD_GRAVITY = 9.80665  # m/s^2
+from analytic.scene import STANDARD_GRAVITY, Array, PocketAxis
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -14,10 +14,11 @@ from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
 from analytic.contact.rolling_contact import RollingContact, deformed_radius
-from analytic.loads.kinematics import BallKinematics, ball_kinematics
+from analytic.loads.kinematics import BallKinematics
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium
-from analytic.scene import Array, Bearing, ContactAngle, Operation
+from analytic.loads.turning import RuledTurning, Turning
+from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Operation
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +28,11 @@ class LoadEffects:
     load_distribution: bool = True  # by radial load and moment
     centrifugal: bool = True  # force of each ball
     gyroscopic: bool = True  # moment of each ball
+    down: tuple[float, float, float] | None = None  # direction of the balls' weight, of length 1; None: left out
+
+    @property
+    def inertia(self) -> bool:
+        return self.centrifugal or self.gyroscopic
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -81,15 +87,18 @@ def loaded_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
+    turning: Turning | None = None,
 ) -> LoadedBalls:
     """The balls by the cheapest method that has the effects.
 
     operation : every array (n,);  correction : factors on Hertz's contacts, with a shape that the method takes:
     (n,) for thrust, (n, m) for the ring
+    turning : how the balls turn, in shapes likewise; None: by closed kinematics
     Raises InputError and ConvergenceError as the equilibrium does.
     """
-    method = ring_balls if effects.load_distribution and not operation.is_thrust else thrust_balls
-    return method(bearing, contact_angle, operation, effects, correction=correction)
+    unequal = (effects.load_distribution and not operation.is_thrust) or effects.down is not None
+    method = ring_balls if unequal else thrust_balls
+    return method(bearing, contact_angle, operation, effects, correction=correction, turning=turning)
 
 
 def thrust_balls(
@@ -99,33 +108,33 @@ def thrust_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
+    turning: Turning | None = None,
 ) -> LoadedBalls:
     """All balls alike, one column for Z of them, whatever the radial load and the moment.
 
-    Arguments and errors of thrust_equilibrium, or of thrust_at_speed where the effects include inertia.
+    Arguments and errors of thrust_equilibrium, or of thrust_at_speed where the balls' own forces are included.
     """
-    if effects.centrifugal or effects.gyroscopic:
-        turning = thrust_at_speed(
+    if turning is None and not effects.inertia:
+        still = thrust_equilibrium(bearing, contact_angle, axial_load=operation.axial_load, correction=correction)
+        loads, angles, contacts = (still.ball_load,) * 2, (still.contact_angle,) * 2, (still.inner, still.outer)
+    else:
+        moving = thrust_at_speed(
             bearing,
             contact_angle,
             axial_load=operation.axial_load,
             inner_speed=operation.inner_speed,
-            centrifugal=effects.centrifugal,
-            gyroscopic=effects.gyroscopic,
+            turning=turning or _ruled(bearing, operation, effects),
             correction=correction,
         )
-        loads, angles = (turning.inner_load, turning.outer_load), (turning.inner_angle, turning.outer_angle)
-        contacts = turning.inner, turning.outer
-    else:
-        still = thrust_equilibrium(bearing, contact_angle, axial_load=operation.axial_load, correction=correction)
-        loads, angles, contacts = (still.ball_load,) * 2, (still.contact_angle,) * 2, (still.inner, still.outer)
+        loads, angles = (moving.inner_load, moving.outer_load), (moving.inner_angle, moving.outer_angle)
+        contacts = moving.inner, moving.outer
     return _balls(
         bearing,
         method="thrust",
-        alike=bearing.ball_count,
         load=np.stack(loads)[..., None],
         angle=np.stack(angles)[..., None],
         contacts=contacts,
+        turning=turning or _ruled(bearing, operation, effects),
     )
 
 
@@ -136,12 +145,15 @@ def ring_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
+    turning: Turning | None = None,
 ) -> LoadedBalls:
     """Each ball in its own column; errors of ring_equilibrium.
 
     A ball that is pressed the other way spins the other way and has the same losses: its angles are given as if it
     were not.
     """
+    turning = turning or _ruled(bearing, operation, effects)
+    weight = bearing.ball_mass * STANDARD_GRAVITY * np.array(effects.down or (0.0, 0.0, 0.0))
     ring = ring_equilibrium(
         bearing,
         contact_angle,
@@ -149,18 +161,26 @@ def ring_balls(
         radial_load_x=operation.radial_load,
         moment_y=operation.moment,
         inner_speed=operation.inner_speed,
-        centrifugal=effects.centrifugal,
-        gyroscopic=effects.gyroscopic,
+        turning=turning,
+        ball_weight=(float(weight[0]), float(weight[1]), float(weight[2])),
         correction=correction,
     )
-    angle = np.stack([ring.inner_angle, ring.outer_angle])
     return _balls(
         bearing,
         method="ring",
-        alike=1,
         load=np.stack([ring.inner_load, ring.outer_load]),
-        angle=np.where(angle.sum(axis=0) < 0, -angle, angle),
+        angle=np.stack([ring.inner_angle, ring.outer_angle]),
         contacts=(ring.inner, ring.outer),
+        turning=turning,
+    )
+
+
+def _ruled(bearing: Bearing, operation: Operation, effects: LoadEffects) -> RuledTurning:
+    return RuledTurning(
+        bearing=bearing,
+        inner_speed=operation.inner_speed,
+        centrifugal=effects.centrifugal,
+        gyroscopic=effects.gyroscopic,
     )
 
 
@@ -168,11 +188,13 @@ def _balls(
     bearing: Bearing,
     *,
     method: Literal["thrust", "ring"],
-    alike: int,
     load: Array,
     angle: Array,
     contacts: tuple[HertzContact, HertzContact],
+    turning: Turning,
 ) -> LoadedBalls:
+    motion = turning.motion(angle[0], angle[1])
+    angle = np.where(angle.sum(axis=0) < 0, -angle, angle)
     grooves = (bearing.inner, bearing.outer)
     curvatures = [
         race_curvatures(bearing, race, contact_angle=np.abs(of_race))
@@ -180,7 +202,7 @@ def _balls(
     ]
     return LoadedBalls(
         method=method,
-        alike=alike,
+        alike=bearing.ball_count if method == "thrust" else 1,
         ball_radius=bearing.ball_radius,
         load=load,
         contact_angle=angle,
@@ -197,11 +219,5 @@ def _balls(
             groove_radius=np.reshape([groove.groove_radius for groove in grooves], (2, 1, 1)),
             ball_diameter=bearing.ball_diameter,
         ),
-        motion=ball_kinematics(
-            inner_speed=1.0,
-            inner_angle=angle[0],
-            outer_angle=angle[1],
-            pitch_diameter=bearing.pitch_diameter,
-            ball_diameter=bearing.ball_diameter,
-        ),
+        motion=motion,
     )

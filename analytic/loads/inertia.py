@@ -39,7 +39,7 @@ def gyroscopic_moment(
 def force_and_moment(
     bearing: Bearing, *, inner_speed: Array, inner_angle: Array, outer_angle: Array
 ) -> tuple[Array, Array]:
-    """(F_c, M_g) of balls at their contact angles, N and N m; M_g has the sign of the mean contact angle.
+    """(F_c, M_g) of balls at their contact angles, N and N m; M_g has the sign of the ball's pitch.
 
     inner_speed : w, rad/s, any sign, the outer ring stands still
     inner_angle, outer_angle : al_i, al_o, rad, in [-pi/2, pi/2]
@@ -59,7 +59,7 @@ def force_and_moment(
         ball_diameter=bearing.ball_diameter,
         ball_speed=motion.ball_speed,
         cage_speed=motion.cage_speed,
-        axis_angle=(inner_angle + outer_angle) / 2,
+        axis_angle=motion.pitch,
     )
     return force, moment
 
@@ -90,7 +90,7 @@ def gyroscopic_pull(
 
     ball_mass : m, kg;  ball_radius : r, m, > 0;  ball_speed, cage_speed : w_b, w_m, rad/s
     contact_angle : al, rad, 0 to pi/2;  load : Q, N; all >= 0
-    The moment J w_b w_m sin(al) needs a force across the groove of that over r. Its axial part, cos(al) of it, adds to
+    The moment is J w_b w_m sin(al) at most: a ball leans less. It needs a force across the groove of that over r. Its axial part, cos(al) of it, adds to
     the thrust Q sin(al). The pull changes loads and angles; whether the ball slides is `gyroscopic_slip_ratio`.
     """
     require_positive(ball_radius=ball_radius)

@@ -81,7 +81,7 @@ def running(
         )
         film = film_asymptotes(
             contact,
-            entrainment_speed=motion.entrainment_speed,
+            entrainment_speed=motion.inner_entrainment,
             viscosity=OIL.viscosity,
             pressure_viscosity=OIL.pressure_viscosity,
         )

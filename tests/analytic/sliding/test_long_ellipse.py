@@ -257,10 +257,10 @@ def test_the_sliding_number_of_the_6205(bearing_6205: Bearing) -> None:
     for contact, side, expected, last in ((inner, 1, 13.0, 0.5), (outer, -1, 6.5, 0.05)):
         curvature = 1 / 3.97e-3 + side * np.cos(0.18) / (19.505e-3 - side * 3.97e-3 * np.cos(0.18))
         typed = replace(contact, curvature_rolling=curvature)
-        found = sliding_number(typed, friction_coefficient=0.1, entrainment_speed=motion.entrainment_speed)
+        found = sliding_number(typed, friction_coefficient=0.1, entrainment_speed=motion.inner_entrainment)
         np.testing.assert_allclose(found, expected, atol=last)
         slow = sliding_number(typed, friction_coefficient=0.1, entrainment_speed=3.0)
-        np.testing.assert_allclose(slow * 3.0, found * motion.entrainment_speed, rtol=1e-14)  # round-off
+        np.testing.assert_allclose(slow * 3.0, found * motion.inner_entrainment, rtol=1e-14)  # round-off
     assert sliding_number(inner, friction_coefficient=0.0, entrainment_speed=0.3) == np.inf
 
 
