@@ -40,8 +40,8 @@ from analytic.numerics.compiled import compiled
 
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
-LEAST_GAIN = 0.9999  # of the residual, in a step that counts
-LEAST_INERTIA, MOST_INERTIA = 1e-14, 1e6  # of the trace of the tangent
+LEAST_TANGENT = 1e-14  # of the trace of the tangent
+LEAST_SHARE = 1e-4  # of a Newton step
 HARDER = 10.0  # between two stages of a ball whose Newton's method stalls
 STAGES = 6
 
@@ -99,8 +99,8 @@ def _fluidity(law, pressure, table, spacing):
 def _strip_closed(law, slip, along, spread):
     """One strip by the closed law: forces and stiffness by slip along it, across it and by spin, and sums over it.
 
-    law : of the contact;  slip : (along, across, spin);  spread : (half-length, flow, pressure at the middle, p0 L u/a,
-    oil); along : sines, cosines and weights of the nodes
+    law : of the contact;  slip : (along, across, spin);  along : sines, cosines and weights of the nodes
+    spread : (half-length, flow, pressure at the middle, p0 L u/a, oil)
     """
     slide, lateral, spin = slip
     half, flow, middle, length, table, spacing = spread
@@ -289,43 +289,44 @@ def _solved(matrix, right):
 
 @njit(error_model="numpy")
 def _newton(contacts, ball, velocity, passing, nodes, table, spacing, softer, tolerance, outcome):
-    """Newton's method, damped by inertia where it fails; the velocity is overwritten.
+    """Damped Newton's method; the velocity is overwritten. Returns the residual over all friction.
 
-    A ball with inertia slows down towards steady turning, so a heavy enough ball always comes nearer to it.
-    Returns the residual over all friction.
+    A step counts where the simplified Newton step from its end is shorter [Deuflhard2004]: forces along the orbit and
+    moments of spin differ so much in stiffness that no norm of the residual serves both.
     """
     force, tangent = np.zeros(4), np.zeros((4, 4))
     trial, trial_force, trial_tangent = np.zeros(4), np.zeros(4), np.zeros((4, 4))
-    matrix, step = np.zeros((4, 4)), np.zeros(4)
+    step, next_step = np.zeros(4), np.zeros(4)
     friction = _residual(contacts, ball, velocity, passing, nodes, table, spacing, softer, outcome, force, tangent)
-    left = np.sqrt(np.sum(force * force))
     if friction == 0.0:
         return 0.0
-    inertia = 0.0
+    share = 1.0
     for _ in range(MOST_STEPS):
-        if left <= tolerance * friction:
+        if np.sqrt(np.sum(force * force)) <= tolerance * friction:
             break
-        trace = tangent[0, 0] + tangent[1, 1] + tangent[2, 2] + tangent[3, 3]
-        matrix[:] = tangent
+        held = LEAST_TANGENT * (tangent[0, 0] + tangent[1, 1] + tangent[2, 2] + tangent[3, 3])
         for c in range(4):
-            matrix[c, c] += LEAST_INERTIA * trace + inertia * (1.0 if c == 0 else 0.4)  # m, and J/r^2
-            step[c] = -force[c]
-        _solved(matrix, step)
-        trial[:] = velocity + step
-        tried = _residual(
-            contacts, ball, trial, passing, nodes, table, spacing, softer, outcome, trial_force, trial_tangent
-        )
-        now = np.sqrt(np.sum(trial_force * trial_force))
-        if now < LEAST_GAIN * left:
-            velocity[:], force[:], tangent[:] = trial, trial_force, trial_tangent
-            friction, left = tried, now
-            inertia = 0.1 * inertia if inertia > 1e-4 * trace else 0.0
-        else:
-            inertia = max(5.0 * inertia, 1e-2 * trace)
-            if inertia > MOST_INERTIA * trace:
+            tangent[c, c] += held
+        step[:] = -force
+        _solved(tangent.copy(), step)
+        length = np.sqrt(np.sum(step * step))
+        share = min(1.0, 4.0 * share)
+        while True:
+            trial[:] = velocity + share * step
+            tried = _residual(
+                contacts, ball, trial, passing, nodes, table, spacing, softer, outcome, trial_force, trial_tangent
+            )
+            next_step[:] = -trial_force
+            _solved(tangent.copy(), next_step)
+            if np.sqrt(np.sum(next_step * next_step)) <= (1.0 - share / 4.0) * length or share < LEAST_SHARE:
                 break
+            share *= 0.5
+        if share < LEAST_SHARE:
+            break
+        velocity[:], force[:], tangent[:] = trial, trial_force, trial_tangent
+        friction = tried
     _residual(contacts, ball, velocity, passing, nodes, table, spacing, softer, outcome, force, tangent)
-    return left / friction
+    return np.sqrt(np.sum(force * force)) / friction
 
 
 @compiled

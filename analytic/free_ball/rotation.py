@@ -61,7 +61,7 @@ from analytic.oil.traction import PointLaw, Traction, log_thickening
 from analytic.scene import Array, Bearing
 
 Creep = Literal["none", "closed", "marched"]
-STIFFER = 1e4  # times: surfaces without creep, for a force that must not jump
+STIFFER = 1e3  # times: surfaces without creep, for a force that must not jump
 ACCURACY = 1e-10  # of the residual force, over all friction of the ball
 ENOUGH = 1e-7  # likewise, where round-off of stiff surfaces leaves no better
 STEADY = 1e-6  # relative, of the forces on a ball from one round to the next: a torque needs three digits
