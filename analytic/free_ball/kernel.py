@@ -1,8 +1,8 @@
 """The compiled loops of a free ball's rotation; `analytic.free_ball.rotation` says what they solve.
 
 Compiled on first use and cached; imported on demand, because numba is slow to import. Rates are per unit ring speed w,
-so slip is a length and an inertia carries w^2. One contact is a row of numbers (`analytic.free_ball.layout`); the nodes of a
-quadrature lie on strips along rolling, at y = b sin(angle), where the pressure is smooth.
+so slip is a length and an inertia carries w^2. One contact is a row of numbers (`analytic.free_ball.layout`). The nodes
+of a quadrature lie on strips along rolling, at y = b sin(angle), where the pressure is smooth.
 """
 
 import numpy as np

@@ -1,7 +1,7 @@
-"""Which column of an array holds what, for the compiled loop and for those who call it. SI; rates per unit ring speed."""
+"""Which column of an array holds what, for the compiled loop and its callers. SI; rates per unit ring speed."""
 
-# A contact: load, semi-axes along and across rolling, radius of its surface, its normal out of the ball (radial, axial),
-# rate of its ring, flexibility L/a, and its law of traction as `analytic.oil.traction.PointLaw` has it.
+# A contact: load, semi-axes along and across rolling, radius of its surface, its normal out of the ball (radial,
+# axial), rate of its ring, flexibility L/a, and its law of traction as `analytic.oil.traction.PointLaw` has it.
 LOAD, ROLLING, TRANSVERSE, RADIUS, NORMAL_R, NORMAL_Z, RING, FLEXIBILITY = range(8)
 BOUNDARY, PLAIN, LIMIT, EYRING, FLUIDITY, SHARE = range(8, 14)
 CONTACT = 14

@@ -4,11 +4,12 @@ Under thrust alone all balls are alike and one stands for all; else each has its
 races have an axis of two in front, inner and outer; n operating points and m balls follow.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES, race_curvatures
@@ -16,8 +17,8 @@ from analytic.contact.hertz import HertzContact, contact_modulus
 from analytic.contact.rolling_contact import RollingContact, deformed_radius
 from analytic.loads.kinematics import BallKinematics
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium
-from analytic.loads.turning import RuledTurning, Turning
+from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium, unit_contacts
+from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Operation
 
 
@@ -74,6 +75,20 @@ class LoadedBalls:
         of_ball = of_contact.sum(axis=0) if of_contact.ndim == 3 else of_contact
         return self.alike * of_ball.sum(axis=-1)
 
+    def at(self, points: NDArray[np.intp]) -> "LoadedBalls":
+        """The balls at some operating points."""
+        contact = {name: value[:, points] for name, value in vars(self.contact).items()}
+        motion = {name: value[points] for name, value in vars(self.motion).items()}
+        return replace(
+            self,
+            load=self.load[:, points],
+            contact_angle=self.contact_angle[:, points],
+            contact=HertzContact(**contact),
+            curvature_rolling=self.curvature_rolling[:, points],
+            curvature_transverse=self.curvature_transverse[:, points],
+            motion=BallKinematics(**motion),
+        )
+
     @property
     def heaviest(self) -> tuple[Array, Array]:
         """(row, column), each (n,): of the ball that presses hardest on a race at each operating point."""
@@ -114,27 +129,31 @@ def thrust_balls(
 
     Arguments and errors of thrust_equilibrium, or of thrust_at_speed where the balls' own forces are included.
     """
-    if turning is None and not effects.inertia:
+    turning = turning or _ruled(bearing, operation, effects)
+    ruled = isinstance(turning, RuledTurning)
+    if contact_angle.rule == "given" or (ruled and not effects.inertia):
         still = thrust_equilibrium(bearing, contact_angle, axial_load=operation.axial_load, correction=correction)
         loads, angles, contacts = (still.ball_load,) * 2, (still.contact_angle,) * 2, (still.inner, still.outer)
+        if not ruled:  # a given angle holds loads and angles, but not how the balls turn
+            turning.forces(_placed(bearing, loads[0], angles[0], correction))
     else:
         moving = thrust_at_speed(
             bearing,
             contact_angle,
             axial_load=operation.axial_load,
             inner_speed=operation.inner_speed,
-            turning=turning or _ruled(bearing, operation, effects),
+            turning=turning,
             correction=correction,
         )
         loads, angles = (moving.inner_load, moving.outer_load), (moving.inner_angle, moving.outer_angle)
         contacts = moving.inner, moving.outer
-    return _balls(
+    return balls_between(
         bearing,
         method="thrust",
         load=np.stack(loads)[..., None],
         angle=np.stack(angles)[..., None],
         contacts=contacts,
-        turning=turning or _ruled(bearing, operation, effects),
+        motion=turning.motion(angles[0], angles[1]),
     )
 
 
@@ -165,13 +184,29 @@ def ring_balls(
         ball_weight=(float(weight[0]), float(weight[1]), float(weight[2])),
         correction=correction,
     )
-    return _balls(
+    return balls_between(
         bearing,
         method="ring",
         load=np.stack([ring.inner_load, ring.outer_load]),
         angle=np.stack([ring.inner_angle, ring.outer_angle]),
         contacts=(ring.inner, ring.outer),
-        turning=turning,
+        motion=turning.motion(ring.inner_angle, ring.outer_angle),
+    )
+
+
+def _placed(bearing: Bearing, load: Array, angle: Array, correction: ContactCorrection | None) -> PlacedBalls:
+    """Balls with one load and one contact angle on both races, (n,)."""
+    inner, outer = unit_contacts(
+        bearing, inner_angle=angle, outer_angle=angle, correction=correction or ContactCorrection()
+    )
+    return PlacedBalls(
+        points=np.arange(load.size),
+        inner_angle=angle,
+        outer_angle=angle,
+        inner_load=load,
+        outer_load=load,
+        inner=inner,
+        outer=outer,
     )
 
 
@@ -184,16 +219,21 @@ def _ruled(bearing: Bearing, operation: Operation, effects: LoadEffects) -> Rule
     )
 
 
-def _balls(
+def balls_between(
     bearing: Bearing,
     *,
     method: Literal["thrust", "ring"],
     load: Array,
     angle: Array,
     contacts: tuple[HertzContact, HertzContact],
-    turning: Turning,
+    motion: BallKinematics,
 ) -> LoadedBalls:
-    motion = turning.motion(angle[0], angle[1])
+    """Balls whose loads, angles and motion are known.
+
+    load, angle : Q, al, (2, n, m), N and rad;  contacts : under these loads, of (n,) or (n, m)
+    motion : per unit ring speed, likewise
+    """
+    shape = load.shape[1:]
     angle = np.where(angle.sum(axis=0) < 0, -angle, angle)
     grooves = (bearing.inner, bearing.outer)
     curvatures = [
@@ -208,7 +248,7 @@ def _balls(
         contact_angle=angle,
         contact=HertzContact(
             **{
-                name: np.stack([getattr(contact, name).reshape(load.shape[1:]) for contact in contacts])
+                name: np.stack([getattr(contact, name).reshape(shape) for contact in contacts])
                 for name in vars(contacts[0])
             }
         ),
@@ -219,5 +259,5 @@ def _balls(
             groove_radius=np.reshape([groove.groove_radius for groove in grooves], (2, 1, 1)),
             ball_diameter=bearing.ball_diameter,
         ),
-        motion=motion,
+        motion=BallKinematics(**{name: np.reshape(value, shape) for name, value in vars(motion).items()}),
     )

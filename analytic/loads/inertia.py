@@ -90,8 +90,8 @@ def gyroscopic_pull(
 
     ball_mass : m, kg;  ball_radius : r, m, > 0;  ball_speed, cage_speed : w_b, w_m, rad/s
     contact_angle : al, rad, 0 to pi/2;  load : Q, N; all >= 0
-    The moment is J w_b w_m sin(al) at most: a ball leans less. It needs a force across the groove of that over r. Its axial part, cos(al) of it, adds to
-    the thrust Q sin(al). The pull changes loads and angles; whether the ball slides is `gyroscopic_slip_ratio`.
+    The moment is J w_b w_m sin(al) at most: a ball leans less. It needs a force across the groove of that over r. Its
+    axial part, cos(al) of it, adds to the thrust Q sin(al). The pull changes loads and angles.
     """
     require_positive(ball_radius=ball_radius)
     require_non_negative(

@@ -3,6 +3,7 @@
 Unknown keys are refused. A key without a default must be given. Values are read into SI.
 """
 
+import math
 from typing import Annotated, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
@@ -58,6 +59,18 @@ def _series(given: object) -> list[object]:
     if given == []:
         raise ValueError("is empty; give a quantity or a list of them")
     return given if isinstance(given, list) else [given]
+
+
+def _direction(given: object) -> tuple[float, float, float]:
+    numbers = isinstance(given, list) and all(isinstance(each, int | float) for each in given)
+    length = math.hypot(*given) if isinstance(given, list) and numbers and len(given) == 3 else 0.0
+    if not isinstance(given, list) or not 0 < length < math.inf:
+        raise ValueError(
+            "is no direction; give where gravity points as [x, y, z] of any length, with x towards the radial load and "
+            "z along the thrust, for example [1, 0, 0]"
+        )
+    x, y, z = (float(each) / length for each in given)
+    return x, y, z
 
 
 def _material(given: object) -> object:
@@ -195,6 +208,7 @@ class OperationTable(Table):
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
     radial_load: Annotated[list[Side], BeforeValidator(_series)] = [0.0]
     moment: Annotated[list[Moment], BeforeValidator(_series)] = [0.0]
+    down: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = None
 
 
 class LubricantTable(Table):
@@ -259,12 +273,14 @@ class EffectsTable(Table):
     load_distribution: Decision = "auto"
     centrifugal: Decision = "auto"
     gyroscopic: Decision = "auto"
+    weight: Decision = "auto"
     finite_geometry: Decision = "auto"
     asperities: Decision = "auto"
     inlet_heating: Decision = "auto"
     starvation: Decision = "auto"
     spin: Decision = "auto"
     conformity: Decision = "auto"
+    creep: Decision = "auto"
     hysteresis: Decision = "auto"
     rolling: Decision = "auto"
     cage: Decision = "auto"

@@ -12,7 +12,8 @@ from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import Variation
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
-from analytic.torque import friction_torque, with_model_uncertainty
+from analytic.torque import friction_torque
+from analytic.uncertainty import with_model_uncertainty
 from tests.analytic.specimens import present
 
 OILED = """
