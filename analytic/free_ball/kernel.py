@@ -188,13 +188,15 @@ def _strip_marched(law, slip, along, spread):
 
 
 @njit(error_model="numpy")
-def _contact(contact, ball, velocity, passing, nodes, table, spacing, outcome, force, tangent):
-    """Add one contact to the forces A^T stress and their tangent; write its outcome.
+def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
+    """Add one contact to sums: forces A^T stress and their tangent; write its outcome.
 
     passing : velocity of the surfaces through the contact, m per unit w, with its sign
-    nodes : (sines, cosines and weights of the strips; those of their nodes), and whether traction is marched
+    quadrature : (sines, cosines and weights of the strips; those of their nodes; whether traction is marched; ln of the
+        oil's thickening at equal steps of the pressure; this step, Pa)
     """
-    (sines, cosines, weights), along, marched = nodes
+    (sines, cosines, weights), along, marched, table, spacing = quadrature
+    force, tangent = sums
     a, b = contact[ROLLING], contact[TRANSVERSE]
     n_r, n_z, ring, size = contact[NORMAL_R], contact[NORMAL_Z], contact[RING], ball[BALL_RADIUS]
     peak = 1.5 * contact[LOAD] / (np.pi * a * b)
@@ -244,14 +246,17 @@ def _passing(contact, ball, velocity):
 
 
 @njit(error_model="numpy")
-def _residual(contacts, ball, velocity, passing, nodes, table, spacing, softer, outcome, force, tangent):
-    """What the ball's equilibrium lacks, into `force`, and its tangent; returns the sum of all friction."""
+def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
+    """What the ball's equilibrium lacks and its tangent, into sums; returns the sum of all friction.
+
+    A ball that one race alone touches keeps the speed of its orbit, as the cage would have it: nothing else drives it.
+    """
+    force, tangent = sums
     force[:] = 0.0
     tangent[:] = 0.0
     for race in range(2):
         if contacts[race, LOAD] > 0.0:
-            through = passing[race] * softer
-            _contact(contacts[race], ball, velocity, through, nodes, table, spacing, outcome[race], force, tangent)
+            _contact(contacts[race], ball, velocity, passing[race], quadrature, outcome[race], sums)
         else:
             outcome[race, :] = 0.0
     gyro = ball[INERTIA] / ball[ORBIT_RADIUS]
@@ -261,6 +266,10 @@ def _residual(contacts, ball, velocity, passing, nodes, table, spacing, softer, 
     tangent[1, 2] += gyro * velocity[0]
     tangent[2, 0] -= gyro * velocity[1]
     tangent[2, 1] -= gyro * velocity[0]
+    if contacts[0, LOAD] == 0.0 or contacts[1, LOAD] == 0.0:
+        force[0] = 0.0
+        for c in range(1, 4):
+            tangent[0, c] = tangent[c, 0] = 0.0
     return outcome[0, FRICTION] + outcome[1, FRICTION]
 
 
@@ -288,7 +297,7 @@ def _solved(matrix, right):
 
 
 @njit(error_model="numpy")
-def _newton(contacts, ball, velocity, passing, nodes, table, spacing, softer, tolerance, outcome):
+def _newton(contacts, ball, velocity, passing, quadrature, tolerance, outcome):
     """Damped Newton's method; the velocity is overwritten. Returns the residual over all friction.
 
     A step counts where the simplified Newton step from its end is shorter [Deuflhard2004]: forces along the orbit and
@@ -297,7 +306,7 @@ def _newton(contacts, ball, velocity, passing, nodes, table, spacing, softer, to
     force, tangent = np.zeros(4), np.zeros((4, 4))
     trial, trial_force, trial_tangent = np.zeros(4), np.zeros(4), np.zeros((4, 4))
     step, next_step = np.zeros(4), np.zeros(4)
-    friction = _residual(contacts, ball, velocity, passing, nodes, table, spacing, softer, outcome, force, tangent)
+    friction = _residual(contacts, ball, velocity, passing, quadrature, outcome, (force, tangent))
     if friction == 0.0:
         return 0.0
     share = 1.0
@@ -313,9 +322,7 @@ def _newton(contacts, ball, velocity, passing, nodes, table, spacing, softer, to
         share = min(1.0, 4.0 * share)
         while True:
             trial[:] = velocity + share * step
-            tried = _residual(
-                contacts, ball, trial, passing, nodes, table, spacing, softer, outcome, trial_force, trial_tangent
-            )
+            tried = _residual(contacts, ball, trial, passing, quadrature, outcome, (trial_force, trial_tangent))
             next_step[:] = -trial_force
             _solved(tangent.copy(), next_step)
             if np.sqrt(np.sum(next_step * next_step)) <= (1.0 - share / 4.0) * length or share < LEAST_SHARE:
@@ -325,54 +332,33 @@ def _newton(contacts, ball, velocity, passing, nodes, table, spacing, softer, to
             break
         velocity[:], force[:], tangent[:] = trial, trial_force, trial_tangent
         friction = tried
-    _residual(contacts, ball, velocity, passing, nodes, table, spacing, softer, outcome, force, tangent)
+    _residual(contacts, ball, velocity, passing, quadrature, outcome, (force, tangent))
     return np.sqrt(np.sum(force * force)) / friction
 
 
 @compiled
-def rotate(contacts, balls, velocities, nodes, table, spacing, tolerance, outcomes):
+def rotate(contacts, balls, velocities, quadrature, tolerance, outcomes):
     """Turn balls to where no moment and no force along the orbit is left on them; returns the residual of each.
 
     contacts : (m, 2, CONTACT);  balls : (m, BALL);  velocities : (m, 4) start, overwritten;  outcomes : (m, 2, OUTCOME)
+    quadrature : as in `_contact`
     The speed of the surfaces through each contact is that of the start. Where Newton's method stalls, softer surfaces
-    come first.
+    come first: they creep as if the speed through the contact were higher.
     """
     count = balls.shape[0]
     residuals = np.zeros(count)
-    passing = np.zeros(2)
-    start = np.zeros(4)
+    passing, start = np.zeros(2), np.zeros(4)
     for index in range(count):
+        contact, ball, velocity, outcome = contacts[index], balls[index], velocities[index], outcomes[index]
         for race in range(2):
-            passing[race] = _passing(contacts[index, race], balls[index], velocities[index])
-        start[:] = velocities[index]
-        left = _newton(
-            contacts[index],
-            balls[index],
-            velocities[index],
-            passing,
-            nodes,
-            table,
-            spacing,
-            1.0,
-            tolerance,
-            outcomes[index],
-        )
+            passing[race] = _passing(contact[race], ball, velocity)
+        start[:] = velocity
+        left = _newton(contact, ball, velocity, passing, quadrature, tolerance, outcome)
         if left > tolerance:
-            velocities[index] = start
+            velocity[:] = start
             softer = HARDER**STAGES
             for _ in range(STAGES + 1):
-                left = _newton(
-                    contacts[index],
-                    balls[index],
-                    velocities[index],
-                    passing,
-                    nodes,
-                    table,
-                    spacing,
-                    softer,
-                    tolerance,
-                    outcomes[index],
-                )
+                left = _newton(contact, ball, velocity, softer * passing, quadrature, tolerance, outcome)
                 softer /= HARDER
         residuals[index] = left
     return residuals

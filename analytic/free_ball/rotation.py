@@ -75,7 +75,11 @@ class Nodes(NamedTuple):
     along: int
 
 
-COARSE, FINE = Nodes(16, 12), Nodes(32, 16)
+class Surfaces(NamedTuple):
+    """How the surfaces of balls and races creep, and by which quadrature."""
+
+    creep: Creep
+    nodes: Nodes
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -103,16 +107,15 @@ class FreeTurning:
         *,
         inner_speed: Array,
         balls: int | None,
-        creep: Creep,
+        surfaces: Surfaces,
         inertia: tuple[bool, bool] = (True, True),
-        nodes: Nodes = COARSE,
     ) -> None:
         """tractions : of inner and outer race, with numbers that broadcast to (n, m)
 
         inner_speed : w, (n,), rad/s;  balls : m; None: all alike, arrays of balls are then (n,)
         inertia : whether centrifugal force and gyroscopic moment act
         """
-        self.bearing, self.creep, self.nodes = bearing, creep, nodes
+        self.bearing, (self.creep, self.nodes) = bearing, surfaces
         self.speed, self.inertia = inner_speed, inertia
         self.shape = inner_speed.shape if balls is None else (*inner_speed.shape, balls)
         self.laws = tuple(_numbers(law.point_law, inner_speed, self.shape) for law in tractions)
@@ -204,10 +207,8 @@ class FreeTurning:
         from analytic.free_ball.kernel import rotate
 
         contacts, outcomes = self.contacts[rows], np.zeros((len(rows), *self.outcomes.shape[1:]))
-        table, spacing = self._thickening(contacts)
-        left = rotate(
-            contacts, self.bodies[rows], start, _quadrature(nodes, self.creep), table, spacing, ACCURACY, outcomes
-        )
+        quadrature = (*_nodes(nodes, marched=self.creep == "marched"), *self._thickening(contacts))
+        left = rotate(contacts, self.bodies[rows], start, quadrature, ACCURACY, outcomes)
         if not np.all(left <= ENOUGH):
             worst = int(np.argmax(np.where(np.isnan(left), np.inf, left)))
             inner, outer = contacts[worst, :, LOAD]
@@ -301,12 +302,12 @@ def _numbers(law: PointLaw, speed: Array, shape: tuple[int, ...]) -> Array:
 
 
 @cache
-def _quadrature(nodes: Nodes, creep: Creep) -> tuple[tuple[Array, ...], tuple[Array, ...], bool]:
+def _nodes(nodes: Nodes, *, marched: bool) -> tuple[tuple[Array, ...], tuple[Array, ...], bool]:
     """Sines, cosines and weights of the angles of strips and nodes, and whether traction is marched.
 
     Marched nodes lie at equal steps of the angle, without the ends; they march from the leading edge.
     """
-    if creep != "marched":
+    if not marched:
         return _gauss(nodes.across), _gauss(nodes.along), False
     angle = np.pi * (np.arange(1, nodes.along) / nodes.along - 0.5)
     return _gauss(nodes.across), (np.sin(angle), np.cos(angle), np.full(angle.size, np.pi / nodes.along)), True

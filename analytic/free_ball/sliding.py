@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import loaded_contact
-from analytic.free_ball.rotation import Creep, FreeBalls, FreeTurning, Nodes
+from analytic.free_ball.rotation import Creep, FreeBalls, FreeTurning, Nodes, Surfaces
 from analytic.loads.balls import LoadedBalls, LoadEffects, balls_between, loaded_balls
 from analytic.loads.kinematics import BallKinematics
 from analytic.loads.thrust import unit_contacts
@@ -121,9 +121,8 @@ def _passed(problem: FreeProblem, balls: LoadedBalls, level: int) -> _Pass:
         tractions,
         inner_speed=problem.operation.inner_speed,
         balls=None if balls.method == "thrust" else problem.bearing.ball_count,
-        creep=problem.creep,
+        surfaces=Surfaces(problem.creep, QUADRATURES[level]),
         inertia=(problem.effects.centrifugal, problem.effects.gyroscopic),
-        nodes=QUADRATURES[level],
     )
     balls = loaded_balls(
         problem.bearing,

@@ -27,7 +27,7 @@ LEAST, MOST = -740.0, 600.0
 LAST_STEP = 1e-8
 # The angles that a round holds change the next ones by less than 1e-3 at rest (curvatures; 3 or 4 rounds), by a tenth
 # at most at speed (speeds and friction too; 4 or 5).
-MOST_ROUNDS = 50
+MOST_ROUNDS = 300
 ROUND_OFF = 4 * np.finfo(np.float64).eps
 
 
