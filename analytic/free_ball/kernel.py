@@ -246,10 +246,27 @@ def _passing(contact, ball, velocity):
 
 
 @njit(error_model="numpy")
+def _hold(contact, sums):
+    """Leave a ball that one race touches one freedom, its speed of rolling there, which leaves no force along rolling.
+
+    Nothing drives it round its orbit or holds its axis: it keeps both, as the cage and its own inertia would have it.
+    """
+    force, tangent = sums
+    t_r, t_z = -contact[NORMAL_Z], contact[NORMAL_R]
+    moment = t_r * force[2] + t_z * force[3]
+    stiffness = t_r * (t_r * tangent[2, 2] + t_z * tangent[2, 3]) + t_z * (t_r * tangent[3, 2] + t_z * tangent[3, 3])
+    force[0] = force[1] = 0.0
+    force[2], force[3] = moment * t_r, moment * t_z
+    tangent[:] = 0.0
+    for c in range(4):
+        tangent[c, c] = stiffness
+
+
+@njit(error_model="numpy")
 def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     """What the ball's equilibrium lacks and its tangent, into sums; returns the sum of all friction.
 
-    A ball that one race alone touches keeps the speed of its orbit, as the cage would have it: nothing else drives it.
+    A ball that one race alone touches only rolls on it: see `_hold`.
     """
     force, tangent = sums
     force[:] = 0.0
@@ -267,9 +284,8 @@ def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     tangent[2, 0] -= gyro * velocity[1]
     tangent[2, 1] -= gyro * velocity[0]
     if contacts[0, LOAD] == 0.0 or contacts[1, LOAD] == 0.0:
-        force[0] = 0.0
-        for c in range(1, 4):
-            tangent[0, c] = tangent[c, 0] = 0.0
+        _hold(contacts[0] if contacts[0, LOAD] > 0.0 else contacts[1], sums)
+        outcome[0, ACROSS] = outcome[1, ACROSS] = 0.0
     return outcome[0, FRICTION] + outcome[1, FRICTION]
 
 
