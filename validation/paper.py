@@ -40,7 +40,6 @@ def main() -> None:
     report(readings, jumps, Console(width=118, soft_wrap=False))
     folder.mkdir(parents=True, exist_ok=True)
     write_csv(readings, folder / "paper.csv")
-    write_json(readings, jumps, folder / "paper.json")
     surface = load("calibrated").surface
     assert surface is not None
     assert surface.autocorrelation is not None
@@ -53,6 +52,7 @@ def main() -> None:
     fit = next(one for one in readings if one.name == "calibrated")
     needed = {ROUGH: fit.rough["pocket_coefficient"], SMOOTH: fit.smooth["pocket_coefficient"]}
     mixed = mixed_coefficients(fit)
+    write_json(readings, jumps, mixed, folder / "paper.json")
     draw_pocket(needed, mixed, fit.rough["inner_speed"], pocket)
     write_page(readings, table_1(load_scene(builtin_scene("6205"))), surfaces, mixed, folder / "paper.md")
 
@@ -140,7 +140,9 @@ def write_csv(comparisons: list[Comparison], path: Path) -> None:
                 )  # fmt: skip
 
 
-def write_json(comparisons: list[Comparison], jumps: list[Jump], path: Path) -> None:
+def write_json(
+    comparisons: list[Comparison], jumps: list[Jump], mixed: dict[tuple[str, float], Array], path: Path
+) -> None:
     """All values SI, with six digits, so that different machines write the same file."""
     content = {
         "paper": "Effect of Surface Roughness on the Friction Moment in a Ball Bearing",
@@ -157,6 +159,10 @@ def write_json(comparisons: list[Comparison], jumps: list[Jump], path: Path) -> 
                 "warnings": list(one.warnings),
             }
             for one in comparisons
+        ],
+        "mixed_pocket_coefficients": [
+            {"pocket": name, "rms_roughness": roughness, "coefficient": values}
+            for (name, roughness), values in mixed.items()
         ],
         "jumps": [asdict(jump) for jump in jumps],
     }

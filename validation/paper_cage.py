@@ -4,8 +4,8 @@
 the unit of a torque:
 
 - power of sliding in the pockets over the speed of the ring. This is the friction torque: the ring supplies it.
-- sum of the friction moments of all pockets about the balls' centres, mu (sum N) r. It is a load on the balls and no
-  loss: a whirling cage rolls on its balls, so the friction has hardly any sliding to act over.
+- sum of the magnitudes of the friction moments about the balls' centres, mu (sum N) r. It is a load on the balls and no
+  loss: a whirling cage rolls on its balls, so the friction has little sliding to act over.
 - mean magnitude of the moment about the bearing's axis. Its sign changes and its mean is 0. It is no loss either.
 """
 
@@ -44,7 +44,8 @@ class CagePoint:
     max_force_range: tuple[float, float]
     torque: float  # power of sliding over the speed of the ring: a loss
     impact_torque: float  # power lost in impacts over the speed of the ring: a loss, no part of a friction torque
-    ball_moments: float  # mu (sum N) r: friction moments about the balls' centres
+    ball_moments: float  # mu (sum N) r: friction moments about the balls' centres, sum of magnitudes
+    slip_share: float  # mean sliding speed, weighted with the force, over the speed of the balls' surface; 1 at rest
     axial_moment: float  # mean magnitude of the balls' moment on the cage about the bearing's axis
     traction_share: float  # of the traction that the races can give a ball, used by the mean force; above 1 it slides
     state: str
@@ -140,7 +141,8 @@ def cage_at(scene: Scene) -> CagePoint:
         max_force_range=(float(runs.min()), float(runs.max())),
         torque=motion.torque,
         impact_torque=motion.damping_torque,
-        ball_moments=mu * motion.mean_force * driven.ball_radius,
+        ball_moments=(moments := mu * motion.mean_force * driven.ball_radius),
+        slip_share=motion.torque * abs(driven.ring_speed) / (moments * abs(driven.ball_speed)),
         axial_moment=mean_axial_moment(driven, start=motion.start),
         traction_share=traction_share(
             force=motion.mean_force / driven.ball_count, friction_coefficient=mu, race_friction=held
@@ -173,6 +175,7 @@ def cage_series(points: list[CagePoint]) -> dict[str, Array]:
         "cage_torque": np.array([point.torque for point in points]),
         "impact_torque": np.array([point.impact_torque for point in points]),
         "cage_moments": np.array([point.ball_moments for point in points]),
+        "slip_share": np.array([point.slip_share for point in points]),
         "cage_axial_moment": np.array([point.axial_moment for point in points]),
         "cage_force": np.array([point.force for point in points]),
         "cage_max_force": np.array([point.max_force for point in points]),

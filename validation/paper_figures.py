@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from analytic.scene import Array, Autocorrelation
 from analytic.surface.heightmap import Measurement, measure
@@ -27,9 +28,8 @@ Panel = tuple[str, str, float]  # title, quantity, factor from SI
 
 def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> dict[float, Measurement]:
     """Figure 5; returns what the two maps measure."""
-    figure = Figure(figsize=(10.5, 3.1), layout="constrained")
+    figure = Figure(figsize=(10.5, 3.1), layout=ConstrainedLayoutEngine(w_pad=0.12))
     axes = figure.subplots(1, 3, width_ratios=(1, 1, 1.2))
-    figure.get_layout_engine().set(w_pad=0.12)
     found = {}
     width = autocorrelation.spacing * MAP_POINTS * 1e3
     for number, (axis, roughness) in enumerate(zip(axes, FINISHES, strict=False)):

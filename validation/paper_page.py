@@ -176,7 +176,7 @@ def _powers(fit: Comparison) -> Iterator[str]:
     kinds = (
         ("power of sliding in the pockets over the speed of the ring", "yes; the cage torque here", "cage_torque"),
         ("power lost in impacts over the speed of the ring", "yes, but not in our torque", "impact_torque"),
-        ("sum of the friction moments about the balls' centres, mu (sum N) r", "no", "cage_moments"),
+        ("friction moments about the balls' centres, mu (sum N) r, sum of magnitudes", "no", "cage_moments"),
         ("mean magnitude of the moment on the cage about the bearing's axis", "no: its mean is 0", "cage_axial_moment"),
     )
     rows = [(words, loss, _both(fit.rough, name), _both(fit.smooth, name)) for words, loss, name in kinds]
@@ -189,14 +189,16 @@ def _powers(fit: Comparison) -> Iterator[str]:
         for roughness in FINISHES
     ]
     header = ("number", "a loss?", "Sq 1 um: 100, 500 rpm", "Sq 0.1 um: 100, 500 rpm")
+    slip = [*fit.rough["slip_share"], *fit.smooth["slip_share"]]
     yield from _rows(header, [*rows, ("the paper's cage torque, about", "", *paper)])
     yield ""
     yield _text(
-        """The friction moments would cost power only if the pockets stood still against their balls. Then the torque
-        would be larger than their sum by the ratio of the ball's speed to the ring's, 2.4. A whirling cage moves
-        with the surfaces of its balls, so it takes little power. The paper's cage torque agrees with these moments,
-        which load the balls; equation 1 adds it to the race torque as if it were a loss. Equation 19, read as the
-        moment about the bearing's axis, gives the last number, which does not agree."""
+        f"""The friction moments would cost power only if the pockets stood still against their balls. Then the torque
+        would be larger than their sum by the ratio of the ball's speed to the ring's, 2.4. A whirling cage moves with
+        the surfaces of its balls and slides with {100 * min(slip):.0f} to {100 * max(slip):.0f} % of their speed, so
+        it takes little power. The paper's cage torque agrees with these moments, which load the balls; equation 1 adds
+        it to the race torque as if it were a loss. Equation 19, read as the moment about the bearing's axis, gives the
+        last number, which does not agree."""
     )
     yield ""
     rough, smooth = (float(values["traction_share"].max()) for values in (fit.rough, fit.smooth))

@@ -130,10 +130,12 @@ def test_friction_moments_cost_power_only_where_the_pockets_stand_still(
     if start == "rest":
         # The axes of the balls lean by 0.18 rad: a ball's surface is slower by up to 1.6 %, by 0.8 % on average.
         assert found.torque == pytest.approx(turning * found.ball_moments, rel=0.016)
+        assert found.slip_share == pytest.approx(1, rel=0.016)
         # The cage hangs still but for a swing that dies away, a ten-thousandth of its weight here.
         assert found.force == pytest.approx(loose.mass * 9.80665 / np.sqrt(1 + friction**2), rel=1e-3)
     else:
         assert found.torque < 0.1 * turning * found.ball_moments
+        assert found.slip_share < 0.1
         whirl = speed * turning * bearing.ball_radius / 0.065e-3
         orbit = speed * (1 - ratio) / 2
         # The closed speed of a whirl is good to 2 %, and the force has its square.
