@@ -49,7 +49,8 @@ PRINTED = (100.0, 500.0)  # rpm, where the paper prints cage torque and largest 
 FRICTIONS = (0.12, 0.06)
 CLEARANCES = (0.06e-3, 0.08e-3, 0.09e-3, 0.1e-3, 0.11e-3, 0.12e-3, 0.2e-3)  # m
 STARTS: tuple[CageStart, ...] = ("rest", "ramp", "sudden", "whirl")
-ANGLES = {"loaded": LOADED, "0.18 rad": 0.18}  # rad, between the balls' axes and that of the bearing
+OUTER_CONTROL = 0.252  # rad, at the loaded angle: tan = sin(al)/(cos(al) + D/d_m)
+ANGLES = {"loaded": LOADED, "0.18 rad": 0.18, "outer control": LOADED}  # axes -> contact angle, rad
 out = Console(width=118)
 
 
@@ -60,7 +61,7 @@ class Case:
     table: str
     rms_roughness: float  # of the races; the pocket has the coefficient
     clearance: float
-    angle: str  # a key of ANGLES
+    angle: str  # a key of ANGLES: where the balls' axes lie
     start: CageStart
     friction: float
     rpm: float
@@ -108,7 +109,7 @@ def cases() -> list[Case]:
 def fitting_coefficient(scene: Scene, *, clearance: float, angle: float, rms_roughness: float, rpm: float) -> float:
     """T/(r sum N): at it the friction moments about the balls' centres are the paper's cage torque T.
 
-    clearance : of the pocket's diameter, m;  angle : of the balls' axes, rad
+    clearance : of the pocket's diameter, m;  angle : contact angle, rad
     The force is the closed form of whirl, a few per cent from the motion's.
     """
     bearing, cage = scene.bearing, loose_cage(clearance=clearance, start="whirl", friction_coefficient=None)
@@ -142,9 +143,10 @@ def printed(quantity: str, rms_roughness: float, rpm: float) -> float:
 def computed(case: Case) -> CagePoint:
     scene = load("calibrated")
     cage = loose_cage(clearance=case.clearance, start=case.start, friction_coefficient=case.friction)
-    if case.angle == "loaded":
+    if ANGLES[case.angle] == LOADED:
         scene = replace(scene, contact_angle=LOADED_ANGLE)
-    return cage_at(with_moving_cage(scene, cage, inner_speed=case.rpm * RPM))
+    axis = OUTER_CONTROL if case.angle == "outer control" else None
+    return cage_at(with_moving_cage(scene, cage, inner_speed=case.rpm * RPM), axis_angle=axis)
 
 
 def main() -> None:

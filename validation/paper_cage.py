@@ -15,6 +15,7 @@ import numpy as np
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.pocket_friction import friction_in_pocket
+from analytic.cage.statistics import measured_motion
 from analytic.cage.steady import DrivenCage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Array, Cage, CageStart, ContactAngle, Scene
@@ -117,8 +118,11 @@ def with_moving_cage(scene: Scene, cage: Cage, *, inner_speed: float) -> Scene:
     return replace(scene, cage=cage, operation=operation, effects={**scene.effects, "cage_dynamics": "on"})
 
 
-def cage_at(scene: Scene) -> CagePoint:
-    """The motion of the cage of a scene with one operating point; it must be computed, not its closed form."""
+def cage_at(scene: Scene, *, axis_angle: float | None = None) -> CagePoint:
+    """The motion of the cage of a scene with one operating point; it must be computed, not its closed form.
+
+    axis_angle : of the balls' axes to that of the bearing, rad; None: the contact angle
+    """
     found, cage = friction_torque(scene), scene.cage
     part = found.cage
     assert cage is not None
@@ -126,6 +130,9 @@ def cage_at(scene: Scene) -> CagePoint:
     motion, driven = part.motion[0], part.driven[0]
     assert motion is not None
     assert driven is not None
+    if axis_angle is not None:
+        driven = replace(driven, contact_angle=axis_angle)
+        motion = measured_motion(driven, start=motion.start, seeds=cage.seeds, duration=cage.duration)
     runs = np.array(motion.block_maxima).reshape(cage.seeds, -1).max(axis=1)
     races = (found.friction_coefficient.inner, found.friction_coefficient.outer)
     held = min(

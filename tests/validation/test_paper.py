@@ -165,7 +165,8 @@ def test_the_scan_takes_the_coefficient_that_gives_the_papers_cage_torque(
     turning = speed * (1 - ratio**2) * bearing.pitch_diameter / (2 * bearing.ball_diameter)
     circling = turning * bearing.ball_radius / (clearance / 2) + speed * (1 - ratio) / 2
     force = 6.58e-3 * circling**2 * clearance / 2
-    assert found * force * bearing.ball_radius == pytest.approx(6e-3, rel=1e-9)  # round-off; N m, as printed
+    # N m, as printed. A ball whose axis leans off the contact angle turns faster, here by 0.1 %, squared.
+    assert found * force * bearing.ball_radius == pytest.approx(6e-3, rel=3e-3)
 
 
 def test_the_printed_equations_jump_and_the_derived_ones_do_not(comparison: ModuleType, jumps: ModuleType) -> None:
