@@ -58,7 +58,7 @@ def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> N
     for axis, roughness in zip(axes, FINISHES, strict=True):
         _panel(axis, readings, points, roughness, ("", "total_torque", 1e3))
         _moments(axis, readings, roughness, "total_with_moments")
-        axis.set(title=f"Sq {roughness * 1e6:g} µm", ylim=(0, 60))
+        axis.set(title=f"Sq {roughness * 1e6:g} µm", ylim=(0, 70))
     axes[0].set_ylabel("total friction torque, N mm")
     _legend(figure, axes[0])
     _save(figure, path)
@@ -109,7 +109,7 @@ def draw_parts(readings: list[Comparison], points: list[Point], path: Path) -> N
                 axis.yaxis.set_major_formatter("{x:g}")
                 _off_scale(axis, readings, panel[1], roughness, "N mm", 1e3)
             else:
-                axis.set(ylim=(0, 60))
+                axis.set(ylim=(0, 70))
                 if panel[1] == "total_torque":
                     _moments(axis, readings, roughness, "total_with_moments")
             axis.set(title=f"{panel[0]}, Sq {roughness * 1e6:g} µm")
