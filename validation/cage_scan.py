@@ -17,7 +17,7 @@ import itertools
 import os
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
@@ -104,7 +104,6 @@ def computed(setting: Setting, friction: float, rpm: float, duration: float) -> 
         material=given.material,
         pocket_stiffness=STIFFNESSES[setting.stiffness],
         restitution=setting.restitution,
-        ball_lead=setting.lead * (depth - bearing.ball_radius),
     )
     moving = ball_kinematics(
         inner_speed=rpm * RPM,
@@ -122,6 +121,7 @@ def computed(setting: Setting, friction: float, rpm: float, duration: float) -> 
         ball_speed=float(moving.ball_speed),
         contact_angle=ANGLE,
     )
+    driven = replace(driven, ball_lead=setting.lead * (depth - bearing.ball_radius))
     result = measured_motion(driven, start=setting.start, seeds=SEEDS, duration=duration)
     return Row(
         setting=setting,

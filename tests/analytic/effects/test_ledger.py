@@ -126,7 +126,9 @@ def test_the_ledger_names_what_nobody_settled(bearing_6205: Bearing) -> None:
     for name in COMPUTED:
         if name != "starvation":
             ledger.settle(name, on=False, reason="test")
-    with pytest.raises(RuntimeError, match="without a decision: starvation, cage, cage_dynamics, seals, drag, elastic"):
+    with pytest.raises(
+        RuntimeError, match="without a decision: starvation, cage, cage_dynamics, ball_dynamics, seals, drag, elastic"
+    ):
         ledger.effects({}, np.array([0.1]))
 
 
