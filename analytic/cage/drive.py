@@ -92,6 +92,7 @@ class CageDrive:
         force = squeeze_force(
             ball_lead=self.grip.ball_lead,
             room=self.room,
+            pocket_friction=friction_coefficient,
             pocket_stiffness=pocket_stiffness_of(self.bearing, self.cage),
             creep_stiffness=self.grip.creep_stiffness,
             outer_radius=self.grip.outer_radius,

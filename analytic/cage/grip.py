@@ -26,10 +26,11 @@ LARGEST_GRIP = 0.9
 # Of the cage's torque at LARGEST_GRIP: there the races take up to this share of the sliding. Slip in the races is in
 # proportion to the force, so the share is too: at a grip number of 0.026 those motions differ by 0.7 %, this by 0.9 %.
 LOST_TO_RACES = 0.3
-# Of the torque of squeezed balls: creep that saturates, friction in the pockets and unequal loads are left out.
+# Of the torque of squeezed balls: marched motions with creep that saturates have 0.88 to 1.32 of their forces
+# (tests/analytic/cage/test_grip.py); that the balls are loaded unequally is left out too.
 SQUEEZE_SPREAD = 0.4
-DEPTH_TOLERANCE = 1e-12  # of the depth of a squeezed ball in its pocket: Newton's last step reaches it at once
-DEPTH = Sought("the depth of squeezed balls in their pockets did not settle", "m", "check the pocket's stiffness")
+ANGLE_TOLERANCE = 1e-12  # of beta: Newton's last step reaches it at once
+SQUEEZE = Sought("the angle of squeezed balls did not settle", "rad", "check the pocket's stiffness")
 
 
 def carried_force(*, inner_grip: ArrayLike, outer_grip: ArrayLike, pocket_friction: ArrayLike) -> Array:
@@ -90,45 +91,50 @@ def squeeze_force(
     *,
     ball_lead: ArrayLike,
     room: ArrayLike,
+    pocket_friction: ArrayLike,
     pocket_stiffness: ArrayLike,
     creep_stiffness: ArrayLike,
     outer_radius: ArrayLike,
 ) -> Array:
-    """N = 2 G a b C11 sqrt(A^2 - (2 nabla + 2 delta)^2)/R_o, N, of each ball: pockets too tight for balls that lead.
+    """N = 2 G a b C11 |A| sin(beta)/R_o, N, of each ball: pockets too tight for balls that lead; all broadcast.
 
+        2 nabla + 2 (N/K_pb)^(2/3) = |A| (cos(beta) + mu_c sin(beta))
+    In stiff pockets without friction this is N = 2 G a b C11 sqrt(A^2 - (2 nabla)^2)/R_o.
     ball_lead : A, m;  room : 2 nabla, the lead that the pockets leave free, m, > 0;  0 where |A| <= 2 nabla
-    pocket_stiffness : K_pb, N/m^1.5, > 0, with N = K_pb delta^1.5;  all broadcast
+    pocket_friction : mu_c;  pocket_stiffness : K_pb, N/m^1.5, > 0
     creep_stiffness : G a b C11, N, of a race, > 0, see `race_grip`;  outer_radius : R_o, m, > 0
-    The cage holds each ball nabla + delta off the middle of its pocket, in directions that turn twice as fast as the
-    azimuth, so that all press alike. It stands off the axis of the load by the angle beta, and N sin(psi + beta) acts
-    along the orbit. There the races let a ball creep at this force times u/(2 G a b C11). In the steady motion creep
-    takes from the lead what the pockets do not leave: cos(beta) = (2 nabla + 2 delta)/|A|. This holds at any speed, as
-    creep and conflict are both in proportion to it. The shift beta takes a radian of the orbit or two to grow.
-    Holds for small creep, N below half of `carried_force`, which limits N. Friction in the pockets adds to it, 15 % at
-    0.1.
+    The cage holds each ball nabla + (N/K_pb)^(2/3) off the middle of its pocket, in directions that turn twice as fast
+    as the azimuth, so that all press alike. The cage has gone off the axis of the load by the angle beta; along the
+    orbit act N sin(psi + beta) and mu_c N cos(psi + beta), and the races let a ball creep at this force times
+    u/(2 G a b C11). In the steady motion creep takes from the lead what the pockets do not leave. This holds at any
+    speed, as creep and conflict are both in proportion to it. The angle takes some radians of the orbit to grow.
+    Valid for small creep, N below half of `carried_force`, which limits N.
     """
     require_positive(
         room=room, pocket_stiffness=pocket_stiffness, creep_stiffness=creep_stiffness, outer_radius=outer_radius
     )
-    lead, free, pocket, creep = np.broadcast_arrays(
+    require_non_negative(pocket_friction=pocket_friction)
+    lead, free, mu, pocket, creep = np.broadcast_arrays(
         np.abs(np.asarray(ball_lead, dtype=np.float64)),
         np.asarray(room, dtype=np.float64),
+        np.asarray(pocket_friction, dtype=np.float64),
         np.asarray(pocket_stiffness, dtype=np.float64),
         2 * np.asarray(creep_stiffness) / np.asarray(outer_radius),
     )
-    deepest = np.maximum(lead - free, 0.0) / 2
+    softness = 2 * (creep * lead / pocket) ** (2 / 3)  # m, of the lead, at beta = pi/2
 
-    def surplus(depth: Array) -> tuple[Array, Array]:
-        held = free + 2 * depth
-        pull = np.sqrt(np.maximum(lead**2 - held**2, 0.0))
+    def surplus(beta: Array) -> tuple[Array, Array]:
+        """Over the lead, of what pockets and compliance leave, with its slope."""
+        sine, cosine = np.sin(beta), np.cos(beta)
         with np.errstate(divide="ignore", invalid="ignore"):
-            slope = 1.5 * pocket * np.sqrt(depth) + 2 * creep * held / pull
-        return np.where(deepest > 0, pocket * depth**1.5 - creep * pull, 0.0), slope
+            slope = softness * (2 / 3) * cosine / np.cbrt(sine) + lead * (sine - mu * cosine)
+        return free + softness * np.cbrt(sine) ** 2 - lead * (cosine + mu * sine), slope
 
-    depth = bracketed_root(
-        surplus, start=deepest / 2, low=np.zeros_like(deepest), high=deepest, relative=DEPTH_TOLERANCE, sought=DEPTH
+    end = np.where(lead > free, np.pi / 2, 0.0)
+    beta = bracketed_root(
+        surplus, start=end / 4, low=np.zeros_like(end), high=end, relative=ANGLE_TOLERANCE, sought=SQUEEZE
     )
-    return pocket * depth**1.5
+    return creep * lead * np.sin(beta)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -28,6 +28,10 @@ def test_the_start_decides_between_rest_and_whirl() -> None:
         friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
     )
     np.testing.assert_allclose([resting.torque, whirling.other.torque], closed, rtol=0.02)
+    # It goes round by w_b r/nabla + w_c; friction in the pockets slips a little.
+    np.testing.assert_allclose(whirling.whirl_speed, CAGE.ball_speed * 39.7 + CAGE.orbit_speed, rtol=0.02)
+    assert abs(resting.whirl_speed) < 1e-3 * whirling.whirl_speed
+    assert max(resting.wobble, whirling.wobble) < 0.1 * CAGE.half_clearance
     assert abs(resting.signed_moment) < 1e-2 * resting.torque
 
 
@@ -59,6 +63,7 @@ def test_a_swing_slower_than_a_block_is_not_rest() -> None:
     )
     assert statistics.state == "irregular"
     assert max(statistics.block_maxima) > 10
+    assert 0.1 * 2.98e-3 < statistics.wobble < 2.98e-3
 
 
 def test_a_tumbling_cage_on_a_land_is_not_at_rest() -> None:
