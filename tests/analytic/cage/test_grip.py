@@ -1,6 +1,6 @@
 """What a cage can ask of balls: against force balances, marched motions and integrated orbits, and against limits."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import hypothesis.strategies as st
 import numpy as np
@@ -259,9 +259,14 @@ def test_the_creep_stiffness_is_that_of_a_long_ellipse() -> None:
 
 
 def test_the_weakest_direction_and_race_count() -> None:
-    operation = Operation(axial_load=1000.0, inner_speed=52.36, radial_load=400.0).as_series()
-    balls = loaded_balls(BEARING_6205, SOLVED, operation, WITHOUT_INERTIA)
-    carried = race_grip(balls, 0.1, pitch_radius=PITCH_RADIUS).carried(np.array([0.3]))
+    """The inertia of the balls loads the outer race more, and friction in the pocket the inner one of a braked ball."""
+    operation = Operation(axial_load=1000.0, inner_speed=1500.0, radial_load=400.0).as_series()
+    balls = loaded_balls(BEARING_6205, SOLVED, operation, LoadEffects())
+    assert np.all(balls.load[1] > 1.02 * balls.load[0])
+    grip = race_grip(balls, 0.1, pitch_radius=PITCH_RADIUS)
+    carried = grip.carried(np.array([0.3]))
     assert carried is not None
-    np.testing.assert_allclose(carried, 2 * 0.1 * balls.load.min(axis=0) / 1.3, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(carried, 2 * 0.1 * balls.load[0] / 1.3, rtol=1e-12)  # round-off
+    turned = race_grip(replace(balls, load=balls.load[::-1]), 0.1, pitch_radius=PITCH_RADIUS)
+    np.testing.assert_allclose(turned.carried(np.array([0.3])), carried, rtol=1e-12)
     assert race_grip(balls, None, pitch_radius=PITCH_RADIUS).carried(np.array([0.3])) is None

@@ -56,6 +56,17 @@ def test_torque_at_rest_does_not_depend_on_speed(rpm: float) -> None:
     assert statistics.state == "rest"
 
 
+def test_the_wobble_is_that_of_the_distance_instant_by_instant() -> None:
+    cage, distances = replace(CAGE, ball_lead=0.06e-3), []
+    for seed in range(2):
+        motion = CageMotion(cage, begin="whirl", seed=seed)
+        motion.advance(0.01)
+        distances.append([float(np.hypot(*motion.advance(0.01 / 400).place)) for _ in range(400)])
+    statistics = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
+    # Steps are shared out among the instants otherwise than among the blocks, and the end differs a little.
+    np.testing.assert_allclose(statistics.wobble, np.sqrt(np.mean(np.var(distances, axis=1))), rtol=0.05)
+
+
 def test_a_swing_slower_than_a_block_is_not_rest() -> None:
     """Pocket of Table 1: a swing takes 0.11 s, a block 5 ms, and the cage falls from the middle."""
     statistics = measured_motion(
