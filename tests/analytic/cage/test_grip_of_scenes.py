@@ -52,6 +52,22 @@ def test_a_whirl_states_its_share_of_the_grip() -> None:
     assert reason_of(result, "ball_dynamics").startswith(f"not modelled: grip number {cage.grip_number[0]:.3g} at most")
 
 
+@pytest.mark.parametrize(
+    ("thrust", "rpm", "friction", "carried", "number"),
+    # Digits of an independent code of balls and cage in motion, which kept 0.6 to 0.9 of what is carried
+    [(1000.0, 5500.0, 0.1, 606.0, 3.2), (100.0, 1800.0, 0.1, 83.0, 2.5), (20.0, 500.0, 0.05, 9.3, 1.7)],
+)
+def test_the_grip_of_fast_and_light_bearings(
+    thrust: float, rpm: float, friction: float, carried: float, number: float
+) -> None:
+    operation = Operation(axial_load=thrust, inner_speed=rpm * RPM).as_series()
+    balls = loaded_balls(FAST.bearing, ContactAngle(rule="solved", free=0.18), operation, LoadEffects())
+    drive = cage_drive(FAST, balls, friction, operation.inner_speed)
+    mu = np.array([0.1])
+    np.testing.assert_allclose(9 * np.min(drive.grip.carried(mu)), carried, rtol=0.005)  # digits
+    np.testing.assert_allclose(drive.grip_number(mu), number, rtol=0.02)
+
+
 @pytest.mark.parametrize(("start", "state"), [("whirl", "whirl"), ("rest", "rest")])
 def test_a_whirl_that_needs_more_grip_than_there_is_is_not_known(start: Any, state: str) -> None:
     """With a race friction of 0.0015 the grip number above is 67 times as large; a cage at rest needs little."""
