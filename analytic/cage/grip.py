@@ -26,8 +26,8 @@ LARGEST_GRIP = 0.9
 # Of the cage's torque at LARGEST_GRIP: there the races take up to this share of the sliding. Slip in the races is in
 # proportion to the force, so the share is too: at a grip number of 0.026 those motions differ by 0.7 %, this by 0.9 %.
 LOST_TO_RACES = 0.3
-# Of the torque of squeezed balls: marched motions with creep that saturates have 0.88 to 1.32 of their forces
-# (tests/analytic/cage/test_grip.py); that the balls are loaded unequally is left out too.
+# Of the torque of squeezed balls: marched motions with creep that saturates, of balls alike or unequally loaded, have
+# 0.62 to 1.32 of their forces (tests/analytic/cage/test_grip.py).
 SQUEEZE_SPREAD = 0.4
 ANGLE_TOLERANCE = 1e-12  # of beta: Newton's last step reaches it at once
 SQUEEZE = Sought("the angle of squeezed balls did not settle", "rad", "check the pocket's stiffness")
@@ -108,7 +108,7 @@ def squeeze_force(
     orbit act N sin(psi + beta) and mu_c N cos(psi + beta), and the races let a ball creep at this force times
     u/(2 G a b C11). In the steady motion creep takes from the lead what the pockets do not leave. This holds at any
     speed, as creep and conflict are both in proportion to it. The angle takes some radians of the orbit to grow.
-    Valid for small creep, N below half of `carried_force`, which limits N.
+    Valid for a rigid cage and small creep, N below half of `carried_force`, which limits N.
     """
     require_positive(
         room=room, pocket_stiffness=pocket_stiffness, creep_stiffness=creep_stiffness, outer_radius=outer_radius

@@ -305,7 +305,7 @@ def _squeezed(drive: CageDrive) -> tuple[str, ...]:
     return (
         f"at {drive.inner_speed[worst]:.4g} rad/s balls lead on one side of the bearing and lag on the other by "
         f"{abs(drive.grip.ball_lead[worst]):.3g} m, and the cage leaves {drive.room:.3g} m free: they press on it all "
-        f"round, and the torque of the cage is an estimate, +- {SQUEEZE_SPREAD:.0%}; wider pockets free them",
+        f"round, and the torque is that of a rigid cage, +- {SQUEEZE_SPREAD:.0%}; wider pockets free them",
     )
 
 
