@@ -27,7 +27,7 @@ LARGEST_GRIP = 0.9
 # proportion to the force, so the share is too: at a grip number of 0.026 those motions differ by 0.7 %, this by 0.9 %.
 LOST_TO_RACES = 0.3
 # Of the torque of squeezed balls: marched motions with creep that saturates, of balls alike or unequally loaded, have
-# 0.62 to 1.32 of their forces (tests/analytic/cage/test_grip.py).
+# 0.62 to 1.32 of their forces; some of these motions are in tests/analytic/cage/test_grip.py.
 SQUEEZE_SPREAD = 0.4
 ANGLE_TOLERANCE = 1e-12  # of beta: Newton's last step reaches it at once
 SQUEEZE = Sought("the angle of squeezed balls did not settle", "rad", "check the pocket's stiffness")
