@@ -127,7 +127,7 @@ def test_the_ledger_names_what_nobody_settled(bearing_6205: Bearing) -> None:
         if name != "starvation":
             ledger.settle(name, on=False, reason="test")
     with pytest.raises(
-        RuntimeError, match="without a decision: starvation, cage, cage_dynamics, seals, drag, plasticity"
+        RuntimeError, match="without a decision: starvation, cage, cage_dynamics, ball_dynamics, seals, drag, plast"
     ):
         ledger.effects({}, np.array([0.1]))
 
