@@ -18,6 +18,7 @@ from analytic.free_ball.layout import (
     FLUIDITY,
     FRICTION,
     INERTIA,
+    LAW_POWER,
     LIMIT,
     LOAD,
     MOST_STEPS,
@@ -105,7 +106,7 @@ def _strip_closed(law, slip, along, spread):
     slide, lateral, spin = slip
     half, flow, middle, length, table, spacing = spread
     sines, cosines, weights = along
-    f_p = f_l = f_n = pp = pl = pn = ll = ln = nn = unit = friction = 0.0
+    f_p = f_l = f_n = pp = pl = pn = ll = ln = nn = law_power = unit = friction = 0.0
     for k in range(sines.shape[0]):
         pressure, area, x = middle * cosines[k], weights[k] * half * cosines[k], flow * half * sines[k]
         across = lateral + spin * x
@@ -114,6 +115,7 @@ def _strip_closed(law, slip, along, spread):
         steady = law[BOUNDARY] * pressure + law[PLAIN]
         stress, slope = _yielding(size, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
         unit += area * pressure * size
+        law_power += area * stress * size
         if stress == 0.0:
             continue
         creep = size * pressure / (stress * length) if length > 0.0 else 1e100
@@ -133,7 +135,7 @@ def _strip_closed(law, slip, along, spread):
         ln += yy * x
         nn += yy * x * x
         friction += area * over * size
-    return (f_p, f_l, f_n), (pp, pl, pn, pl, ll, ln, pn, ln, nn), unit, friction
+    return (f_p, f_l, f_n), (pp, pl, pn, pl, ll, ln, pn, ln, nn), (law_power, unit, friction)
 
 
 @njit(inline="always", error_model="numpy")
@@ -142,7 +144,7 @@ def _strip_marched(law, slip, along, spread):
     slide, lateral, spin = slip
     half, flow, middle, length, table, spacing = spread
     sines, cosines, weights = along
-    f_p = f_l = f_n = pp = pl = pn = lp = ll = ln = np_ = nl = nn = unit = friction = 0.0
+    f_p = f_l = f_n = pp = pl = pn = lp = ll = ln = np_ = nl = nn = law_power = unit = friction = 0.0
     stress_x = stress_y = older_x = older_y = gone = 0.0
     xp = xl = xn = yp = yl = yn = old_xp = old_xl = old_xn = old_yp = old_yl = old_yn = 0.0
     here = -half
@@ -182,9 +184,12 @@ def _strip_marched(law, slip, along, spread):
         lp, ll, ln = lp + area * yp, ll + area * yl, ln + area * yn
         np_, nl, nn = np_ + area * yp * x, nl + area * yl * x, nn + area * yn * x
         across = lateral + spin * x
-        unit += area * pressure * np.sqrt(slide * slide + across * across)
+        size = np.sqrt(slide * slide + across * across)
+        without, _ = _yielding(size, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
+        law_power += area * without * size
+        unit += area * pressure * size
         friction += area * stress
-    return (f_p, f_l, f_n), (pp, pl, pn, lp, ll, ln, np_, nl, nn), unit, friction
+    return (f_p, f_l, f_n), (pp, pl, pn, lp, ll, ln, np_, nl, nn), (law_power, unit, friction)
 
 
 @njit(error_model="numpy")
@@ -217,9 +222,9 @@ def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
         slip = (slide, rows[1, 1] * velocity[1], spin)
         spread = (a * cosines[j], flow, peak * cosines[j], length, table, spacing)
         if marched:
-            forces, stiffness, unit, friction = _strip_marched(contact, slip, along, spread)
+            forces, stiffness, (law_power, unit, friction) = _strip_marched(contact, slip, along, spread)
         else:
-            forces, stiffness, unit, friction = _strip_closed(contact, slip, along, spread)
+            forces, stiffness, (law_power, unit, friction) = _strip_closed(contact, slip, along, spread)
         width = weights[j] * b * cosines[j]
         for i in range(3):
             for c in range(4):
@@ -231,6 +236,7 @@ def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
         outcome[ACROSS] -= width * forces[1]
         outcome[POWER] += width * (forces[0] * slide + forces[1] * slip[1] + forces[2] * spin)
         outcome[SPIN_POWER] += width * (forces[2] - forces[0] * y) * spin
+        outcome[LAW_POWER] += width * law_power
         outcome[UNIT_POWER] += width * unit
         outcome[FRICTION] += width * friction
     outcome[PASSING] = passing

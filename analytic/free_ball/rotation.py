@@ -40,6 +40,7 @@ from analytic.free_ball.layout import (
     FLEXIBILITY,
     FRICTION,
     INERTIA,
+    LAW_POWER,
     LOAD,
     MOST_STEPS,
     NORMAL_R,
@@ -91,7 +92,7 @@ class FreeBalls:
     across: Array  # (2, ...) F_t on the ball along t, N
     torque: Array  # (2, ...) slip power over w, N m
     spin_torque: Array  # (2, ...) the part of it by spin, N m
-    coefficient: Array  # (2, ...) of Coulomb friction that loses the same power at the same slip; 0 without load
+    coefficient: Array  # (2, ...) of Coulomb friction that loses what the law does at this slip without creep; or 0
     friction: Array  # (2, ...) sum of all friction, N
 
 
@@ -191,14 +192,14 @@ class FreeTurning:
         if nodes is not None:
             velocity, outcomes = self._turned(np.arange(len(velocity)), velocity.copy(), nodes)
         races = np.moveaxis(outcomes, 1, 0).reshape(2, *self.shape, OUTCOME)
-        power, unit = races[..., POWER], races[..., UNIT_POWER]
+        law, unit = races[..., LAW_POWER], races[..., UNIT_POWER]
         return FreeBalls(
             orbit_rate=(velocity[:, 0] / self.bodies[:, ORBIT_RADIUS]).reshape(self.shape),
             rotation=(velocity[:, 1:] / self.bearing.ball_radius).reshape(*self.shape, 3),
             across=races[..., ACROSS],
-            torque=power,
+            torque=races[..., POWER],
             spin_torque=races[..., SPIN_POWER],
-            coefficient=np.divide(power, unit, out=np.zeros_like(power), where=unit > 0),
+            coefficient=np.divide(law, unit, out=np.zeros_like(law), where=unit > 0),
             friction=races[..., FRICTION],
         )
 

@@ -25,7 +25,11 @@ def pushed(radial: float, *, clearance: float, **cage: Any) -> Scene:
     )
     diameter = FAST.bearing.ball_diameter + clearance
     scene = replace(
-        FAST, operation=operation, contact_angle=ContactAngle(rule="solved", free=0.18), effects={"hysteresis": "off"}
+        FAST,
+        operation=operation,
+        contact_angle=ContactAngle(rule="solved", free=0.18),
+        spin_rule="balanced",  # creep takes some 4 % off the lead
+        effects={"hysteresis": "off"},
     )
     return with_cage(scene, pocket_diameter=diameter, pocket_depth=diameter / 2, **cage)
 
@@ -40,7 +44,7 @@ def test_a_whirl_states_its_share_of_the_grip() -> None:
     load = 1000 / (9 * np.sin(0.18))
     # m (w_b r/nabla + w_c)^2 nabla is 15.95 N by hand (test_torque.py); each ball carries 2 mu Q/(1 + mu_c)
     expected = 15.95 / (9 * 2 * 0.1 * load / 1.1)
-    np.testing.assert_allclose(cage.grip_number, expected, rtol=2e-3)  # the digits of 15.95
+    np.testing.assert_allclose(cage.grip_number, expected, rtol=1e-2)  # free balls turn 0.4 % faster
     np.testing.assert_allclose(cage.grip_share, cage.grip_number, rtol=0.02)  # the motion against its closed form
     np.testing.assert_allclose(cage.unsure, 0.3 / 0.9 * cage.grip_number * cage.torque, rtol=1e-12)  # round-off
     assert np.all(result.numerical_uncertainty >= (cage.half_interval + cage.unsure) / result.torque.total)
@@ -126,7 +130,7 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     np.testing.assert_allclose(cage.grip_share, 1.0, rtol=2e-4)
     rate = 15.599e-3 * 23.411 / 39.01  # r w_b/w at 0.18 rad; here the angle is larger
     np.testing.assert_allclose(cage.torque, 0.1 * cage.mean_force * rate, rtol=0.01)
-    np.testing.assert_allclose(cage.unsure, 0.4 * cage.torque, rtol=1e-12)  # round-off
+    np.testing.assert_allclose(cage.unsure, cage.torque, rtol=1e-12)  # round-off
     assert ", squeezed by balls that lead at 1 of 1 points," in result.provenance["cage"]
     with pytest.raises(InputError, match='cage_dynamics = "on" cannot be had: balls lead by up to'):
         friction_torque(replace(scene, effects={**scene.effects, "cage_dynamics": "on"}))
