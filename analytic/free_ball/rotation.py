@@ -66,6 +66,7 @@ STIFFER = 1e3  # times: surfaces without creep, for a force that must not jump
 ACCURACY = 1e-10  # of the residual force, over all friction of the ball
 ENOUGH = 1e-7  # likewise, where round-off of stiff surfaces leaves no better
 STEADY = 1e-6  # relative, of the forces on a ball from one round to the next: a torque needs three digits
+MOST_MIXED, LEAST_MIXED = 0.9, 0.2  # of a secant's step, and of the error that a step has to remove at least
 PRESSURES = 400  # in a table of the viscosity under pressure; ln(eta) between them to 1e-5
 
 
@@ -134,6 +135,8 @@ class FreeTurning:
         self.contacts = np.zeros((count, 2, CONTACT))
         self.bodies = np.zeros((count, BALL))
         self.outcomes = np.zeros((count, 2, OUTCOME))
+        # Friction across the grooves, N: what the last round was given, what it gave back, and the difference
+        self.given, self.gave, self.left = (np.full((count, 2), np.nan) for _ in range(3))
 
     def forces(self, balls: PlacedBalls) -> TurningForces:
         """Turns the balls to where they turn steadily, from where they turned last.
@@ -151,7 +154,7 @@ class FreeTurning:
         mass, radius, speed = self.bearing.ball_mass, self.bearing.ball_radius, self._speed(balls.points, shape)
         orbit, velocity = self.bodies[rows, ORBIT_RADIUS].reshape(shape), self.velocity[rows].reshape(*shape, 4)
         rate = velocity[..., 0] / orbit
-        across = self.outcomes[rows, :, ACROSS].reshape(*shape, 2)
+        across = self._mixed(rows).reshape(*shape, 2)
         return TurningForces(
             centrifugal=self.inertia[0] * mass * orbit * (rate * speed) ** 2,
             inner_friction=across[..., 0],
@@ -223,6 +226,25 @@ class FreeTurning:
                 remedy='Raise the load or lower the speed, or give friction.spin_rule = "outer_control".',
             )
         return start, outcomes
+
+    def _mixed(self, rows: NDArray[np.intp]) -> Array:
+        """(k, 2) the friction across the grooves for the next round, N.
+
+        Friction moves the contact angles, and these the friction. Rounds alone converge slowly; the errors of the last
+        two give each ball a secant [Anderson1965].
+        """
+        now = self.outcomes[rows, :, ACROSS]
+        left, left_before = now - self.given[rows], self.left[rows]
+        change = left - left_before
+        size = np.sum(change**2, axis=1)
+        share = np.divide(np.sum(left * change, axis=1), size, out=np.zeros_like(size), where=size > 0)
+        share = np.clip(share, -MOST_MIXED, MOST_MIXED)[:, None]
+        mixed = now - share * (now - self.gave[rows])
+        # A step far shorter than the error would pass for the end of the rounds.
+        stands = ~(np.linalg.norm(mixed - self.given[rows], axis=1) > LEAST_MIXED * np.linalg.norm(left, axis=1))
+        mixed[stands] = now[stands]
+        self.given[rows], self.gave[rows], self.left[rows] = mixed, now, left
+        return mixed
 
     def _rows(self, points: NDArray[np.intp]) -> NDArray[np.intp]:
         each = int(np.prod(self.shape[1:]))
