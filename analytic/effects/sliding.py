@@ -84,7 +84,10 @@ def mixed_contacts(ledger: Ledger, resisting: Resisting) -> MixedContact | None:
 
 
 def decide_creep(scene: Scene, estimate: "Estimate", ledger: Ledger, *, slides: bool) -> Creep | None:
-    """Settle creep; how the surfaces of balls creep that turn freely, or None where closed kinematics turn them."""
+    """Settle creep; how the surfaces of balls creep that turn freely, or None where closed kinematics turn them.
+
+    Free balls spin as they must: spin is then on, however small its bound.
+    """
     wanted = {"closed_creep": "closed", "marched_creep": "marched"}.get(scene.sliding)
     on = ledger.decide(
         "creep",
@@ -92,12 +95,14 @@ def decide_creep(scene: Scene, estimate: "Estimate", ledger: Ledger, *, slides: 
         lacks=None if slides else ENTRIES["creep"].idle,
         demanded=None if wanted is None else f'friction.sliding = "{scene.sliding}" has it',
     )
-    if not slides or ruled(scene) is not None:
-        return None
-    if on:
-        return "closed" if scene.sliding == "closed_creep" else "marched"
     inert = ledger.is_on("centrifugal") or ledger.is_on("gyroscopic")
-    return "none" if inert or scene.sliding != "auto" else None
+    if not slides or ruled(scene) is not None or not (on or inert or scene.sliding != "auto"):
+        return None
+    if not ledger.is_on("spin"):
+        ledger.settle("spin", on=True, reason="balls that turn freely spin")
+    if not on:
+        return "none"
+    return "closed" if scene.sliding == "closed_creep" else "marched"
 
 
 def _carried(mixed: MixedContact | None, tolerance: float) -> str | None:

@@ -30,6 +30,7 @@ PASSES = 4  # films follow loads with small powers: two are usual
 METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_creep", "marched": "marched_creep"}
 SERIES = 400  # from this number of points on, a sample of them costs less
 BETWEEN = 1.25  # times the largest error at the points of a sample: what lies between them
+METHODS_PART = 0.5  # of the allowed error at the points of a sample; the rest is for what lies between them
 POSITIVE = ("inner_entrainment", "outer_entrainment", "inner_rolling_rate", "outer_rolling_rate", "ball_speed")
 Points = NDArray[np.intp]
 
@@ -152,24 +153,30 @@ def _each(of_contact: Array) -> Array:
 def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, allowed: Array) -> FreeSliding | None:
     """All balls alike, from a sample of the points; None where that does not pay or is not accurate enough.
 
-    Loads, speeds and torques vary with load and speed in a smooth way, as logarithms.
+    Loads, speeds and torques vary with load and speed in a smooth way, as logarithms. Errors are relative to the whole
+    torque: that by sliding may be a small part of it.
     """
     moving = np.flatnonzero(problem.operation.inner_speed)
     speed = np.abs(problem.operation.inner_speed[moving])
     worst = 0.0
 
-    def evaluate(some: Points) -> Array:
+    def settled(at: Points) -> Array:
         nonlocal worst
-        at = moving[some]
-        part = _settled(problem.at(at), ruled.at(at), other_torque=other_torque[at], allowed=allowed[at] / BETWEEN)
-        worst = max(worst, BETWEEN * float(np.max(part.sliding.error)))
+        others = other_torque[at]
+        part = _settled(problem.at(at), ruled.at(at), other_torque=others, allowed=METHODS_PART * allowed[at] / BETWEEN)
+        torque = part.sliding.spin + part.sliding.conformity
+        worst = max(worst, BETWEEN * float(np.max(part.sliding.error * _share(torque, others))))
         return _quantities(part)
 
-    def missed(interpolated: Array, true: Array, _: Points) -> Array:
-        return np.abs(np.expm1((interpolated - true)[:, :3])).max(axis=1)  # loads and torque
+    def missed(interpolated: Array, true: Array, some: Points) -> Array:
+        wrong = np.abs(np.expm1((interpolated - true)[:, :3]))  # loads and torque
+        wrong[:, 2] *= _share(np.exp(true[:, 2]), other_torque[moving[some]])
+        return wrong.max(axis=1)
 
+    standing = np.flatnonzero(problem.operation.inner_speed == 0)
+    still = settled(standing) if standing.size else None
     series = sampled_series(
-        evaluate,
+        lambda some: settled(moving[some]),
         np.log(np.stack([ruled.load[0, moving, 0], speed], axis=1)),
         missed=missed,
         allowed=lambda: float(np.min(allowed)) - worst,
@@ -178,16 +185,17 @@ def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, a
         return None
     values = np.zeros((problem.operation.inner_speed.size, series.values.shape[1]))
     values[moving] = series.values
-    standing = np.flatnonzero(problem.operation.inner_speed == 0)
-    if standing.size:
-        still = _settled(
-            problem.at(standing),
-            ruled.at(standing),
-            other_torque=other_torque[standing],
-            allowed=allowed[standing],
-        )
-        values[standing], worst = _quantities(still), max(worst, float(np.max(still.sliding.error)))
-    return _from_quantities(problem, values, error=worst + series.error, computed=series.at.size + standing.size)
+    if still is not None:
+        values[standing] = still
+    share = _share(np.exp(values[:, 2]), other_torque)
+    error = np.divide(worst + series.error, share, out=np.zeros_like(share), where=share > 0)
+    return _from_quantities(problem, values, error=error, computed=series.at.size + standing.size)
+
+
+def _share(torque: Array, other_torque: Array) -> Array:
+    """(n,) of the torque by sliding in the whole torque."""
+    whole = torque + other_torque
+    return np.divide(torque, whole, out=np.zeros_like(whole), where=whole > 0)
 
 
 def _quantities(free: FreeSliding) -> Array:
@@ -201,7 +209,7 @@ def _quantities(free: FreeSliding) -> Array:
     return np.stack([*np.log(np.maximum(positive, 1e-300)), *rest, share], axis=1)
 
 
-def _from_quantities(problem: FreeProblem, values: Array, *, error: float, computed: int) -> FreeSliding:
+def _from_quantities(problem: FreeProblem, values: Array, *, error: Array, computed: int) -> FreeSliding:
     bearing, radius, half = problem.bearing, problem.bearing.ball_radius, problem.bearing.pitch_diameter / 2
     count = 5 + len(POSITIVE)
     inner_load, outer_load, torque, inner_friction, outer_friction, *speeds = np.exp(values[:, :count]).T
@@ -234,7 +242,7 @@ def _from_quantities(problem: FreeProblem, values: Array, *, error: float, compu
             conformity=torque * (1 - share),
             coefficient=np.stack([inner_friction, outer_friction])[..., None],
             method=METHODS[problem.creep],
-            error=np.full(torque.shape, error),
+            error=error,
             computed=computed,
         ),
     )
