@@ -58,6 +58,14 @@ def test_torque_is_the_same_at_any_speed_either_way_and_at_standstill(scene: Sce
     np.testing.assert_array_equal(series.inner_speed, [0.0, 1e-300, 3.7, -3.7, 5e3])
 
 
+def test_free_balls_of_a_series_are_those_of_each_point_alone(scene: Scene) -> None:
+    """Rounds of loads and rotation go on until the worst point is settled, which leaves 1e-6 of the others' forces."""
+    asked = replace(scene, contact_angle=SOLVED, operation=thrust(100.0, 210.0, 900.0))
+    together = friction_torque(asked).torque.total
+    alone = [float(friction_torque(replace(asked, operation=thrust(load))).torque.total[0]) for load in (100, 210, 900)]
+    np.testing.assert_allclose(together, alone, rtol=1e-5)  # ten times as much: slip follows small changes of speed
+
+
 def order(scene: Scene, name: str, load: float) -> float:
     """Local exponent of a part in the load."""
     low, high = part(friction_torque(replace(scene, operation=thrust(load, 2 * load))).torque, name)

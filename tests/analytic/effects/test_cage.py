@@ -12,7 +12,6 @@ from analytic.result import FrictionTorque
 from analytic.scene import Operation
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
 
-
 RULED = replace(CAGED, spin_rule="balanced")  # closed kinematics: the speed of the balls by hand
 
 

@@ -6,7 +6,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, ring_balls
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.shares import own_forces_of_lightest, load_distribution_ratio, load_shares, load_waves
+from analytic.loads.shares import load_distribution_ratio, load_shares, load_waves, own_forces_of_lightest
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle, Operation
 
