@@ -131,7 +131,7 @@ def test_ways_to_turn_become_more_accurate(scene: Scene, oiled: Scene) -> None:
 
 
 def test_no_bound_is_known_for_a_rule_at_speed(scene: Scene) -> None:
-    """At 1500 rad/s the torque is 10 % above that of balanced spin, by a separate program (friction 0.05)."""
+    """At 1500 rad/s and a friction of 0.05 free balls lose 1.481 N mm by a separate program, balanced ones 1.329."""
     fast = replace(scene.operation, axial_load=np.array([100.0]), inner_speed=np.array([1500.0]))
     rule, rigid, *_ = measured(
         turning_methods(replace(scene, operation=fast, friction_coefficient=0.05)), tolerance=0.03
