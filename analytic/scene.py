@@ -98,7 +98,6 @@ class Cage:
     steps_per_contact: int = 40  # time steps in the shortest impact to expect
     gravity: CageGravity = "across"  # of the axis: "across" is -y, "along" is -z
     drag: float = 0.0  # braking torque of the surrounding oil over the speed of the cage, N m s
-    ball_lead: float = 0.0  # how far balls lead on one side of the bearing and lag on the other, m
     land: Land | None = None
 
 

@@ -14,7 +14,8 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.cage.torque import CagePart, cage_drive, cage_friction
+from analytic.cage.drive import cage_drive
+from analytic.cage.torque import CagePart, cage_friction
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
 from analytic.effects.cage import decide_cage
@@ -64,7 +65,8 @@ def friction_torque(
     balls, sliding, mixed, parts = races.balls, races.sliding, races.mixed, dict(races.parts)
     load_warnings = list(races.chosen.warnings)
     race = races.total
-    drive = None if scene.cage is None else cage_drive(scene.bearing, scene.cage, balls, speed)
+    coefficient = scene.friction_coefficient if sliding is None else sliding.coefficient
+    drive = None if scene.cage is None else cage_drive(scene, balls, coefficient, speed)
     decide_cage(scene, drive, ledger, race=race)
     cage: CagePart | None = None
     if drive is not None and ledger.is_on("cage"):
@@ -86,7 +88,9 @@ def friction_torque(
         contact_angle=balls.contact_angle.mean(axis=0)[at],
         ball_load=balls.load.max(axis=0)[at],
         torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=uncertainty if cage is None else uncertainty + share_in(cage.half_interval, total),
+        numerical_uncertainty=uncertainty
+        if cage is None
+        else uncertainty + share_in(cage.half_interval + cage.unsure, total),
         friction_coefficient=FrictionCoefficients(
             **_on_races(None if sliding is None else sliding.coefficient, at),
             pocket=None if cage is None else cage.friction_coefficient,
@@ -104,7 +108,7 @@ def friction_torque(
             torque_warnings(ledger, limits=limits.warnings, oiled=oiled, mixed=mixed, resistance=races.resistance)
             + load_warnings
         ),
-        unknown=limits.unknown + _unknown_sliding(sliding),
+        unknown=limits.unknown + _unknown_sliding(sliding) + (() if cage is None else cage.unknown),
         provenance=_provenance(ledger, races, correction=correction, cage=cage),
         seconds=perf_counter() - started,
     )

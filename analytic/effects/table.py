@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from analytic.cage.grip import LARGEST_GRIP
 from analytic.scene import Scene
 
 # Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
@@ -91,6 +92,12 @@ def _no_creep(scene: Scene) -> str | None:
 
 def _cage(scene: Scene) -> str | None:
     return "no cage is given: add a table [cage]" if scene.cage is None else None
+
+
+def _moving_cage(scene: Scene) -> str | None:
+    if scene.cage is not None and scene.cage.start is None:
+        return "cage.start is not given"
+    return _cage(scene)
 
 
 def _declared(name: str) -> Need:
@@ -242,6 +249,14 @@ TABLE = (
         needs=Need(keys="`[cage]` with `start`", lacks=_cage),
         bound=f"the friction of a cage that whirls, against all its balls; 0 below a whirl number of {LEAST_WHIRL:g}",
         idle='the cage is left out: give effects.cage = "auto"',
+    ),
+    Entry(
+        name="ball_dynamics",
+        kind="cage",
+        meaning="motion of balls that the cage brakes; not modelled",
+        needs=Need(keys="`[cage]` with `start`", lacks=_moving_cage),
+        bound=f"a grip number of the cage above {LARGEST_GRIP:g}",
+        idle="the cage does not move, and hardly touches its balls",
     ),
     Entry(
         name="seals",

@@ -18,6 +18,7 @@ from analytic.free_ball.layout import (
     FLUIDITY,
     FRICTION,
     INERTIA,
+    LAW_POWER,
     LIMIT,
     LOAD,
     MOST_STEPS,
@@ -105,7 +106,7 @@ def _strip_closed(law, slip, along, spread):
     slide, lateral, spin = slip
     half, flow, middle, length, table, spacing = spread
     sines, cosines, weights = along
-    f_p = f_l = f_n = pp = pl = pn = ll = ln = nn = unit = friction = 0.0
+    f_p = f_l = f_n = pp = pl = pn = ll = ln = nn = law_power = unit = friction = 0.0
     for k in range(sines.shape[0]):
         pressure, area, x = middle * cosines[k], weights[k] * half * cosines[k], flow * half * sines[k]
         across = lateral + spin * x
@@ -114,6 +115,7 @@ def _strip_closed(law, slip, along, spread):
         steady = law[BOUNDARY] * pressure + law[PLAIN]
         stress, slope = _yielding(size, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
         unit += area * pressure * size
+        law_power += area * stress * size
         if stress == 0.0:
             continue
         creep = size * pressure / (stress * length) if length > 0.0 else 1e100
@@ -133,7 +135,7 @@ def _strip_closed(law, slip, along, spread):
         ln += yy * x
         nn += yy * x * x
         friction += area * over * size
-    return (f_p, f_l, f_n), (pp, pl, pn, pl, ll, ln, pn, ln, nn), unit, friction
+    return (f_p, f_l, f_n), (pp, pl, pn, pl, ll, ln, pn, ln, nn), (law_power, unit, friction)
 
 
 @njit(inline="always", error_model="numpy")
@@ -142,7 +144,7 @@ def _strip_marched(law, slip, along, spread):
     slide, lateral, spin = slip
     half, flow, middle, length, table, spacing = spread
     sines, cosines, weights = along
-    f_p = f_l = f_n = pp = pl = pn = lp = ll = ln = np_ = nl = nn = unit = friction = 0.0
+    f_p = f_l = f_n = pp = pl = pn = lp = ll = ln = np_ = nl = nn = law_power = unit = friction = 0.0
     stress_x = stress_y = older_x = older_y = gone = 0.0
     xp = xl = xn = yp = yl = yn = old_xp = old_xl = old_xn = old_yp = old_yl = old_yn = 0.0
     here = -half
@@ -182,9 +184,12 @@ def _strip_marched(law, slip, along, spread):
         lp, ll, ln = lp + area * yp, ll + area * yl, ln + area * yn
         np_, nl, nn = np_ + area * yp * x, nl + area * yl * x, nn + area * yn * x
         across = lateral + spin * x
-        unit += area * pressure * np.sqrt(slide * slide + across * across)
+        size = np.sqrt(slide * slide + across * across)
+        without, _ = _yielding(size, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
+        law_power += area * without * size
+        unit += area * pressure * size
         friction += area * stress
-    return (f_p, f_l, f_n), (pp, pl, pn, lp, ll, ln, np_, nl, nn), unit, friction
+    return (f_p, f_l, f_n), (pp, pl, pn, lp, ll, ln, np_, nl, nn), (law_power, unit, friction)
 
 
 @njit(error_model="numpy")
@@ -217,9 +222,9 @@ def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
         slip = (slide, rows[1, 1] * velocity[1], spin)
         spread = (a * cosines[j], flow, peak * cosines[j], length, table, spacing)
         if marched:
-            forces, stiffness, unit, friction = _strip_marched(contact, slip, along, spread)
+            forces, stiffness, (law_power, unit, friction) = _strip_marched(contact, slip, along, spread)
         else:
-            forces, stiffness, unit, friction = _strip_closed(contact, slip, along, spread)
+            forces, stiffness, (law_power, unit, friction) = _strip_closed(contact, slip, along, spread)
         width = weights[j] * b * cosines[j]
         for i in range(3):
             for c in range(4):
@@ -231,6 +236,7 @@ def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
         outcome[ACROSS] -= width * forces[1]
         outcome[POWER] += width * (forces[0] * slide + forces[1] * slip[1] + forces[2] * spin)
         outcome[SPIN_POWER] += width * (forces[2] - forces[0] * y) * spin
+        outcome[LAW_POWER] += width * law_power
         outcome[UNIT_POWER] += width * unit
         outcome[FRICTION] += width * friction
     outcome[PASSING] = passing
@@ -246,10 +252,27 @@ def _passing(contact, ball, velocity):
 
 
 @njit(error_model="numpy")
+def _hold(contact, sums):
+    """Leave a ball that one race touches one freedom, its speed of rolling there, which leaves no force along rolling.
+
+    Nothing drives it round its orbit or holds its axis: it keeps both, as the cage and its own inertia would have it.
+    """
+    force, tangent = sums
+    t_r, t_z = -contact[NORMAL_Z], contact[NORMAL_R]
+    moment = t_r * force[2] + t_z * force[3]
+    stiffness = t_r * (t_r * tangent[2, 2] + t_z * tangent[2, 3]) + t_z * (t_r * tangent[3, 2] + t_z * tangent[3, 3])
+    force[0] = force[1] = 0.0
+    force[2], force[3] = moment * t_r, moment * t_z
+    tangent[:] = 0.0
+    for c in range(4):
+        tangent[c, c] = stiffness
+
+
+@njit(error_model="numpy")
 def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     """What the ball's equilibrium lacks and its tangent, into sums; returns the sum of all friction.
 
-    A ball that one race alone touches keeps the speed of its orbit, as the cage would have it: nothing else drives it.
+    A ball that one race alone touches only rolls on it: see `_hold`.
     """
     force, tangent = sums
     force[:] = 0.0
@@ -267,9 +290,8 @@ def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     tangent[2, 0] -= gyro * velocity[1]
     tangent[2, 1] -= gyro * velocity[0]
     if contacts[0, LOAD] == 0.0 or contacts[1, LOAD] == 0.0:
-        force[0] = 0.0
-        for c in range(1, 4):
-            tangent[0, c] = tangent[c, 0] = 0.0
+        _hold(contacts[0] if contacts[0, LOAD] > 0.0 else contacts[1], sums)
+        outcome[0, ACROSS] = outcome[1, ACROSS] = 0.0
     return outcome[0, FRICTION] + outcome[1, FRICTION]
 
 

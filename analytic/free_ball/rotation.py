@@ -40,6 +40,7 @@ from analytic.free_ball.layout import (
     FLEXIBILITY,
     FRICTION,
     INERTIA,
+    LAW_POWER,
     LOAD,
     MOST_STEPS,
     NORMAL_R,
@@ -65,6 +66,7 @@ STIFFER = 1e3  # times: surfaces without creep, for a force that must not jump
 ACCURACY = 1e-10  # of the residual force, over all friction of the ball
 ENOUGH = 1e-7  # likewise, where round-off of stiff surfaces leaves no better
 STEADY = 1e-6  # relative, of the forces on a ball from one round to the next: a torque needs three digits
+MOST_MIXED, LEAST_MIXED = 0.9, 0.2  # of a secant's step, and of the error that a step has to remove at least
 PRESSURES = 400  # in a table of the viscosity under pressure; ln(eta) between them to 1e-5
 
 
@@ -91,7 +93,7 @@ class FreeBalls:
     across: Array  # (2, ...) F_t on the ball along t, N
     torque: Array  # (2, ...) slip power over w, N m
     spin_torque: Array  # (2, ...) the part of it by spin, N m
-    coefficient: Array  # (2, ...) of Coulomb friction that loses the same power at the same slip; 0 without load
+    coefficient: Array  # (2, ...) of Coulomb friction that loses what the law does at this slip without creep; or 0
     friction: Array  # (2, ...) sum of all friction, N
 
 
@@ -133,6 +135,8 @@ class FreeTurning:
         self.contacts = np.zeros((count, 2, CONTACT))
         self.bodies = np.zeros((count, BALL))
         self.outcomes = np.zeros((count, 2, OUTCOME))
+        # Friction across the grooves, N: what the last round was given, what it gave back, and the difference
+        self.given, self.gave, self.left = (np.full((count, 2), np.nan) for _ in range(3))
 
     def forces(self, balls: PlacedBalls) -> TurningForces:
         """Turns the balls to where they turn steadily, from where they turned last.
@@ -150,7 +154,7 @@ class FreeTurning:
         mass, radius, speed = self.bearing.ball_mass, self.bearing.ball_radius, self._speed(balls.points, shape)
         orbit, velocity = self.bodies[rows, ORBIT_RADIUS].reshape(shape), self.velocity[rows].reshape(*shape, 4)
         rate = velocity[..., 0] / orbit
-        across = self.outcomes[rows, :, ACROSS].reshape(*shape, 2)
+        across = self._mixed(rows).reshape(*shape, 2)
         return TurningForces(
             centrifugal=self.inertia[0] * mass * orbit * (rate * speed) ** 2,
             inner_friction=across[..., 0],
@@ -191,14 +195,14 @@ class FreeTurning:
         if nodes is not None:
             velocity, outcomes = self._turned(np.arange(len(velocity)), velocity.copy(), nodes)
         races = np.moveaxis(outcomes, 1, 0).reshape(2, *self.shape, OUTCOME)
-        power, unit = races[..., POWER], races[..., UNIT_POWER]
+        law, unit = races[..., LAW_POWER], races[..., UNIT_POWER]
         return FreeBalls(
             orbit_rate=(velocity[:, 0] / self.bodies[:, ORBIT_RADIUS]).reshape(self.shape),
             rotation=(velocity[:, 1:] / self.bearing.ball_radius).reshape(*self.shape, 3),
             across=races[..., ACROSS],
-            torque=power,
+            torque=races[..., POWER],
             spin_torque=races[..., SPIN_POWER],
-            coefficient=np.divide(power, unit, out=np.zeros_like(power), where=unit > 0),
+            coefficient=np.divide(law, unit, out=np.zeros_like(law), where=unit > 0),
             friction=races[..., FRICTION],
         )
 
@@ -222,6 +226,25 @@ class FreeTurning:
                 remedy='Raise the load or lower the speed, or give friction.spin_rule = "outer_control".',
             )
         return start, outcomes
+
+    def _mixed(self, rows: NDArray[np.intp]) -> Array:
+        """(k, 2) the friction across the grooves for the next round, N.
+
+        Friction moves the contact angles, and these the friction. Rounds alone converge slowly; the errors of the last
+        two give each ball a secant [Anderson1965].
+        """
+        now = self.outcomes[rows, :, ACROSS]
+        left, left_before = now - self.given[rows], self.left[rows]
+        change = left - left_before
+        size = np.sum(change**2, axis=1)
+        share = np.divide(np.sum(left * change, axis=1), size, out=np.zeros_like(size), where=size > 0)
+        share = np.clip(share, -MOST_MIXED, MOST_MIXED)[:, None]
+        mixed = now - share * (now - self.gave[rows])
+        # A step far shorter than the error would pass for the end of the rounds.
+        stands = ~(np.linalg.norm(mixed - self.given[rows], axis=1) > LEAST_MIXED * np.linalg.norm(left, axis=1))
+        mixed[stands] = now[stands]
+        self.given[rows], self.gave[rows], self.left[rows] = mixed, now, left
+        return mixed
 
     def _rows(self, points: NDArray[np.intp]) -> NDArray[np.intp]:
         each = int(np.prod(self.shape[1:]))

@@ -6,7 +6,7 @@ Arguments of the formulas broadcast. The speeds of a ball come from `analytic.lo
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.errors import require_non_negative, require_positive
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Array, Bearing
 
@@ -106,46 +106,6 @@ def gyroscopic_pull(
         axis_angle=np.pi / 2,
     )
     return ratio(upright * np.cos(contact_angle) / radius, over=load)
-
-
-def gyroscopic_slip_ratio(
-    *,
-    ball_mass: ArrayLike,
-    ball_radius: ArrayLike,
-    ball_speed: ArrayLike,
-    cage_speed: ArrayLike,
-    contact_angle: ArrayLike,
-    friction_force: ArrayLike,
-) -> Array:
-    """M_g/(r F): gyroscopic moment of a ball over what friction across both grooves can hold.
-
-    ball_mass : m, kg;  ball_radius : r, m;  ball_speed, cage_speed : w_b, w_m, rad/s
-    contact_angle : al, the angle of w_b to the bearing axis, rad, 0 to pi/2
-    friction_force : F, the sum of mu Q over both races, N; all >= 0
-    The moment is about the direction of rolling, so that friction across the grooves carries it with the arm r. Above 1
-    the ball turns about that axis too. With the arm 3/8 b of spin's friction it would be some ten times as large.
-    """
-    require_non_negative(
-        ball_mass=ball_mass,
-        ball_radius=ball_radius,
-        ball_speed=ball_speed,
-        cage_speed=cage_speed,
-        contact_angle=contact_angle,
-        friction_force=friction_force,
-    )
-    if np.any(np.asarray(contact_angle) > np.pi / 2):
-        raise InputError(
-            f"contact_angle must be at most pi/2 rad, got {float(np.max(contact_angle))!r}; is it in degrees?"
-        )
-    radius = np.asarray(ball_radius)
-    moment = gyroscopic_moment(
-        ball_mass=ball_mass,
-        ball_diameter=2 * radius,
-        ball_speed=ball_speed,
-        cage_speed=cage_speed,
-        axis_angle=contact_angle,
-    )
-    return ratio(moment, over=np.asarray(friction_force) * radius)
 
 
 def inertia_ratios(bearing: Bearing, *, inner_speed: Array, contact_angle: Array, load: Array) -> tuple[Array, Array]:

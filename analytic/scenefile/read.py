@@ -178,7 +178,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
             yield 'surface.asperities is the law of summits of gap = "truncated": leave it out, or give that gap'
         if surface.height_map is not None and Path(surface.height_map.path).suffix.lower() not in HEIGHT_MAPS:
             yield fault_at(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
-    for name in ("cage", "cage_dynamics"):
+    for name in ("cage", "cage_dynamics", "ball_dynamics"):
         if cage is None and getattr(table.effects, name) == "on":
             yield fault_at(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
 

@@ -197,7 +197,6 @@ class CageTable(Table):
     steps_per_contact: Annotated[int, _whole("steps", low=10, high=1000, example=40)] = Cage.steps_per_contact
     gravity: CageGravity = Cage.gravity
     drag: Annotated[float, Dimension(unit="N*m*s", low=0, high=1, example='"1e-6 N m s"')] = Cage.drag
-    ball_lead: Annotated[float, Dimension(unit="m", low=-0.1, high=0.1, example='"0.05 mm"')] = Cage.ball_lead
     land: LandTable | None = Field(
         default=None, description='give { ring = "outer", clearance = "0.3 mm", width = "10 mm" }'
     )
@@ -285,6 +284,7 @@ class EffectsTable(Table):
     rolling: Decision = "auto"
     cage: Decision = "auto"
     cage_dynamics: Decision = "auto"
+    ball_dynamics: Decision = "auto"
 
 
 class SceneTable(Table):
