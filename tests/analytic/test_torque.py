@@ -66,6 +66,17 @@ def test_free_balls_of_a_series_are_those_of_each_point_alone(scene: Scene) -> N
     np.testing.assert_allclose(together, alone, rtol=1e-5)  # ten times as much: slip follows small changes of speed
 
 
+def test_few_nodes_say_how_far_off_they_are(scene: Scene) -> None:
+    """Also where the next quadrature comes near them by chance, as at 100 to 300 N here."""
+    narrow = replace(scene.bearing, inner=replace(scene.bearing.inner, groove_radius=0.515 * 7.94e-3))
+    asked = replace(scene, bearing=narrow, friction_coefficient=0.09, contact_angle=SOLVED)
+    asked = replace(asked, operation=thrust(*np.geomspace(100.0, 2000.0, 16)))
+    few, many = (friction_torque(replace(asked, tolerance=tolerance)) for tolerance in (0.5, 1e-3))
+    error = np.abs(few.torque.total / many.torque.total - 1)
+    assert error.max() > 5e-3  # else there is nothing to state
+    assert np.all(error <= few.numerical_uncertainty + many.numerical_uncertainty)
+
+
 def order(scene: Scene, name: str, load: float) -> float:
     """Local exponent of a part in the load."""
     low, high = part(friction_torque(replace(scene, operation=thrust(load, 2 * load))).torque, name)

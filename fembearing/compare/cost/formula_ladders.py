@@ -39,8 +39,8 @@ SLIDING: tuple[tuple[str, Sliding, float], ...] = (
 )
 # Ways in which balls turn: sliding method, whether surfaces creep, tolerance; after the rule, which has none of these.
 TURNING: tuple[tuple[str, Sliding, Decision, float], ...] = (
-    ("free ball without creep", "free_ball", "off", 1e-3),
-    ("with closed creep", "closed_creep", "on", 1e-3),
+    ("free ball without creep", "free_ball", "off", 1e-2),
+    ("with closed creep", "closed_creep", "on", 1e-2),
     ("with marched creep, few nodes", "marched_creep", "on", 1.0),
     ("with marched creep", "marched_creep", "on", 1e-6),
 )

@@ -111,7 +111,7 @@ def test_methods_for_sliding_become_more_accurate(oiled: Scene) -> None:
     check_bounds(ladder)
 
 
-def test_ways_to_turn_become_more_accurate(scene: Scene, oiled: Scene) -> None:
+def test_ways_to_turn_become_more_accurate(scene: Scene) -> None:
     dry = replace(
         scene, operation=replace(scene.operation, axial_load=np.array([1000.0]), inner_speed=np.array([17.0]))
     )
@@ -127,6 +127,10 @@ def test_ways_to_turn_become_more_accurate(scene: Scene, oiled: Scene) -> None:
     assert marched.error is None
     assert few.chosen
     check_bounds(ladder)
+
+
+@pytest.mark.slow
+def test_bounds_of_ways_to_turn_hold_with_oil(oiled: Scene) -> None:
     check_bounds(measured(turning_methods(oiled), tolerance=0.03))
 
 
