@@ -193,7 +193,7 @@ def turning_methods(scene: Scene) -> UntimedLadder:
         reference=f"torque of free balls, creep marched through many nodes; worst of {points} operating points",
         methods=(
             method("rule of balanced spin", rule),
-            *(method(name, turning(*how)) for name, *how in TURNING),
+            *(method(name, turning(sliding, creep, tolerance)) for name, sliding, creep, tolerance in TURNING),
         ),
     )
 
