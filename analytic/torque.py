@@ -32,6 +32,9 @@ from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact,
 from analytic.scene import Array, Scene
 from analytic.sliding.methods import Sliding
 
+# Times the largest change over six directions: others change more, and so do other methods, up to 1.25 in 110 drawn
+# scenes (validation/adversary.py).
+BETWEEN = 1.5
 DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
 PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
 
@@ -140,7 +143,7 @@ def _in_any_direction(
         reason = f"the balls' weight counts, its direction is not given, and with one there may be no answer: {problem}"
         unsure = np.full(result.inner_speed.shape, np.inf)
         return replace(result, numerical_uncertainty=unsure, unknown=(*result.unknown, reason))
-    spread = share_in(np.max(changes, axis=0), without) * share_in(result.torque.race, result.torque.total)
+    spread = BETWEEN * share_in(np.max(changes, axis=0), without) * share_in(result.torque.race, result.torque.total)
     return replace(result, numerical_uncertainty=result.numerical_uncertainty + spread)
 
 

@@ -295,6 +295,16 @@ def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     return outcome[0, FRICTION] + outcome[1, FRICTION]
 
 
+@njit(error_model="numpy")
+def _roll(contact, ball, velocity):
+    """Let a ball roll on one race without slip at the contact's centre: a start for what `_hold` leaves it."""
+    n_r, n_z = contact[NORMAL_R], contact[NORMAL_Z]
+    slide = velocity[0] - n_z * velocity[2] + n_r * velocity[3]
+    slide -= contact[RING] * (ball[ORBIT_RADIUS] + ball[BALL_RADIUS] * n_r)
+    velocity[2] += n_z * slide
+    velocity[3] -= n_r * slide
+
+
 @njit(inline="always", error_model="numpy")
 def _solved(matrix, right):
     """The solution of a system of four by elimination with pivots; both are overwritten."""
@@ -374,6 +384,8 @@ def rotate(contacts, balls, velocities, quadrature, tolerance, outcomes):
         contact, ball, velocity, outcome = contacts[index], balls[index], velocities[index], outcomes[index]
         for race in range(2):
             passing[race] = _passing(contact[race], ball, velocity)
+        if contact[0, LOAD] == 0.0 or contact[1, LOAD] == 0.0:
+            _roll(contact[0] if contact[0, LOAD] > 0.0 else contact[1], ball, velocity)
         start[:] = velocity
         left = _newton(contact, ball, velocity, passing, quadrature, tolerance, outcome)
         if left > tolerance:

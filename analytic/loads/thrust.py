@@ -28,6 +28,7 @@ LAST_STEP = 1e-8
 # The angles that a round holds change the next ones by less than 1e-3 at rest (curvatures; 3 or 4 rounds), by a tenth
 # at most at speed (speeds and friction too; 4 or 5).
 MOST_ROUNDS = 300
+STEADYING = 30  # rounds, after which forces move halfway: some swing to and fro with the angles
 ROUND_OFF = 4 * np.finfo(np.float64).eps
 
 
@@ -268,7 +269,8 @@ class _Thrust:
         """
         change = 0.0  # no rate yet
         accuracy = ROUND_OFF if turning is None else max(ROUND_OFF, turning.accuracy)
-        for _ in range(MOST_ROUNDS):
+        held = np.zeros(()), np.zeros(())  # forces of the last round
+        for rounds in range(MOST_ROUNDS):
             last, before = balls, change
             # Friction may drive a ball past a right angle before the rounds settle, or fail to.
             within = np.minimum(np.abs(last.angle), np.pi / 2)
@@ -278,11 +280,14 @@ class _Thrust:
                 forces = turning.forces(_placed(last, contacts))
                 friction = np.stack([forces.inner_friction, forces.outer_friction])
                 outward, lean = forces.centrifugal / self.push, -np.arctan(friction / last.load)
+                if rounds >= STEADYING:
+                    outward, lean = (outward + held[0]) / 2, (lean + held[1]) / 2
+                held = outward, lean
             balls = self.balanced(contacts, start=last.tangent, outward=outward, lean=lean)
             # Of ln(tan b_i), which rounds where it is large: at a light load on no clearance it is -10.
-            logarithm, held = np.log(balls.tangent), np.log(last.tangent)
+            logarithm, start = np.log(balls.tangent), np.log(last.tangent)
             steps = np.maximum(
-                np.abs(logarithm - held) / (1 + np.abs(held)), np.abs(balls.angle - last.angle).max(axis=0)
+                np.abs(logarithm - start) / (1 + np.abs(start)), np.abs(balls.angle - last.angle).max(axis=0)
             )
             change = float(np.max(steps, initial=0.0))
             # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.

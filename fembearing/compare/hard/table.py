@@ -7,6 +7,7 @@ Where no number is right, the right answer is an error that says so; any other a
 from fembearing.compare.hard.cage import CAGE_CASES
 from fembearing.compare.hard.case import HardCase, HardOutcome, outcome_of
 from fembearing.compare.hard.contacts import CONTACT_CASES
+from fembearing.compare.hard.free_balls import FREE_BALL_CASES
 from fembearing.compare.hard.friction import FRICTION_CASES
 from fembearing.compare.hard.lubrication import LUBRICATION_CASES
 from fembearing.compare.hard.meshes import MESH_CASES
@@ -16,7 +17,7 @@ from fembearing.progress import Progress, silent
 __all__ = ["HARD_CASES", "HardCase", "HardOutcome", "outcome_of", "run_hard_cases"]
 
 HARD_CASES: tuple[HardCase, ...] = (
-    CONTACT_CASES + MESH_CASES + FRICTION_CASES + LUBRICATION_CASES + ROUGHNESS_CASES + CAGE_CASES
+    CONTACT_CASES + MESH_CASES + FRICTION_CASES + FREE_BALL_CASES + LUBRICATION_CASES + ROUGHNESS_CASES + CAGE_CASES
 )
 
 
