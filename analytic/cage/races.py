@@ -139,6 +139,8 @@ class Races:
     @cached_property
     def alone(self) -> AloneBall:
         """A ball without a cage; raises ConvergenceError if its speeds do not settle."""
+        from analytic.cage.free_kernel import ANGLE
+
         points = self.table.shape[0]
         ball = self._rolling()
         if points == 1:
@@ -155,22 +157,21 @@ class Races:
         radius = self.bearing.pitch_diameter / 2
         step = 2 * np.pi * radius / abs(ball[1]) / STEPS
         self._gone_round(ball, STEPS, step)  # from rolling to what the loads make of it
-        begin = ball[0]
-        path = np.concatenate([[[*ball[:5], 0, 0, 0]], self._gone_round(ball, STEPS + STEPS // 10, step)])
-        angle, time = np.sign(self.inner_speed) * (path[:, 0] - begin), step * np.arange(len(path))
+        begin, sign = ball[ANGLE], np.sign(self.inner_speed)
+        path = self._gone_round(ball, STEPS + STEPS // 10, step)
+        angle, time = sign * (path[:, 0] - begin), step * np.arange(1, len(path) + 1)
         period = float(np.interp(2 * np.pi, angle, time))
-        turn = time < period
+        turn = time <= period
         azimuth = 2 * np.pi * np.arange(points) / points
 
         def at(values: Array) -> Array:
             return np.interp(azimuth, path[turn, 0] % (2 * np.pi), values[turn], period=2 * np.pi)
 
-        even = np.linspace(0, 2 * np.pi, STEPS, endpoint=False)
-        ahead = np.interp(even / (2 * np.pi) * period, time, path[:, 0]) - np.sign(self.inner_speed) * even
-        where = begin + np.sign(self.inner_speed) * even
+        even = 2 * np.pi * np.arange(1, STEPS) / STEPS  # of a ball at the mean speed
+        ahead = np.interp(even / (2 * np.pi) * period, time, angle) - even
         return AloneBall(
-            orbit_speed=float(np.sign(self.inner_speed) * 2 * np.pi / period),
-            lead=float(2 * np.mean(ahead * np.sin(where)) * radius),
+            orbit_speed=float(sign * 2 * np.pi / period),
+            lead=float(2 * np.mean(ahead * np.sin(even + sign * begin)) * radius),
             speeds=np.stack([at(path[:, 1 + speed]) for speed in range(4)], axis=1),
             slip_power=at(path[:, 6] / step),
             grip=float(path[turn, 7].max()),
