@@ -293,5 +293,11 @@ def rolled(races, pair, begin, impulse, span, scale):
         + v2 * (j * g2 - impulse[2])
         + v3 * (j * g3 - impulse[3])
     )
-    numerical = 0.5 * (m * g0 * g0 + j * (g1 * g1 + g2 * g2 + g3 * g3))
+    # The pocket's force acts along the whole step, that of the races as at its end: only this takes energy away.
+    numerical = 0.5 * (
+        g0 * (m * g0 - impulse[0])
+        + g1 * (j * g1 - impulse[1])
+        + g2 * (j * g2 - impulse[2])
+        + g3 * (j * g3 - impulse[3])
+    )
     return Roll((v0, v1, v2, v3), work, work - received, numerical, grip, settled)

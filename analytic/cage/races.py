@@ -12,6 +12,7 @@ Source: [Kalker1982] and [Polach2005] for the law; the derivatives by the pocket
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,6 +24,9 @@ from analytic.loads.balls import LoadedBalls, LoadEffects
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.ring import ring_equilibrium
 from analytic.scene import Array, Bearing, ContactAngle, Operation
+
+if TYPE_CHECKING:
+    from analytic.cage.race_law import RaceLaw
 
 LEAST_CREEP = 1e-4  # m/s, added to s_c: without it a ball at standstill would meet dry friction with a jump
 AZIMUTHS = 144  # at least, of a turn: straight lines between them are within 1e-3 of the loads
@@ -114,7 +118,7 @@ class Races:
         """(2, n) N: mu Q, the largest traction."""
         return np.reshape(self.friction, (2, 1)) * self.contacts.load
 
-    def law(self) -> object:
+    def law(self) -> "RaceLaw":
         """Constants of the compiled loop."""
         from analytic.cage.race_law import RaceLaw
 

@@ -58,7 +58,7 @@ def balance(races: Races, speeds: Array, strips: int) -> tuple[Array, float]:
             (np.sin(angle) * spinning + np.cos(angle) * turning) / RADIUS,
         ]
     gyroscopic = 0.4 * BEARING_6205.ball_mass * speeds[0] / PITCH
-    return total + [0, -gyroscopic * speeds[2], gyroscopic * speeds[1], 0], lost
+    return total + gyroscopic * np.array([0, -speeds[2], speeds[1], 0]), lost
 
 
 @pytest.mark.parametrize("k", [0.3, 1.1, 4.0])
@@ -105,7 +105,7 @@ def test_the_compiled_tractions_are_those_of_the_formulas() -> None:
 
 
 def test_a_ball_alone_is_in_balance() -> None:
-    """By many strips, where creep is so wide that few resolve it; the forces on a ball are a thousandth of the limit."""
+    """By many strips, where creep is so wide that the kernel's few resolve it."""
     races = races_under((41.6, 55.7), (0.266, 0.182), inner_speed=1500.0, friction=3.0)
     force, lost = balance(races, races.alone.speeds[0], 400)
     assert np.abs(force).max() < 1e-5 * races.limits.min()
