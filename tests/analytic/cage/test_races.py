@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import root
 
 from analytic.cage import race_law
 from analytic.cage.races import LEAST_CREEP, Races, ring_races, thrust_races
@@ -29,19 +30,19 @@ def at(*, load: float, moment: float = 0.0, axial: float = 1000.0) -> Operation:
     return Operation(axial_load=np.array([axial]), inner_speed=np.array([W]), radial_load=load, moment=moment)
 
 
-def balance(races: Races, speeds: Array, strips: int) -> tuple[Array, float]:
+def balance(races: Races, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:
     """Force on a ball by its four speeds, N, and power of slip, W; by NumPy and its own arctan, from the formulas."""
-    point, places = np.polynomial.legendre.leggauss(strips), races.table[0]
-    phi, weight = np.pi / 2 * point[0], np.pi / 2 * point[1] * 0.75 * np.cos(np.pi / 2 * point[0]) ** 3
+    nodes, weights = np.polynomial.legendre.leggauss(strips)
+    phi, weight = np.pi / 2 * nodes, np.pi / 2 * weights * 0.75 * np.cos(np.pi / 2 * nodes) ** 3
     total, lost = np.zeros(4), 0.0
     grooves = (BEARING_6205.inner, BEARING_6205.outer)
     for race, (groove, ring) in enumerate(zip(grooves, (races.inner_speed, 0.0), strict=True)):
-        load = races.contacts.load[race, 0]
-        angle = races.contacts.contact_angle[race, 0] + np.pi * (1 - race)  # of the normal out of the ball
-        width = races.contacts.contact.semi_axis_y[race, 0]
+        load = races.contacts.load[race, azimuth]
+        angle = races.contacts.contact_angle[race, azimuth] + np.pi * (1 - race)  # of the normal out of the ball
+        width = races.contacts.contact.semi_axis_y[race, azimuth]
         conformity = groove.groove_radius / (2 * RADIUS)
         depth = width**2 * np.sin(phi) ** 2 / (2 * 2 * conformity * 2 * RADIUS / (2 * conformity + 1))
-        creep = places[race, race_law.CREEP] * np.cbrt(load) + LEAST_CREEP
+        creep = races.table[azimuth, race, race_law.CREEP] * np.cbrt(load) + LEAST_CREEP
         outward, axial = speeds[2] / RADIUS, speeds[3] / RADIUS - ring
         across = -np.sin(angle) * outward + np.cos(angle) * axial
         normal = np.cos(angle) * outward + np.sin(angle) * axial
@@ -174,14 +175,22 @@ def test_a_race_that_the_pocket_unloads_leaves_its_share_to_the_other() -> None:
 
 
 @pytest.mark.parametrize(
-    ("load", "moment", "lead"),
-    [(200.0, 0.0, 51.6e-6), (500.0, 0.0, 119e-6), (1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)],
+    ("load", "moment", "rolling"), [(200.0, 0.0, 51.6e-6), (1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)]
 )
-def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, moment: float, lead: float) -> None:
-    """Independent numbers: integral of the orbit speed of a ball that rolls; for the moment a closed form."""
+def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, moment: float, rolling: float) -> None:
+    """Against the orbit speed of a ball in balance at each azimuth, and a ball that rolls at the contacts' centres."""
     races = ring_races(BEARING_6205, ANGLE, at(load=load, moment=moment), STANDING, friction=(0.1, 0.1))
-    # The first harmonic here is below the largest lead of all harmonics, and the ball's axis may lean.
-    np.testing.assert_allclose(abs(races.alone.lead), lead, rtol=0.025)
+    points = range(0, races.contacts.load.shape[1], 6)
+    speeds = [
+        root(lambda v, p: balance(races, v, 200, azimuth=p)[0], races.alone.speeds[p], args=(p,), tol=1e-9).x[0]
+        for p in points
+    ]
+    azimuth = 2 * np.pi * np.arange(len(points)) / len(points)
+    # dpsi/dt = w (1 + c cos psi) leads by c sin psi.
+    lead = 2 * PITCH * np.mean(np.array(speeds) / np.mean(speeds) * np.cos(azimuth))
+    np.testing.assert_allclose(races.alone.lead, lead, rtol=0.04)  # of the strips
+    # A hollow contact rolls beside its centre, the farther the more load: that takes from the lead.
+    assert 0.88 * rolling < abs(races.alone.lead) < rolling * 1.03
 
 
 def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
