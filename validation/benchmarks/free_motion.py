@@ -36,7 +36,7 @@ CASES: tuple[tuple[str, float, float, CageStart], ...] = (
     ("rest", 1000.0, 500.0, "rest"),
     ("whirl", 1000.0, 500.0, "whirl"),
     ("sudden start", 1000.0, 500.0, "sudden"),
-    ("sliding balls", 1000.0, 6000.0, "whirl"),
+    ("sliding balls", 1000.0, 5000.0, "whirl"),
     ("rattling", 100.0, 6000.0, "whirl"),
 )
 out = Console(width=120)
