@@ -18,7 +18,7 @@ from analytic.errors import InputError
 
 Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
-SpinRule = Literal["balanced", "inner_control", "outer_control"]
+SpinRule = Literal["free", "balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
 Supply = Literal["oil_bath", "oil_spot", "grease"]
@@ -28,7 +28,13 @@ CageStart = Literal["rest", "ramp", "sudden", "whirl"]
 CageGravity = Literal["across", "along", "off"]
 GapModel = Literal["elastic", "truncated"]
 AsperityLaw = Literal["zhao_maietta_chang", "greenwood_williamson"]
-Sliding = Literal["auto", "single_coefficient", "along_axis", "over_ellipse"]
+SlidingMethod = Literal[
+    "single_coefficient", "along_axis", "over_ellipse", "free_ball", "closed_creep", "marched_creep"
+]
+Sliding = Literal["auto"] | SlidingMethod
+
+
+STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
 def read_only(mapping: Mapping) -> MappingProxyType:
@@ -92,7 +98,6 @@ class Cage:
     steps_per_contact: int = 40  # time steps in the shortest impact to expect
     gravity: CageGravity = "across"  # of the axis: "across" is -y, "along" is -z
     drag: float = 0.0  # braking torque of the surrounding oil over the speed of the cage, N m s
-    ball_lead: float = 0.0  # how far balls lead on one side of the bearing and lag on the other, m
     land: Land | None = None
 
 
@@ -251,11 +256,12 @@ class Scene:
     friction_coefficient: float | None = None  # mu of every race contact, given instead of a surface
     hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: unknown
     losses: Losses = Losses()
-    spin_rule: SpinRule = "balanced"  # how the spin of a ball is shared between its races
-    sliding: Sliding = "auto"  # method that integrates sliding over a contact; auto: chosen by the tolerance
+    spin_rule: SpinRule = "free"  # how a ball turns; free: by mechanics, else its spin is shared by a rule
+    sliding: Sliding = "auto"  # method that integrates sliding; auto: chosen by the tolerance
     microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
     effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
+    down: tuple[float, float, float] | None = None  # direction of gravity along x, y, z, of length 1; None: unknown
     warnings: tuple[str, ...] = ()
 
     @property

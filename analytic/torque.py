@@ -14,39 +14,26 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.cage.torque import CagePart, cage_drive, cage_friction
+from analytic.cage.drive import cage_drive
+from analytic.cage.torque import CagePart, cage_friction
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
 from analytic.effects.cage import decide_cage
 from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
-from analytic.effects.loads import chosen_balls
-from analytic.effects.sliding import Resisting, decide_sliding, decide_whether_sliding
 from analytic.effects.warnings import torque_warnings
-from analytic.errors import FembearingError, InputError, require_finite, require_non_negative
+from analytic.errors import FembearingError, InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
-from analytic.oil.film import FILM_FACTORS
-from analytic.oil.inlets import Inlets, inlets_of, starvation_source
-from analytic.oil.lubricated_races import LubricatedRaces, lubricate_races
-from analytic.oil.mixed import MixedContact
-from analytic.oil.rolling import (
-    RollingResistance,
-    houpert_rolling,
-    hydrodynamic_rolling,
-    hysteresis_moment,
-    rolling_torque,
-)
-from analytic.oil.traction import CoulombTraction, Traction
-from analytic.oil.variation import COVERAGE, ROLLING_SPREAD, SURFACE_SPREAD, Variation
-from analytic.oil.viscosity import inlet_viscosity
+from analytic.oil.inlets import Inlets, starvation_source
+from analytic.oil.variation import NOMINAL, Variation
+from analytic.races import BY_SLIP, RaceTorque, race_torque
 from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
-from analytic.scene import Array, Bearing, Scene, Surface
-from analytic.sliding.methods import Sliding, SlidingModel, race_sliding
+from analytic.scene import Array, Scene
+from analytic.sliding.methods import Sliding
 
-BY_SLIP = ("spin", "conformity")
+DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
 PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
-NOMINAL = Variation()
 
 
 def friction_torque(
@@ -73,41 +60,13 @@ def friction_torque(
     _require_friction(scene)
     operation = scene.operation.as_series()
     speed = operation.inner_speed
-    require_finite(**{"operation.inner_speed": speed})
     ledger = Ledger(scene, speed.size)
-    chosen = chosen_balls(scene, operation, ledger, correction=correction)
-    balls, load_warnings = chosen.balls, list(chosen.warnings)
-    parts: dict[str, Array] = {}
-    if ledger.decide("hysteresis"):
-        assert scene.hysteresis_loss is not None
-        moment = hysteresis_moment(balls.contacts, hysteresis_loss=scene.hysteresis_loss)
-        parts["hysteresis"] = balls.total(moment * balls.contacts.rolling_rate)
-    slides, constant = decide_whether_sliding(ledger), _sum(parts, speed)
-    resisting, resistance = _resisting(ledger, balls, speed, constant=constant, slides=slides, variation=variation)
-    oiled, inlets = resisting.oiled, resisting.inlets
-    mixed = decide_sliding(scene, resisting, ledger, slides=slides)
-    if resisting.rolling is not None and inlets is not None:
-        left = inlets.rolling_factor(heats=ledger.is_on("inlet_heating"), starves=ledger.is_on("starvation"))
-        parts["rolling"] = balls.total(resisting.rolling * left)
-    sliding: Sliding | None = None
-    if slides:
-        sliding = race_sliding(
-            balls,
-            _tractions(scene, oiled, mixed),
-            SlidingModel(
-                spins=ledger.is_on("spin"),
-                conforms=ledger.is_on("conformity"),
-                spin_rule=scene.spin_rule,
-                microslip=scene.microslip,
-                method=scene.sliding,
-            ),
-            ring_speed=speed,
-            other_torque=_sum(parts, speed),
-            allowed=scene.tolerance - ledger.left_out,
-        )
-        parts |= {name: getattr(sliding, name) for name in BY_SLIP if ledger.is_on(name)}
-    race = _sum(parts, speed)
-    drive = None if scene.cage is None else cage_drive(scene.bearing, scene.cage, balls, speed)
+    races = race_torque(ledger, operation, correction=correction, variation=variation)
+    balls, sliding, mixed, parts = races.balls, races.sliding, races.mixed, dict(races.parts)
+    load_warnings = list(races.chosen.warnings)
+    race = races.total
+    coefficient = scene.friction_coefficient if sliding is None else sliding.coefficient
+    drive = None if scene.cage is None else cage_drive(scene, balls, coefficient, speed)
     decide_cage(scene, drive, ledger, race=race)
     cage: CagePart | None = None
     if drive is not None and ledger.is_on("cage"):
@@ -118,9 +77,9 @@ def friction_torque(
     if cage is not None:
         parts["cage"] = cage.torque
         load_warnings = load_warnings + list(cage.warnings)
-    limits = check_limits(scene, operation, balls, ledger, sliding=sliding)
-    uncertainty = _uncertainty(ledger, sliding, parts, race=race, total=total) + limits.uncertainty
-    at = balls.heaviest
+    limits = check_limits(scene, operation, balls, ledger)
+    uncertainty = _uncertainty(ledger, races, total=total) + limits.uncertainty
+    at, oiled = balls.heaviest, races.resisting.oiled
     result = FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
@@ -129,7 +88,9 @@ def friction_torque(
         contact_angle=balls.contact_angle.mean(axis=0)[at],
         ball_load=balls.load.max(axis=0)[at],
         torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=uncertainty if cage is None else uncertainty + share_in(cage.half_interval, total),
+        numerical_uncertainty=uncertainty
+        if cage is None
+        else uncertainty + share_in(cage.half_interval + cage.unsure, total),
         friction_coefficient=FrictionCoefficients(
             **_on_races(None if sliding is None else sliding.coefficient, at),
             pocket=None if cage is None else cage.friction_coefficient,
@@ -144,16 +105,41 @@ def friction_torque(
         sliding="auto" if sliding is None else sliding.method,
         gap_roughness=None if oiled is None else oiled.roughness.rms_roughness,
         warnings=tuple(
-            torque_warnings(ledger, limits=limits.warnings, oiled=oiled, mixed=mixed, resistance=resistance)
+            torque_warnings(ledger, limits=limits.warnings, oiled=oiled, mixed=mixed, resistance=races.resistance)
             + load_warnings
         ),
-        unknown=limits.unknown + _unknown_sliding(sliding),
-        provenance=_provenance(ledger, resisting, correction=correction, sliding=sliding, cage=cage),
+        unknown=limits.unknown + _unknown_sliding(sliding) + (() if cage is None else cage.unknown),
+        provenance=_provenance(ledger, races, correction=correction, cage=cage),
         seconds=perf_counter() - started,
     )
-    if chosen.farthest is not None:
-        result = _beyond_the_fit(scene, result, chosen.farthest, variation)
+    if races.chosen.farthest is not None:
+        result = _beyond_the_fit(scene, result, races.chosen.farthest, variation)
+    if races.chosen.any_direction:
+        result = _in_any_direction(scene, result)
     return replace(result, seconds=perf_counter() - started)
+
+
+def _in_any_direction(scene: Scene, result: FrictionTorque) -> FrictionTorque:
+    """The torque with the uncertainty of the balls' weight, whose direction the scene does not give.
+
+    It is the largest change of the race torque over six directions, by the cheapest method.
+    """
+    effects = {**result.settled(scene).effects, "creep": "off", "cage": "off", "cage_dynamics": "off"}
+
+    def torque(down: tuple[float, float, float] | None) -> Array:
+        weight = {"load_distribution": "on", "weight": "off" if down is None else "on"}
+        settled = replace(scene, sliding="single_coefficient", down=down, effects=effects | weight)
+        return friction_torque(settled).torque.race
+
+    try:
+        without = torque(None)
+        changes = [np.abs(torque(down) - without) for down in DIRECTIONS]
+    except FembearingError as problem:
+        reason = f"the balls' weight counts, its direction is not given, and with one there may be no answer: {problem}"
+        unsure = np.full(result.inner_speed.shape, np.inf)
+        return replace(result, numerical_uncertainty=unsure, unknown=(*result.unknown, reason))
+    spread = share_in(np.max(changes, axis=0), without) * share_in(result.torque.race, result.torque.total)
+    return replace(result, numerical_uncertainty=result.numerical_uncertainty + spread)
 
 
 def _beyond_the_fit(
@@ -170,58 +156,6 @@ def _beyond_the_fit(
         return replace(result, numerical_uncertainty=unsure, unknown=(*result.unknown, reason))
     moved = share_in(np.abs(other.torque.race - result.torque.race), result.torque.total)
     return replace(result, numerical_uncertainty=result.numerical_uncertainty + moved)
-
-
-def with_model_uncertainty(
-    scene: Scene, result: FrictionTorque, *, correction: ContactCorrection | None = None
-) -> FrictionTorque:
-    """The torque of a scene with the part of its model uncertainty that is known, 95 %.
-
-    result : friction_torque(scene, correction=correction)
-    The torque is computed again, with the same effects and methods, and each change is a part:
-        film: films thicker and thinner by twice the standard uncertainty of their formula, 15 % of ln h
-        gap: the other law of the room between rough surfaces, `elastic` or `truncated`
-        surfaces: asperities that press more and less by twice the spread between surfaces of equal statistics
-        rolling: a resistance to rolling of 0.61 and 1.65 times the formula's, and the formula of [Houpert1987]
-    The largest change counts. The parts are independent, so the root of the sum of their squares is the whole.
-    The errors of the oil's own properties, of traction and of the inputs come on top, so the true one is larger.
-    """
-    variations: dict[str, tuple[tuple[Scene, Variation], ...]] = {}
-    same = result.settled(scene)
-    surface, lubricant = scene.surface, scene.lubricant
-    if surface is not None and result.film.inner is not None:
-        variations["film"] = tuple((same, Variation(film=factor)) for factor in FILM_FACTORS)
-        if result.is_on("asperities"):
-            variations["gap"] = ((replace(same, surface=_other_gap(surface, scene.bearing)), NOMINAL),)
-            factors = [np.exp(sign * COVERAGE * SURFACE_SPREAD) for sign in (-1, 1)]
-            variations["surfaces"] = tuple((same, Variation(asperity_pressure=factor)) for factor in factors)
-    if result.torque.rolling is not None and lubricant is not None:
-        factors = [np.exp(sign * COVERAGE * ROLLING_SPREAD) for sign in (-1, 1)]
-        resistances = [Variation(rolling=factor) for factor in factors]
-        if lubricant.pressure_viscosity > 0:
-            resistances.append(Variation(rolling_formula="houpert"))
-        variations["rolling"] = tuple((same, resistance) for resistance in resistances)
-    if not variations:
-        return result
-    total = result.torque.total
-
-    def changes(pairs: tuple[tuple[Scene, Variation], ...]) -> list[Array]:
-        varied = (friction_torque(scene, correction=correction, variation=variation) for scene, variation in pairs)
-        return [share_in(np.abs(other.torque.total - total), total) for other in varied]
-
-    parts = {name: np.max(changes(pairs), axis=0) for name, pairs in variations.items()}
-    whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
-    return replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts))
-
-
-def _other_gap(surface: Surface, bearing: Bearing) -> Surface:
-    """The surface with the other law of the gap; its summits never yield where no hardness is known."""
-    if surface.gap == "truncated":
-        return replace(surface, gap="elastic")
-    bodies = (bearing.ball_material, bearing.inner.material, bearing.outer.material)
-    if surface.hardness is None and any(body.hardness is None for body in bodies):
-        return replace(surface, gap="truncated", asperities="greenwood_williamson")
-    return replace(surface, gap="truncated")
 
 
 def _require_friction(scene: Scene) -> None:
@@ -246,66 +180,14 @@ def _require_friction(scene: Scene) -> None:
         )
 
 
-def _resisting(
-    ledger: Ledger, balls: LoadedBalls, speed: Array, *, constant: Array, slides: bool, variation: Variation
-) -> tuple[Resisting, RollingResistance | None]:
-    """What resists the balls; settles rolling. constant : (n,) N m, torques that no oil changes."""
-    scene, lubricant = ledger.scene, ledger.scene.lubricant
-    resistance: RollingResistance | None = None
-    rolling: Array | None = None
-    if ledger.decide("rolling"):
-        assert lubricant is not None
-        oil, entrainment = inlet_viscosity(lubricant), speed[:, None] * balls.motion.entrainment_speed
-        if variation.rolling_formula == "houpert":
-            resistance = houpert_rolling(
-                balls.contacts,
-                viscosity=oil.viscosity,
-                pressure_viscosity=oil.pressure_viscosity,
-                entrainment_speed=entrainment,
-            )
-        else:
-            resistance = hydrodynamic_rolling(balls.contacts, viscosity=oil.viscosity, entrainment_speed=entrainment)
-        rolling = variation.rolling * rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed)
-    oiled: LubricatedRaces | None = None
-    if slides and lubricant is not None and scene.surface is not None:
-        oiled = lubricate_races(
-            scene.bearing,
-            balls,
-            lubricant=lubricant,
-            surface=scene.surface,
-            ring_speed=speed,
-            variation=variation,
-        )
-    resisting = Resisting(
-        balls=balls,
-        constant=constant,
-        rolling=rolling,
-        inlets=None if lubricant is None else inlets_of(scene.bearing, balls, lubricant, ring_speed=speed),
-        oiled=oiled,
-        friction_coefficient=scene.friction_coefficient or 0.0,
-    )
-    return resisting, resistance
-
-
-def _tractions(scene: Scene, oiled: LubricatedRaces | None, mixed: MixedContact | None) -> tuple[Traction, Traction]:
-    if oiled is None or mixed is None:
-        assert scene.friction_coefficient is not None
-        law = CoulombTraction(friction_coefficient=scene.friction_coefficient)
-        return law, law
-    return oiled.traction(mixed.race(0)), oiled.traction(mixed.race(1))
-
-
-def _uncertainty(
-    ledger: Ledger, sliding: Sliding | None, parts: dict[str, Array], *, race: Array, total: Array
-) -> Array:
+def _uncertainty(ledger: Ledger, races: RaceTorque, *, total: Array) -> Array:
     """(n,) of the total: estimates of what auto left out of the race torque, and of the sliding method's error."""
-    left_out = ledger.left_out * share_in(race, total)
-    if sliding is None:
+    left_out = ledger.left_out * share_in(races.total, total)
+    if races.sliding is None:
         return left_out
-    slipping = _sum({name: part for name, part in parts.items() if name in BY_SLIP}, race)
-    unknown = np.isinf(sliding.error)
-    error = np.where(unknown, np.inf, share_in(np.where(unknown, 0.0, sliding.error) * slipping, total))
-    return left_out + error
+    unknown = np.isinf(races.sliding.error)
+    error = share_in(np.where(unknown, 0.0, races.sliding.error) * races.sliding_part, total)
+    return left_out + np.where(unknown, np.inf, error)
 
 
 def _unknown_sliding(sliding: Sliding | None) -> tuple[str, ...]:
@@ -326,10 +208,6 @@ def _inlet_words(ledger: Ledger, inlets: Inlets | None) -> str:
     return f"starved, {starvation_source(scene.bearing, scene.lubricant)}, m = {degree:.4g} at least"
 
 
-def _sum(parts: dict[str, Array], like: Array) -> Array:
-    return sum(parts.values(), start=np.zeros(like.shape))
-
-
 def _on_races(values: Array | None, at: tuple[Array, Array]) -> dict[str, Array]:
     """inner, outer: of the heaviest ball at each point."""
     return {} if values is None else {race: values[index][at] for index, race in enumerate(RACES)}
@@ -347,15 +225,10 @@ def _loaded(balls: LoadedBalls, race: int, at: tuple[Array, Array]) -> LoadedCon
 
 
 def _provenance(
-    ledger: Ledger,
-    resisting: Resisting,
-    *,
-    correction: ContactCorrection | None,
-    sliding: Sliding | None,
-    cage: CagePart | None,
+    ledger: Ledger, races: RaceTorque, *, correction: ContactCorrection | None, cage: CagePart | None
 ) -> Mapping[str, str]:
     """How each step was computed, and the versions."""
-    scene, balls = ledger.scene, resisting.balls
+    scene, balls, sliding = ledger.scene, races.balls, races.sliding
     contacts = "Hertz, corrected for finite geometry" if ledger.is_on("finite_geometry") else "Hertz"
     slid_by = "nothing slides" if sliding is None else sliding.method
     if sliding is not None and sliding.computed is not None:
@@ -369,7 +242,7 @@ def _provenance(
             "loads": "thrust, all balls alike" if balls.method == "thrust" else "equilibrium of the ring",
             "contacts": contacts if correction is None else "Hertz with given factors",
             "friction": "given coefficient" if scene.surface is None else "mixed lubrication",
-            "inlets": _inlet_words(ledger, resisting.inlets),
+            "inlets": _inlet_words(ledger, races.resisting.inlets),
             "sliding": slid_by,
             "cage": "left out" if cage is None else cage.provenance,
             **_versions(),

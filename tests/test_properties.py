@@ -36,7 +36,7 @@ scenes = st.builds(
 def scene_of(load: float, speed: float, oil: float, finish: float, angle: float) -> Scene:
     """Every effect is computed, by the method that leaves nothing out; the correction covers races as wide as these."""
     inner, outer = (replace(ring, shoulder_half_width=3.6e-3) for ring in (BASE.bearing.inner, BASE.bearing.outer))
-    effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on")
+    effects: dict[str, Literal["auto", "on", "off"]] = {name: "on" for name in COMPUTED if name != "weight"}
     return replace(
         BASE,
         bearing=replace(BASE.bearing, inner=inner, outer=outer),
@@ -45,7 +45,7 @@ def scene_of(load: float, speed: float, oil: float, finish: float, angle: float)
         surface=replace(present(BASE.surface), rms_roughness=finish),
         contact_angle=ContactAngle(rule="solved", free=angle),
         effects=effects,
-        sliding="over_ellipse",
+        sliding="marched_creep",
     )
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from analytic.cage.motion import MOMENTUM, RESTING_STEP, CageMotion, MotionError, Passage, cage_law, means
 from analytic.cage.pocket import impact
 from analytic.cage.races import Races
-from analytic.cage.steady import DrivenCage
+from analytic.cage.steady import DrivenCage, lead_room
 from analytic.errors import ConvergenceError, InputError
 from analytic.scene import Array, Cage, CageStart
 
@@ -76,9 +76,11 @@ class FreeCageMotion(CageMotion):
         self.races, alone = races, races.alone
         cage = replace(cage, orbit_speed=alone.orbit_speed)
         # Half the clearance is the cage's to give way, so balls that lead by more than a whole one start with that.
-        room = 2 * (cage.half_clearance - cage.centre_offset)
-        if cage.land is not None:
-            room = min(room, room / 2 + cage.land.half_clearance)
+        room = lead_room(
+            half_clearance=cage.half_clearance,
+            centre_offset=cage.centre_offset,
+            land_half_clearance=np.inf if cage.land is None else cage.land.half_clearance,
+        )
         lead = float(np.clip(alone.lead, -NARROW * room, NARROW * room))
         super().__init__(
             replace(cage, ball_lead=lead), begin=begin, seed=seed, ramp=ramp, steps_per_contact=steps_per_contact

@@ -23,6 +23,7 @@ from analytic.errors import ConvergenceError, InputError, require_finite, requir
 from analytic.loads.balls import LoadedBalls, LoadEffects
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.ring import ring_equilibrium
+from analytic.loads.turning import RuledTurning
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 if TYPE_CHECKING:
@@ -182,7 +183,7 @@ class Races:
         )
 
     def _rolling(self) -> Array:
-        """A ball at the azimuth 0 that rolls about the mean of both contact angles."""
+        """A ball at the azimuth 0 that rolls."""
         angle = self.contacts.contact_angle[:, 0]
         bearing = self.bearing
         moving = ball_kinematics(
@@ -192,7 +193,7 @@ class Races:
             pitch_diameter=bearing.pitch_diameter,
             ball_diameter=bearing.ball_diameter,
         )
-        radius, pitch = bearing.ball_radius, angle.mean()
+        radius, pitch = bearing.ball_radius, float(moving.pitch)
         along, turning = float(moving.cage_speed), float(moving.ball_speed)
         return np.array(
             [
@@ -273,8 +274,12 @@ def ring_races(
         moment_x=moment * np.sin(ahead),
         moment_y=moment * np.cos(ahead),
         inner_speed=speed,
-        centrifugal=effects.centrifugal,
-        gyroscopic=effects.gyroscopic,
+        turning=RuledTurning(
+            bearing=bearing,
+            inner_speed=np.full(turns, speed),
+            centrifugal=effects.centrifugal,
+            gyroscopic=effects.gyroscopic,
+        ),
     )
 
     def over_turn(inner: Array, outer: Array) -> Array:

@@ -57,6 +57,8 @@ class CageStatistics:
     block: float  # length of a block, s
     duration: float  # measured time of all seeds together, s
     state: State  # mixed: not the same for all seeds
+    whirl_speed: float  # mean angular speed of the cage centre about the axis, with the sign of the orbit, rad/s
+    wobble: float  # root mean square deviation of the centre's distance from the axis, over each seed, m
     start: CageStart
     other: OtherStart | None  # None: the cage cannot whirl, so there is only one steady motion
     race_excess_torque: float = 0.0  # slip in the races that the cage adds, over the ring's speed, N m; by free balls
@@ -122,6 +124,8 @@ def measured_motion(
         block=duration / BLOCKS,
         duration=seeds * duration,
         state=state,
+        whirl_speed=mean("circling"),
+        wobble=float(np.sqrt(np.mean([_wobble(run) ** 2 for run in runs]))),
         start=start,
         other=_other(cage, state, start, blocks),
         race_excess_torque=float(excess.mean()),
@@ -143,19 +147,24 @@ def _race_excess(blocks: list[Passage]) -> float:
 
 def _state(cage: DrivenCage, blocks: list[Passage]) -> State:
     """The state of the blocks of one seed, all of one length."""
-    places, distances = np.array([block.place for block in blocks]), np.array([block.distance for block in blocks])
+    places = np.array([block.place for block in blocks])
     around_place = np.array([block.place_deviation for block in blocks])
-    around_distance = np.array([block.distance_deviation for block in blocks])
     whole = _steady_state(
         cage,
         place_deviation=float(np.sqrt(np.mean(around_place**2) + np.sum(places.var(axis=0)))),
-        distance_deviation=float(np.sqrt(np.mean(around_distance**2) + distances.var())),
+        distance_deviation=_wobble(blocks),
     )
     of_blocks = {
         _steady_state(cage, place_deviation=block.place_deviation, distance_deviation=block.distance_deviation)
         for block in blocks
     }
     return whole if of_blocks == {whole} else "irregular"
+
+
+def _wobble(blocks: list[Passage]) -> float:
+    """Root mean square deviation of the distance from the axis over blocks of one length, m."""
+    within = np.mean([block.distance_deviation**2 for block in blocks])
+    return float(np.sqrt(within + np.var([block.distance for block in blocks])))
 
 
 def _steady_state(cage: DrivenCage, *, place_deviation: float, distance_deviation: float) -> State:

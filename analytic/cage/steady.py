@@ -18,9 +18,7 @@ from scipy.special import ellipe
 
 from analytic.cage.pocket import impact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.scene import Array, PocketAxis
-
-STANDARD_GRAVITY = 9.80665  # m/s^2
+from analytic.scene import STANDARD_GRAVITY, Array, PocketAxis
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -174,18 +172,25 @@ class DrivenCage:
         return float(impact(mass=mass, speed=self.impact_speed, stiffness=self.stiffness).duration)
 
 
-def require_loose_balls(
-    *, ball_lead: float, half_clearance: float, centre_offset: float, land_half_clearance: float = np.inf
-) -> None:
-    """Refuse balls that lead and lag so far that no place of the cage clears them all.
+def lead_room(*, half_clearance: float, centre_offset: float, land_half_clearance: float = np.inf) -> float:
+    """The largest lead A of the balls, m, for which there is a place of the cage that clears them all.
 
-    ball_lead : A;  half_clearance : nabla of the pocket;  centre_offset : D_p/2 - k;  land_half_clearance : all m
+    half_clearance : nabla of the pocket;  centre_offset : D_p/2 - k;  land_half_clearance : all m
     A lead of A sin(phi) shifts the cage by A/2 and leaves each ball A/2 off the middle of its pocket, each in another
     direction. If a land stops the cage after land_half_clearance < A/2, the farthest ball is A - land_half_clearance
     off.
     """
     free = half_clearance - centre_offset
-    largest = free + min(free, land_half_clearance)
+    return free + min(free, land_half_clearance)
+
+
+def require_loose_balls(
+    *, ball_lead: float, half_clearance: float, centre_offset: float, land_half_clearance: float = np.inf
+) -> None:
+    """Refuse balls that lead and lag so far that no place of the cage clears them all; arguments of `lead_room`."""
+    largest = lead_room(
+        half_clearance=half_clearance, centre_offset=centre_offset, land_half_clearance=land_half_clearance
+    )
     if not abs(ball_lead) < largest:
         raise InputError(
             f"ball_lead {ball_lead!r} m is beyond the clearance: below {largest:.6g} m the cage still goes between "

@@ -1,14 +1,17 @@
 """What the cage adds to the torque of a bearing: by the closed form of a cage at rest on its balls, or by its motion.
 
-`analytic.effects.cage` decides between the two.
+`analytic.effects.cage` decides between the two. A cage whose pockets are too tight for balls that lead has a closed
+form of its own, whatever is decided.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from analytic.cage.pocket import PocketShape, pocket_shape, pocket_stiffness
-from analytic.cage.pocket_friction import PocketFriction, friction_in_pocket
+from analytic.cage.drive import GRAVITY, CageDrive, pocket_shape_of, pocket_stiffness_of
+from analytic.cage.grip import LARGEST_GRIP, LOST_TO_RACES, SQUEEZE_SPREAD, used_share
+from analytic.cage.pocket_friction import PocketFriction
 from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import (
     STANDARD_GRAVITY,
@@ -17,79 +20,22 @@ from analytic.cage.steady import (
     braked_torque,
     rest_torque,
     sliding_torque,
-    whirl_force,
-    whirl_speed,
 )
-from analytic.contact.geometry import pocket_contact
-from analytic.contact.hertz import contact_modulus
-from analytic.loads.balls import LoadedBalls
 from analytic.scene import Array, Bearing, Cage, Scene
 
-GRAVITY = {
-    "across": (0.0, -STANDARD_GRAVITY, 0.0),
-    "along": (0.0, 0.0, -STANDARD_GRAVITY),
-    "off": (0.0, 0.0, 0.0),
-}
-CAGE_KEYS = ("mean_force", "max_force", "interval", "duration", "state", "signed_moment")
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class CageDrive:
-    """A cage and how its balls drive it at each operating point: means over balls and races, (n,)."""
-
-    bearing: Bearing
-    cage: Cage
-    shape: PocketShape
-    inner_speed: Array  # w, rad/s, of any sign
-    orbit_rate: Array  # w_c/w
-    ball_rate: Array  # w_b/w, of each ball about its own axis relative to the orbit
-    contact_angle: Array  # al, magnitude, rad
-
-    @property
-    def orbit_speed(self) -> Array:
-        """|w_c|, rad/s."""
-        return self.orbit_rate * np.abs(self.inner_speed)
-
-    @property
-    def ball_speed(self) -> Array:
-        """|w_b|, rad/s."""
-        return self.ball_rate * np.abs(self.inner_speed)
-
-    @property
-    def gravity(self) -> float:
-        """g, magnitude, m/s^2."""
-        return float(np.linalg.norm(GRAVITY[self.cage.gravity]))
-
-    @property
-    def whirling_force(self) -> Array:
-        """Sum of the normal forces of all balls if the cage whirls, N."""
-        speed, clearance = self.ball_speed, self.shape.half_clearance
-        whirl = whirl_speed(
-            ball_speed=speed, ball_radius=self.bearing.ball_radius, contact_angle=0.0, half_clearance=clearance
-        )
-        mass = self.cage.mass
-        return whirl_force(cage_mass=mass, whirl=whirl, orbit_speed=self.orbit_speed, half_clearance=clearance)
-
-    def pocket_friction(self, scene: Scene, force: Array) -> PocketFriction:
-        """Friction of the balls when their normal forces add up to `force`, (n,), N, > 0."""
-        surface_speed = self.ball_speed * self.bearing.ball_radius
-        return friction_in_pocket(scene, load=force / self.bearing.ball_count, surface_speed=surface_speed)
-
-
-def cage_drive(bearing: Bearing, cage: Cage, balls: LoadedBalls, inner_speed: Array) -> CageDrive:
-    """The cage as these balls drive it; inner_speed : w, (n,), rad/s.
-
-    Raises InputError for a pocket without clearance for its ball.
-    """
-    return CageDrive(
-        bearing=bearing,
-        cage=cage,
-        shape=_pocket_shape(bearing, cage),
-        inner_speed=inner_speed,
-        orbit_rate=balls.motion.cage_speed.mean(axis=1),
-        ball_rate=balls.motion.ball_speed.mean(axis=1),
-        contact_angle=np.abs(balls.contact_angle.mean(axis=(0, 2))),
-    )
+CAGE_KEYS = (
+    "mean_force",
+    "max_force",
+    "interval",
+    "duration",
+    "state",
+    "signed_moment",
+    "whirl_speed",
+    "wobble",
+    "ball_lead",
+    "grip_share",
+    "grip_number",
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -100,7 +46,15 @@ class CagePart:
     friction_coefficient: Array  # of ball on pocket
     mean_force: Array  # sum of the normal forces in all pockets, N
     signed_moment: Array  # of the balls on the cage about the axis, balanced by drag and land, N m
-    driven: tuple[DrivenCage | None, ...]  # the cage that moved; None: at rest, by the closed form
+    ball_lead: Array  # A: how far balls lead on one side of the bearing and lag on the other, m
+    is_squeezed: NDArray[np.bool_]  # whether that is more than the pockets leave free
+    grip_share: (
+        Array  # of what the races of all balls carry along the orbit: how much the mean force uses; NaN: unknown
+    )
+    grip_number: Array  # rho: the same of a whirl, by the ball with the least grip; NaN: unknown
+    unsure: Array  # half width of what the balls' own motion may change in the torque, N m; infinite: unknown
+    unknown: tuple[str, ...]  # why, where it is infinite
+    driven: tuple[DrivenCage | None, ...]  # the cage that moved; None: by a closed form
     motion: tuple[CageStatistics | None, ...]  # its motion; likewise
     warnings: tuple[str, ...]
     provenance: str  # methods of motion, stiffness and friction
@@ -115,42 +69,111 @@ class CagePart:
         """CAGE_KEYS of one operating point as plain Python; None where a closed form has no such value."""
         motion = self.motion[point]
         if motion is None:
-            values = (float(self.mean_force[point]), None, None, 0.0, "rest", float(self.signed_moment[point]))
+            state = "squeezed" if self.is_squeezed[point] else "rest"
+            values = (
+                float(self.mean_force[point]),
+                None,
+                None,
+                0.0,
+                state,
+                float(self.signed_moment[point]),
+                None,
+                None,
+            )
         else:
             intervals = {"torque": list(motion.torque_interval), "max_force": list(motion.max_force_interval)}
             forces = (motion.mean_force, motion.max_force, intervals, motion.duration)
-            values = (*forces, motion.state, motion.signed_moment)
-        return dict(zip(CAGE_KEYS, values, strict=True))
+            values = (*forces, motion.state, motion.signed_moment, motion.whirl_speed, motion.wobble)
+        grip = (float(number[point]) for number in (self.ball_lead, self.grip_share, self.grip_number))
+        known = (number if np.isfinite(number) else None for number in grip)
+        return dict(zip(CAGE_KEYS, (*values, *known), strict=True))
 
 
 def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool) -> CagePart:
     """Torque and forces of the cage.
 
-    moves : by its motion from `cage.start`, where the bearing turns; else by the closed form at rest
-    Raises MotionError if a motion diverges.
+    moves : by its motion from `cage.start`, where the bearing turns and the pockets have room for balls that lead;
+        else by a closed form
+    Raises InputError for races or a ball without grip, MotionError if a motion diverges.
     """
+    drive.grip.require_grip(drive.inner_speed)
     cage, points = drive.cage, drive.inner_speed.size
     weight = np.full(points, cage.mass * max(drive.gravity, 1e-3 * STANDARD_GRAVITY))  # > 0: a film needs a load
-    friction = drive.pocket_friction(scene, np.maximum(drive.whirling_force, weight) if moves else weight)
-    torque, force = _at_rest(drive, friction.coefficient)
+    squeezing = drive.grip.alike * drive.squeezing_force(np.zeros(points)).sum(axis=1)
+    pressed = np.maximum(np.maximum(drive.whirling_force, weight) if moves else weight, squeezing)
+    friction = drive.pocket_friction(scene, pressed)
+    torque, force = _by_closed_form(drive, friction.coefficient)
     moment = cage.drag * drive.orbit_speed * np.sign(drive.inner_speed)
     driven: list[DrivenCage | None] = [None] * points
     motion: list[CageStatistics | None] = [None] * points
-    if moves:
-        for point in map(int, np.flatnonzero(drive.inner_speed)):  # at standstill the closed form is the limit
+    if moves:  # at standstill the closed form is the limit
+        for point in map(int, np.flatnonzero((drive.inner_speed != 0) & ~drive.is_squeezed)):
             driven[point], motion[point] = _moved(drive, point, float(friction.coefficient[point]))
-    return CagePart(
+    part = CagePart(
         torque=np.array([rest if m is None else m.torque for m, rest in zip(motion, torque, strict=True)]),
         friction_coefficient=friction.coefficient,
         mean_force=np.array([rest if m is None else m.mean_force for m, rest in zip(motion, force, strict=True)]),
         signed_moment=np.array(
             [drag if m is None else m.signed_moment for m, drag in zip(motion, moment, strict=True)]
         ),
+        ball_lead=drive.grip.ball_lead,
+        is_squeezed=drive.is_squeezed,
+        grip_share=np.full(points, np.nan),
+        grip_number=drive.grip_number(friction.coefficient),
+        unsure=np.zeros(points),
+        unknown=(),
         driven=tuple(driven),
         motion=tuple(motion),
-        warnings=friction.warnings + _bistable(motion, drive.inner_speed),
-        provenance=_provenance(cage, friction, moves=moves),
+        warnings=friction.warnings + _bistable(motion, drive.inner_speed) + _squeezed(drive),
+        provenance=_provenance(drive, friction, moves=moves),
     )
+    return _with_grip(part, drive)
+
+
+def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
+    """The part with what it uses of the races' grip, and how unsure its torque is for that.
+
+    A cage at rest hardly touches its balls. Where it moves otherwise, it may whirl, and the number of the whirl counts.
+    """
+    carried = drive.grip.carried(part.friction_coefficient)
+    share = part.grip_share if carried is None else used_share(part.mean_force, drive.grip.alike * carried.sum(axis=1))
+    moving = np.array([motion is not None and motion.state != "rest" for motion in part.motion])
+    used = np.where(moving, part.grip_number, share)
+    unsure = np.where(moving, LOST_TO_RACES * used / LARGEST_GRIP * part.torque, 0.0)
+    slides = ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
+    unsure = np.where(part.is_squeezed, SQUEEZE_SPREAD * part.torque, np.where(slides, np.inf, unsure))
+    unknown: tuple[str, ...] = ()
+    if np.any(slides):
+        worst = int(np.argmax(np.where(slides, np.nan_to_num(used), -1.0)))
+        unknown = (_sliding_balls(drive, worst, float(used[worst])),)
+    return replace(part, grip_share=share, unsure=unsure, unknown=unknown)
+
+
+def _sliding_balls(drive: CageDrive, point: int, used: float) -> str:
+    where = f"at {drive.inner_speed[point]:.4g} rad/s"
+    if np.isnan(used):
+        return (
+            f"how much of the grip of the races the moving cage uses {where}: their friction is not computed; leave "
+            'effects.spin and effects.conformity on "auto"'
+        )
+    return (
+        f"the cage uses {used:.3g} of the grip of the races {where}, above {LARGEST_GRIP:g}: balls slide, so given "
+        "balls do not show the forces, and the torque of the races rises; raise the load, or lower the speed or the "
+        "mass of the cage"
+    )
+
+
+def _by_closed_form(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:
+    """Torque, N m, and sum of the normal forces, N, of a cage at rest, or squeezed by balls that lead too far."""
+    torque, force = _at_rest(drive, friction_coefficient)
+    squeezing = drive.grip.alike * drive.squeezing_force(friction_coefficient).sum(axis=1)
+    squeezed = sliding_torque(
+        friction_coefficient=friction_coefficient,
+        force=squeezing,
+        ball_rate=drive.ball_rate,
+        ball_radius=drive.bearing.ball_radius,
+    )
+    return torque + squeezed, force + squeezing
 
 
 def _at_rest(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:
@@ -189,7 +212,7 @@ def _at_rest(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Arra
 def _moved(drive: CageDrive, point: int, friction_coefficient: float) -> tuple[DrivenCage, CageStatistics]:
     cage, speed = drive.cage, float(drive.inner_speed[point])
     assert cage.start is not None  # else no motion is called for
-    driven = driven_cage(
+    level = driven_cage(
         drive.bearing,
         cage,
         friction_coefficient=friction_coefficient,
@@ -198,6 +221,7 @@ def _moved(drive: CageDrive, point: int, friction_coefficient: float) -> tuple[D
         ball_speed=float(np.copysign(drive.ball_speed[point], speed)),
         contact_angle=float(drive.contact_angle[point]),
     )
+    driven = replace(level, ball_lead=float(drive.grip.ball_lead[point]))
     motion = measured_motion(
         driven,
         start=cage.start,
@@ -223,7 +247,7 @@ def driven_cage(
     friction_coefficient : mu of ball on pocket;  inner_speed : w, rad/s;  contact_angle : al, rad
     orbit_speed : w_c, ball_speed : w_b, with the sign of w, rad/s
     """
-    shape = _pocket_shape(bearing, cage)
+    shape = pocket_shape_of(bearing, cage)
     return DrivenCage(
         mass=cage.mass,
         ball_count=bearing.ball_count,
@@ -232,7 +256,7 @@ def driven_cage(
         half_clearance=shape.half_clearance,
         centre_offset=shape.centre_offset,
         pocket_axis=cage.pocket_axis,
-        stiffness=_stiffness(bearing, cage),
+        stiffness=pocket_stiffness_of(bearing, cage),
         restitution=cage.restitution,
         friction_coefficient=friction_coefficient,
         orbit_speed=orbit_speed,
@@ -241,24 +265,7 @@ def driven_cage(
         ring_speed=inner_speed,
         gravity=GRAVITY[cage.gravity],
         drag=cage.drag,
-        ball_lead=cage.ball_lead,
         land=_land(bearing, cage, inner_speed),
-    )
-
-
-def _pocket_shape(bearing: Bearing, cage: Cage) -> PocketShape:
-    return pocket_shape(
-        ball_diameter=bearing.ball_diameter, pocket_diameter=cage.pocket_diameter, pocket_depth=cage.pocket_depth
-    )
-
-
-def _stiffness(bearing: Bearing, cage: Cage) -> float:
-    if cage.pocket_stiffness is not None:
-        return cage.pocket_stiffness
-    pocket = pocket_contact(bearing, cage, load=0.0)
-    modulus = contact_modulus(pocket.ball_material, pocket.race_material)
-    return float(
-        pocket_stiffness(ball_diameter=bearing.ball_diameter, pocket_diameter=cage.pocket_diameter, modulus=modulus)
     )
 
 
@@ -290,13 +297,26 @@ def _bistable(motions: list[CageStatistics | None], inner_speed: Array) -> tuple
     return ()
 
 
-def _provenance(cage: Cage, friction: PocketFriction, *, moves: bool) -> str:
+def _squeezed(drive: CageDrive) -> tuple[str, ...]:
+    """A warning for pockets that are too tight for the lead of the balls."""
+    if not np.any(drive.is_squeezed):
+        return ()
+    worst = int(np.argmax(np.abs(drive.grip.ball_lead)))
+    return (
+        f"at {drive.inner_speed[worst]:.4g} rad/s balls lead on one side of the bearing and lag on the other by "
+        f"{abs(drive.grip.ball_lead[worst]):.3g} m, and the cage leaves {drive.room:.3g} m free: they press on it all "
+        f"round, and the torque is that of a rigid cage, +- {SQUEEZE_SPREAD:.0%}; wider pockets free them",
+    )
+
+
+def _provenance(drive: CageDrive, friction: PocketFriction, *, moves: bool) -> str:
+    cage, tight = drive.cage, int(np.count_nonzero(drive.is_squeezed))
+    squeezed = f", squeezed by balls that lead at {tight} of {drive.inner_speed.size} points" if tight else ""
     if not moves:
-        left_out = [
-            key for key, given in (("land", cage.land is not None), ("ball_lead", cage.ball_lead != 0)) if given
-        ]
-        without = f", without {' and '.join(left_out)}" if left_out else ""
-        return f"closed form at rest{without}, friction by {friction.source}"
+        land = ", without land" if cage.land is not None else ""
+        return f"closed form at rest{land}{squeezed}, friction by {friction.source}"
     stiffness = "Hertz" if cage.pocket_stiffness is None else "given approach"
     steps = f"{cage.steps_per_contact} steps a contact"
-    return f'motion from "{cage.start}", {steps}, pocket stiffness by {stiffness}, friction by {friction.source}'
+    return (
+        f'motion from "{cage.start}", {steps}, pocket stiffness by {stiffness}{squeezed}, friction by {friction.source}'
+    )

@@ -35,6 +35,10 @@ class HertzContact:
     approach: Array  # delta, of two points far inside the bodies, m
     stiffness: Array  # K = load / approach^1.5, N/m^1.5; finite at zero load too
 
+    def reshape(self, shape: tuple[int, ...]) -> "HertzContact":
+        """The same contacts with fields of another shape."""
+        return HertzContact(**{name: field.reshape(shape) for name, field in vars(self).items()})
+
 
 def hertz_contact(
     *, curvature_x: ArrayLike, curvature_y: ArrayLike, load: ArrayLike, modulus: ArrayLike

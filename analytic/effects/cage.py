@@ -6,15 +6,18 @@ says how the motion starts (`cage.start`), the cage could whirl, and a whirl cou
 
 import numpy as np
 
+from analytic.cage.drive import CageDrive
+from analytic.cage.grip import LARGEST_GRIP
 from analytic.cage.steady import sliding_torque, whirl_number
-from analytic.cage.torque import CageDrive
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, LEAST_WHIRL, LONGEST_MOTION
 from analytic.scene import Array, Cage, Scene
 
+LEAST_FORCE = 1e-9  # N: at standstill too, no film is computed without a load
+
 
 def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: Array) -> None:
-    """Decide `cage` and `cage_dynamics`.
+    """Decide `cage` and `cage_dynamics`, and settle `ball_dynamics`.
 
     drive : None for a scene without a cage;  race : torque of the races, (n,), N m, to compare the motion with
     """
@@ -25,9 +28,25 @@ def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: 
         _decide_motion(scene, drive, ledger, race=race)
     else:
         ledger.settle("cage_dynamics", on=False, reason=ENTRIES["cage_dynamics"].idle)
+    _settle_ball_dynamics(scene, drive, ledger)
+
+
+def _settle_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger) -> None:
+    """The motion of the balls is given; the reason says how far that holds."""
+    entry = ENTRIES["ball_dynamics"]
+    reason = entry.lacks(scene) or entry.idle
+    if drive is not None and ledger.is_on("cage_dynamics"):
+        force = np.maximum(drive.whirling_force, LEAST_FORCE)
+        number = float(np.max(drive.grip_number(drive.pocket_friction(scene, force).coefficient)))
+        regime = "balls hold their motion below" if number <= LARGEST_GRIP else "balls slide, above"
+        reason = f"not modelled: grip number {number:.3g} at most, {regime} {LARGEST_GRIP:g}"
+    ledger.settle("ball_dynamics", on=False, reason=reason)
 
 
 def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Array) -> None:
+    if np.all(drive.is_squeezed):
+        ledger.settle("cage_dynamics", on=False, share=np.zeros_like(race), reason=_too_tight(drive))
+        return
     automatic = scene.effects.get("cage_dynamics", "auto") == "auto"
     number = whirl_number(
         ball_speed=drive.ball_speed,
@@ -51,16 +70,25 @@ def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Arra
         )
     elif automatic:
         lacks = _too_long(drive.cage, int(np.count_nonzero(drive.inner_speed)))
-    force = np.maximum(drive.whirling_force, 1e-9)  # N: at standstill too, no film is computed without a load
+    force = np.maximum(drive.whirling_force, LEAST_FORCE)
     bound = sliding_torque(
         friction_coefficient=drive.pocket_friction(scene, force).coefficient,
         force=force,
         ball_rate=drive.ball_rate,
         ball_radius=drive.bearing.ball_radius,
     )
-    bound = np.where(number < LEAST_WHIRL, 0.0, bound)
+    bound = np.where((number < LEAST_WHIRL) | drive.is_squeezed, 0.0, bound)
     share = np.divide(bound, race, out=np.where(bound > 0, np.inf, 0.0), where=race > 0)
     ledger.decide("cage_dynamics", bound=share, lacks=lacks)
+
+
+def _too_tight(drive: CageDrive) -> str:
+    """Why no motion is computed for balls that lead too far."""
+    lead = float(np.max(np.abs(drive.grip.ball_lead)))
+    return (
+        f"balls lead by up to {lead:.3g} m, and the pockets leave {drive.room:.3g} m free: balls and cage press on "
+        "each other all round, by a closed form; a motion needs wider pockets, less radial load or less moment"
+    )
 
 
 def _too_long(cage: Cage, points: int) -> str | None:

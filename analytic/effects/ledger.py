@@ -80,9 +80,8 @@ class Ledger:
             return self._settle(name, on=True, share=None, reason="always computed: no cheaper bound is known")
         if demanded is not None:
             return self._settle(name, on=True, share=bound, reason=demanded)
-        worst, together = _largest(bound), self.left_out + (1 + self.left_out) * bound
-        if _largest(together) <= self.budget:
-            self.left_out = together
+        worst = _largest(bound)
+        if self.leaves_out(bound):
             reason = f"at most {worst:.2g} of the torque, within what {self.budget:.2g} leaves"
             return self._settle(name, on=False, share=bound, reason=reason)
         reason, before = size_of(worst), _largest(self.left_out)
@@ -90,6 +89,14 @@ class Ledger:
             reason += f", more than {self.budget:.2g} leaves"
             reason += f" with {before:.2g} already left out" if before > 0 else ""
         return self._settle(name, on=True, share=bound, reason=reason)
+
+    def leaves_out(self, bound: Array) -> bool:
+        """Whether something with this bound, (n,), fits into what the budget leaves; if so, it counts as left out."""
+        together = self.left_out + (1 + self.left_out) * bound
+        if not _largest(together) <= self.budget:
+            return False
+        self.left_out = together
+        return True
 
     def settle(self, name: str, *, on: bool, reason: str, share: Array | float | None = None) -> None:
         """Record an effect about which there is nothing to decide, with its bound where one is known.

@@ -10,13 +10,10 @@ import numpy as np
 
 from analytic.contact.geometry import RACES, shoulder_distance
 from analytic.effects.ledger import Ledger
-from analytic.effects.table import ENTRIES, LEAST_SLIDING, MOST_CUT, PER_CUT_SHARE, STATIC_LIMIT
+from analytic.effects.table import ENTRIES, MOST_CUT, PER_CUT_SHARE, STATIC_LIMIT
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
-from analytic.loads.inertia import gyroscopic_slip_ratio
 from analytic.scene import Array, Operation, Scene
-from analytic.sliding.long_ellipse import sliding_number
-from analytic.sliding.methods import Sliding
 
 CHECKED = "checked, not modelled"  # how a reason begins
 
@@ -30,20 +27,16 @@ class Limits:
     unknown: tuple[str, ...]  # why, where it is infinite
 
 
-def check_limits(
-    scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger, *, sliding: Sliding | None
-) -> Limits:
+def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger) -> Limits:
     """Settle every effect of the kind "limit" with its number as the reason; say what is past its limit.
 
-    operation : every array (n,);  sliding : None where nothing slides
+    operation : every array (n,)
     Raises InputError for a contact that has left its race.
     """
     distance = _shoulder_distance(scene, balls)
     warnings = (
         *_shoulder(distance, operation, balls, ledger),
         *_plasticity(balls, ledger),
-        *_elastic_creep(balls, ledger, sliding),
-        *_gyroscopic_slip(scene, operation, balls, sliding),
     )
     share = cut_off_share(distance, balls.contact.semi_axis_y).max(axis=(0, 2))
     plastic = balls.contact.peak_pressure.max(axis=(0, 2)) > STATIC_LIMIT
@@ -129,59 +122,6 @@ def _plasticity(balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
                 f"peak pressure on the {name} race {peak:.4g} Pa is above the static limit {STATIC_LIMIT:.2g} Pa: the "
                 "contact is no longer elastic"
             )
-
-
-def _elastic_creep(balls: LoadedBalls, ledger: Ledger, sliding: Sliding | None) -> Iterator[str]:
-    if sliding is None:
-        ledger.settle("elastic_creep", on=False, reason=ENTRIES["elastic_creep"].idle)
-        return
-    least = []
-    for race, loaded in enumerate(balls.load > 0):
-        creep = sliding_number(
-            balls.race(race),
-            friction_coefficient=sliding.coefficient[race],
-            entrainment_speed=balls.motion.entrainment_speed,
-        )
-        least.append(float(np.min(creep, where=loaded, initial=np.inf)))
-    ledger.settle(
-        "elastic_creep",
-        on=False,
-        reason=f"{CHECKED}: least sliding number {min(least):.3g}; below {LEAST_SLIDING:g} it takes part of the slip",
-    )
-    for name, number in zip(RACES, least, strict=True):
-        if number < LEAST_SLIDING:
-            yield (
-                f"the sliding number of the {name} contact is {number:.3g}, below {LEAST_SLIDING:g}: elastic creep "
-                "takes part of the slip, and spin and conformity come out too large"
-            )
-
-
-def _gyroscopic_slip(scene: Scene, operation: Operation, balls: LoadedBalls, sliding: Sliding | None) -> Iterator[str]:
-    """A ball whose gyroscopic moment friction across the grooves cannot hold.
-
-    Only balls that both races load count, with at least the tolerance times the load of the heaviest ball: the others
-    lose next to nothing.
-    """
-    if sliding is None:
-        return
-    speed = np.abs(operation.inner_speed)[:, None]
-    ratio = gyroscopic_slip_ratio(
-        ball_mass=scene.bearing.ball_mass,
-        ball_radius=scene.bearing.ball_radius,
-        ball_speed=speed * balls.motion.ball_speed,
-        cage_speed=speed * balls.motion.cage_speed,
-        contact_angle=np.minimum(np.abs(balls.contact_angle.mean(axis=0)), np.pi / 2),
-        friction_force=np.sum(sliding.coefficient * balls.load, axis=0),
-    )
-    pressed = balls.load.min(axis=0)
-    ratio = np.where(pressed > scene.tolerance * pressed.max(axis=1, keepdims=True), ratio, 0.0)
-    point, _ = np.unravel_index(np.argmax(ratio), ratio.shape)
-    if ratio.max() > 1:
-        yield (
-            f"the gyroscopic moment of a ball is {ratio.max():.3g} times what friction across both grooves holds at "
-            f"{operation.inner_speed[point]:.4g} rad/s: the ball turns about a third axis, for which the model has no "
-            "answer; raise the load or lower the speed"
-        )
 
 
 def _loads(operation: Operation, point: int) -> str:

@@ -6,7 +6,7 @@ state of the balls says whether their own forces count. Contacts are Hertz's, or
 `analytic.loads` computes all of these; the decisions read numbers alone.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from analytic.effects.table import (
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
 from analytic.loads.finite_geometry import corrections_of
-from analytic.loads.shares import LoadShares, inertia_of_lightest, load_shares
+from analytic.loads.shares import LoadShares, load_shares, own_forces_of_lightest
 from analytic.loads.thrust import play_and_free_angle
 from analytic.scene import Array, Operation, Scene
 
@@ -38,9 +38,17 @@ class ChosenBalls:
     """The loaded balls, and what is known of the correction of their contacts."""
 
     balls: LoadedBalls
+    effects: LoadEffects
+    correction: ContactCorrection | None  # factors on Hertz's contacts that the loads were solved with
     warnings: tuple[str, ...] = ()
     # Factors on Hertz's contacts at the far end of what is not known outside the fit's range; None: all lie within
     farthest: ContactCorrection | None = None
+    # Whether the balls' weight counts and nobody knows its direction: its spread is part of the uncertainty
+    any_direction: bool = False
+
+    def turning(self, balls: LoadedBalls) -> "ChosenBalls":
+        """The same with balls that turn in another way."""
+        return replace(self, balls=balls)
 
 
 def chosen_balls(
@@ -61,21 +69,24 @@ def chosen_balls(
         balls = shares.thrust
     else:
         balls = loaded_balls(bearing, contact_angle, operation, massless, correction=correction if solved else None)
-    effects = _decide_inertia(operation, balls, shares, ledger, distributed=distributed)
+    effects, any_direction = _decide_own_forces(operation, balls, shares, ledger, distributed=distributed)
     if correction is not None:
         ledger.settle("finite_geometry", on=True, reason=ENTRIES["finite_geometry"].given)
-        return ChosenBalls(balls=loaded_balls(bearing, contact_angle, operation, effects, correction=correction))
+        balls = loaded_balls(bearing, contact_angle, operation, effects, correction=correction)
+        return ChosenBalls(balls=balls, effects=effects, correction=correction, any_direction=any_direction)
     if effects != massless:
         balls = loaded_balls(bearing, contact_angle, operation, effects)
     found = corrections_of(bearing, balls)
+    chosen = ChosenBalls(balls=balls, effects=effects, correction=None, any_direction=any_direction)
     if not _decide_finite_geometry(scene, found, ledger):
-        return ChosenBalls(balls=balls)
+        return chosen
     farthest = None if np.all(found.inner.covered & found.outer.covered) else found.farthest
-    if np.any(found.inner.applied + found.outer.applied):
-        balls = loaded_balls(bearing, contact_angle, operation, effects, correction=found.correction)
-    else:
+    chosen = replace(chosen, warnings=found.warnings, farthest=farthest)
+    if not np.any(found.inner.applied + found.outer.applied):
         ledger.not_applied("finite_geometry", f"not applied: {'; '.join(found.warnings)}")
-    return ChosenBalls(balls=balls, warnings=found.warnings, farthest=farthest)
+        return chosen
+    corrected = loaded_balls(bearing, contact_angle, operation, effects, correction=found.correction)
+    return replace(chosen, balls=corrected, correction=found.correction)
 
 
 def _decide_distribution(shares: LoadShares, ledger: Ledger) -> bool:
@@ -98,18 +109,19 @@ def _decide_distribution(shares: LoadShares, ledger: Ledger) -> bool:
     return distributed
 
 
-def _decide_inertia(
+def _decide_own_forces(
     operation: Operation, balls: LoadedBalls, shares: LoadShares, ledger: Ledger, *, distributed: bool
-) -> LoadEffects:
-    """centrifugal and gyroscopic. balls : without both. Raises InputError for balls that skid."""
-    outward, across = inertia_of_lightest(ledger.scene.bearing, operation, balls)
-    lightest = float(np.max(outward))
-    pressed = "nothing" if np.isinf(lightest) else f"{1 / max(lightest, TINIEST):.3g} times the force"
-    centrifugal = ledger.decide(
-        "centrifugal",
-        bound=PER_CENTRIFUGAL * outward,
-        demanded=f"a ball is pressed with {pressed}, less than {PRESSED:g} times" if lightest * PRESSED > 1 else None,
-    )
+) -> tuple[LoadEffects, bool]:
+    """centrifugal, gyroscopic and weight; whether weight counts in an unknown direction.
+
+    balls : without these. Raises InputError for balls that skid.
+    """
+    outward, across, weight = own_forces_of_lightest(ledger.scene.bearing, operation, balls)
+    lightest = float(np.max(outward + weight))
+    pressed = "nothing" if np.isinf(lightest) else f"{1 / max(lightest, TINIEST):.3g} times its own forces"
+    demanded = f"a ball is pressed with {pressed}, less than {PRESSED:g} times" if lightest * PRESSED > 1 else None
+    turns = bool(np.any(operation.inner_speed))
+    centrifugal = ledger.decide("centrifugal", bound=PER_CENTRIFUGAL * outward, demanded=demanded if turns else None)
     worst = int(np.argmax(shares.centrifugal))
     if centrifugal and shares.centrifugal[worst] > MOST_CENTRIFUGAL:
         raise InputError(
@@ -119,7 +131,17 @@ def _decide_inertia(
         )
     # Under thrust alone the radial part of the friction that holds the moment moves no ball's angle to first order.
     gyroscopic = ledger.decide("gyroscopic", bound=shares.pull if balls.method == "thrust" else across)
-    return LoadEffects(load_distribution=distributed, centrifugal=centrifugal, gyroscopic=gyroscopic)
+    bound = PER_CENTRIFUGAL * weight
+    weighs = ledger.decide("weight", bound=bound, demanded=demanded)
+    unknown = ledger.scene.down is None and ledger.scene.contact_angle.rule == "solved"
+    any_direction = unknown and not ledger.rules_out("weight") and not ledger.leaves_out(bound)
+    effects = LoadEffects(
+        load_distribution=distributed,
+        centrifugal=centrifugal,
+        gyroscopic=gyroscopic,
+        down=ledger.scene.down if weighs else None,
+    )
+    return effects, any_direction
 
 
 def _decide_finite_geometry(scene: Scene, found: RaceCorrections, ledger: Ledger) -> bool:

@@ -1,4 +1,4 @@
-"""Decisions about conformity, asperities, inlet heating, starvation and spin, before anything slides.
+"""Decisions about conformity, asperities, inlet heating, starvation, spin and creep, before anything slides.
 
 The torque is estimated with an effect and without it, from stresses at the mean pressure and the mean sliding speed of
 each contact. The change counts times the largest error of such a stress (`analytic.sliding.levers.largest_error`). It
@@ -11,13 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.effects.ledger import Ledger
-from analytic.effects.table import ENTRIES
+from analytic.effects.table import ENTRIES, PER_ROLL_CREEP, PER_SPIN_CREEP, ruled
+from analytic.free_ball.rotation import Creep
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.inlets import Inlets
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.scene import Array, Scene
-from analytic.sliding.levers import full_spin_lever, largest_error, largest_spin_lever, rolling_lever
+from analytic.sliding.levers import creep_numbers, full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -46,12 +47,12 @@ def decide_whether_sliding(ledger: Ledger) -> bool:
     return ledger.decide("conformity") or not ledger.rules_out("spin")
 
 
-def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides: bool) -> MixedContact | None:
-    """Settle asperities, inlet_heating, starvation and spin; return the shared load, where oil and surfaces share it.
+def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides: bool) -> "Estimate":
+    """Settle asperities, inlet_heating, starvation and spin; return the estimate that they come from.
 
     slides : whether spin or conformity is computed; if not, inlets act on rolling alone
     """
-    estimate = _Estimate(resisting, ledger, slides=slides)
+    estimate = Estimate(resisting, ledger, slides=slides)
     regime = Regime(
         asperities=resisting.oiled is not None and not ledger.rules_out("asperities"),
         inlet_heating=resisting.inlets is not None and not ledger.rules_out("inlet_heating"),
@@ -70,7 +71,33 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
         on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle, demanded=demanded)
         regime = replace(regime, **{name: on})
     ledger.decide("spin", bound=estimate.spin(scene, regime) if slides else None)
-    return estimate.mixed(regime)
+    return estimate
+
+
+def mixed_contacts(ledger: Ledger, resisting: Resisting) -> MixedContact | None:
+    """The load shared by oil and surfaces as it was decided; None where they do not share it."""
+    inlets = resisting.inlets
+    if resisting.oiled is None or inlets is None:
+        return None
+    factor = inlets.film_factor(heats=ledger.is_on("inlet_heating"), starves=ledger.is_on("starvation"))
+    return resisting.oiled.mixed(asperities=ledger.is_on("asperities"), film_factor=factor)
+
+
+def decide_creep(scene: Scene, estimate: "Estimate", ledger: Ledger, *, slides: bool) -> Creep | None:
+    """Settle creep; how the surfaces of balls creep that turn freely, or None where closed kinematics turn them."""
+    wanted = {"closed_creep": "closed", "marched_creep": "marched"}.get(scene.sliding)
+    on = ledger.decide(
+        "creep",
+        bound=estimate.creep() if slides else None,
+        lacks=None if slides else ENTRIES["creep"].idle,
+        demanded=None if wanted is None else f'friction.sliding = "{scene.sliding}" has it',
+    )
+    if not slides or ruled(scene) is not None:
+        return None
+    if on:
+        return "closed" if scene.sliding == "closed_creep" else "marched"
+    inert = ledger.is_on("centrifugal") or ledger.is_on("gyroscopic")
+    return "none" if inert or scene.sliding != "auto" else None
 
 
 def _carried(mixed: MixedContact | None, tolerance: float) -> str | None:
@@ -88,7 +115,7 @@ class _Torque(NamedTuple):
     rolling: Array  # N m
 
 
-class _Estimate:
+class Estimate:
     """The torque of balls that only roll, and of races that take all spin, without integrals over the contacts."""
 
     def __init__(self, resisting: Resisting, ledger: Ledger, *, slides: bool) -> None:
@@ -128,6 +155,23 @@ class _Estimate:
         total = self.resisting.balls.total
         return _over(total(least[None]), total(without + rolling) + self.resisting.constant)
 
+    def creep(self) -> Array:
+        """(n,) estimate of the change of the torque by sliding that elastic creep makes, in the last regime."""
+        balls, torque = self.resisting.balls, list(self.known.values())[-1]
+        contacts = balls.contacts
+        friction = np.divide(
+            np.max(torque.friction, axis=0), balls.load, out=np.zeros_like(balls.load), where=balls.load > 0
+        )
+        sliding, spinning = creep_numbers(
+            contacts,
+            friction_coefficient=friction,
+            entrainment_speed=balls.motion.entrainment_speed,
+            spin_rate=np.abs(balls.motion.spin_difference),
+        )
+        share = np.minimum(_over(PER_SPIN_CREEP, spinning) + _over(PER_ROLL_CREEP, sliding), 1e9)
+        loaded = np.where(balls.load > 0, share, 0.0).max(axis=(0, 2))
+        return np.where(loaded >= 1, np.inf, loaded)
+
     def _at(self, regime: Regime) -> _Torque:
         if regime not in self.known:
             self.known[regime] = self._computed(regime)
@@ -151,7 +195,7 @@ class _Estimate:
         return _Torque(mixed, tuple(friction(speed * slip) for slip in slips), boundary, rolling)
 
 
-def _over(part: Array, floor: Array) -> Array:
+def _over(part: Array | float, floor: Array) -> Array:
     """part/floor: an estimate of the share of an effect; infinite where there is no other torque."""
     part, floor = np.broadcast_arrays(part, floor)
     return np.divide(part, floor, out=np.where(part > 0, np.inf, 0.0), where=floor > 0)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from analytic.cage.grip import LARGEST_GRIP
 from analytic.scene import Scene
 
 # Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
@@ -23,11 +24,15 @@ PRESSED = 10.0
 LEAST_WHIRL = 1.0  # of the whirl number: a cage cannot whirl below
 # Simulated time that `auto` allows, with start-up and all seeds, s: about ten minutes of computing in default steps
 LONGEST_MOTION = 500.0
-LEAST_SLIDING = 3.0  # of the sliding number: below, elastic creep takes a good part of the slip
+# Change of the torque by sliding that elastic creep makes, over 1/K of spin and of conformity
+# (`analytic.sliding.levers.creep_numbers`): 4.0 and 0.8 at most in 150 scenes with angles of 0.05 to 0.75 rad and
+# friction of 0.005 to 0.3.
+PER_SPIN_CREEP, PER_ROLL_CREEP = 4.5, 1.0
 # Share of an ellipse's load beyond a shoulder, by Hertz, up to which its torque is known; and the change of the torque
 # over that share. By finite elements the loss by conformity falls by 1.6 shares at most, by spin by 0.7
 # (tests/fem/test_shoulder.py); the load's centroid moves as well, and with it the contact angle.
 MOST_CUT, PER_CUT_SHARE = 0.1, 4.0
+RULED = ("single_coefficient", "along_axis", "over_ellipse")  # methods of sliding with closed kinematics
 STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
 
 
@@ -69,8 +74,30 @@ def _ring_diameters(scene: Scene) -> str | None:
     return _lubricant(scene)
 
 
+def ruled(scene: Scene) -> str | None:
+    """Why closed kinematics turn the balls, in words; None: they turn freely where that counts."""
+    if scene.spin_rule != "free":
+        return f'friction.spin_rule = "{scene.spin_rule}" says how the balls turn: use "free"'
+    if scene.microslip != "derived":
+        return f'friction.microslip = "{scene.microslip}" has no creep: use "derived"'
+    if scene.sliding in RULED:
+        return f'friction.sliding = "{scene.sliding}" has no creep: use "auto"'
+    off = [name for name in ("spin", "conformity") if scene.effects.get(name) == "off"]
+    return f'effects.{off[0]} = "off" leaves out a part of the slip: use "auto"' if off else None
+
+
+def _no_creep(scene: Scene) -> str | None:
+    return 'friction.sliding = "free_ball" has no creep: use "auto"' if scene.sliding == "free_ball" else ruled(scene)
+
+
 def _cage(scene: Scene) -> str | None:
     return "no cage is given: add a table [cage]" if scene.cage is None else None
+
+
+def _moving_cage(scene: Scene) -> str | None:
+    if scene.cage is not None and scene.cage.start is None:
+        return "cage.start is not given"
+    return _cage(scene)
 
 
 def _declared(name: str) -> Need:
@@ -88,6 +115,14 @@ SOLVED_ANGLE = Need(
         else None
     ),
 )
+DOWN = Need(
+    keys='`contact_angle.rule = "solved"` and `down`',
+    lacks=lambda scene: (
+        SOLVED_ANGLE.lacks(scene)
+        or ("operation.down is not given: the direction of gravity along x, y and z" if scene.down is None else None)
+    ),
+)
+FREE = Need(keys='`spin_rule = "free"`, `sliding = "auto"` or with creep', lacks=_no_creep)
 LUBRICANT = Need(keys="`[lubricant]`", lacks=_lubricant)
 LUBRICATED_SURFACE = Need(
     keys="`[lubricant]` and `[surface]`",
@@ -133,6 +168,14 @@ TABLE = (
         "that friction, over the load of the lightest ball",
     ),
     Entry(
+        name="weight",
+        kind="computed",
+        meaning="weight of the balls",
+        needs=DOWN,
+        bound=f"{PER_CENTRIFUGAL:g} times the weight over the load of the lightest ball; computed where it exceeds "
+        f"1/{PRESSED:g} of that load. Without a direction the spread over directions is in the uncertainty",
+    ),
+    Entry(
         name="finite_geometry",
         kind="computed",
         meaning="the true shapes of ball and groove, which are no half spaces",
@@ -173,6 +216,15 @@ TABLE = (
         name="conformity", kind="computed", meaning="sliding because the contact is curved in the transverse direction"
     ),
     Entry(
+        name="creep",
+        kind="computed",
+        meaning="elastic creep of the surfaces, with balls that find their own axis and orbital speed",
+        needs=FREE,
+        bound=f"{PER_SPIN_CREEP:g} and {PER_ROLL_CREEP:g} over the ratios of slip by spin and by conformity to "
+        "the creep at which the surfaces slide everywhere",
+        idle="nothing slides",
+    ),
+    Entry(
         name="hysteresis",
         kind="computed",
         meaning="elastic energy lost by the bodies in each cycle",
@@ -199,6 +251,14 @@ TABLE = (
         idle='the cage is left out: give effects.cage = "auto"',
     ),
     Entry(
+        name="ball_dynamics",
+        kind="cage",
+        meaning="motion of balls that the cage brakes; not modelled",
+        needs=Need(keys="`[cage]` with `start`", lacks=_moving_cage),
+        bound=f"a grip number of the cage above {LARGEST_GRIP:g}",
+        idle="the cage does not move, and hardly touches its balls",
+    ),
+    Entry(
         name="seals",
         kind="declared",
         meaning="torque of the seals",
@@ -211,13 +271,6 @@ TABLE = (
         meaning="torque of the oil that balls and cage stir",
         needs=_declared("drag"),
         given="declared by the scene",
-    ),
-    Entry(
-        name="elastic_creep",
-        kind="limit",
-        meaning="slip by the elasticity of the surfaces; not modelled",
-        bound=f"a sliding number below {LEAST_SLIDING:g}",
-        idle="nothing slides",
     ),
     Entry(
         name="plasticity",

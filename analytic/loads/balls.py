@@ -4,20 +4,22 @@ Under thrust alone all balls are alike and one stands for all; else each has its
 races have an axis of two in front, inner and outer; n operating points and m balls follow.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
 from analytic.contact.rolling_contact import RollingContact, deformed_radius
-from analytic.loads.kinematics import BallKinematics, ball_kinematics
+from analytic.loads.kinematics import BallKinematics
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium
-from analytic.scene import Array, Bearing, ContactAngle, Operation
+from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium, unit_contacts
+from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
+from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Operation
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,6 +29,11 @@ class LoadEffects:
     load_distribution: bool = True  # by radial load and moment
     centrifugal: bool = True  # force of each ball
     gyroscopic: bool = True  # moment of each ball
+    down: tuple[float, float, float] | None = None  # direction of the balls' weight, of length 1; None: left out
+
+    @property
+    def inertia(self) -> bool:
+        return self.centrifugal or self.gyroscopic
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -68,6 +75,20 @@ class LoadedBalls:
         of_ball = of_contact.sum(axis=0) if of_contact.ndim == 3 else of_contact
         return self.alike * of_ball.sum(axis=-1)
 
+    def at(self, points: NDArray[np.intp]) -> "LoadedBalls":
+        """The balls at some operating points."""
+        contact = {name: value[:, points] for name, value in vars(self.contact).items()}
+        motion = {name: value[points] for name, value in vars(self.motion).items()}
+        return replace(
+            self,
+            load=self.load[:, points],
+            contact_angle=self.contact_angle[:, points],
+            contact=HertzContact(**contact),
+            curvature_rolling=self.curvature_rolling[:, points],
+            curvature_transverse=self.curvature_transverse[:, points],
+            motion=BallKinematics(**motion),
+        )
+
     @property
     def heaviest(self) -> tuple[Array, Array]:
         """(row, column), each (n,): of the ball that presses hardest on a race at each operating point."""
@@ -81,15 +102,18 @@ def loaded_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
+    turning: Turning | None = None,
 ) -> LoadedBalls:
     """The balls by the cheapest method that has the effects.
 
     operation : every array (n,);  correction : factors on Hertz's contacts, with a shape that the method takes:
     (n,) for thrust, (n, m) for the ring
+    turning : how the balls turn, in shapes likewise; None: by closed kinematics
     Raises InputError and ConvergenceError as the equilibrium does.
     """
-    method = ring_balls if effects.load_distribution and not operation.is_thrust else thrust_balls
-    return method(bearing, contact_angle, operation, effects, correction=correction)
+    unequal = (effects.load_distribution and not operation.is_thrust) or effects.down is not None
+    method = ring_balls if unequal else thrust_balls
+    return method(bearing, contact_angle, operation, effects, correction=correction, turning=turning)
 
 
 def thrust_balls(
@@ -99,33 +123,37 @@ def thrust_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
+    turning: Turning | None = None,
 ) -> LoadedBalls:
     """All balls alike, one column for Z of them, whatever the radial load and the moment.
 
-    Arguments and errors of thrust_equilibrium, or of thrust_at_speed where the effects include inertia.
+    Arguments and errors of thrust_equilibrium, or of thrust_at_speed where the balls' own forces are included.
     """
-    if effects.centrifugal or effects.gyroscopic:
-        turning = thrust_at_speed(
+    turning = turning or _ruled(bearing, operation, effects)
+    ruled = isinstance(turning, RuledTurning)
+    if contact_angle.rule == "given" or (ruled and not effects.inertia):
+        still = thrust_equilibrium(bearing, contact_angle, axial_load=operation.axial_load, correction=correction)
+        loads, angles, contacts = (still.ball_load,) * 2, (still.contact_angle,) * 2, (still.inner, still.outer)
+        if not ruled:  # a given angle holds loads and angles, but not how the balls turn
+            turning.forces(_placed(bearing, loads[0], angles[0], correction))
+    else:
+        moving = thrust_at_speed(
             bearing,
             contact_angle,
             axial_load=operation.axial_load,
             inner_speed=operation.inner_speed,
-            centrifugal=effects.centrifugal,
-            gyroscopic=effects.gyroscopic,
+            turning=turning,
             correction=correction,
         )
-        loads, angles = (turning.inner_load, turning.outer_load), (turning.inner_angle, turning.outer_angle)
-        contacts = turning.inner, turning.outer
-    else:
-        still = thrust_equilibrium(bearing, contact_angle, axial_load=operation.axial_load, correction=correction)
-        loads, angles, contacts = (still.ball_load,) * 2, (still.contact_angle,) * 2, (still.inner, still.outer)
-    return _balls(
+        loads, angles = (moving.inner_load, moving.outer_load), (moving.inner_angle, moving.outer_angle)
+        contacts = moving.inner, moving.outer
+    return balls_between(
         bearing,
         method="thrust",
-        alike=bearing.ball_count,
         load=np.stack(loads)[..., None],
         angle=np.stack(angles)[..., None],
         contacts=contacts,
+        motion=turning.motion(angles[0], angles[1]),
     )
 
 
@@ -136,12 +164,15 @@ def ring_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
+    turning: Turning | None = None,
 ) -> LoadedBalls:
     """Each ball in its own column; errors of ring_equilibrium.
 
     A ball that is pressed the other way spins the other way and has the same losses: its angles are given as if it
     were not.
     """
+    turning = turning or _ruled(bearing, operation, effects)
+    weight = bearing.ball_mass * STANDARD_GRAVITY * np.array(effects.down or (0.0, 0.0, 0.0))
     ring = ring_equilibrium(
         bearing,
         contact_angle,
@@ -149,30 +180,61 @@ def ring_balls(
         radial_load_x=operation.radial_load,
         moment_y=operation.moment,
         inner_speed=operation.inner_speed,
-        centrifugal=effects.centrifugal,
-        gyroscopic=effects.gyroscopic,
+        turning=turning,
+        ball_weight=(float(weight[0]), float(weight[1]), float(weight[2])),
         correction=correction,
     )
-    angle = np.stack([ring.inner_angle, ring.outer_angle])
-    return _balls(
+    return balls_between(
         bearing,
         method="ring",
-        alike=1,
         load=np.stack([ring.inner_load, ring.outer_load]),
-        angle=np.where(angle.sum(axis=0) < 0, -angle, angle),
+        angle=np.stack([ring.inner_angle, ring.outer_angle]),
         contacts=(ring.inner, ring.outer),
+        motion=turning.motion(ring.inner_angle, ring.outer_angle),
     )
 
 
-def _balls(
+def _placed(bearing: Bearing, load: Array, angle: Array, correction: ContactCorrection | None) -> PlacedBalls:
+    """Balls with one load and one contact angle on both races, (n,)."""
+    inner, outer = unit_contacts(
+        bearing, inner_angle=angle, outer_angle=angle, correction=correction or ContactCorrection()
+    )
+    return PlacedBalls(
+        points=np.arange(load.size),
+        inner_angle=angle,
+        outer_angle=angle,
+        inner_load=load,
+        outer_load=load,
+        inner=inner,
+        outer=outer,
+    )
+
+
+def _ruled(bearing: Bearing, operation: Operation, effects: LoadEffects) -> RuledTurning:
+    return RuledTurning(
+        bearing=bearing,
+        inner_speed=operation.inner_speed,
+        centrifugal=effects.centrifugal,
+        gyroscopic=effects.gyroscopic,
+    )
+
+
+def balls_between(
     bearing: Bearing,
     *,
     method: Literal["thrust", "ring"],
-    alike: int,
     load: Array,
     angle: Array,
     contacts: tuple[HertzContact, HertzContact],
+    motion: BallKinematics,
 ) -> LoadedBalls:
+    """Balls whose loads, angles and motion are known.
+
+    load, angle : Q, al, (2, n, m), N and rad;  contacts : under these loads, of (n,) or (n, m)
+    motion : per unit ring speed, likewise
+    """
+    shape = load.shape[1:]
+    angle = np.where(angle.sum(axis=0) < 0, -angle, angle)
     grooves = (bearing.inner, bearing.outer)
     curvatures = [
         race_curvatures(bearing, race, contact_angle=np.abs(of_race))
@@ -180,13 +242,13 @@ def _balls(
     ]
     return LoadedBalls(
         method=method,
-        alike=alike,
+        alike=bearing.ball_count if method == "thrust" else 1,
         ball_radius=bearing.ball_radius,
         load=load,
         contact_angle=angle,
         contact=HertzContact(
             **{
-                name: np.stack([getattr(contact, name).reshape(load.shape[1:]) for contact in contacts])
+                name: np.stack([getattr(contact, name).reshape(shape) for contact in contacts])
                 for name in vars(contacts[0])
             }
         ),
@@ -197,11 +259,5 @@ def _balls(
             groove_radius=np.reshape([groove.groove_radius for groove in grooves], (2, 1, 1)),
             ball_diameter=bearing.ball_diameter,
         ),
-        motion=ball_kinematics(
-            inner_speed=1.0,
-            inner_angle=angle[0],
-            outer_angle=angle[1],
-            pitch_diameter=bearing.pitch_diameter,
-            ball_diameter=bearing.ball_diameter,
-        ),
+        motion=BallKinematics(**{name: np.reshape(value, shape) for name, value in vars(motion).items()}),
     )

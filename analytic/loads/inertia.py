@@ -6,7 +6,7 @@ Arguments of the formulas broadcast. The speeds of a ball come from `analytic.lo
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.errors import require_non_negative, require_positive
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Array, Bearing
 
@@ -39,7 +39,7 @@ def gyroscopic_moment(
 def force_and_moment(
     bearing: Bearing, *, inner_speed: Array, inner_angle: Array, outer_angle: Array
 ) -> tuple[Array, Array]:
-    """(F_c, M_g) of balls at their contact angles, N and N m; M_g has the sign of the mean contact angle.
+    """(F_c, M_g) of balls at their contact angles, N and N m; M_g has the sign of the ball's pitch.
 
     inner_speed : w, rad/s, any sign, the outer ring stands still
     inner_angle, outer_angle : al_i, al_o, rad, in [-pi/2, pi/2]
@@ -59,7 +59,7 @@ def force_and_moment(
         ball_diameter=bearing.ball_diameter,
         ball_speed=motion.ball_speed,
         cage_speed=motion.cage_speed,
-        axis_angle=(inner_angle + outer_angle) / 2,
+        axis_angle=motion.pitch,
     )
     return force, moment
 
@@ -90,8 +90,8 @@ def gyroscopic_pull(
 
     ball_mass : m, kg;  ball_radius : r, m, > 0;  ball_speed, cage_speed : w_b, w_m, rad/s
     contact_angle : al, rad, 0 to pi/2;  load : Q, N; all >= 0
-    The moment J w_b w_m sin(al) needs a force across the groove of that over r. Its axial part, cos(al) of it, adds to
-    the thrust Q sin(al). The pull changes loads and angles; whether the ball slides is `gyroscopic_slip_ratio`.
+    The moment is J w_b w_m sin(al) at most: a ball leans less. It needs a force across the groove of that over r. Its
+    axial part, cos(al) of it, adds to the thrust Q sin(al). The pull changes loads and angles.
     """
     require_positive(ball_radius=ball_radius)
     require_non_negative(
@@ -106,46 +106,6 @@ def gyroscopic_pull(
         axis_angle=np.pi / 2,
     )
     return ratio(upright * np.cos(contact_angle) / radius, over=load)
-
-
-def gyroscopic_slip_ratio(
-    *,
-    ball_mass: ArrayLike,
-    ball_radius: ArrayLike,
-    ball_speed: ArrayLike,
-    cage_speed: ArrayLike,
-    contact_angle: ArrayLike,
-    friction_force: ArrayLike,
-) -> Array:
-    """M_g/(r F): gyroscopic moment of a ball over what friction across both grooves can hold.
-
-    ball_mass : m, kg;  ball_radius : r, m;  ball_speed, cage_speed : w_b, w_m, rad/s
-    contact_angle : al, the angle of w_b to the bearing axis, rad, 0 to pi/2
-    friction_force : F, the sum of mu Q over both races, N; all >= 0
-    The moment is about the direction of rolling, so that friction across the grooves carries it with the arm r. Above 1
-    the ball turns about that axis too. With the arm 3/8 b of spin's friction it would be some ten times as large.
-    """
-    require_non_negative(
-        ball_mass=ball_mass,
-        ball_radius=ball_radius,
-        ball_speed=ball_speed,
-        cage_speed=cage_speed,
-        contact_angle=contact_angle,
-        friction_force=friction_force,
-    )
-    if np.any(np.asarray(contact_angle) > np.pi / 2):
-        raise InputError(
-            f"contact_angle must be at most pi/2 rad, got {float(np.max(contact_angle))!r}; is it in degrees?"
-        )
-    radius = np.asarray(ball_radius)
-    moment = gyroscopic_moment(
-        ball_mass=ball_mass,
-        ball_diameter=2 * radius,
-        ball_speed=ball_speed,
-        cage_speed=cage_speed,
-        axis_angle=contact_angle,
-    )
-    return ratio(moment, over=np.asarray(friction_force) * radius)
 
 
 def inertia_ratios(bearing: Bearing, *, inner_speed: Array, contact_angle: Array, load: Array) -> tuple[Array, Array]:

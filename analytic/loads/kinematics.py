@@ -1,9 +1,11 @@
-"""How a ball rolls and spins between two rings that turn at different speeds.
+"""How a ball rolls and spins between two rings that turn at different speeds, by closed forms.
 
-Assumes no gross slip, and a ball that turns about an axis in its axial plane at the mean of both contact angles. These
-differ where something else than the races loads the ball. w is the speed of the inner ring minus that of the outer,
-about the bearing axis. Every speed takes its sign from w, except the cage's, which belongs to the fixed frame. Rates of
-a contact are those of the ball relative to the race: rolling about the transverse axis, spin about the normal.
+Assumes no gross slip, and a ball that turns about an axis in its axial plane. The axis has the pitch B to the bearing
+axis: that of outer control, where the ball does not spin on its outer race, unless another is given. Where both contact
+angles are equal, no speed but the spins depends on it. A free ball (`analytic.free_ball`) has its own pitch.
+w is the speed of the inner ring minus that of the outer, about the bearing axis. Every speed takes its sign from w,
+except the cage's, which belongs to the fixed frame. Rates of a contact are those of the ball relative to the race:
+rolling about the transverse axis, spin about the normal.
 Source: [Harris2007b] section 2; the relations here follow from no slip of rigid bodies at both contacts' centres.
 """
 
@@ -15,6 +17,8 @@ from numpy.typing import ArrayLike
 from analytic.errors import InputError, require_finite, require_positive
 from analytic.scene import Array
 
+MOST_LEAN = np.pi / 2 - 0.01  # rad, of the ball's axis to the rolling direction's normal plane at a contact
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BallKinematics:
@@ -24,10 +28,17 @@ class BallKinematics:
     outer_radius: Array  # R_o, bearing axis to the outer contact, m
     cage_speed: Array  # of the ball's orbit, in the fixed frame, rad/s
     ball_speed: Array  # w_b, of the ball about its own axis relative to the cage, rad/s
-    entrainment_speed: Array  # u, mean of both surfaces relative to the contact, the same on both races, m/s
+    inner_entrainment: Array  # u_i, of both surfaces relative to the contact, m/s
+    outer_entrainment: Array  # u_o
     inner_rolling_rate: Array  # w_roll,i, rad/s
     outer_rolling_rate: Array  # w_roll,o, rad/s
     spin_difference: Array  # w_s,i - w_s,o, rad/s
+    pitch: Array  # B, of the ball's axis to the bearing axis, rad
+
+    @property
+    def entrainment_speed(self) -> Array:
+        """(2, ...) u on inner and outer race, m/s."""
+        return np.stack([self.inner_entrainment, self.outer_entrainment])
 
 
 def ball_kinematics(
@@ -38,21 +49,24 @@ def ball_kinematics(
     pitch_diameter: float,
     ball_diameter: float,
     outer_speed: ArrayLike = 0.0,
+    pitch: ArrayLike | None = None,
 ) -> BallKinematics:
     """Speeds of one ball; speeds and angles broadcast.
 
     inner_speed, outer_speed : of the rings, any sign, rad/s
     inner_angle, outer_angle : al_i, al_o, contact angles, rad, in [-pi/2, pi/2]
     pitch_diameter, ball_diameter : d_m > D = 2 r, m
-    With h = (al_o - al_i)/2, so that the ball's axis makes the angle al_i + h with the radial plane's normal:
-        R_i = d_m/2 - r cos(al_i),  R_o = d_m/2 + r cos(al_o),  w = w_inner - w_outer
-        cage (w_inner R_i + w_outer R_o)/(R_i + R_o),  u = w R_i R_o/(R_i + R_o),  w_b = u/(r cos h)
-        w_roll,i = w_b cos h + (u/R_i) cos(al_i),  w_roll,o = w_b cos h - (u/R_o) cos(al_o)
-        w_s,i - w_s,o = (u/R_i) sin(al_i) + (u/R_o) sin(al_o) - 2 w_b sin h
-    At equal angles R_i + R_o = d_m, w_roll,i = w R_o/(2 r), w_roll,o = w R_i/(2 r) and the last is w sin(al). A ball
-    that turns about an axis a little off the mean spins faster on both races by the same amount: kinematics alone do
-    not say how the spin is shared. All are linear in w: inner_speed 1 gives the rates per unit w, which exist at
-    standstill too.
+    pitch : B of the ball's axis, rad, less than a right angle from both contact angles; None: tan B = sin(al_o)/
+        (cos(al_o) + D/d_m), outer control
+    With g = D/d_m and w = w_inner - w_outer:
+        R_i = d_m/2 - r cos(al_i),  R_o = d_m/2 + r cos(al_o)
+        cage w_outer + w/[1 + R_o cos(B - al_i)/(R_i cos(B - al_o))]
+        w_b = (cage - w_outer) R_o/(r cos(B - al_o)),  u_i = r w_b cos(B - al_i),  u_o = r w_b cos(B - al_o)
+        w_roll,i = u_i/r + (u_i/R_i) cos(al_i),  w_roll,o = u_o/r - (u_o/R_o) cos(al_o)
+        w_s,i - w_s,o = (u_i/R_i) sin(al_i) + (u_o/R_o) sin(al_o) - w_b [sin(B - al_i) + sin(al_o - B)]
+    At equal angles R_i + R_o = d_m, w_roll,i = w R_o/(2 r), w_roll,o = w R_i/(2 r) and the last is w sin(al). Between
+    inner and outer control the spin difference hardly depends on the pitch: kinematics alone do not say how the spin is
+    shared. All are linear in w: inner_speed 1 gives the rates per unit w, which exist at standstill too.
     Raises InputError for a speed that is not finite, an angle outside its range, or a ball no smaller than d_m.
     """
     require_finite(inner_speed=inner_speed, outer_speed=outer_speed, inner_angle=inner_angle, outer_angle=outer_angle)
@@ -63,27 +77,35 @@ def ball_kinematics(
             raise InputError(f"{name} must be at most pi/2 rad, got {largest!r}; is it in degrees?")
     if not ball_diameter < pitch_diameter:
         raise InputError(f"ball_diameter {ball_diameter!r} m must be below pitch_diameter {pitch_diameter!r} m")
-    inner, outer, at_inner, at_outer = np.broadcast_arrays(
-        *(np.asarray(value, dtype=np.float64) for value in (inner_speed, outer_speed, inner_angle, outer_angle))
+    ratio = ball_diameter / pitch_diameter
+    if pitch is None:
+        pitch = np.arctan2(np.sin(outer_angle), np.cos(outer_angle) + ratio)
+        # A ball that its inner race hardly presses may lie so steep there that outer control would not turn it at all.
+        pitch = np.maximum(pitch, np.asarray(inner_angle) - MOST_LEAN)
+        pitch = np.minimum(pitch, np.asarray(inner_angle) + MOST_LEAN)
+    inner, outer, at_inner, at_outer, axis = np.broadcast_arrays(
+        *(np.asarray(value, dtype=np.float64) for value in (inner_speed, outer_speed, inner_angle, outer_angle, pitch))
     )
-    speed, radius, half = inner - outer, ball_diameter / 2, (at_outer - at_inner) / 2
-    cosine_inner, cosine_outer = np.cos(at_inner), np.cos(at_outer)
-    inner_radius = pitch_diameter / 2 - radius * cosine_inner
-    outer_radius = pitch_diameter / 2 + radius * cosine_outer
-    both = inner_radius + outer_radius
-    entrainment = speed * inner_radius * outer_radius / both
-    ball_speed = entrainment / radius / np.cos(half)
+    speed, radius = inner - outer, ball_diameter / 2
+    inner_radius = pitch_diameter / 2 - radius * np.cos(at_inner)
+    outer_radius = pitch_diameter / 2 + radius * np.cos(at_outer)
+    rolls_inner, rolls_outer = np.cos(axis - at_inner), np.cos(axis - at_outer)
     # Speed of each race relative to the ball's orbit, about the bearing axis.
-    passes_inner, passes_outer = speed * outer_radius / both, speed * inner_radius / both
+    both = inner_radius * rolls_outer + outer_radius * rolls_inner
+    passes_inner, passes_outer = speed * outer_radius * rolls_inner / both, speed * inner_radius * rolls_outer / both
+    inner_entrainment, outer_entrainment = passes_inner * inner_radius, passes_outer * outer_radius
+    ball_speed = speed * inner_radius * outer_radius / (both * radius)
     return BallKinematics(
         inner_radius=inner_radius,
         outer_radius=outer_radius,
-        cage_speed=(inner * inner_radius + outer * outer_radius) / both,
+        cage_speed=outer + passes_outer,
         ball_speed=ball_speed,
-        entrainment_speed=entrainment,
-        inner_rolling_rate=entrainment / radius + passes_inner * cosine_inner,
-        outer_rolling_rate=entrainment / radius - passes_outer * cosine_outer,
+        inner_entrainment=inner_entrainment,
+        outer_entrainment=outer_entrainment,
+        inner_rolling_rate=inner_entrainment / radius + passes_inner * np.cos(at_inner),
+        outer_rolling_rate=outer_entrainment / radius - passes_outer * np.cos(at_outer),
         spin_difference=passes_inner * np.sin(at_inner)
         + passes_outer * np.sin(at_outer)
-        - 2 * ball_speed * np.sin(half),
+        - ball_speed * (np.sin(axis - at_inner) + np.sin(at_outer - axis)),
+        pitch=axis,
     )

@@ -21,8 +21,8 @@ from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.loads.ball_balance import BallBalance, settled_ball
-from analytic.loads.inertia import force_and_moment
 from analytic.loads.thrust import play_and_free_angle, unit_contacts
+from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
 from analytic.numerics.newton import ConvexState, least_energy
 from analytic.numerics.rows import merged, part_of
 from analytic.scene import Array, Bearing, ContactAngle
@@ -69,14 +69,17 @@ def ring_equilibrium(
     moment_x: ArrayLike = 0.0,
     moment_y: ArrayLike = 0.0,
     inner_speed: ArrayLike = 0.0,
-    centrifugal: bool = True,
-    gyroscopic: bool = True,
+    turning: Turning | None = None,
+    ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0),
     correction: ContactCorrection | None = None,
 ) -> RingEquilibrium:
     """Ball loads, contact angles and ring displacement under any load; loads and speed broadcast to (...).
 
     axial_load, radial_load_x, radial_load_y : N;  moment_x, moment_y : about x and y, N m; any sign
-    inner_speed : rad/s; with it come the balls' centrifugal force and gyroscopic moment, unless these are left out
+    inner_speed : rad/s
+    turning : what acts on the balls because they turn, for the points in their flat order; None: centrifugal force and
+        gyroscopic moment by closed kinematics
+    ball_weight : of each ball along x, y and z, N; the cage carries its part along the orbit
     contact_angle : rule "solved"; free, where given, replaces the clearance by A0 (1 - cos al0)
     correction : factors on Hertz's contacts, each a number or (..., Z); None leaves them as they are
 
@@ -85,11 +88,10 @@ def ring_equilibrium(
         u_r = x cos psi + y sin psi,  u_a = z + R (t_x sin psi - t_y cos psi)
     and the load is the sum of the ball forces. K of a contact is Hertz's at its own angle, and its force acts along the
     normal. The work of a K that changes with the angle, (2/5)(delta/A0) d ln K/d al of the force, is left out.
-    At speed w a ball rolls without slip at both contacts' centres and spins alike on both races, about an axis at the
-    pitch (al_i + al_o)/2 (analytic.loads.kinematics), with the cage speed w_m and the ball speed w_b
-        F_c = m (d_m/2) w_m^2,  M_g = (m D^2/10) w_b w_m sin((al_i + al_o)/2)
-    Friction across the groove carries M_g, on each race in proportion to its load: half each where the loads are equal
-    (race control would give it to one race). It needs mu >= M_g/(r (Q_i + Q_o)), which is not checked here.
+    Centrifugal force F_c and friction across the grooves F_t come from `turning`, with loads and angles of the last
+    round; by closed kinematics (analytic.loads.turning) at the cage speed w_m, the ball speed w_b and the pitch B
+        F_c = m (d_m/2) w_m^2,  M_g = (m D^2/10) w_b w_m sin B
+    and friction carries M_g, on each race in proportion to its load.
     Without load on a bearing with clearance nothing touches, and the ring is left in the middle of its play.
     Fewer than three balls carry thrust alone: the other freedoms of the ring are then held, with stiffness 0.
     Raises InputError for a number that is not finite, the rule `given`, a radial load or moment on fewer than three
@@ -114,14 +116,17 @@ def ring_equilibrium(
     arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given.values()))
     shape, (axial, x, y, about_x, about_y, speed) = arrays[0].shape, (array.ravel() for array in arrays)
     factors = (correction or ContactCorrection()).mapped(lambda array: array.reshape(-1, bearing.ball_count))
-    ring = _Ring(bearing, play, factors, centrifugal=float(centrifugal), gyroscopic=float(gyroscopic))
+    require_finite(ball_weight=ball_weight)
+    if turning is None:
+        turning = RuledTurning(bearing=bearing, inner_speed=speed, centrifugal=True, gyroscopic=True)
+    ring = _Ring(bearing, play, factors, turning, ball_weight)
     load = np.stack([axial, x, y, about_x / ring.arm, about_y / ring.arm], axis=-1)
     if bearing.ball_count < LEAST_BALLS and np.any(load[:, 1:]):
         raise InputError(
             f"ball_count = {bearing.ball_count} carries thrust alone: a radial load or a moment needs at least "
             f"{LEAST_BALLS} balls"
         )
-    state, steps = _equilibrium(ring, load, speed, angle=free or 0.0)
+    state, steps = _equilibrium(ring, load, angle=free or 0.0)
     balls, held = state.balls, state.held
     angle = np.where(balls.inner_load > 0, np.abs(balls.inner_angle), 0.0)
     if np.any(angle > np.pi / 2):
@@ -149,8 +154,8 @@ def ring_equilibrium(
         outer_load=balls.outer_load.reshape(each),
         inner_angle=balls.inner_angle.reshape(each),
         outer_angle=balls.outer_angle.reshape(each),
-        inner=_reshaped(inner, each),
-        outer=_reshaped(outer, each),
+        inner=inner.reshape(each),
+        outer=outer.reshape(each),
         centrifugal_force=held.centrifugal_force.reshape(each),
         gyroscopic_moment=held.gyroscopic_moment.reshape(each),
         residual=state.residual.reshape(shape),
@@ -182,10 +187,14 @@ class _Ring:
     """The bearing seen from its inner ring: how far the groove at each ball travels, and which force that takes."""
 
     def __init__(
-        self, bearing: Bearing, play: float, correction: ContactCorrection, *, centrifugal: float, gyroscopic: float
+        self,
+        bearing: Bearing,
+        play: float,
+        correction: ContactCorrection,
+        turning: Turning,
+        ball_weight: tuple[float, float, float],
     ) -> None:
-        self.bearing, self.play, self.correction = bearing, play, correction
-        self.centrifugal, self.gyroscopic = centrifugal, gyroscopic  # 1, or 0 where left out
+        self.bearing, self.play, self.correction, self.turning = bearing, play, correction, turning
         self.arm = bearing.inner.bottom_radius + bearing.inner.groove_radius  # R, m
         self.azimuth = 2 * np.pi * np.arange(bearing.ball_count) / bearing.ball_count
         cosine, sine, zero = np.cos(self.azimuth), np.sin(self.azimuth), np.zeros(bearing.ball_count)
@@ -194,56 +203,52 @@ class _Ring:
         if bearing.ball_count < LEAST_BALLS:
             self.radial[1:], self.axial[1:] = 0.0, 0.0
         self.travel = np.stack([self.radial.T, self.axial.T], axis=1)  # (Z, 2, 5)
+        x, y, z = ball_weight
+        self.weight = np.stack([x * cosine + y * sine, z + zero], axis=-1)  # (Z, 2): radial and axial, N
 
     def held(
         self,
         load: Array,
-        speed: Array,
-        rows: NDArray[np.intp],
+        points: NDArray[np.intp],
         *,
-        inner_angle: Array,
-        outer_angle: Array,
-        shares: tuple[Array | float, Array | float],
+        angles: tuple[Array, Array],
+        loads: tuple[Array, Array],
     ) -> _Held:
-        """Contact stiffness, inertia and friction of balls at their angles, (n, Z).
+        """Contact stiffness, inertia, friction and weight of balls at their angles and loads, each (n, Z).
 
-        rows : the operating points that these balls belong to
-        shares : Q_i and Q_o over Q_i + Q_o; both 0 where nothing presses, so that there is no friction
+        points : the operating points that these balls belong to
         """
-        bearing = self.bearing
         inner, outer = unit_contacts(
-            bearing,
-            inner_angle=_in_groove(inner_angle),
-            outer_angle=_in_groove(outer_angle),
-            correction=self.correction.mapped(lambda array: array[rows]),
+            self.bearing,
+            inner_angle=_in_groove(angles[0]),
+            outer_angle=_in_groove(angles[1]),
+            correction=self.correction.mapped(lambda array: array[points]),
         )
-        if not (speed.any() and (self.centrifugal or self.gyroscopic)):
-            still = np.zeros_like(inner_angle)
-            return _Held(
+        # Before it settles a ball may leave its groove.
+        inner_angle, outer_angle = (np.clip(angle, -np.pi / 2, np.pi / 2) for angle in angles)
+        forces = self.turning.forces(
+            PlacedBalls(
+                points=points,
+                inner_angle=inner_angle,
+                outer_angle=outer_angle,
+                inner_load=loads[0],
+                outer_load=loads[1],
                 inner=inner,
                 outer=outer,
-                ball_force=np.zeros((*still.shape, 2)),
-                ring_force=load,
-                centrifugal_force=still,
-                gyroscopic_moment=still,
             )
-        force, moment = force_and_moment(
-            bearing,
-            inner_speed=speed[:, None],
-            inner_angle=np.clip(inner_angle, -np.pi / 2, np.pi / 2),  # before it settles a ball may leave its groove
-            outer_angle=np.clip(outer_angle, -np.pi / 2, np.pi / 2),
         )
-        centrifugal, moment = self.centrifugal * force, self.gyroscopic * moment
-        friction = moment / bearing.ball_radius * shares[0], moment / bearing.ball_radius * shares[1]
-        at_inner = friction[0][..., None] * np.stack([-np.sin(inner_angle), np.cos(inner_angle)], axis=-1)
-        at_outer = friction[1][..., None] * np.stack([np.sin(outer_angle), -np.cos(outer_angle)], axis=-1)
+        across_inner = np.stack([np.sin(angles[0]), -np.cos(angles[0])], axis=-1)  # t_i
+        across_outer = np.stack([-np.sin(angles[1]), np.cos(angles[1])], axis=-1)  # t_o
+        at_inner = forces.inner_friction[..., None] * across_inner
+        at_outer = forces.outer_friction[..., None] * across_outer
+        outward = np.stack([forces.centrifugal, np.zeros_like(forces.centrifugal)], axis=-1)
         return _Held(
             inner=inner,
             outer=outer,
-            ball_force=np.stack([centrifugal, np.zeros_like(centrifugal)], axis=-1) + at_inner + at_outer,
+            ball_force=outward + at_inner + at_outer + self.weight,
             ring_force=load - self.resultant(at_inner),
-            centrifugal_force=centrifugal,
-            gyroscopic_moment=moment,
+            centrifugal_force=forces.centrifugal,
+            gyroscopic_moment=forces.gyroscopic,
         )
 
     def resultant(self, force: Array) -> Array:
@@ -292,25 +297,20 @@ class _Ring:
         )
 
 
-def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tuple[_State, NDArray[np.intp]]:
+def _equilibrium(ring: _Ring, load: Array, *, angle: float) -> tuple[_State, NDArray[np.intp]]:
     """Rounds of Newton's method until one has nothing to do; each holds what the angles of the last one give."""
     angles, active = np.full((len(load), ring.bearing.ball_count), angle), np.arange(len(load))
-    held = ring.held(load, speed, active, inner_angle=angles, outer_angle=angles, shares=(0.0, 0.0))
+    nothing = np.zeros_like(angles)
+    held = ring.held(load, active, angles=(angles, angles), loads=(nothing, nothing))
     state, steps = ring.settled(_start(ring, load, held), held)
     left = tolerance = 0.0  # N: change of the forces that a round holds
     for _ in range(MOST_ROUNDS):
         balls = part_of(state.balls, active)
-        both = balls.inner_load + balls.outer_load
         held = ring.held(
             load[active],
-            speed[active],
             active,
-            inner_angle=balls.inner_angle,
-            outer_angle=balls.outer_angle,
-            shares=(
-                np.divide(balls.inner_load, both, out=np.zeros_like(both), where=both > 0),
-                np.divide(balls.outer_load, both, out=np.zeros_like(both), where=both > 0),
-            ),
+            angles=(balls.inner_angle, balls.outer_angle),
+            loads=(balls.inner_load, balls.outer_load),
         )
         again, more = ring.settled(state.place[active], held)
         # The ring does not notice the force of a ball that floats or is wedged: that has to settle too.
@@ -318,12 +318,13 @@ def _equilibrium(ring: _Ring, load: Array, speed: Array, *, angle: float) -> tup
             np.abs(held.ball_force - state.held.ball_force[active]).max(axis=(-2, -1)),
             np.abs(held.ring_force - state.held.ring_force[active]).max(axis=-1),
         )
+        accurate = np.maximum(again.tolerance, ring.turning.accuracy * np.max(balls.outer_load, axis=-1))
         state = merged(state, active, again)
         steps[active] += more
-        active = active[(more > 0) | (change > again.tolerance)]
+        active = active[((more > 0) & (ring.turning.accuracy == 0)) | (change > accurate)]
         if not len(active):
             return state, steps
-        left, tolerance = float(np.max(change)), float(again.tolerance[np.argmax(change)])
+        left, tolerance = float(np.max(change)), float(accurate[np.argmax(change)])
     remedy = "Raise the load or lower the speed: the gyroscopic moment needs more friction than the balance has."
     problem = "the balls' own forces in the ring's equilibrium"
     raise ConvergenceError(iterations=MOST_ROUNDS, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
@@ -345,7 +346,3 @@ def _start(ring: _Ring, load: Array, held: _Held) -> Array:
 def _in_groove(angle: Array) -> Array:
     """The magnitude of the angle, at most pi/2: the groove's profile is symmetric and ends there."""
     return np.minimum(np.abs(angle), np.pi / 2)
-
-
-def _reshaped(contact: HertzContact, shape: tuple[int, ...]) -> HertzContact:
-    return HertzContact(**{name: field.reshape(shape) for name, field in vars(contact).items()})

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from analytic.errors import require_non_negative, require_positive
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.loads.inertia import centrifugal_ratio, gyroscopic_pull, inertia_ratios, ratio
-from analytic.scene import Array, Bearing, ContactAngle, Operation
+from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Operation
 
 # Heaviest ball of Z under a radial load Fr without clearance: 4.37 Fr/Z [Stribeck1907]: it is the load-distribution
 # integral of point contacts, 1/J_r(0.5) = 4.37.
@@ -79,8 +79,8 @@ def load_waves(
     return first, 3 / 8 * bearing.groove_centre_distance * slipped**2 / np.asarray(approach)
 
 
-def inertia_of_lightest(bearing: Bearing, operation: Operation, balls: LoadedBalls) -> tuple[Array, Array]:
-    """(F_c over load, gyroscopic force M_g/r over load) of the ball where each is largest, each (n,).
+def own_forces_of_lightest(bearing: Bearing, operation: Operation, balls: LoadedBalls) -> tuple[Array, Array, Array]:
+    """(F_c, gyroscopic force M_g/r, weight), each over the load of the ball where it is largest; each (n,).
 
     balls : at any loads; the load is that of the race which presses less, and M_g that of a ball that rolls upright
     """
@@ -98,7 +98,8 @@ def inertia_of_lightest(bearing: Bearing, operation: Operation, balls: LoadedBal
         contact_angle=0.0,
         load=load,
     )
-    return centrifugal.max(axis=1), gyroscopic.max(axis=1)
+    weight = ratio(bearing.ball_mass * STANDARD_GRAVITY, over=load)
+    return centrifugal.max(axis=1), gyroscopic.max(axis=1), weight.max(axis=1)
 
 
 def _waves(bearing: Bearing, operation: Operation, thrust: LoadedBalls | None) -> Array:

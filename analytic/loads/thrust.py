@@ -8,7 +8,6 @@ Source: [Harris2007] section 7 at rest; at speed [Jones1960] and [Harris2007b] s
 forces on the ball.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +17,7 @@ from analytic.contact.factors import ContactCorrection, corrected_contact
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
-from analytic.loads.inertia import force_and_moment
+from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
 from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array, Bearing, ContactAngle
 
@@ -28,7 +27,7 @@ LEAST, MOST = -740.0, 600.0
 LAST_STEP = 1e-8
 # The angles that a round holds change the next ones by less than 1e-3 at rest (curvatures; 3 or 4 rounds), by a tenth
 # at most at speed (speeds and friction too; 4 or 5).
-MOST_ROUNDS = 50
+MOST_ROUNDS = 300
 ROUND_OFF = 4 * np.finfo(np.float64).eps
 
 
@@ -126,45 +125,44 @@ def thrust_at_speed(
     *,
     axial_load: ArrayLike,
     inner_speed: ArrayLike,
-    centrifugal: bool = True,
-    gyroscopic: bool = True,
+    turning: Turning | None = None,
     correction: ContactCorrection | None = None,
 ) -> ThrustAtSpeed:
     """Loads and contact angles of the balls on both races; load and speed broadcast to (n,).
 
     axial_load : Fa, N, > 0;  inner_speed : w, rad/s, any sign;  contact_angle : rule "solved", as thrust_equilibrium
+    turning : what acts on the balls because they turn; None: centrifugal force and gyroscopic moment by closed
+        kinematics
     correction : factors on Hertz's contacts, each a number or (n,); None leaves them as they are
-    On each race friction across the groove is mu = M_g/(r (Q_i + Q_o)) times the load. Load and friction together are a
-    force Q/cos p at the angle b = al + p, tan p = mu. Along the axis and outward the ball is at rest where
-        Q_i sin b_i = Q_o sin b_o = (Fa/Z) cos p,  cot b_o = cot b_i + F_c Z/Fa
+    On each race load and friction across the groove are a force Q/cos p at the angle b = al + p, tan p = -F_t/Q. Along
+    the axis and outward the ball is at rest where
+        Q_i sin b_i/cos p_i = Q_o sin b_o/cos p_o = Fa/Z,  cot b_o = cot b_i + F_c Z/Fa
     and the grooves' centres keep the radial distance of concentric rings,
         (r_gi - r + delta_i) cos al_i + (r_go - r + delta_o) cos al_o = A0 cos al0
-    Its left side falls as b_i grows. F_c and M_g are those of analytic.loads.inertia.
+    Its left side falls as b_i grows. F_c and F_t are those of `turning`.
     Raises InputError as thrust_equilibrium does, ConvergenceError where the gyroscopic moment needs friction that no
     balance has.
     """
     require_finite(inner_speed=inner_speed)
     load, speed = np.broadcast_arrays(np.asarray(axial_load, np.float64), np.asarray(inner_speed, np.float64))
     require_positive(axial_load=load, ball_count=bearing.ball_count)
-    factors = correction or ContactCorrection()
-    thrust = _Thrust(bearing, contact_angle, load)
-
-    def inertia(balls: _Balls) -> tuple[Array, Array]:
-        force, moment = force_and_moment(
-            bearing, inner_speed=speed, inner_angle=balls.angle[0], outer_angle=balls.angle[1]
-        )
-        friction = gyroscopic * np.abs(moment) / (bearing.ball_radius * balls.load.sum(axis=0))
-        return centrifugal * force / thrust.push, np.arctan(friction)
-
+    factors = (correction or ContactCorrection()).mapped(np.ravel)
+    thrust = _Thrust(bearing, contact_angle, load.ravel())
     at_rest = thrust.followed(thrust.frozen(factors), factors)
-    balls = thrust.followed(at_rest, factors, inertia=inertia)
+    if turning is None:
+        turning = RuledTurning(bearing=bearing, inner_speed=speed.ravel(), centrifugal=True, gyroscopic=True)
+    balls = thrust.followed(at_rest, factors, turning=turning)
+    inner, outer = (
+        loaded_contact(contact, load=of_race).reshape(load.shape)
+        for contact, of_race in zip(balls.contacts, balls.load, strict=True)
+    )
     return ThrustAtSpeed(
-        inner_load=balls.load[0],
-        outer_load=balls.load[1],
-        inner_angle=balls.angle[0],
-        outer_angle=balls.angle[1],
-        inner=loaded_contact(balls.contacts[0], load=balls.load[0]),
-        outer=loaded_contact(balls.contacts[1], load=balls.load[1]),
+        inner_load=balls.load[0].reshape(load.shape),
+        outer_load=balls.load[1].reshape(load.shape),
+        inner_angle=balls.angle[0].reshape(load.shape),
+        outer_angle=balls.angle[1].reshape(load.shape),
+        inner=inner,
+        outer=outer,
     )
 
 
@@ -262,19 +260,24 @@ class _Thrust:
         balls: _Balls,
         factors: ContactCorrection,
         *,
-        inertia: Callable[[_Balls], tuple[Array, Array]] | None = None,
+        turning: Turning | None = None,
     ) -> _Balls:
         """Rounds from these balls on, until a round changes nothing; each holds contacts and forces of the last angles.
 
-        inertia : balls -> (F_c Z/Fa, p), which a round holds; None at rest
+        turning : whose forces a round holds; None at rest
         """
         change = 0.0  # no rate yet
+        accuracy = ROUND_OFF if turning is None else max(ROUND_OFF, turning.accuracy)
         for _ in range(MOST_ROUNDS):
             last, before = balls, change
-            contacts = unit_contacts(
-                self.bearing, inner_angle=np.abs(last.angle[0]), outer_angle=np.abs(last.angle[1]), correction=factors
-            )
-            outward, lean = (np.zeros(()), np.zeros(())) if inertia is None else inertia(last)
+            # Friction may drive a ball past a right angle before the rounds settle, or fail to.
+            within = np.minimum(np.abs(last.angle), np.pi / 2)
+            contacts = unit_contacts(self.bearing, inner_angle=within[0], outer_angle=within[1], correction=factors)
+            outward, lean = np.zeros(()), np.zeros(())
+            if turning is not None:
+                forces = turning.forces(_placed(last, contacts))
+                friction = np.stack([forces.inner_friction, forces.outer_friction])
+                outward, lean = forces.centrifugal / self.push, -np.arctan(friction / last.load)
             balls = self.balanced(contacts, start=last.tangent, outward=outward, lean=lean)
             # Of ln(tan b_i), which rounds where it is large: at a light load on no clearance it is -10.
             logarithm, held = np.log(balls.tangent), np.log(last.tangent)
@@ -283,13 +286,13 @@ class _Thrust:
             )
             change = float(np.max(steps, initial=0.0))
             # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
-            if change <= ROUND_OFF or change**2 <= ROUND_OFF * before:
+            if change <= accuracy or change**2 <= accuracy * before:
                 return balls
-        at_speed = "" if inertia is None else " of balls at speed"
+        at_speed = "" if turning is None else " of balls at speed"
         raise ConvergenceError(
             iterations=MOST_ROUNDS,
             residual=change,
-            tolerance=float(ROUND_OFF),
+            tolerance=float(accuracy),
             unit="of ln(tan al)",
             problem=f"the contact angle{at_speed}",
             remedy="Raise the load or lower the speed; check load, speed, clearance and ball mass for a slipped unit.",
@@ -300,7 +303,7 @@ class _Thrust:
     ) -> _Balls:
         """The balls with contacts and forces held, by Newton's method in ln(tan b_i), bracketed.
 
-        contacts : under 1 N;  start : of tan b_i;  outward : F_c Z/Fa;  lean : p, rad
+        contacts : under 1 N;  start : of tan b_i;  outward : F_c Z/Fa;  lean : p, rad, () or (2, n)
         Written delta_i cos al_i + delta_o cos al_o + play = L_i (1 - cos al_i) + L_o (1 - cos al_o), L = r_g - r, with
         a preload on the other side, the left side falls and the right side rises. The logarithms of both are nearly
         straight in ln(tan b_i) for loads from nothing to far above A0.
@@ -364,6 +367,18 @@ def _balls(
         angle=np.arctan(both) - lean,
         load=push * np.cos(lean) * np.hypot(1, both) / both,
         contacts=contacts,
+    )
+
+
+def _placed(balls: _Balls, contacts: tuple[HertzContact, HertzContact]) -> PlacedBalls:
+    return PlacedBalls(
+        points=np.arange(balls.tangent.size),
+        inner_angle=np.clip(balls.angle[0], -np.pi / 2, np.pi / 2),
+        outer_angle=np.clip(balls.angle[1], -np.pi / 2, np.pi / 2),
+        inner_load=balls.load[0],
+        outer_load=balls.load[1],
+        inner=contacts[0],
+        outer=contacts[1],
     )
 
 

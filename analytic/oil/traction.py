@@ -18,6 +18,26 @@ from analytic.oil.mixed import MixedContact
 from analytic.oil.viscosity import viscosity_under_pressure
 from analytic.scene import Array, Lubricant
 
+MOST_THICKENING = 600.0  # in the logarithm: such an oil is solid
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PointLaw:
+    """A law of traction in numbers, for compiled loops: at the pressure p and the slip speed v the stress is
+
+        boundary p + plain + min(eyring asinh(fluidity v eta(share p)/eta(0)), limit p)
+
+    with eta from `log_thickening`; the fields broadcast.
+    """
+
+    boundary: Array | float = 0.0
+    plain: Array | float = 0.0  # Pa
+    limit: Array | float = 0.0
+    eyring: Array | float = 0.0  # Pa; 0: nothing depends on the speed
+    fluidity: Array | float = 0.0  # s/m; infinite: the oil shears at its limit
+    share: Array | float = 0.0  # of the pressure, in the oil
+    lubricant: Lubricant | None = None
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class CoulombTraction:
@@ -35,6 +55,10 @@ class CoulombTraction:
     @property
     def depends_on_speed(self) -> bool:
         return False
+
+    @property
+    def point_law(self) -> PointLaw:
+        return PointLaw(boundary=self.friction_coefficient)
 
     def force(self, contact: EllipticContact) -> Callable[[Array], Array]:
         """mu Q, N, as a function of the speed; the contact broadcasts with mu."""
@@ -77,6 +101,23 @@ class MixedTraction:
         oil = _oil_shear(self.lubricant, (1 - np.asarray(self.asperity_share)) * pressure, self.oil_thickness)(speed)
         return np.asarray(self.boundary_friction) * self.boundary_share * pressure + oil * self.oil_area
 
+    @property
+    def point_law(self) -> PointLaw:
+        lubricant, area = self.lubricant, np.asarray(self.oil_area)
+        boundary = np.asarray(self.boundary_friction) * self.boundary_share
+        if not self.depends_on_speed:
+            return PointLaw(boundary=boundary, plain=lubricant.eyring_stress * area)
+        thickness, share = np.asarray(self.oil_thickness), 1 - np.asarray(self.asperity_share)
+        flows = viscosity_under_pressure(lubricant)(np.zeros(())) / lubricant.eyring_stress
+        return PointLaw(
+            boundary=boundary,
+            limit=lubricant.limiting_shear * share * area,
+            eyring=lubricant.eyring_stress * area,
+            fluidity=np.divide(flows, thickness, out=np.full(thickness.shape, np.inf), where=thickness > 0),
+            share=share,
+            lubricant=lubricant,
+        )
+
     def force(self, contact: EllipticContact) -> Callable[[Array], Array]:
         """mu_b s_b Q + tau A_oil, N, as a function of the speed |v|, m/s, with tau at the mean pressure Q/A_H.
 
@@ -102,6 +143,12 @@ def mixed_traction(lubricant: Lubricant, boundary_friction: float, shared: Mixed
 
 
 Traction = CoulombTraction | MixedTraction
+
+
+def log_thickening(lubricant: Lubricant, pressure: Array) -> Array:
+    """ln(eta(p)/eta(0)) of the oil at its temperature, at most MOST_THICKENING; pressure : p, Pa, >= 0."""
+    viscosity = viscosity_under_pressure(lubricant)
+    return np.minimum(np.log(viscosity(pressure) / viscosity(np.zeros(()))), MOST_THICKENING)
 
 
 def oil_shear_stress(

@@ -29,3 +29,6 @@ class Variation:
 
     def __post_init__(self) -> None:
         require_positive(film=self.film, asperity_pressure=self.asperity_pressure, rolling=self.rolling)
+
+
+NOMINAL = Variation()

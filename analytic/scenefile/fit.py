@@ -67,13 +67,6 @@ def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overl
             "cage.pocket_depth",
             f"must exceed the ball radius {_mm(bearing.ball_radius)}, else its halves clamp the ball",
         )
-    # A lead A sin(phi) shifts the cage by A/2 and leaves each ball A/2 off the middle of its pocket.
-    elif not abs(cage.ball_lead) < 2 * (cage.pocket_depth - bearing.ball_radius):
-        yield (
-            "cage.ball_lead",
-            f"is beyond the clearance: no place of the cage clears balls that lead and lag by "
-            f"{_mm(2 * (cage.pocket_depth - bearing.ball_radius))} or more",
-        )
     if not cage.wall_thickness < cage.pocket_depth:
         yield "cage.wall_thickness", f"must be below the pocket depth {_mm(cage.pocket_depth)}"
     if bearing.ball_count > 1 and not pockets_may_overlap:

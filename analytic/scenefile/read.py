@@ -154,7 +154,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
     if table.bearing.diametral_clearance is not None and angle.free is not None:
         problem = "and contact_angle.free both say how far the rings are apart; leave one of them out"
         yield fault_at(document, "bearing.diametral_clearance", problem)
-    lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list)}
+    lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list) and key != "down"}
     if len(set(lengths.values())) > 1:
         counts = " and ".join(f"operation.{key} has {count}" for key, count in lengths.items())
         yield f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
@@ -178,7 +178,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
             yield 'surface.asperities is the law of summits of gap = "truncated": leave it out, or give that gap'
         if surface.height_map is not None and Path(surface.height_map.path).suffix.lower() not in HEIGHT_MAPS:
             yield fault_at(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
-    for name in ("cage", "cage_dynamics"):
+    for name in ("cage", "cage_dynamics", "ball_dynamics"):
         if cage is None and getattr(table.effects, name) == "on":
             yield fault_at(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
 
@@ -214,6 +214,7 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         bearing=bearing,
         contact_angle=angle,
         operation=_operation(table.operation),
+        down=table.operation.down,
         cage=cage,
         lubricant=None if table.lubricant is None else _lubricant(table.lubricant),
         surface=surface,
@@ -260,7 +261,7 @@ def _surface(given: SurfaceTable, folder: Path) -> Surface:
 
 
 def _operation(given: OperationTable) -> Operation:
-    series = given.model_dump()
+    series = given.model_dump(exclude={"down"})
     values = np.broadcast_arrays(*(np.array(value) for value in series.values()))
     return Operation(**{key: _frozen(value) for key, value in zip(series, values, strict=True)})
 

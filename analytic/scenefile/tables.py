@@ -3,6 +3,7 @@
 Unknown keys are refused. A key without a default must be given. Values are read into SI.
 """
 
+import math
 from typing import Annotated, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
@@ -58,6 +59,18 @@ def _series(given: object) -> list[object]:
     if given == []:
         raise ValueError("is empty; give a quantity or a list of them")
     return given if isinstance(given, list) else [given]
+
+
+def _direction(given: object) -> tuple[float, float, float]:
+    numbers = isinstance(given, list) and all(isinstance(each, int | float) for each in given)
+    length = math.hypot(*given) if isinstance(given, list) and numbers and len(given) == 3 else 0.0
+    if not isinstance(given, list) or not 0 < length < math.inf:
+        raise ValueError(
+            "is no direction; give where gravity points as [x, y, z] of any length, with x towards the radial load and "
+            "z along the thrust, for example [1, 0, 0]"
+        )
+    x, y, z = (float(each) / length for each in given)
+    return x, y, z
 
 
 def _material(given: object) -> object:
@@ -184,7 +197,6 @@ class CageTable(Table):
     steps_per_contact: Annotated[int, _whole("steps", low=10, high=1000, example=40)] = Cage.steps_per_contact
     gravity: CageGravity = Cage.gravity
     drag: Annotated[float, Dimension(unit="N*m*s", low=0, high=1, example='"1e-6 N m s"')] = Cage.drag
-    ball_lead: Annotated[float, Dimension(unit="m", low=-0.1, high=0.1, example='"0.05 mm"')] = Cage.ball_lead
     land: LandTable | None = Field(
         default=None, description='give { ring = "outer", clearance = "0.3 mm", width = "10 mm" }'
     )
@@ -195,6 +207,7 @@ class OperationTable(Table):
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
     radial_load: Annotated[list[Side], BeforeValidator(_series)] = [0.0]
     moment: Annotated[list[Moment], BeforeValidator(_series)] = [0.0]
+    down: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = None
 
 
 class LubricantTable(Table):
@@ -259,16 +272,19 @@ class EffectsTable(Table):
     load_distribution: Decision = "auto"
     centrifugal: Decision = "auto"
     gyroscopic: Decision = "auto"
+    weight: Decision = "auto"
     finite_geometry: Decision = "auto"
     asperities: Decision = "auto"
     inlet_heating: Decision = "auto"
     starvation: Decision = "auto"
     spin: Decision = "auto"
     conformity: Decision = "auto"
+    creep: Decision = "auto"
     hysteresis: Decision = "auto"
     rolling: Decision = "auto"
     cage: Decision = "auto"
     cage_dynamics: Decision = "auto"
+    ball_dynamics: Decision = "auto"
 
 
 class SceneTable(Table):

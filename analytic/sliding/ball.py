@@ -14,7 +14,7 @@ law of traction takes the true sliding speeds, which are |w| times as large.
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Literal, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -23,11 +23,10 @@ from analytic.contact.rolling_contact import Pair, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.root import SecantSlopes, Sought, bracketed_root
 from analytic.oil.traction import Traction
-from analytic.scene import Array, Lubricant, SpinRule
+from analytic.scene import Array, Lubricant, SlidingMethod, SpinRule
 from analytic.sliding.ellipse import NODES, SlipMoments, power_of_panels, slip_along_axis, slip_over_ellipse
 from analytic.sliding.long_ellipse import MicroslipTorque, contact_moments, long_ellipse_creep, microslip_torque
 
-SlidingMethod = Literal["single_coefficient", "along_axis", "over_ellipse"]
 SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
 ROUND_OFF = 4 * np.finfo(np.float64).eps  # of a spin moment, and of the share of spin that balances it
 LAST_STEP = 1e-6  # of the share of spin: the power is least at the balance, so its error is the square of this step

@@ -4,8 +4,10 @@ For decisions before anything slides. Arrays (2, n, m): races, operating points,
 """
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.special import ellipe
 
+from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadedBalls
 from analytic.scene import Array, Lubricant
 from analytic.sliding.long_ellipse import microslip_moments
@@ -58,3 +60,27 @@ def long_ellipse_error(balls: LoadedBalls) -> Array:
     a, b = balls.contact.semi_axis_x, balls.contact.semi_axis_y
     ratio = np.divide(a, b, out=np.zeros_like(b), where=b > 0)
     return BELOW_FULL_SPIN * (ellipe(1 - np.minimum(ratio, 1.0) ** 2) - 1)
+
+
+def creep_numbers(
+    contacts: RollingContact, *, friction_coefficient: ArrayLike, entrainment_speed: ArrayLike, spin_rate: ArrayLike
+) -> tuple[Array, Array]:
+    """(K by conformity, K by spin): slip at a contact's end over the slip s_c at which elastic creep saturates.
+
+    contacts : with pressures by Hertz;  friction_coefficient : mu, >= 0;  entrainment_speed : u/w, m
+    spin_rate : w_s/w;  all broadcast
+        s_c = 32 mu p0 u/(3 pi^2 E*),  K = w_roll b^2/(2 R s_c),  K = w_s b/s_c
+    Both are infinite without friction. Elastic creep changes the torque by sliding by about 1/K and 3/K.
+    Source: derived here, from the flexibility of a long ellipse [Kalker1982].
+    """
+    peak = 1.5 * contacts.mean_pressure
+    saturated = (
+        32 / (3 * np.pi**2) * np.asarray(friction_coefficient) * peak * np.asarray(entrainment_speed) / contacts.modulus
+    )
+    b = np.asarray(contacts.semi_axis_transverse)
+    rolled = np.asarray(contacts.rolling_rate) * b**2 / (2 * np.asarray(contacts.deformed_radius))
+    spun = np.asarray(spin_rate) * b
+    shape = np.broadcast_shapes(saturated.shape, rolled.shape, spun.shape)
+    infinite = np.full(shape, np.inf)
+    by_conformity = np.divide(rolled, saturated, out=infinite.copy(), where=saturated > 0)
+    return by_conformity, np.divide(spun, saturated, out=infinite, where=saturated > 0)

@@ -5,8 +5,8 @@ direction. Then only the major axis counts: y follows it from -b to b, with the 
 contact surface has the radius R. A ball that rolls with w_roll and spins with w_s slides by
     v(y) = w_roll y^2/(2 R) + w_s y - c
 with the c that leaves no net friction force. The model needs sliding that is large compared with the elastic creep of
-the surfaces (`sliding_number` well above 3). A contact of finite length resists spin more: 2 % at b/a = 9, 57 % at a
-circle. Rates are per unit ring speed difference w, so every torque exists at standstill: it is slip power over w.
+the surfaces (`levers.creep_numbers` well above 5). A contact of finite length resists spin more: 2 % at b/a = 9, 57 %
+at a circle. Rates are per unit ring speed difference w, so every torque exists at standstill: it is slip power over w.
 Source: [Johnson1985] sections 8.5 and 9.2. The moments are derived here. They are those of equations 2 to 7 of [Paper]
 with each moment in its right place and a continuous limit.
 """
@@ -172,22 +172,6 @@ def long_ellipse_creep(contact: RollingContact, *, spin_rate: ArrayLike) -> Arra
     product = np.where(eps < FULL_SPIN, _half_distance(eps) ** 2 - np.minimum(eps, FULL_SPIN) ** 2, 0.0)
     length = np.asarray(contact.semi_axis_transverse)
     return np.asarray(contact.rolling_rate) * length**2 / (2 * np.asarray(contact.deformed_radius)) * product
-
-
-def sliding_number(contact: RollingContact, *, friction_coefficient: ArrayLike, entrainment_speed: ArrayLike) -> Array:
-    """chi = [w_roll b^2/(2 R u)]/(mu a/R_x): sliding by conformity over elastic creep; fields and arguments broadcast.
-
-    friction_coefficient : mu, >= 0;  entrainment_speed : u/w, m, > 0
-    Below about 3 a part of the contact sticks, and the moments of micro-slip are too large. chi is infinite where mu or
-    a is 0.
-    """
-    require_non_negative(friction_coefficient=friction_coefficient)
-    require_positive(entrainment_speed=entrainment_speed)
-    half_length, radius = np.asarray(contact.semi_axis_transverse), np.asarray(contact.deformed_radius)
-    sliding = np.asarray(contact.rolling_rate) * half_length**2 / (2 * radius * np.asarray(entrainment_speed))
-    creep = np.asarray(friction_coefficient) * np.asarray(contact.semi_axis_rolling)
-    creep = creep * np.asarray(contact.curvature_rolling)
-    return np.divide(sliding, creep, out=np.full(np.broadcast(sliding, creep).shape, np.inf), where=creep > 0)
 
 
 def _balanced_shares(

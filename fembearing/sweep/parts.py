@@ -19,7 +19,8 @@ from analytic.errors import FembearingError
 from analytic.result import COLUMNS
 from analytic.scene import Array, Scene
 from analytic.sliding.methods import SERIES
-from analytic.torque import friction_torque, with_model_uncertainty
+from analytic.torque import friction_torque
+from analytic.uncertainty import with_model_uncertainty
 from fembearing.compare.contact import columns as of_contact
 from fembearing.sweep.grid import Grid
 

@@ -59,7 +59,8 @@ Value = TypeVar("Value")
 DRY_PARTS = ("spin", "conformity", "hysteresis")  # of the torque without oil
 # The closed forms of textbooks at any tolerance
 AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
-EVERYTHING: dict[str, Any] = dict.fromkeys(COMPUTED, "on")
+# All that balls have which closed kinematics turn, and whose weight has no direction
+EVERYTHING: dict[str, Any] = {name: "on" for name in COMPUTED if name not in ("weight", "creep")}
 
 
 def rolling_contact(**changed: Any) -> RollingContact:

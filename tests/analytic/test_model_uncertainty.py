@@ -8,7 +8,8 @@ import numpy as np
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import Variation
 from analytic.scenefile.read import builtin_scene, load_scene
-from analytic.torque import friction_torque, with_model_uncertainty
+from analytic.torque import friction_torque
+from analytic.uncertainty import with_model_uncertainty
 from tests.analytic.specimens import present
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"

@@ -45,6 +45,7 @@ def test_shares_are_the_largest_of_the_series(scene: Scene) -> None:
         assert effect.share == np.max(part(found.torque, effect.name) / found.torque.total)
 
 
+REGIME = ("whirl_speed", "wobble", "ball_lead", "grip_share", "grip_number")
 DESIGN = {
     "inner_speed": None,
     "axial_load": None,
@@ -58,7 +59,7 @@ DESIGN = {
     "boundary_share": ["inner", "outer"],
     "contact": ["inner", "outer"],
     "uncertainty": ["numerical", "model", "model_parts"],
-    "cage": ["mean_force", "max_force", "interval", "duration", "state", "signed_moment"],
+    "cage": ["mean_force", "max_force", "interval", "duration", "state", "signed_moment", *REGIME],
 }
 
 

@@ -13,6 +13,7 @@ from fembearing.cli.console import NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.terminal.torque import print_torque
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
+from tests.analytic.specimens import present
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"
 SERIES = changed('"700 N"', '["900 N", "400 N"]', changed(SPEEDS, '["500 rpm", "2000 rpm"]', OILED))
@@ -52,6 +53,21 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
         "declared by the scene",
     ):
         assert word in words
+
+
+def test_the_regime_of_a_moving_cage_has_its_table() -> None:
+    cage = '[cage]\nstart = "whirl"\nfriction_coefficient = 0.08\nseeds = 2\nduration = "0.01 s"\n'
+    text = SERIES + cage + '[effects]\ncage_dynamics = "on"\n'
+    part = present(torque_of_scene(parse_scene(text, origin="here")).friction.cage)
+    said = printed(text)
+    assert max(map(len, said.splitlines())) <= 80
+    table = said.partition("Regime of the cage")[2].partition("Whirl:")[0]
+    rows = [line.split() for line in table.splitlines()]
+    for point, motion in enumerate(map(present, part.motion)):
+        row = next(row for row in rows if row[:2] == [str(point + 1), motion.state])
+        whirl, wobble = f"{motion.whirl_speed * 30 / np.pi:.4g}", f"{motion.wobble * 1e6:.3g}"
+        grip = [f"{100 * part.grip_share[point]:.2g}", "%", f"{part.grip_number[point]:.2g}"]
+        assert row[2:] == [whirl, wobble, "0", *grip]
 
 
 def test_without_oil_the_band_is_left_out_with_a_reason() -> None:

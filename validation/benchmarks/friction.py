@@ -29,9 +29,19 @@ from analytic.effects.table import COMPUTED
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.lubricated_races import LubricatedRaces, lubricate_races
 from analytic.oil.variation import Variation
-from analytic.scene import Array, Autocorrelation, ContactAngle, Lubricant, Operation, Scene, SpinRule, Surface
+from analytic.scene import (
+    Array,
+    Autocorrelation,
+    ContactAngle,
+    Lubricant,
+    Operation,
+    Scene,
+    SlidingMethod,
+    SpinRule,
+    Surface,
+)
 from analytic.scenefile.read import builtin_scene
-from analytic.sliding.ball import SlidingMethod, SlipRule, slip_friction
+from analytic.sliding.ball import SlipRule, slip_friction
 from analytic.sliding.long_ellipse import MicroslipTorque
 from analytic.sliding.methods import QUADRATURES, Quadrature, Sliders, SlidingModel
 from random_contacts import sliding_balls

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from analytic.cage.drive import cage_drive
 from analytic.cage.statistics import CageStatistics, measured_motion
-from analytic.cage.torque import CagePart, cage_drive, cage_friction, driven_cage
+from analytic.cage.torque import CagePart, cage_friction, driven_cage
 from analytic.effects.ledger import Ledger
 from analytic.effects.loads import chosen_balls
 from analytic.errors import InputError
@@ -20,7 +21,8 @@ def cage_methods(scene: Scene) -> UntimedLadder:
     """Torque of the cage at the fastest operating point, each method with the friction coefficient of the closed form.
 
     The motion starts from rest, as the closed form assumes, unless the scene says how its cage started. Raises
-    InputError for a scene without a cage, without friction in its pockets, or at standstill.
+    InputError for a scene without a cage, without friction in its pockets, at standstill, or with balls that lead
+    farther than the pockets leave free.
     """
     cage, bearing = scene.cage, scene.bearing
     if cage is None:
@@ -36,10 +38,12 @@ def cage_methods(scene: Scene) -> UntimedLadder:
     resting = replace(scene, operation=operation, effects={**scene.effects, "cage": "on", "cage_dynamics": "off"})
     balls = chosen_balls(resting, operation, Ledger(resting, 1), correction=None).balls
 
-    def closed_form() -> CagePart:
-        return cage_friction(resting, cage_drive(bearing, cage, balls, operation.inner_speed), moves=False)
+    drive = cage_drive(resting, balls, scene.friction_coefficient, operation.inner_speed)
 
-    driven = driven_cage(
+    def closed_form() -> CagePart:
+        return cage_friction(resting, drive, moves=False)
+
+    level = driven_cage(
         bearing,
         cage,
         friction_coefficient=float(closed_form().friction_coefficient[0]),
@@ -48,6 +52,7 @@ def cage_methods(scene: Scene) -> UntimedLadder:
         ball_speed=turning * float(balls.motion.ball_speed.mean()),
         contact_angle=float(np.abs(balls.contact_angle).mean()),
     )
+    driven = replace(level, ball_lead=float(drive.grip.ball_lead[0]))
     start, duration = cage.start or "rest", min(max(DURATION, driven.crossing_time), cage.duration)
     steps = [share * cage.steps_per_contact for share in SHARES]
     longer = cage.seeds * cage.duration / (SEEDS * duration)

@@ -9,7 +9,8 @@ import numpy as np
 from analytic.effects.table import STATIC_LIMIT
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
-from analytic.torque import friction_torque, with_model_uncertainty
+from analytic.torque import friction_torque
+from analytic.uncertainty import with_model_uncertainty
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
 
 

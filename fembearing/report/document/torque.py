@@ -81,6 +81,11 @@ class CageState(Table):
     duration: float | None
     state: str | None
     signed_moment: float | None
+    whirl_speed: float | None
+    wobble: float | None
+    ball_lead: float | None
+    grip_share: float | None
+    grip_number: float | None
 
 
 class Point(OperatingPoint):
@@ -228,6 +233,11 @@ class MovedCage(Table):
     signed_moment: float
     mean_force: float
     max_force: float
+    whirl_speed: float
+    wobble: float
+    ball_lead: float
+    grip_share: float | None
+    grip_number: float | None
     duration: float
     block: float
     other: OtherStart | None

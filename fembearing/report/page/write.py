@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from analytic.cage.grip import LARGEST_GRIP
 from analytic.oil.film import FILM_FACTORS
 from analytic.result import COORDINATES
 from fembearing.quantities import RPM
@@ -51,6 +52,7 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
         per_minute=RPM.factor,
         coordinates=COORDINATES,
         film_factors=FILM_FACTORS,
+        largest_grip=LARGEST_GRIP,
         verdict_section=verdict_section(document),
         torque_section=torque_section(document),
         next_section=next_section(document),

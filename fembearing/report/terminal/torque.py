@@ -6,9 +6,10 @@ import numpy as np
 from rich.console import Console
 from rich.markup import escape
 
+from analytic.cage.grip import LARGEST_GRIP
 from analytic.result import COLUMNS, COORDINATES, FrictionTorque
 from fembearing.compare.torque.scene_torque import SceneTorque
-from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, QUANTITIES, RPM
+from fembearing.quantities import CONTACT, MICRO, NEWTON_MILLIMETRE, QUANTITIES, RPM
 from fembearing.report.phrases import LOADS, SHARES, capital, friction_of, share_of, uncertainty_of
 from fembearing.report.terminal.table import table_of
 
@@ -155,6 +156,35 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
     out.print(table)
     out.print(
         f"All forces: mean of their sum. Largest: of one ball on its pocket, in {blocks:.2g} s (median of blocks).\n",
+        style="dim",
+    )
+    _print_regimes(out, friction, points)
+
+
+def _print_regimes(out: Console, friction: FrictionTorque, points: Sequence[int]) -> None:
+    """How the cage goes round at the points where it moved, and what that asks of the races."""
+    heads = ("#", "state", f"whirl, {RPM.name}", f"wobble, {MICRO.name}", f"ball lead, {MICRO.name}")
+    table = table_of((*heads, "grip used", "grip number"), title="Regime of the cage", left=("state",))
+    part = friction.cage
+    assert part is not None
+    for point in points:
+        motion = part.motion[point]
+        if motion is None:
+            continue
+        table.add_row(
+            str(point + 1),
+            motion.state,
+            f"{motion.whirl_speed * RPM.factor:.4g}",
+            f"{motion.wobble * MICRO.factor:.3g}",
+            f"{part.ball_lead[point] * MICRO.factor:.3g}",
+            percent(float(part.grip_share[point])),
+            "unknown" if np.isnan(part.grip_number[point]) else f"{part.grip_number[point]:.2g}",
+        )
+    out.print(table)
+    out.print(
+        "Whirl: mean speed of the cage's centre about the axis. Wobble: root mean square change of its distance. "
+        "Grip used: of what the races carry along the orbit, by the mean force. Grip number: the same of a whirl, by "
+        f"the weakest ball; balls slide above {LARGEST_GRIP:g}.\n",
         style="dim",
     )
 

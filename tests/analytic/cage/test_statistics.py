@@ -28,6 +28,10 @@ def test_the_start_decides_between_rest_and_whirl() -> None:
         friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
     )
     np.testing.assert_allclose([resting.torque, whirling.other.torque], closed, rtol=0.02)
+    # It goes round by w_b r/nabla + w_c; friction in the pockets slips a little.
+    np.testing.assert_allclose(whirling.whirl_speed, CAGE.ball_speed * 39.7 + CAGE.orbit_speed, rtol=0.02)
+    assert abs(resting.whirl_speed) < 1e-3 * whirling.whirl_speed
+    assert max(resting.wobble, whirling.wobble) < 0.1 * CAGE.half_clearance
     assert abs(resting.signed_moment) < 1e-2 * resting.torque
 
 
@@ -52,6 +56,17 @@ def test_torque_at_rest_does_not_depend_on_speed(rpm: float) -> None:
     assert statistics.state == "rest"
 
 
+def test_the_wobble_is_that_of_the_distance_instant_by_instant() -> None:
+    cage, distances = replace(CAGE, ball_lead=0.06e-3), []
+    for seed in range(2):
+        motion = CageMotion(cage, begin="whirl", seed=seed)
+        motion.advance(0.01)
+        distances.append([float(np.hypot(*motion.advance(0.01 / 400).place)) for _ in range(400)])
+    statistics = measured_motion(cage, start="whirl", seeds=2, duration=0.01)
+    # Steps are shared out among the instants otherwise than among the blocks, and the end differs a little.
+    np.testing.assert_allclose(statistics.wobble, np.sqrt(np.mean(np.var(distances, axis=1))), rtol=0.05)
+
+
 def test_a_swing_slower_than_a_block_is_not_rest() -> None:
     """Pocket of Table 1: a swing takes 0.11 s, a block 5 ms, and the cage falls from the middle."""
     statistics = measured_motion(
@@ -59,6 +74,7 @@ def test_a_swing_slower_than_a_block_is_not_rest() -> None:
     )
     assert statistics.state == "irregular"
     assert max(statistics.block_maxima) > 10
+    assert 0.1 * 2.98e-3 < statistics.wobble < 2.98e-3
 
 
 def test_a_tumbling_cage_on_a_land_is_not_at_rest() -> None:

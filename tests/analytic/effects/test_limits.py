@@ -7,8 +7,6 @@ import numpy as np
 import pytest
 
 from analytic.effects.table import LIMITS, PER_CUT_SHARE
-from analytic.loads.inertia import gyroscopic_slip_ratio
-from analytic.loads.ring import ring_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
@@ -55,32 +53,26 @@ def test_every_checked_effect_is_listed_with_its_number(scene: Scene) -> None:
     axis, distance = numbers_in(reason_of(found, "shoulder"))
     # r_g sin(asin(w/r_g) - al), inner: 4.13 sin(asin(3.1/4.13) - 0.18) = 2.561 mm
     np.testing.assert_allclose([axis, distance], [1.1222e-3, 2.561e-3], rtol=5e-4)
-    # the sliding number falls with the load's cube root: least at 300 N
-    number, limit = numbers_in(reason_of(found, "elastic_creep"))
-    np.testing.assert_allclose(number, 6.459 * 0.3 ** (1 / 3), rtol=5e-3)  # three digits
-    assert limit == 3
     words = " ".join(found.warnings)
-    for word in ("static limit", "sliding number", "shoulder", "gyroscopic"):
+    for word in ("static limit", "shoulder"):
         assert word not in words
 
 
 def test_nothing_slides_and_no_cage(scene: Scene) -> None:
     found = friction_torque(replace(scene, cage=None, effects={"spin": "off", "conformity": "off"}))
-    assert reason_of(found, "elastic_creep") == "nothing slides"
+    assert reason_of(found, "creep").startswith('effects.spin = "off" leaves out a part of the slip')
     assert reason_of(found, "cage") == "no cage is given: add a table [cage]"
 
 
 def test_each_limit_is_warned_of_when_it_is_passed(scene: Scene) -> None:
-    def warned(load: float, word: str, mu: float = 0.1) -> bool:
+    def warned(load: float, word: str) -> bool:
         series = Operation(axial_load=np.array([load]), inner_speed=np.array([31.0]))
-        found = friction_torque(replace(scene, operation=series, friction_coefficient=mu))
+        found = friction_torque(replace(scene, operation=series))
         return any(word in warning for warning in found.warnings)
 
-    # cube roots from 1000 N: p0 reaches 4.2 GPa at 1000 (4.2/2.1831)^3 = 7121 N, b the distance of 2.561 mm at 11885 N,
-    # and the sliding number falls below 3 with mu above 0.1 x 6.459/3 = 0.2153
+    # cube roots from 1000 N: p0 reaches 4.2 GPa at 1000 (4.2/2.1831)^3 = 7121 N, b the distance of 2.561 mm at 11885 N
     assert [warned(load, "static limit") for load in (7100.0, 7140.0)] == [False, True]
     assert [warned(load, "inner race's shoulder") for load in (11840.0, 11930.0)] == [False, True]
-    assert [warned(1000.0, "sliding number of the outer", mu) for mu in (0.2145, 0.216)] == [False, True]
 
 
 def test_a_plastic_contact_has_no_known_uncertainty(scene: Scene) -> None:
@@ -115,31 +107,3 @@ def test_what_a_shoulder_cuts_off_is_uncertain_and_then_unknown(scene: Scene) ->
     assert whole.unknown == cut.unknown == ()
     assert np.isinf(torn.numerical_uncertainty[1])
     assert "shoulder cuts off 0.1" in torn.unknown[0]
-
-
-def test_a_ball_that_friction_cannot_hold_is_warned_of(scene: Scene) -> None:
-    """Against the moment of Euler's equation that the equilibrium of the ring returns, which friction with the arm r
-    has to carry."""
-    solved = replace(
-        scene,
-        contact_angle=ContactAngle(rule="solved", free=0.3),
-        effects={"finite_geometry": "off", "centrifugal": "on", "gyroscopic": "on"},
-        operation=Operation(axial_load=np.array([200.0]), inner_speed=np.array([2100.0])),
-    )
-    ring = ring_equilibrium(solved.bearing, solved.contact_angle, axial_load=200.0, inner_speed=2100.0)
-    needed = np.max(ring.gyroscopic_moment / 3.97e-3 / (ring.inner_load + ring.outer_load))
-    for factor, warned in ((1.02, False), (0.98, True)):
-        found = friction_torque(replace(solved, friction_coefficient=float(factor * needed)))
-        about = [warning for warning in found.warnings if "gyroscopic moment" in warning]
-        assert bool(about) == warned
-        if warned:
-            np.testing.assert_allclose(numbers_in(about[0])[0], 1 / 0.98, rtol=5e-3)  # three digits
-
-
-def test_gyroscopic_slip_is_moment_over_arm_times_friction() -> None:
-    """By hand: J = 0.4 x 2.04e-3 x 3.97e-3^2 = 1.28609e-8 kg m^2."""
-    ball = {"ball_mass": 2.04e-3, "ball_radius": 3.97e-3, "ball_speed": 5000.0, "cage_speed": 820.0}
-    found = gyroscopic_slip_ratio(contact_angle=[0.0, 0.31], friction_force=7.3, **ball)
-    moment = 1.28609e-8 * 5000 * 820 * 0.305059
-    np.testing.assert_allclose(found, [0.0, moment / (3.97e-3 * 7.3)], rtol=1e-5)  # six digits
-    assert gyroscopic_slip_ratio(contact_angle=0.31, friction_force=0.0, **ball) == np.inf

@@ -5,15 +5,15 @@ import pytest
 from scipy.integrate import quad
 
 from analytic.errors import InputError
-from analytic.loads.inertia import centrifugal_ratio, gyroscopic_pull, gyroscopic_slip_ratio, inertia_ratios
+from analytic.loads.inertia import centrifugal_ratio, gyroscopic_moment, gyroscopic_pull, inertia_ratios
 from analytic.loads.kinematics import BallKinematics, ball_kinematics
 from analytic.loads.ring import ring_equilibrium
+from analytic.loads.turning import RuledTurning
 from analytic.scene import Bearing, ContactAngle
 
 BALL = {"ball_mass": 2.04e-3, "ball_radius": 3.97e-3}
 LOAD = 620.63  # N, at mu = 0.05 and b = 1.1222 mm
-# The other calculation holds the moment by a long contact in full spin; here as a force at the radius r.
-HELD = {"friction_force": 0.375 * 0.05 * LOAD * 1.1222 / 3.97}
+HELD = 0.375 * 0.05 * LOAD * 1.1222e-3  # N m: the other calculation holds the moment by a long contact in full spin
 
 
 def motion(bearing: Bearing, rpm: float) -> BallKinematics:
@@ -35,11 +35,15 @@ def test_a_6205_computed_elsewhere(
     turning = motion(bearing_6205, rpm)
     ratio = centrifugal_ratio(ball_mass=2.04e-3, pitch_diameter=39.01e-3, cage_speed=turning.cage_speed, load=LOAD)
     np.testing.assert_allclose(ratio, centrifugal, rtol=0.02)  # two digits
-    solid = {"ball_mass": 7850 * 4 / 3 * np.pi * 3.97e-3**3, "ball_radius": 3.97e-3}  # 2.06 g, the table has 2.04 g
-    ratio = gyroscopic_slip_ratio(
-        ball_speed=turning.ball_speed, cage_speed=turning.cage_speed, contact_angle=0.18, **solid, **HELD
+    solid = 7850 * 4 / 3 * np.pi * 3.97e-3**3  # 2.06 g, the table has 2.04 g
+    moment = gyroscopic_moment(
+        ball_mass=solid,
+        ball_diameter=7.94e-3,
+        ball_speed=turning.ball_speed,
+        cage_speed=turning.cage_speed,
+        axis_angle=0.18,
     )
-    np.testing.assert_allclose(ratio, gyroscopic, atol=last)  # two digits
+    np.testing.assert_allclose(moment / HELD, gyroscopic, atol=last)  # two digits
 
 
 def test_the_centrifugal_force_is_that_of_a_circle() -> None:
@@ -59,9 +63,10 @@ def test_the_gyroscopic_moment_is_the_change_of_angular_momentum() -> None:
     inertia = mass / (4 / 3 * np.pi * radius**3) * discs
     turned = np.exp(1j * orbit * step * np.array([-0.5, 0.5])) * inertia * spin * np.sin(angle)  # the part across
     moment = abs(turned[1] - turned[0]) / step
-    ratio = gyroscopic_slip_ratio(ball_speed=spin, cage_speed=orbit, contact_angle=angle, **BALL, **HELD)
-    # Tolerance: round-off of the difference
-    np.testing.assert_allclose(ratio * HELD["friction_force"] * radius, moment, rtol=1e-8)
+    found = gyroscopic_moment(
+        ball_mass=mass, ball_diameter=2 * radius, ball_speed=spin, cage_speed=orbit, axis_angle=angle
+    )
+    np.testing.assert_allclose(found, moment, rtol=1e-8)  # round-off of the difference
 
 
 def test_arguments_broadcast() -> None:
@@ -76,7 +81,8 @@ def test_the_gyroscopic_pull_is_what_the_ring_feels(bearing_6205: Bearing) -> No
     """The races share the friction that holds the moment: the normal force of the inner one loses half of the pull."""
     rule, speed = ContactAngle(rule="solved", free=0.21), 700.0
     still = ring_equilibrium(bearing_6205, rule, axial_load=310.0)
-    turning = ring_equilibrium(bearing_6205, rule, axial_load=310.0, inner_speed=speed, centrifugal=False)
+    gyroscopic = RuledTurning(bearing=bearing_6205, inner_speed=np.array([speed]), centrifugal=False, gyroscopic=True)
+    turning = ring_equilibrium(bearing_6205, rule, axial_load=310.0, inner_speed=speed, turning=gyroscopic)
     angle, load = float(still.inner_angle[0]), float(still.inner_load[0])
     moving = ball_kinematics(
         inner_speed=speed, inner_angle=angle, outer_angle=angle, pitch_diameter=39.01e-3, ball_diameter=7.94e-3
@@ -85,7 +91,9 @@ def test_the_gyroscopic_pull_is_what_the_ring_feels(bearing_6205: Bearing) -> No
         **BALL, ball_speed=moving.ball_speed, cage_speed=moving.cage_speed, contact_angle=angle, load=load
     )
     thrust, before = (ring.inner_load[0] * np.sin(ring.inner_angle[0]) for ring in (turning, still))
-    np.testing.assert_allclose(1 - thrust / before, pull / 2, rtol=2e-3)  # angle and speeds follow by as much
+    # At outer control the ball's axis leans less than the contact angle, and the moment is less by the ratio of sines.
+    leans = np.sin(np.arctan2(np.sin(angle), np.cos(angle) + 7.94 / 39.01)) / np.sin(angle)
+    np.testing.assert_allclose(1 - thrust / before, pull / 2 * leans, rtol=2e-3)  # angle and speeds follow by as much
     with pytest.raises(InputError, match="contact_angle must be at least 0"):
         gyroscopic_pull(**BALL, ball_speed=3.0, cage_speed=2.0, contact_angle=-0.1, load=5.0)
 
@@ -104,12 +112,8 @@ def test_ratios_of_a_bearing_do_not_depend_on_the_direction_of_rotation(bearing_
 def test_a_force_without_load_is_infinite_and_no_force_is_nothing() -> None:
     speeds = {"pitch_diameter": 39e-3, "cage_speed": [0.0, 21.0]}
     np.testing.assert_array_equal(centrifugal_ratio(ball_mass=2e-3, load=0.0, **speeds), [0.0, np.inf])
-    slip = gyroscopic_slip_ratio(ball_speed=3.0, cage_speed=2.0, contact_angle=[0.0, 0.2], **BALL, friction_force=0.0)
-    np.testing.assert_array_equal(slip, [0.0, np.inf])
 
 
 def test_impossible_arguments_are_refused() -> None:
     with pytest.raises(InputError, match="load must be at least 0"):
         centrifugal_ratio(ball_mass=2e-3, pitch_diameter=39e-3, cage_speed=3.0, load=-1.0)
-    with pytest.raises(InputError, match="is it in degrees"):
-        gyroscopic_slip_ratio(ball_speed=3.0, cage_speed=2.0, contact_angle=15.0, **BALL, **HELD)

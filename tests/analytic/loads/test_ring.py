@@ -260,8 +260,8 @@ def test_a_turning_ball_is_in_balance_by_newton_and_euler(bearing_6205: Bearing,
         inner, outer = equilibrium.inner_angle[ball], equilibrium.outer_angle[ball]
         to_inner = np.cos(inner) * outward + np.sin(inner) * axis  # away from the inner contact
         to_outer = np.cos(outer) * outward + np.sin(outer) * axis  # towards the outer contact
-        # No slip at both contacts about an axis halfway between those of pure rolling
-        pitch_angle = (inner + outer) / 2
+        # No slip at both contacts, no spin at the outer one
+        pitch_angle = np.arctan2(np.sin(outer), np.cos(outer) + 2 * radius / pitch)
         spin = np.sin(pitch_angle) * outward - np.cos(pitch_angle) * axis
         at_inner, at_outer = -radius * to_inner, radius * to_outer
         inner_speed = np.cross(spin, at_inner) @ forward

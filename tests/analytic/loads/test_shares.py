@@ -6,7 +6,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, ring_balls
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.shares import inertia_of_lightest, load_distribution_ratio, load_shares, load_waves
+from analytic.loads.shares import load_distribution_ratio, load_shares, load_waves, own_forces_of_lightest
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle, Operation
 
@@ -94,14 +94,15 @@ def test_waves_that_are_not_small_unload_balls(bearing_6205: Bearing) -> None:
     assert found.waves == pytest.approx([0.158 + 7.76], rel=1e-3)
     balls = ring_balls(bearing_6205, STEEP, operation, LoadEffects(centrifugal=False, gyroscopic=False))
     assert np.count_nonzero(balls.load[0] == 0) == 4  # of nine
-    assert inertia_of_lightest(bearing_6205, operation, balls) == (np.inf, np.inf)
+    assert own_forces_of_lightest(bearing_6205, operation, balls) == (np.inf, np.inf, np.inf)
 
 
 def test_the_lightest_ball_under_thrust_is_any(bearing_6205: Bearing) -> None:
     operation = Operation(axial_load=np.array([300.0]), inner_speed=np.array([700.0])).as_series()
     found = load_shares(bearing_6205, STEEP, operation)
     assert found.thrust is not None
-    outward, across = inertia_of_lightest(bearing_6205, operation, found.thrust)
+    outward, across, weight = own_forces_of_lightest(bearing_6205, operation, found.thrust)
+    np.testing.assert_allclose(weight, 2.04e-3 * 9.80665 / found.thrust.load[0, 0], rtol=1e-12)  # round-off
     np.testing.assert_allclose(outward, found.centrifugal, rtol=1e-12)  # round-off
     # Upright all of the friction counts, at the angle its axial part.
     np.testing.assert_allclose(across * np.cos(found.thrust.contact_angle[0, :, 0]), found.pull, rtol=1e-12)

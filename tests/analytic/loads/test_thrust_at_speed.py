@@ -9,9 +9,10 @@ from hypothesis import given
 
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import ConvergenceError, InputError
-from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.kinematics import BallKinematics, ball_kinematics
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import ThrustAtSpeed, thrust_at_speed, thrust_equilibrium
+from analytic.loads.turning import PlacedBalls, RuledTurning, TurningForces
 from analytic.scene import Bearing, ContactAngle
 
 SOLVED = ContactAngle(rule="solved")
@@ -34,7 +35,8 @@ def assert_at_rest(balls: ThrustAtSpeed, bearing: Bearing, load: float, speed: f
         ball_diameter=bearing.ball_diameter,
     )
     inertia = 2 / 5 * bearing.ball_mass * r**2
-    moment = inertia * motion.ball_speed * motion.cage_speed * np.sin((al_i + al_o) / 2)
+    pitch = np.arctan2(np.sin(al_o), np.cos(al_o) + 2 * r / bearing.pitch_diameter)  # of outer control
+    moment = inertia * motion.ball_speed * motion.cage_speed * np.sin(pitch)
     normal = np.array([float(balls.inner_load), float(balls.outer_load)])
     friction = moment / r * normal / normal.sum()  # its moment about the centre, r (T_i + T_o), is the gyroscopic one
     outward = bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2
@@ -68,7 +70,8 @@ def test_balls_at_speed_are_those_of_the_ring(
     load = np.array([41.0, 230.0, 890.0, 2600.0])
     speed = np.array([-740.0, 320.0, 1900.0, 2700.0])
     factors = ContactFactors(approach=np.array([0.93, 0.97, 1.02, 1.01]), semi_axis_rolling=1.03)
-    loaded = {"axial_load": load, "inner_speed": speed, "centrifugal": centrifugal, "gyroscopic": gyroscopic}
+    turning = RuledTurning(bearing=bearing_6205, inner_speed=speed, centrifugal=centrifugal, gyroscopic=gyroscopic)
+    loaded = {"axial_load": load, "inner_speed": speed, "turning": turning}
     balls = thrust_at_speed(bearing_6205, rule, **loaded, correction=ContactCorrection(outer=factors))
     each = replace(factors, approach=np.repeat(np.asarray(factors.approach)[:, None], bearing_6205.ball_count, axis=1))
     ring = ring_equilibrium(bearing_6205, rule, **loaded, correction=ContactCorrection(outer=each))
@@ -83,9 +86,10 @@ def test_slow_balls_are_those_of_the_thrust_equilibrium(bearing_6205: Bearing) -
     loads = 10.0 ** np.arange(-3, 7, 3)
     still = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads)
     for speed, centrifugal in ((0.0, True), (1e-7, True), (430.0, False)):
-        balls = thrust_at_speed(
-            bearing_6205, SOLVED, axial_load=loads, inner_speed=speed, centrifugal=centrifugal, gyroscopic=False
+        turning = RuledTurning(
+            bearing=bearing_6205, inner_speed=np.full(4, speed), centrifugal=centrifugal, gyroscopic=False
         )
+        balls = thrust_at_speed(bearing_6205, SOLVED, axial_load=loads, inner_speed=speed, turning=turning)
         for name in FIELDS:
             expected = still.ball_load if name.endswith("load") else still.contact_angle
             np.testing.assert_allclose(getattr(balls, name), expected, rtol=1e-9)  # both settle to 1e-10
@@ -93,7 +97,8 @@ def test_slow_balls_are_those_of_the_thrust_equilibrium(bearing_6205: Bearing) -
 
 def test_a_ball_hangs_in_the_outer_race_at_the_highest_speed(bearing_6205: Bearing) -> None:
     """The outer race carries the centrifugal force alone, and the inner one lifts the ball by the play that is left."""
-    balls = thrust_at_speed(bearing_6205, SOLVED, axial_load=5.0, inner_speed=2.4e4, gyroscopic=False)
+    turning = RuledTurning(bearing=bearing_6205, inner_speed=np.array([2.4e4]), centrifugal=True, gyroscopic=False)
+    balls = thrust_at_speed(bearing_6205, SOLVED, axial_load=5.0, inner_speed=2.4e4, turning=turning)
     motion = ball_kinematics(
         inner_speed=2.4e4,
         inner_angle=balls.inner_angle,
@@ -112,4 +117,19 @@ def test_loads_without_a_balance_are_refused(bearing_6205: Bearing) -> None:
     with pytest.raises(InputError, match="axial_load"):
         thrust_at_speed(bearing_6205, SOLVED, axial_load=-5.0, inner_speed=100.0)
     with pytest.raises(ConvergenceError, match="Raise the load or lower the speed"):
-        thrust_at_speed(bearing_6205, SOLVED, axial_load=0.04, inner_speed=9.5e4)
+        thrust_at_speed(bearing_6205, SOLVED, axial_load=50.0, inner_speed=100.0, turning=Restless())
+
+
+class Restless:
+    """Friction across the grooves that turns round in every round."""
+
+    accuracy, sign = 0.0, 1.0
+
+    def forces(self, balls: PlacedBalls) -> TurningForces:
+        self.sign = -self.sign
+        friction = 0.05 * self.sign * balls.inner_load
+        nothing = np.zeros_like(friction)
+        return TurningForces(centrifugal=nothing, inner_friction=friction, outer_friction=-friction, gyroscopic=nothing)
+
+    def motion(self, inner_angle: np.ndarray, outer_angle: np.ndarray) -> BallKinematics:  # noqa: ARG002
+        raise AssertionError("nothing settles, so nobody asks")

@@ -117,14 +117,14 @@ def both(bearing: Bearing, *, viscosity: float, speed: float) -> tuple[RollingRe
             load=1000 / (9 * np.sin(angle)),
             modulus=206e9 / (2 * (1 - 0.3**2)),
             viscosity=viscosity,
-            entrainment_speed=speed * motion.entrainment_speed,
+            entrainment_speed=speed * motion.inner_entrainment,
         )
         for curvature_rolling, curvature_transverse in (
             race_curvatures(bearing, "inner", contact_angle=angle),
             race_curvatures(bearing, "outer", contact_angle=angle),
         )
     )
-    return inner, outer, float(motion.entrainment_speed)
+    return inner, outer, float(motion.inner_entrainment)
 
 
 @pytest.mark.parametrize(

@@ -155,7 +155,6 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (CAGE + "steps_per_contact = 40.5", ("cage.steps_per_contact = 40.5", "whole number")),
     (CAGE + 'duration = "0 s"', ("cage.duration", "0.0001 to 1000 s")),
     (CAGE + "restitution = 1.2", ("cage.restitution = 1.2", "0.05 to 1")),
-    (CAGE + 'ball_lead = "0.21 mm"', ("cage.ball_lead = '0.21 mm'", "beyond the clearance", "0.2 mm or more")),
     (CAGE + 'pocket_depth = "3.9 mm"', ("cage.pocket_depth = '3.9 mm'", "ball radius 3.97 mm")),
     (CAGE + 'pocket_approach = { load = "28 N" }', ("cage.pocket_approach.approach is missing",)),
     (CAGE + 'land = { ring = "middle", clearance = "0.3 mm", width = "9 mm" }', ("cage.land.ring = 'middle'",)),

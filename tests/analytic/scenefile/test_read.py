@@ -127,14 +127,14 @@ def test_the_motion_of_a_cage_is_read() -> None:
     text = (
         'start = "sudden"\nseeds = 7\nduration = "0.3 s"\nrestitution = 0.6\ngravity = "along"\ndrag = "2e-6 N m s"\n'
         "steps_per_contact = 57\n"
-        'pocket_axis = "radial"\nball_lead = "-30 um"\nfriction_coefficient = 0.08\n'
+        'pocket_axis = "radial"\nfriction_coefficient = 0.08\n'
         'pocket_approach = { load = "28 N", approach = "0.9 um" }\n'
         'land = { ring = "outer", clearance = "0.3 mm", width = "9 mm" }\n'
     )
     cage = present(scene(PLAIN + "[cage]\n" + text).cage)
     assert (cage.start, cage.seeds, cage.duration, cage.restitution) == ("sudden", 7, 0.3, 0.6)
     assert cage.steps_per_contact == 57
-    assert (cage.gravity, cage.drag, cage.pocket_axis, cage.ball_lead) == ("along", 2e-6, "radial", -30e-6)
+    assert (cage.gravity, cage.drag, cage.pocket_axis) == ("along", 2e-6, "radial")
     assert cage.friction_coefficient == 0.08
     assert cage.land == Land(ring="outer", clearance=0.3e-3, width=9e-3)
     assert cage.pocket_stiffness == pytest.approx(28 / 0.9e-6**1.5, rel=1e-12)

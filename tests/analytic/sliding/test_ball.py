@@ -15,8 +15,8 @@ from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.rolling import hysteresis_moment
 from analytic.oil.traction import CoulombTraction, MixedTraction, Traction, mixed_traction
-from analytic.scene import Array, Autocorrelation, SpinRule, Surface
-from analytic.sliding.ball import SlidingMethod, SlipFriction, SlipRule, Tractions, slip_friction
+from analytic.scene import Array, Autocorrelation, SlidingMethod, SpinRule, Surface
+from analytic.sliding.ball import SlipFriction, SlipRule, Tractions, slip_friction
 from analytic.sliding.long_ellipse import microslip_torque
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
@@ -81,7 +81,7 @@ def running(
         )
         film = film_asymptotes(
             contact,
-            entrainment_speed=motion.entrainment_speed,
+            entrainment_speed=motion.inner_entrainment,
             viscosity=OIL.viscosity,
             pressure_viscosity=OIL.pressure_viscosity,
         )

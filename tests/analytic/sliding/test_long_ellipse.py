@@ -1,6 +1,5 @@
 """Micro-slip against quadrature of the sliding itself."""
 
-from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -22,7 +21,6 @@ from analytic.sliding.long_ellipse import (
     microslip_moments,
     microslip_torque,
     pure_rolling_lines,
-    sliding_number,
 )
 from tests.analytic.specimens import rolling_contact, thrust
 
@@ -246,22 +244,6 @@ def test_conformity_and_hysteresis_are_equations_11_and_12(bearing_6205: Bearing
     lever = lost[0] * outer_radius + lost[1] * inner_radius
     hysteresis = sum(moment * contact.rolling_rate for moment, contact in zip(lost, contacts, strict=True))
     np.testing.assert_allclose(hysteresis, lever / bearing_6205.ball_diameter, rtol=1e-14)
-
-
-def test_the_sliding_number_of_the_6205(bearing_6205: Bearing) -> None:
-    """Of an independent calculation: 13 inner, 6.5 outer at mu = 0.1; two digits."""
-    inner, outer = both_contacts(bearing_6205, angle=0.18)
-    motion = ball_kinematics(
-        inner_speed=1.0, inner_angle=0.18, outer_angle=0.18, pitch_diameter=39.01e-3, ball_diameter=7.94e-3
-    )
-    for contact, side, expected, last in ((inner, 1, 13.0, 0.5), (outer, -1, 6.5, 0.05)):
-        curvature = 1 / 3.97e-3 + side * np.cos(0.18) / (19.505e-3 - side * 3.97e-3 * np.cos(0.18))
-        typed = replace(contact, curvature_rolling=curvature)
-        found = sliding_number(typed, friction_coefficient=0.1, entrainment_speed=motion.entrainment_speed)
-        np.testing.assert_allclose(found, expected, atol=last)
-        slow = sliding_number(typed, friction_coefficient=0.1, entrainment_speed=3.0)
-        np.testing.assert_allclose(slow * 3.0, found * motion.entrainment_speed, rtol=1e-14)  # round-off
-    assert sliding_number(inner, friction_coefficient=0.0, entrainment_speed=0.3) == np.inf
 
 
 SIZES = st.one_of(st.just(0.0), st.floats(1e-9, 10.0))

@@ -20,6 +20,7 @@ from fembearing.compare.torque.published import beside_paper
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.compare.validation import Validation
 from fembearing.provenance import provenance_of
+from fembearing.quantities import RPM
 from fembearing.report.document.build import report_of
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
@@ -194,7 +195,8 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
         MOVING.replace("500 rpm", "400 rpm").replace('start = "rest"', 'start = "whirl"'), origin="here"
     )
     production = torque_of_scene(scene)
-    motion = present(production.friction.cage).motion[0]
+    cage = present(production.friction.cage)
+    motion = cage.motion[0]
     assert motion is not None
     assert motion.other is not None
     one = change_of_torque(scene, inner=checked.contacts[0], outer=checked.contacts[1])
@@ -213,6 +215,8 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     places = [table.find(word) for word in row]
     assert places == sorted(places), (row, table)
     assert -1 not in places, (row, table)
+    grip = f"0{100 * cage.grip_share[0]:.2g} %{cage.grip_number[0]:.2g}"  # without radial load no ball leads
+    assert f"400whirl{RPM.factor * motion.whirl_speed:.4g}{1e6 * motion.wobble:.3g}{grip}" in words
     assert "leads to whirl" in words  # the warning
     content = report_of(moved).to_json()["cage_motion"]
     assert [point["state"] for point in content] == ["whirl"]

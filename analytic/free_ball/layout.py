@@ -1,0 +1,16 @@
+"""Which column of an array holds what, for the compiled loop and its callers. SI; rates per unit ring speed."""
+
+# A contact: load, semi-axes along and across rolling, radius of its surface, its normal out of the ball (radial,
+# axial), rate of its ring, flexibility L/a, and its law of traction as `analytic.oil.traction.PointLaw` has it.
+LOAD, ROLLING, TRANSVERSE, RADIUS, NORMAL_R, NORMAL_Z, RING, FLEXIBILITY = range(8)
+BOUNDARY, PLAIN, LIMIT, EYRING, FLUIDITY, SHARE = range(8, 14)
+CONTACT = 14
+# A ball: radius, radius of its orbit, J w^2/r^2
+BALL_RADIUS, ORBIT_RADIUS, INERTIA = range(3)
+BALL = 3
+# What a contact does: force on the ball along the orbit and across the groove, slip power, part of it by spin, sum of
+# all friction, speed of the surfaces through it; and at the same slip without creep the power of the law of traction
+# and that of a friction coefficient of 1
+ALONG, ACROSS, POWER, SPIN_POWER, FRICTION, PASSING, LAW_POWER, UNIT_POWER = range(8)
+OUTCOME = 8
+MOST_STEPS = 100  # of Newton's method

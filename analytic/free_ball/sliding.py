@@ -1,0 +1,240 @@
+"""The torque by sliding of free balls: loads, rotation and friction settle together.
+
+Traction turns the balls and pushes them across their grooves, loads and angles follow, and where there is oil its film
+follows these. Each pass has the tractions of the last one. The error of the quadrature is the change of the torque when
+the balls turn anew with more nodes, at the same loads; the last pass adds its own change.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.factors import ContactCorrection
+from analytic.contact.hertz import loaded_contact
+from analytic.free_ball.rotation import Creep, FreeBalls, FreeTurning, Nodes, Surfaces
+from analytic.loads.balls import LoadedBalls, LoadEffects, balls_between, loaded_balls
+from analytic.loads.kinematics import BallKinematics
+from analytic.loads.thrust import unit_contacts
+from analytic.numerics.interpolated import sampled_series
+from analytic.oil.traction import CoulombTraction
+from analytic.scene import Array, Bearing, ContactAngle, Operation, SlidingMethod
+from analytic.sliding.ball import Tractions
+from analytic.sliding.methods import Sliding
+
+QUADRATURES = (Nodes(16, 12), Nodes(32, 20), Nodes(64, 36), Nodes(97, 61))  # each but the last is judged by the next
+SAFETY = 2.0  # times the change by more nodes: they leave a third of the error or less
+PASSES = 4  # films follow loads with small powers: two are usual
+METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_creep", "marched": "marched_creep"}
+SERIES = 400  # from this number of points on, a sample of them costs less
+BETWEEN = 1.25  # times the largest error at the points of a sample: what lies between them
+POSITIVE = ("inner_entrainment", "outer_entrainment", "inner_rolling_rate", "outer_rolling_rate", "ball_speed")
+Points = NDArray[np.intp]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FreeProblem:
+    """n operating points with free balls."""
+
+    bearing: Bearing
+    contact_angle: ContactAngle
+    operation: Operation  # every array (n,)
+    effects: LoadEffects
+    creep: Creep
+    correction: ContactCorrection | None
+    tractions: Callable[[LoadedBalls, Points], Tractions]  # of the balls at some of the points
+
+    def at(self, points: Points) -> "FreeProblem":
+        operation = Operation(**{name: values[points] for name, values in vars(self.operation).items()})
+        correction = None if self.correction is None else self.correction.mapped(lambda factor: factor[points])
+        return replace(
+            self,
+            operation=operation,
+            correction=correction,
+            tractions=lambda balls, some: self.tractions(balls, points[some]),
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FreeSliding:
+    """The balls, and the torque by their sliding."""
+
+    balls: LoadedBalls
+    sliding: Sliding
+
+
+def slide_freely(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, allowed: Array) -> FreeSliding:
+    """The balls and their torque, from balls by closed kinematics.
+
+    other_torque : (n,) of the other effects, N m;  allowed : (n,) error, relative to the whole torque
+    Raises ConvergenceError where a ball finds no steady rotation, or loads and rotation do not settle.
+    """
+    if ruled.alike > 1 and np.count_nonzero(problem.operation.inner_speed) >= SERIES:
+        sampled = _sampled(problem, ruled, other_torque=other_torque, allowed=allowed)
+        if sampled is not None:
+            return sampled
+    return _settled(problem, ruled, other_torque=other_torque, allowed=allowed)
+
+
+class _Pass(NamedTuple):
+    """Balls that turned with the tractions of the balls before them."""
+
+    balls: LoadedBalls
+    free: FreeBalls
+    torque: Array  # (n,) N m
+    by_nodes: Array  # (n,) estimate of the error by the quadrature, N m
+    final: bool  # the tractions do not follow the balls
+
+
+def _settled(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, allowed: Array) -> FreeSliding:
+    """Every point by itself."""
+    level, last = 0, _passed(problem, ruled, 0)
+    while np.any(last.by_nodes > allowed * (last.torque + other_torque)) and level + 2 < len(QUADRATURES):
+        level += 1
+        last = _passed(problem, ruled, level)
+    by_pass = np.zeros_like(last.torque)
+    for _ in range(0 if last.final else PASSES):
+        before, last = last.torque, _passed(problem, last.balls, level)
+        by_pass = np.abs(last.torque - before)
+        if np.all(by_pass + last.by_nodes <= allowed * (last.torque + other_torque)):
+            break
+    error, torque, spin = last.by_nodes + by_pass, last.torque, last.balls.total(_each(last.free.spin_torque))
+    return FreeSliding(
+        balls=last.balls,
+        sliding=Sliding(
+            spin=spin,
+            conformity=torque - spin,
+            coefficient=_each(last.free.coefficient),
+            method=METHODS[problem.creep],
+            error=np.divide(error, torque, out=np.zeros_like(torque), where=torque > 0),
+        ),
+    )
+
+
+def _passed(problem: FreeProblem, balls: LoadedBalls, level: int) -> _Pass:
+    """One pass from the tractions of these balls; level : of the quadrature."""
+    tractions = problem.tractions(balls, np.arange(problem.operation.inner_speed.size))
+    turning = FreeTurning(
+        problem.bearing,
+        tractions,
+        inner_speed=problem.operation.inner_speed,
+        balls=None if balls.method == "thrust" else problem.bearing.ball_count,
+        surfaces=Surfaces(problem.creep, QUADRATURES[level]),
+        inertia=(problem.effects.centrifugal, problem.effects.gyroscopic),
+    )
+    balls = loaded_balls(
+        problem.bearing,
+        problem.contact_angle,
+        problem.operation,
+        problem.effects,
+        correction=problem.correction,
+        turning=turning,
+    )
+    free = turning.balls()
+    torque = balls.total(_each(free.torque))
+    finer = balls.total(_each(turning.balls(QUADRATURES[level + 1]).torque))
+    return _Pass(
+        balls=balls,
+        free=free,
+        torque=torque,
+        by_nodes=SAFETY * np.abs(finer - torque),
+        final=all(isinstance(law, CoulombTraction) for law in tractions),
+    )
+
+
+def _each(of_contact: Array) -> Array:
+    """(2, n, m) of balls that may be all alike."""
+    return of_contact[..., None] if of_contact.ndim == 2 else of_contact
+
+
+def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, allowed: Array) -> FreeSliding | None:
+    """All balls alike, from a sample of the points; None where that does not pay or is not accurate enough.
+
+    Loads, speeds and torques vary with load and speed in a smooth way, as logarithms.
+    """
+    moving = np.flatnonzero(problem.operation.inner_speed)
+    speed = np.abs(problem.operation.inner_speed[moving])
+    worst = 0.0
+
+    def evaluate(some: Points) -> Array:
+        nonlocal worst
+        at = moving[some]
+        part = _settled(problem.at(at), ruled.at(at), other_torque=other_torque[at], allowed=allowed[at] / BETWEEN)
+        worst = max(worst, BETWEEN * float(np.max(part.sliding.error)))
+        return _quantities(part)
+
+    def missed(interpolated: Array, true: Array, _: Points) -> Array:
+        return np.abs(np.expm1((interpolated - true)[:, :3])).max(axis=1)  # loads and torque
+
+    series = sampled_series(
+        evaluate,
+        np.log(np.stack([ruled.load[0, moving, 0], speed], axis=1)),
+        missed=missed,
+        allowed=lambda: float(np.min(allowed)) - worst,
+    )
+    if series is None:
+        return None
+    values = np.zeros((problem.operation.inner_speed.size, series.values.shape[1]))
+    values[moving] = series.values
+    standing = np.flatnonzero(problem.operation.inner_speed == 0)
+    if standing.size:
+        still = _settled(
+            problem.at(standing),
+            ruled.at(standing),
+            other_torque=other_torque[standing],
+            allowed=allowed[standing],
+        )
+        values[standing], worst = _quantities(still), max(worst, float(np.max(still.sliding.error)))
+    return _from_quantities(problem, values, error=worst + series.error, computed=series.at.size + standing.size)
+
+
+def _quantities(free: FreeSliding) -> Array:
+    """(n, q): logarithms of loads, torque, friction coefficients and speeds; angles, pitch, share of spin, spin."""
+    balls, sliding, motion = free.balls, free.sliding, free.balls.motion
+    torque = sliding.spin + sliding.conformity
+    positive = [balls.load[0, :, 0], balls.load[1, :, 0], torque, *sliding.coefficient[..., 0]]
+    positive += [getattr(motion, name)[:, 0] for name in POSITIVE]
+    share = np.divide(sliding.spin, torque, out=np.zeros_like(torque), where=torque > 0)
+    rest = [*balls.contact_angle[..., 0], motion.cage_speed[:, 0], motion.spin_difference[:, 0], motion.pitch[:, 0]]
+    return np.stack([*np.log(np.maximum(positive, 1e-300)), *rest, share], axis=1)
+
+
+def _from_quantities(problem: FreeProblem, values: Array, *, error: float, computed: int) -> FreeSliding:
+    bearing, radius, half = problem.bearing, problem.bearing.ball_radius, problem.bearing.pitch_diameter / 2
+    count = 5 + len(POSITIVE)
+    inner_load, outer_load, torque, inner_friction, outer_friction, *speeds = np.exp(values[:, :count]).T
+    inner_angle, outer_angle, cage_speed, spin_difference, pitch, share = values[:, count:].T
+    inner, outer = unit_contacts(
+        bearing,
+        inner_angle=np.abs(inner_angle),
+        outer_angle=np.abs(outer_angle),
+        correction=problem.correction or ContactCorrection(),
+    )
+    balls = balls_between(
+        bearing,
+        method="thrust",
+        load=np.stack([inner_load, outer_load])[..., None],
+        angle=np.stack([inner_angle, outer_angle])[..., None],
+        contacts=(loaded_contact(inner, load=inner_load), loaded_contact(outer, load=outer_load)),
+        motion=BallKinematics(
+            inner_radius=half - radius * np.cos(inner_angle),
+            outer_radius=half + radius * np.cos(outer_angle),
+            cage_speed=cage_speed,
+            spin_difference=spin_difference,
+            pitch=pitch,
+            **dict(zip(POSITIVE, speeds, strict=True)),
+        ),
+    )
+    return FreeSliding(
+        balls=balls,
+        sliding=Sliding(
+            spin=torque * share,
+            conformity=torque * (1 - share),
+            coefficient=np.stack([inner_friction, outer_friction])[..., None],
+            method=METHODS[problem.creep],
+            error=np.full(torque.shape, error),
+            computed=computed,
+        ),
+    )

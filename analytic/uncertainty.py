@@ -1,0 +1,66 @@
+"""What the uncertainty of the model's formulas does to a friction torque."""
+
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from analytic.contact.factors import ContactCorrection
+from analytic.effects.ledger import share_in
+from analytic.oil.film import FILM_FACTORS
+from analytic.oil.variation import COVERAGE, NOMINAL, ROLLING_SPREAD, SURFACE_SPREAD, Variation
+from analytic.result import FrictionTorque
+from analytic.scene import Array, Bearing, Scene, Surface
+from analytic.torque import friction_torque
+
+
+def with_model_uncertainty(
+    scene: Scene, result: FrictionTorque, *, correction: ContactCorrection | None = None
+) -> FrictionTorque:
+    """The torque of a scene with the part of its model uncertainty that is known, 95 %.
+
+    result : friction_torque(scene, correction=correction)
+    The torque is computed again, with the same effects and methods, and each change is a part:
+        film: films thicker and thinner by twice the standard uncertainty of their formula, 15 % of ln h
+        gap: the other law of the room between rough surfaces, `elastic` or `truncated`
+        surfaces: asperities that press more and less by twice the spread between surfaces of equal statistics
+        rolling: a resistance to rolling of 0.61 and 1.65 times the formula's, and the formula of [Houpert1987]
+    The largest change counts. The parts are independent, so the root of the sum of their squares is the whole.
+    The errors of the oil's own properties, of traction and of the inputs come on top, so the true one is larger.
+    """
+    variations: dict[str, tuple[tuple[Scene, Variation], ...]] = {}
+    same = result.settled(scene)
+    surface, lubricant = scene.surface, scene.lubricant
+    if surface is not None and result.film.inner is not None:
+        variations["film"] = tuple((same, Variation(film=factor)) for factor in FILM_FACTORS)
+        if result.is_on("asperities"):
+            variations["gap"] = ((replace(same, surface=_other_gap(surface, scene.bearing)), NOMINAL),)
+            factors = [np.exp(sign * COVERAGE * SURFACE_SPREAD) for sign in (-1, 1)]
+            variations["surfaces"] = tuple((same, Variation(asperity_pressure=factor)) for factor in factors)
+    if result.torque.rolling is not None and lubricant is not None:
+        factors = [np.exp(sign * COVERAGE * ROLLING_SPREAD) for sign in (-1, 1)]
+        resistances = [Variation(rolling=factor) for factor in factors]
+        if lubricant.pressure_viscosity > 0:
+            resistances.append(Variation(rolling_formula="houpert"))
+        variations["rolling"] = tuple((same, resistance) for resistance in resistances)
+    if not variations:
+        return result
+    total = result.torque.total
+
+    def changes(pairs: tuple[tuple[Scene, Variation], ...]) -> list[Array]:
+        varied = (friction_torque(scene, correction=correction, variation=variation) for scene, variation in pairs)
+        return [share_in(np.abs(other.torque.total - total), total) for other in varied]
+
+    parts = {name: np.max(changes(pairs), axis=0) for name, pairs in variations.items()}
+    whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
+    return replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts))
+
+
+def _other_gap(surface: Surface, bearing: Bearing) -> Surface:
+    """The surface with the other law of the gap; its summits never yield where no hardness is known."""
+    if surface.gap == "truncated":
+        return replace(surface, gap="elastic")
+    bodies = (bearing.ball_material, bearing.inner.material, bearing.outer.material)
+    if surface.hardness is None and any(body.hardness is None for body in bodies):
+        return replace(surface, gap="truncated", asperities="greenwood_williamson")
+    return replace(surface, gap="truncated")

@@ -1,0 +1,181 @@
+"""What the cage of a scene asks of its balls: numbers, regimes, uncertainty and refusals in the friction torque."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic import friction_torque
+from analytic.cage.drive import cage_drive
+from analytic.errors import InputError
+from analytic.loads.balls import LoadEffects, loaded_balls
+from analytic.result import FrictionTorque
+from analytic.scene import ContactAngle, Land, Operation, Scene
+from tests.analytic.cage.specimens import CAGED, RPM, with_cage
+from tests.analytic.specimens import present
+
+FAST = replace(CAGED, operation=Operation(axial_load=np.array([1000.0]), inner_speed=np.array([500.0]) * RPM))
+
+
+def pushed(radial: float, *, clearance: float, **cage: Any) -> Scene:
+    """500 rpm and 1000 N of thrust with a radial load; clearance : of the pockets, m."""
+    operation = Operation(
+        axial_load=np.array([1000.0]), inner_speed=np.array([500.0]) * RPM, radial_load=np.array([radial])
+    )
+    diameter = FAST.bearing.ball_diameter + clearance
+    scene = replace(
+        FAST,
+        operation=operation,
+        contact_angle=ContactAngle(rule="solved", free=0.18),
+        spin_rule="balanced",  # creep takes some 4 % off the lead
+        effects={"hysteresis": "off"},
+    )
+    return with_cage(scene, pocket_diameter=diameter, pocket_depth=diameter / 2, **cage)
+
+
+def reason_of(result: FrictionTorque, name: str) -> str:
+    return next(effect.reason for effect in result.effects if effect.name == name)
+
+
+def test_a_whirl_states_its_share_of_the_grip() -> None:
+    result = friction_torque(with_cage(FAST, start="whirl"))
+    cage = present(result.cage)
+    load = 1000 / (9 * np.sin(0.18))
+    # m (w_b r/nabla + w_c)^2 nabla is 15.95 N by hand (test_torque.py); each ball carries 2 mu Q/(1 + mu_c)
+    expected = 15.95 / (9 * 2 * 0.1 * load / 1.1)
+    np.testing.assert_allclose(cage.grip_number, expected, rtol=1e-2)  # free balls turn 0.4 % faster
+    np.testing.assert_allclose(cage.grip_share, cage.grip_number, rtol=0.02)  # the motion against its closed form
+    np.testing.assert_allclose(cage.unsure, 0.3 / 0.9 * cage.grip_number * cage.torque, rtol=1e-12)  # round-off
+    assert np.all(result.numerical_uncertainty >= (cage.half_interval + cage.unsure) / result.torque.total)
+    assert result.unknown == ()
+    point: Any = result.to_json()["points"][0]["cage"]
+    assert (point["grip_number"], point["grip_share"]) == (cage.grip_number[0], cage.grip_share[0])
+    motion = present(cage.motion[0])
+    assert (point["whirl_speed"], point["wobble"], point["ball_lead"]) == (motion.whirl_speed, motion.wobble, 0.0)
+    assert reason_of(result, "ball_dynamics").startswith(f"not modelled: grip number {cage.grip_number[0]:.3g} at most")
+
+
+@pytest.mark.parametrize(
+    ("thrust", "rpm", "friction", "carried", "number"),
+    # Digits of an independent code of balls and cage in motion, which kept 0.6 to 0.9 of what is carried
+    [(1000.0, 5500.0, 0.1, 606.0, 3.2), (100.0, 1800.0, 0.1, 83.0, 2.5), (20.0, 500.0, 0.05, 9.3, 1.7)],
+)
+def test_the_grip_of_fast_and_light_bearings(
+    thrust: float, rpm: float, friction: float, carried: float, number: float
+) -> None:
+    operation = Operation(axial_load=thrust, inner_speed=rpm * RPM).as_series()
+    balls = loaded_balls(FAST.bearing, ContactAngle(rule="solved", free=0.18), operation, LoadEffects())
+    drive = cage_drive(FAST, balls, friction, operation.inner_speed)
+    mu = np.array([0.1])
+    np.testing.assert_allclose(9 * np.min(drive.grip.carried(mu)), carried, rtol=0.005)  # digits
+    np.testing.assert_allclose(drive.grip_number(mu), number, rtol=0.02)
+
+
+@pytest.mark.parametrize(("start", "state"), [("whirl", "whirl"), ("rest", "rest")])
+def test_a_whirl_that_needs_more_grip_than_there_is_is_not_known(start: Any, state: str) -> None:
+    """With a race friction of 0.0015 the grip number above is 67 times as large; a cage at rest needs little."""
+    result = friction_torque(
+        with_cage(replace(FAST, friction_coefficient=1.5e-3), start=start, friction_coefficient=0.1)
+    )
+    assert present(present(result.cage).motion[0]).state == state
+    number = float(present(result.cage).grip_number[0])
+    assert 0.9 < number < 2
+    if state == "rest":
+        assert np.isfinite(result.numerical_uncertainty[0])
+        assert result.unknown == ()
+    else:
+        assert np.isinf(result.numerical_uncertainty[0])
+        (reason,) = result.unknown
+        assert f"uses {number:.3g} of the grip of the races at 52.36 rad/s, above 0.9" in reason
+    assert f"grip number {number:.3g} at most, balls slide, above 0.9" in reason_of(result, "ball_dynamics")
+
+
+def test_without_the_friction_of_the_races_a_whirl_is_not_known() -> None:
+    """Neither spin nor conformity: nothing slides on the races, and no coefficient is computed."""
+    balls = loaded_balls(FAST.bearing, FAST.contact_angle, FAST.operation.as_series(), LoadEffects())
+    drive = cage_drive(FAST, balls, None, FAST.operation.inner_speed)
+    assert np.all(np.isnan(drive.grip_number(np.array([0.1]))))
+    with pytest.raises(InputError, match=r"no \[cage\] to drive"):
+        cage_drive(replace(FAST, cage=None), balls, 0.1, FAST.operation.inner_speed)
+
+
+def test_balls_lead_by_the_loads_of_the_ring() -> None:
+    """118 um at 500 N (test_grip.py); the motion has it too."""
+    result = friction_torque(pushed(500.0, clearance=0.2e-3, start="rest"))
+    cage = present(result.cage)
+    np.testing.assert_allclose(np.abs(cage.ball_lead), 118e-6, rtol=0.02)  # contacts of finite geometry differ
+    driven = present(cage.driven[0])
+    assert driven.ball_lead == cage.ball_lead[0]
+    assert present(cage.motion[0]).state == "rest"  # in a clearance of 0.2 mm it gives way
+    # 2 mu Q/(1 + mu_c) of the ball with the least load, 314.8 N by Hertz; finite geometry changes it by 1 %
+    least = 2 * 0.1 * 314.8 / 1.1
+    force = 6.58e-3 * (driven.ball_speed * 39.7 + driven.orbit_speed) ** 2 * 0.1e-3
+    np.testing.assert_allclose(cage.grip_number, force / (9 * least), rtol=0.03)
+    back = pushed(-500.0, clearance=0.2e-3)
+    np.testing.assert_allclose(present(friction_torque(back).cage).ball_lead, -cage.ball_lead, rtol=0.02)
+
+
+def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
+    scene = pushed(500.0, clearance=0.1e-3, start="whirl")
+    result = friction_torque(scene)
+    cage = present(result.cage)
+    assert cage.motion == (None,)
+    assert "balls lead by up to 0.000117 m, and the pockets leave 0.0001 m free" in reason_of(result, "cage_dynamics")
+    (warning,) = (warning for warning in result.warnings if "wider pockets free them" in warning)
+    assert "at 52.36 rad/s" in warning
+    point: Any = result.to_json()["points"][0]["cage"]
+    assert (point["state"], point["max_force"], point["whirl_speed"]) == ("squeezed", None, None)
+    # Creep alone would give some 170 N (test_grip.py), so every ball slides: 2 mu Q/1.1, up to the weight of the cage
+    np.testing.assert_allclose(cage.grip_share, 1.0, rtol=2e-4)
+    rate = 15.599e-3 * 23.411 / 39.01  # r w_b/w at 0.18 rad; here the angle is larger
+    np.testing.assert_allclose(cage.torque, 0.1 * cage.mean_force * rate, rtol=0.01)
+    np.testing.assert_allclose(cage.unsure, cage.torque, rtol=1e-12)  # round-off
+    assert ", squeezed by balls that lead at 1 of 1 points," in result.provenance["cage"]
+    with pytest.raises(InputError, match='cage_dynamics = "on" cannot be had: balls lead by up to'):
+        friction_torque(replace(scene, effects={**scene.effects, "cage_dynamics": "on"}))
+
+
+def test_a_land_leaves_less_room() -> None:
+    """0.2 mm of pocket and 0.03 mm of land leave 0.1 + 0.015 mm."""
+    result = friction_torque(pushed(500.0, clearance=0.2e-3, land=Land(ring="outer", clearance=0.03e-3, width=9e-3)))
+    assert present(result.cage).is_squeezed[0]
+    assert "leaves 0.000115 m free" in "".join(result.warnings)
+
+
+def test_only_points_with_room_move() -> None:
+    """One operating point of two is squeezed, and the other moves."""
+    scene = pushed(500.0, clearance=0.1e-3, start="rest")
+    both = replace(scene.operation, radial_load=np.array([500.0, 100.0]))
+    cage = present(friction_torque(replace(scene, operation=both)).cage)
+    assert cage.is_squeezed.tolist() == [True, False]
+    assert [motion is None for motion in cage.motion] == [True, False]
+
+
+def test_races_without_friction_drive_no_cage() -> None:
+    with pytest.raises(InputError, match=r"races with a friction of 0 drive no cage.*above 0, usual are 0\.05 to"):
+        friction_torque(replace(FAST, friction_coefficient=0.0))
+    left_out = replace(FAST, friction_coefficient=0.0, effects={**FAST.effects, "cage": "off"})
+    assert friction_torque(left_out).cage is None
+
+
+def test_a_ball_without_load_drives_no_cage() -> None:
+    """A large radial load and no thrust; without centrifugal force nothing holds the balls on the other side."""
+    scene = pushed(800.0, clearance=0.2e-3)
+    scene = replace(scene, operation=replace(scene.operation, axial_load=np.array([0.0])))
+    unheld = replace(scene, effects={**scene.effects, "centrifugal": "off"})
+    with pytest.raises(InputError, match=r"ball \d of 9 has a load of 0 N on both races at 52.36 rad/s.*axial_load"):
+        friction_torque(unheld)
+    assert present(friction_torque(scene).cage).torque[0] > 0  # pressed outward by its own force
+    still = replace(unheld, operation=replace(unheld.operation, inner_speed=np.array([0.0])))
+    assert present(friction_torque(still).cage).torque[0] > 0
+
+
+def test_ball_dynamics_is_settled_whatever_the_scene() -> None:
+    assert reason_of(friction_torque(FAST), "ball_dynamics") == "cage.start is not given"
+    assert "no cage is given" in reason_of(friction_torque(replace(FAST, cage=None)), "ball_dynamics")
+    off = replace(with_cage(FAST, start="rest"), effects={**FAST.effects, "cage_dynamics": "off"})
+    assert "the cage does not move" in reason_of(friction_torque(off), "ball_dynamics")
+    wanted = replace(off, effects={**FAST.effects, "ball_dynamics": "on"})
+    with pytest.raises(InputError, match='ball_dynamics = "on" cannot be had: not modelled: grip number'):
+        friction_torque(wanted)

@@ -1,0 +1,156 @@
+"""The torque of free balls: limits, directions, hard corners, oil, the sample of a long series, and weight."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.loads.balls import LoadEffects, ring_balls
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from analytic.torque import friction_torque
+from tests.analytic.specimens import FINISH, OIL, present
+
+
+@pytest.fixture(scope="module")
+def scene(bearing_6205: Bearing) -> Scene:
+    return Scene(
+        name="free",
+        tolerance=0.01,
+        bearing=bearing_6205,
+        contact_angle=ContactAngle(rule="solved", free=0.31),
+        operation=Operation(axial_load=np.array([410.0]), inner_speed=np.array([83.0])),
+        friction_coefficient=0.07,
+        effects={"finite_geometry": "off"},
+    )
+
+
+def oiled(scene: Scene) -> Scene:
+    return replace(scene, friction_coefficient=None, lubricant=OIL, surface=FINISH)
+
+
+def at(scene: Scene, **changed: float) -> Scene:
+    values = {"axial_load": 410.0, "inner_speed": 83.0} | changed
+    return replace(scene, operation=Operation(**{name: np.array([value]) for name, value in values.items()}))
+
+
+def test_creep_has_its_share_and_the_methods_are_ordered(scene: Scene) -> None:
+    """The closed law takes slip away; the push across the groove that it misses adds far more."""
+    free, closed, marched = (
+        friction_torque(replace(scene, sliding=method)) for method in ("free_ball", "closed_creep", "marched_creep")
+    )
+    assert closed.torque.total[0] < free.torque.total[0] < marched.torque.total[0]
+    auto = friction_torque(scene)
+    assert auto.sliding == "marched_creep"
+    assert auto.torque.total[0] == marched.torque.total[0]
+    ruled = friction_torque(replace(scene, spin_rule="balanced"))
+    assert not ruled.is_on("creep")
+    assert any("creep is left out" in warning and "spin_rule" in warning for warning in ruled.warnings)
+
+
+def test_little_friction_creeps_little(scene: Scene) -> None:
+    """Creep goes with friction: the torque over friction tends to that of balanced spin."""
+    slight = replace(scene, friction_coefficient=3e-4)
+    marched = friction_torque(replace(slight, sliding="marched_creep"))
+    ruled = friction_torque(replace(slight, spin_rule="balanced", sliding="over_ellipse"))
+    error = abs(marched.torque.total / ruled.torque.total - 1)
+    # 3/K and the two methods' errors: K is some 900 here
+    assert error[0] < 4e-3 + marched.numerical_uncertainty[0] + ruled.numerical_uncertainty[0]
+    assert not friction_torque(slight).is_on("creep")
+
+
+@pytest.mark.parametrize("lubricated", [False, True])
+def test_backwards_mirrored_and_standing_still(scene: Scene, lubricated: bool) -> None:
+    running = oiled(scene) if lubricated else scene
+    forth, back = (friction_torque(at(running, inner_speed=speed)).torque.total for speed in (83.0, -83.0))
+    np.testing.assert_allclose(back, forth, rtol=1e-9)  # residuals of 1e-10
+    still, creeping = (friction_torque(at(running, inner_speed=speed)).torque.total for speed in (0.0, 1e-9))
+    np.testing.assert_allclose(creeping, still, rtol=1e-3)  # of the film that speed adds
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"axial_load": 1e-3},
+        {"axial_load": 1e-3, "inner_speed": 0.0},
+        {"axial_load": 90.0, "inner_speed": 3e6 / 39.0 * np.pi / 30},  # n d_m = 3e6 mm/min
+    ],
+)
+@pytest.mark.parametrize("friction", [0.0, 0.07, 1.0])
+def test_hard_corners_have_an_answer(scene: Scene, changed: dict[str, float], friction: float) -> None:
+    found = friction_torque(at(replace(scene, friction_coefficient=friction), **changed))
+    total = found.torque.total[0]
+    assert np.isfinite(total)
+    assert (total == 0) == (friction == 0)
+    assert total <= friction * 9 * (2 * found.ball_load[0] * 4e-3)  # of full sliding at the ball's radius and more
+
+
+def test_one_ball_carries_a_radial_load(scene: Scene) -> None:
+    """With clearance and a small load one ball alone is loaded; the others roll by their own force."""
+    loose = replace(at(scene, axial_load=0.0, radial_load=0.5, inner_speed=5.0), down=(1.0, 0.0, 0.0))
+    found = friction_torque(loose)
+    assert np.isfinite(found.torque.total[0])
+    assert found.is_on("weight")
+
+
+def test_a_series_from_a_sample_agrees_with_its_points(scene: Scene) -> None:
+    random = np.random.default_rng(3)
+    load, speed = 10 ** random.uniform(1.5, 3.2, 600), 10 ** random.uniform(0, 3.2, 600)
+    weightless = replace(scene, effects={**scene.effects, "weight": "off"})
+    long = friction_torque(replace(weightless, operation=Operation(axial_load=load, inner_speed=speed)))
+    assert " of 600 points" in long.provenance["sliding"]
+    some = np.arange(0, 600, 60)
+    each = friction_torque(replace(weightless, operation=Operation(axial_load=load[some], inner_speed=speed[some])))
+    error = np.abs(long.torque.total[some] / each.torque.total - 1)
+    assert np.all(error <= long.numerical_uncertainty[some] + each.numerical_uncertainty)
+    assert np.all(long.numerical_uncertainty <= scene.tolerance)
+    for name in ("load", "peak_pressure"):
+        np.testing.assert_allclose(getattr(long.outer, name)[some], getattr(each.outer, name), rtol=0.01)  # as asked
+
+
+def test_the_outer_ring_carries_load_and_weight(bearing_6205: Bearing) -> None:
+    """Newton's third law for the inner ring and the balls together, along x, y and z."""
+    operation = Operation(
+        axial_load=np.array([3.0]), inner_speed=np.array([0.0]), radial_load=np.array([0.7])
+    ).as_series()
+    down = (0.48, -0.6, 0.64)
+    effects = LoadEffects(centrifugal=False, gyroscopic=False, down=down)
+    balls = ring_balls(bearing_6205, ContactAngle(rule="solved", free=0.5), operation, effects)
+    load, angle = balls.load[1, 0], balls.contact_angle[1, 0]
+    azimuth = 2 * np.pi * np.arange(9) / 9
+    weight = 2.04e-3 * 9.80665 * np.array(down)
+    # The cage carries the weight along the orbit: what is radial and axial adds up over nine balls.
+    radial = weight[0] * np.cos(azimuth) + weight[1] * np.sin(azimuth)
+    expected = [0.7 + np.sum(radial * np.cos(azimuth)), np.sum(radial * np.sin(azimuth)), 3.0 + 9 * weight[2]]
+    found = [
+        np.sum(load * np.cos(angle) * np.cos(azimuth)),
+        np.sum(load * np.cos(angle) * np.sin(azimuth)),
+        np.sum(load * np.sin(angle)),
+    ]
+    np.testing.assert_allclose(found, expected, atol=1e-9)  # of 3 N
+
+
+def test_a_weight_without_a_direction_is_uncertain(scene: Scene) -> None:
+    """Its spread holds whatever the direction is; heavy loads need none."""
+    light = at(oiled(scene), axial_load=0.4, inner_speed=2.0)
+    unknown = friction_torque(light)
+    for down in ((1.0, 0.0, 0.0), (0.0, -0.8, 0.6), (0.0, 0.0, 1.0)):
+        known = friction_torque(replace(light, down=down))
+        assert known.is_on("weight")
+        error = np.abs(known.torque.total / unknown.torque.total - 1)
+        assert np.all(error <= unknown.numerical_uncertainty + known.numerical_uncertainty)
+    heavy = friction_torque(scene)
+    assert not heavy.is_on("weight")
+    assert np.all(heavy.numerical_uncertainty <= scene.tolerance)
+
+
+def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:
+    held = friction_torque(replace(scene, contact_angle=ContactAngle(rule="given", value=0.33)))
+    assert held.is_on("creep")
+    np.testing.assert_array_equal(held.contact_angle, 0.33)
+    assert present(held.torque.spin)[0] > 0
+
+
+def test_creep_cannot_be_had_with_a_rule(scene: Scene) -> None:
+    with pytest.raises(InputError, match=r'effects\.creep = "on" cannot be had: friction\.spin_rule = "inner_control"'):
+        friction_torque(replace(scene, spin_rule="inner_control", effects={"creep": "on"}))
