@@ -16,7 +16,7 @@ from analytic.cage.motion import MOMENTUM, RESTING_STEP, CageMotion, MotionError
 from analytic.cage.pocket import impact
 from analytic.cage.races import Races
 from analytic.cage.steady import DrivenCage, lead_room
-from analytic.errors import ConvergenceError, InputError
+from analytic.errors import InputError, SingularError
 from analytic.scene import Array, Cage, CageStart
 
 LEAST_STEPS = 10  # in an impact: fewer do not follow its force
@@ -42,7 +42,7 @@ class FreeCageMotion(CageMotion):
     cage : what moves; its `orbit_speed` and `ball_lead` follow from the races
     begin, seed, ramp, steps_per_contact : as for CageMotion. But for `ramp` the balls begin as they run without a cage
     Raises InputError for a cage and races of different speed, for a given lead of the balls, and for fewer than
-    LEAST_STEPS steps per contact; ConvergenceError if a ball alone on its races does not settle.
+    LEAST_STEPS steps per contact; SingularError if a ball alone on its races does not settle.
     """
 
     def __init__(
@@ -55,7 +55,7 @@ class FreeCageMotion(CageMotion):
         ramp: float = 0.0,
         steps_per_contact: float = Cage.steps_per_contact,
     ) -> None:
-        from analytic.cage.free_kernel import BALL, advance
+        from analytic.cage.free_kernel import BALL, TALLY, advance
         from analytic.cage.race_law import ALONE
 
         if not np.isclose(cage.ring_speed, races.inner_speed, rtol=1e-9):
@@ -87,7 +87,7 @@ class FreeCageMotion(CageMotion):
         )
         self.cage = cage
         self.step = min(self._contact_time / steps_per_contact, RESTING_STEP)
-        self._advance = advance
+        self._advance, self._sums = advance, TALLY
         self._laws = (cage_law(cage, ramp=ramp if begin == "ramp" else 0.0), races.law())
         self._table = races.table.copy()
         self._table[:, 0, ALONE] = alone.slip_power
@@ -105,18 +105,16 @@ class FreeCageMotion(CageMotion):
 
         duration : s, > 0
         Raises MotionError if the motion diverges, InputError if an impact was too hard for the steps, and
-        ConvergenceError if the speeds of a ball did not settle in a step.
+        SingularError if the speeds of a ball did not settle in a step.
         """
-        from analytic.cage.free_kernel import GRIP, LARGEST, TALLY, UNSETTLED
+        from analytic.cage.free_kernel import GRIP, LARGEST, UNSETTLED
 
-        tally, time = self._summed(duration, TALLY)
+        tally, time = self._summed(duration)
         if tally[UNSETTLED]:
-            raise ConvergenceError(
-                iterations=int(tally[UNSETTLED]),
-                residual=float(tally[LARGEST]),
-                tolerance=0.0,
-                problem="the speeds of a ball between races and cage",
-                remedy="Raise cage.steps_per_contact, or the friction of the races.",
+            raise SingularError(
+                problem=f"the speeds of balls between races and cage did not settle {tally[UNSETTLED]:.0f} times in "
+                f"{time:.3g} s",
+                remedy="Raise cage.steps_per_contact, or the friction of the races",
             )
         self._require_fine_steps(float(tally[LARGEST]))
         ring, race, alone, numerical, tilt = tally[12:17] / time

@@ -144,7 +144,7 @@ class CageMotion:
         ramp: float = 0.0,
         steps_per_contact: float = Cage.steps_per_contact,
     ) -> None:
-        from analytic.cage.kernel import STATE, advance
+        from analytic.cage.kernel import STATE, TALLY, advance
 
         require_positive(steps_per_contact=steps_per_contact)
         require_non_negative(ramp=ramp)
@@ -154,7 +154,7 @@ class CageMotion:
             raise InputError('start "ramp" needs the time over which the speeds rise, above 0')
         self.cage = cage
         self.step = min(cage.contact_time / steps_per_contact, RESTING_STEP)
-        self._advance = advance
+        self._advance, self._sums = advance, TALLY
         self._law = cage_law(cage, ramp=ramp if begin == "ramp" else 0.0)
         azimuth = 2 * np.pi * np.arange(cage.ball_count) / cage.ball_count
         self._azimuth = np.stack([np.cos(azimuth), np.sin(azimuth)], axis=1)
@@ -173,17 +173,15 @@ class CageMotion:
         duration : s, > 0
         Raises MotionError if the motion diverges.
         """
-        from analytic.cage.kernel import LARGEST, TALLY
+        from analytic.cage.kernel import LARGEST
 
-        tally, time = self._summed(duration, TALLY)
+        tally, time = self._summed(duration)
         return Passage(max_force=tally[LARGEST], **means(tally, time))
 
     def forces(self) -> Array:
         """(Z, 3) N: the present force of each ball on the cage."""
-        from analytic.cage.kernel import TALLY
-
         now = np.zeros((self.cage.ball_count, 3))
-        self._go(np.zeros(TALLY), 0, now)
+        self._go(np.zeros(self._sums), 0, now)
         return now
 
     @property
@@ -267,10 +265,10 @@ class CageMotion:
             if begin == "rest":
                 self.launch(velocity=np.zeros(3), angular_velocity=turning)
 
-    def _summed(self, duration: float, sums: int) -> tuple[Array, float]:
+    def _summed(self, duration: float) -> tuple[Array, float]:
         """The sums of a duration, which becomes a number of steps, and its time, s."""
         require_positive(duration=duration)
-        tally = np.zeros(sums)
+        tally = np.zeros(self._sums)
         steps = max(1, round(duration / self.step))
         self._go(tally, steps, np.empty((0, 3)))
         return tally, steps * self.step

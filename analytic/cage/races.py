@@ -19,7 +19,7 @@ import numpy as np
 from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
 from analytic.contact.rolling_contact import deformed_radius
-from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative
+from analytic.errors import InputError, SingularError, require_finite, require_non_negative
 from analytic.loads.balls import LoadedBalls, LoadEffects
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.ring import ring_equilibrium
@@ -143,7 +143,7 @@ class Races:
 
     @cached_property
     def alone(self) -> AloneBall:
-        """A ball without a cage; raises ConvergenceError if its speeds do not settle."""
+        """A ball without a cage; raises SingularError if its speeds do not settle."""
         from analytic.cage.free_kernel import ANGLE
 
         points = self.table.shape[0]
@@ -212,12 +212,9 @@ class Races:
         path = np.empty((steps, PATH))
         done = go_round(self.law(), self.table, ball, path, step)
         if done < steps:
-            raise ConvergenceError(
-                iterations=done,
-                residual=float(self.limits.max()),
-                tolerance=0.0,
-                problem="a ball on its races without a cage",
-                remedy="Check the friction coefficients of the races and the speed for a slipped unit.",
+            raise SingularError(
+                problem=f"the speeds of a ball on its races did not settle at step {done} of {steps} without a cage",
+                remedy="Check the friction coefficients of the races, the loads and the speed for a slipped unit",
             )
         return path
 

@@ -101,6 +101,19 @@ def test_balls_and_cage_at_one_speed_never_touch() -> None:
     np.testing.assert_allclose(9 * RACES.alone.slip_power, passed.alone_power, rtol=1e-12)
 
 
+def test_the_forces_of_an_instant_carry_the_cage() -> None:
+    """And asking for them changes nothing."""
+    cage = cage_on(RACES)
+    motion, asked = (FreeCageMotion(cage, RACES, begin="rest", steps_per_contact=20) for _ in range(2))
+    passed = motion.advance(0.01), asked.advance(0.01)
+    total = asked.forces().sum(axis=0)
+    np.testing.assert_allclose(
+        total, [0, cage.mass * 9.80665, 0], atol=0.02 * cage.mass * 9.80665
+    )  # it swings a little
+    assert passed[0] == passed[1]
+    assert motion.advance(1e-3) == asked.advance(1e-3)
+
+
 @pytest.mark.parametrize(("loads", "race"), [((372.0, 180.0), 1), ((200.0, 372.0), 0)])
 def test_a_cage_brakes_a_ball_up_to_the_grip_of_its_races(loads: tuple[float, float], race: int) -> None:
     """N = min(2 mu Q_i/(1 + mu_c), 2 mu Q_o/(1 - mu_c)): both races share N, and the friction in the pocket.
