@@ -30,7 +30,7 @@ class FreePassage(Passage):
 
     ring_power: float  # from the inner ring to the balls, W
     race_power: float  # of slip in the contacts with both races, W
-    alone_power: float  # the same of these balls without a cage, W
+    alone_power: float  # the same of these balls without a cage, at full speed, W
     numerical_power: float  # lost by the implicit steps of the balls, W
     tilt: float  # root mean square angle between the axes of cage and bearing, rad
     grip: float  # largest traction along the orbit over its limit, of one ball on one race

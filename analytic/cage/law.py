@@ -134,8 +134,8 @@ def loose(law, offset, axis):
 
 
 @njit(fastmath=FAST, inline="always")
-def pushed(law, ball, body, touch, row):
-    """Push of a Ball that is not loose on both shells of its pocket; row : of `touch`, which `advance` describes."""
+def _against(law, ball, body, touch, row, shell):
+    """Push of a Ball on one shell of its pocket."""
     ux, uy, uz = ball.offset
     ex, ey, ez = ball.axis
     cx, cy, cz = ball.centre
@@ -143,51 +143,67 @@ def pushed(law, ball, body, touch, row):
     tx, ty, tz = ball.rotation
     vx, vy, vz = body.velocity
     wx, wy, wz = body.angular_velocity
-    fx = fy = fz = mx = my = mz = slip = damped = given = pressed = largest = deepest = 0.0
-    clearance, offset, radius = law.half_clearance, law.centre_offset, law.ball_radius
-    along = ux * ex + uy * ey + uz * ez
-    shells = 1 if offset == 0.0 else 2
-    for shell in range(shells):
-        side = 1.0 if shell == 0 else -1.0
-        place = along + side * offset
-        nx, ny, nz = ux + side * offset * ex, uy + side * offset * ey, uz + side * offset * ez
-        distance = np.sqrt(nx * nx + ny * ny + nz * nz)
-        depth = distance - clearance
-        facing = shells == 1 or side * place > 0.0
-        if depth <= 0.0 or not facing:
-            touch[row, shell] = 0.0
-            continue
-        nx, ny, nz = nx / distance, ny / distance, nz / distance
-        # Velocity of the ball's surface: that of its centre, and its own rotation.
-        sx, sy, sz = (
-            bx + radius * (ty * nz - tz * ny),
-            by + radius * (tz * nx - tx * nz),
-            bz + radius * (tx * ny - ty * nx),
-        )
-        px, py, pz = cx + radius * nx, cy + radius * ny, cz + radius * nz
-        gx, gy, gz = sx - vx - wy * pz + wz * py, sy - vy - wz * px + wx * pz, sz - vz - wx * py + wy * px
-        closing = gx * nx + gy * ny + gz * nz
-        touch[row, shell] = max(touch[row, shell], closing, law.least_impact)
-        elastic = law.stiffness * depth * np.sqrt(depth)
-        normal = max(elastic * (1.0 + law.damping * closing / touch[row, shell]), 0.0)
-        gx, gy, gz = gx - closing * nx, gy - closing * ny, gz - closing * nz
-        speed = np.sqrt(gx * gx + gy * gy + gz * gz)
-        per_speed = law.friction * normal
-        if speed < SATURATED * law.smoothing:
-            ratio = speed / law.smoothing
-            per_speed *= np.tanh(ratio) / speed if ratio > 1e-8 else 1.0 / law.smoothing
-        else:
-            per_speed /= speed
-        qx, qy, qz = normal * nx + per_speed * gx, normal * ny + per_speed * gy, normal * nz + per_speed * gz
-        fx, fy, fz = fx + qx, fy + qy, fz + qz
-        mx, my, mz = mx + py * qz - pz * qy, my + pz * qx - px * qz, mz + px * qy - py * qx
-        slip += per_speed * speed * speed
-        damped += (normal - elastic) * closing
-        given += qx * sx + qy * sy + qz * sz
-        pressed += normal
-        largest = max(largest, normal)
-        deepest = max(deepest, depth)
-    return Push((fx, fy, fz), (mx, my, mz), slip, damped, given, pressed, largest, deepest)
+    clearance, radius = law.half_clearance, law.ball_radius
+    aside = law.centre_offset if shell == 0 else -law.centre_offset
+    nx, ny, nz = ux + aside * ex, uy + aside * ey, uz + aside * ez
+    distance = np.sqrt(nx * nx + ny * ny + nz * nz)
+    depth = distance - clearance
+    # Each shell is a half sphere.
+    facing = aside == 0.0 or aside * (ux * ex + uy * ey + uz * ez + aside) > 0.0
+    if depth <= 0.0 or not facing:
+        touch[row, shell] = 0.0
+        return Push((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    nx, ny, nz = nx / distance, ny / distance, nz / distance
+    # Velocity of the ball's surface: that of its centre, and its own rotation.
+    sx, sy, sz = (
+        bx + radius * (ty * nz - tz * ny),
+        by + radius * (tz * nx - tx * nz),
+        bz + radius * (tx * ny - ty * nx),
+    )
+    px, py, pz = cx + radius * nx, cy + radius * ny, cz + radius * nz
+    gx, gy, gz = sx - vx - wy * pz + wz * py, sy - vy - wz * px + wx * pz, sz - vz - wx * py + wy * px
+    closing = gx * nx + gy * ny + gz * nz
+    touch[row, shell] = max(touch[row, shell], closing, law.least_impact)
+    elastic = law.stiffness * depth * np.sqrt(depth)
+    normal = max(elastic * (1.0 + law.damping * closing / touch[row, shell]), 0.0)
+    gx, gy, gz = gx - closing * nx, gy - closing * ny, gz - closing * nz
+    speed = np.sqrt(gx * gx + gy * gy + gz * gz)
+    per_speed = law.friction * normal
+    if speed < SATURATED * law.smoothing:
+        ratio = speed / law.smoothing
+        per_speed *= np.tanh(ratio) / speed if ratio > 1e-8 else 1.0 / law.smoothing
+    else:
+        per_speed /= speed
+    qx, qy, qz = normal * nx + per_speed * gx, normal * ny + per_speed * gy, normal * nz + per_speed * gz
+    return Push(
+        (qx, qy, qz),
+        (py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx),
+        per_speed * speed * speed,
+        (normal - elastic) * closing,
+        qx * sx + qy * sy + qz * sz,
+        normal,
+        normal,
+        depth,
+    )
+
+
+@njit(fastmath=FAST, inline="always")
+def pushed(law, ball, body, touch, row):
+    """Push of a Ball that is not loose on both shells of its pocket; row : of `touch`, which `advance` describes."""
+    one = _against(law, ball, body, touch, row, 0)
+    if law.centre_offset == 0.0:  # both shells are one sphere
+        return one
+    two = _against(law, ball, body, touch, row, 1)
+    return Push(
+        (one.force[0] + two.force[0], one.force[1] + two.force[1], one.force[2] + two.force[2]),
+        (one.moment[0] + two.moment[0], one.moment[1] + two.moment[1], one.moment[2] + two.moment[2]),
+        one.slip + two.slip,
+        one.damping + two.damping,
+        one.given + two.given,
+        one.pressed + two.pressed,
+        max(one.largest, two.largest),
+        max(one.deepest, two.deepest),
+    )
 
 
 @njit(fastmath=FAST, inline="always")

@@ -94,8 +94,12 @@ def test_firm_races_make_it_the_motion_on_given_balls(begin: Any) -> None:
 
 
 def test_balls_and_cage_at_one_speed_never_touch() -> None:
-    passed = FreeCageMotion(cage_on(RACES, gravity=WEIGHTLESS), RACES, begin="rest").advance(0.01)
+    motion = FreeCageMotion(cage_on(RACES, gravity=WEIGHTLESS), RACES, begin="rest")
+    passed = motion.advance(0.01)
     assert passed.max_force == 0
+    np.testing.assert_allclose(motion.offsets, 0, atol=1e-11)  # round-off of sums of 45 000 steps
+    np.testing.assert_allclose(motion.ball_angle, RACES.alone.orbit_speed * passed.duration, rtol=1e-9)
+    np.testing.assert_allclose(motion.ball_angles - motion.ball_angle, 2 * np.pi / 9 * np.arange(9), atol=1e-9)
     np.testing.assert_allclose(passed.race_power, passed.alone_power, rtol=1e-9)
     np.testing.assert_allclose(passed.ring_power, passed.race_power, rtol=1e-9)
     np.testing.assert_allclose(9 * RACES.alone.slip_power, passed.alone_power, rtol=1e-12)
