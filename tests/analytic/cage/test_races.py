@@ -174,15 +174,13 @@ def test_a_race_that_the_pocket_unloads_leaves_its_share_to_the_other() -> None:
     np.testing.assert_allclose(lifted[1].limit, 0.1 * 200 * row[:, race_law.LOAD_BY_RHO] @ [-1, 1], rtol=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("load", "moment", "rolling"), [(200.0, 0.0, 51.6e-6), (1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)]
-)
+@pytest.mark.parametrize(("load", "moment", "rolling"), [(1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)])
 def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, moment: float, rolling: float) -> None:
     """Against the orbit speed of a ball in balance at each azimuth, and a ball that rolls at the contacts' centres."""
     races = ring_races(BEARING_6205, ANGLE, at(load=load, moment=moment), STANDING, friction=(0.1, 0.1))
-    points = range(0, races.contacts.load.shape[1], 6)
+    points = range(0, races.contacts.load.shape[1], 12)
     speeds = [
-        root(lambda v, p: balance(races, v, 200, azimuth=p)[0], races.alone.speeds[p], args=(p,), tol=1e-9).x[0]
+        root(lambda v, p: balance(races, v, 100, azimuth=p)[0], races.alone.speeds[p], args=(p,), tol=1e-9).x[0]
         for p in points
     ]
     azimuth = 2 * np.pi * np.arange(len(points)) / len(points)
