@@ -82,11 +82,10 @@ def race_torque(
     creep = decide_creep(scene, estimate, ledger, slides=slides)
     sliding: Sliding | None = None
     allowed = scene.tolerance - ledger.left_out
-    other = resisting.constant if resisting.rolling is None else resisting.constant + _rolled(ledger, resisting)
 
-    def tractions(balls: LoadedBalls, points: NDArray[np.intp]) -> Tractions:
+    def resisted(balls: LoadedBalls, points: NDArray[np.intp]) -> tuple[Tractions, Array]:
         anew, _ = _resisting(ledger, balls, speed[points], slides=True, variation=variation)
-        return _tractions(ledger, anew, mixed_contacts(ledger, anew))
+        return _tractions(ledger, anew, mixed_contacts(ledger, anew)), _other(ledger, anew)
 
     if slides and creep is not None:
         problem = FreeProblem(
@@ -96,9 +95,9 @@ def race_torque(
             effects=chosen.effects,
             creep=creep,
             correction=chosen.correction,
-            tractions=tractions,
+            resistance=resisted,
         )
-        free = slide_freely(problem, chosen.balls, other_torque=other, allowed=allowed)
+        free = slide_freely(problem, chosen.balls, allowed=allowed)
         chosen, sliding = chosen.turning(free.balls), free.sliding
     resisting, resistance = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
     mixed = mixed_contacts(ledger, resisting)
@@ -111,7 +110,9 @@ def race_torque(
             method=scene.sliding,
         )
         laws = _tractions(ledger, resisting, mixed)
-        sliding = race_sliding(chosen.balls, laws, model, ring_speed=speed, other_torque=other, allowed=allowed)
+        sliding = race_sliding(
+            chosen.balls, laws, model, ring_speed=speed, other_torque=_other(ledger, resisting), allowed=allowed
+        )
     parts = {"hysteresis": resisting.constant} if ledger.is_on("hysteresis") else {}
     if resisting.rolling is not None:
         parts["rolling"] = _rolled(ledger, resisting)
@@ -120,6 +121,11 @@ def race_torque(
     return RaceTorque(
         chosen=chosen, parts=parts, resisting=resisting, resistance=resistance, mixed=mixed, sliding=sliding
     )
+
+
+def _other(ledger: Ledger, resisting: Resisting) -> Array:
+    """(n,) torque by all but sliding, N m."""
+    return resisting.constant if resisting.rolling is None else resisting.constant + _rolled(ledger, resisting)
 
 
 def _rolled(ledger: Ledger, resisting: Resisting) -> Array:

@@ -115,11 +115,13 @@ def friction_torque(
     if races.chosen.farthest is not None:
         result = _beyond_the_fit(scene, result, races.chosen.farthest, variation)
     if races.chosen.any_direction:
-        result = _in_any_direction(scene, result)
+        result = _in_any_direction(scene, result, correction, variation)
     return replace(result, seconds=perf_counter() - started)
 
 
-def _in_any_direction(scene: Scene, result: FrictionTorque) -> FrictionTorque:
+def _in_any_direction(
+    scene: Scene, result: FrictionTorque, correction: ContactCorrection | None, variation: Variation
+) -> FrictionTorque:
     """The torque with the uncertainty of the balls' weight, whose direction the scene does not give.
 
     It is the largest change of the race torque over six directions, by the cheapest method.
@@ -129,7 +131,7 @@ def _in_any_direction(scene: Scene, result: FrictionTorque) -> FrictionTorque:
     def torque(down: tuple[float, float, float] | None) -> Array:
         weight = {"load_distribution": "on", "weight": "off" if down is None else "on"}
         settled = replace(scene, sliding="single_coefficient", down=down, effects=effects | weight)
-        return friction_torque(settled).torque.race
+        return friction_torque(settled, correction=correction, variation=variation).torque.race
 
     try:
         without = torque(None)

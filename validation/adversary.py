@@ -1,7 +1,8 @@
 """Search for scenes whose stated uncertainty is too small: python validation/adversary.py [--scenes 200] [--climbs 20]
 
 Draws scenes over the valid range of scene files: bearings of several shapes, loads from 0.1 N up, creep to 20 000 rpm,
-oils up to 1 Pa s, smooth and rough surfaces, given coefficients. Computes each at a tolerance of 5, 1 and 0.1 % with
+oils up to 1 Pa s, smooth and rough surfaces, given coefficients, balls that turn freely or by a rule, gravity with and
+without a direction. Computes each at a tolerance of 5, 1 and 0.1 % with
 every choice on `auto`, and once with every effect on and the most accurate methods. The error of `auto` against that is
 compared with its stated numerical uncertainty. Then climbs from the worst scenes towards violations: one or more inputs
 change at random, and a change stays if the ratio of error to stated uncertainty grows.
@@ -29,7 +30,7 @@ from rich.progress import Progress
 from rich.table import Table
 
 from analytic import friction_torque
-from analytic.effects.table import COMPUTED, ENTRIES
+from analytic.effects.table import COMPUTED, ENTRIES, ruled
 from analytic.errors import FembearingError, InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
@@ -79,11 +80,11 @@ class Draw:
         return next(self.numbers) < share
 
 
-INPUTS = 40  # numbers that a place has; `scene_text` takes no more
+INPUTS = 45  # numbers that a place has; `scene_text` takes no more
 
 
-def scene_text(place: Iterable[float], *, tolerance: float) -> str:
-    """The scene at a place, as a scene file."""
+def scene_text(place: Iterable[float], *, tolerance: float, directed: bool = False) -> str:
+    """The scene at a place, as a scene file; directed : with the direction of gravity, whether it gives it or not."""
     draw = Draw(place)
     ball = draw.power(3e-3, 30e-3)
     inner, outer = (draw.between(0.505, 0.56) * ball for _ in range(2))
@@ -119,6 +120,8 @@ def scene_text(place: Iterable[float], *, tolerance: float) -> str:
     radial, moment = draw.power(1e-4, 2.0) * axial, draw.power(1e-4, 0.5) * axial * pitch
     lines += [f'radial_load = "{radial:.9g} N"'] if draw.chance(0.35) else []
     lines += [f'moment = "{moment:.9g} N m"'] if draw.chance(0.2) else []
+    down = [f"{draw.between(-1, 1):.6g}" for _ in range(3)]
+    lines += [f"down = [{', '.join(down)}]"] if draw.chance(0.5) or directed else []
     oiled = draw.chance(0.8)
     oil = [
         "[lubricant]",
@@ -143,7 +146,7 @@ def scene_text(place: Iterable[float], *, tolerance: float) -> str:
         draw.one_of('gap = "elastic"', 'gap = "truncated"', 'gap = "truncated"\nasperities = "greenwood_williamson"'),
     ]
     friction = ["[friction]", f"hysteresis_loss = {draw.power(1e-3, 2e-2):.6g}"]
-    friction += [f'spin_rule = "{draw.one_of("balanced", "balanced", "inner_control", "outer_control")}"']
+    friction += [f'spin_rule = "{draw.one_of(*4 * ("free",), "balanced", "inner_control", "outer_control")}"']
     coefficient = draw.power(0.003, 0.2)
     if oiled:
         return "\n".join(lines + oil + surface + friction) + "\n"
@@ -154,7 +157,7 @@ def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
     """One scene at every tolerance; None where it is refused, nothing where an iteration does not converge."""
     try:
         scene = parse_scene(scene_text(place, tolerance=TOLERANCES[0]), origin="drawn")
-        exact = everything_on(scene)
+        exact = everything_on(parse_scene(scene_text(place, tolerance=TOLERANCES[0], directed=True), origin="drawn"))
         whole = float(exact.torque.total[0])
         trials = []
         for tolerance in TOLERANCES:
@@ -177,7 +180,7 @@ def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
 def everything_on(scene: Scene) -> FrictionTorque:
     """Every effect that the scene has inputs for, by the most accurate methods."""
     wanted = {name: "on" for name in COMPUTED if ENTRIES[name].lacks(scene) is None}
-    dearest = replace(scene, tolerance=1e-7, sliding="over_ellipse")
+    dearest = replace(scene, tolerance=1e-6, sliding="over_ellipse" if ruled(scene) else "marched_creep")
     try:
         return friction_torque(replace(dearest, effects=wanted))
     except InputError:  # an effect that cannot act in this scene: auto then computes all that can

@@ -70,7 +70,8 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
         demanded = _carried(estimate.mixed(regime), scene.tolerance) if name == "asperities" and possible else None
         on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle, demanded=demanded)
         regime = replace(regime, **{name: on})
-    ledger.decide("spin", bound=estimate.spin(scene, regime) if slides else None)
+    estimate.spin_share = estimate.spin(scene, regime) if slides else None
+    ledger.decide("spin", bound=estimate.spin_share)
     return estimate
 
 
@@ -92,12 +93,14 @@ def decide_creep(scene: Scene, estimate: "Estimate", ledger: Ledger, *, slides: 
         lacks=None if slides else ENTRIES["creep"].idle,
         demanded=None if wanted is None else f'friction.sliding = "{scene.sliding}" has it',
     )
-    if not slides or ruled(scene) is not None:
+    inert = ledger.is_on("centrifugal") or ledger.is_on("gyroscopic")
+    if not slides or ruled(scene) is not None or not (on or inert or scene.sliding != "auto"):
         return None
+    if not ledger.is_on("spin"):
+        ledger.settle("spin", on=True, share=estimate.spin_share, reason=ENTRIES["spin"].given)
     if on:
         return "closed" if scene.sliding == "closed_creep" else "marched"
-    inert = ledger.is_on("centrifugal") or ledger.is_on("gyroscopic")
-    return "none" if inert or scene.sliding != "auto" else None
+    return "none"
 
 
 def _carried(mixed: MixedContact | None, tolerance: float) -> str | None:
@@ -127,6 +130,7 @@ class Estimate:
         self.levers = (self.rolls, self.rolls + largest_spin_lever(balls)) if spins else (self.rolls,)
         self.uneven = 1 + largest_error(balls, None if oiled is None else oiled.lubricant)
         self.known: dict[Regime, _Torque] = {}
+        self.spin_share: Array | None = None  # bound on what spin adds, in the regime that was decided
 
     def mixed(self, regime: Regime) -> MixedContact | None:
         return self._at(regime).mixed

@@ -211,6 +211,7 @@ TABLE = (
         kind="computed",
         meaning="spin of the balls about the contact normals",
         bound="the friction of the race that spins in full, less that of races that only roll",
+        given="balls that turn freely spin",
     ),
     Entry(
         name="conformity", kind="computed", meaning="sliding because the contact is curved in the transverse direction"

@@ -37,7 +37,7 @@ from analytic.free_ball.layout import (
     TRANSVERSE,
     UNIT_POWER,
 )
-from analytic.numerics.compiled import compiled
+from analytic.numerics.compilation import compiled
 
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides

@@ -150,7 +150,7 @@ class FreeTurning:
         unknown = np.isnan(start[:, 0])
         if unknown.any():
             start[unknown] = self._rolling(balls, self.bodies[rows, ORBIT_RADIUS])[unknown]
-        self.velocity[rows], self.outcomes[rows] = self._turned(rows, start, self.nodes)
+        self.velocity[rows], self.outcomes[rows] = self._turned(rows, start)
         mass, radius, speed = self.bearing.ball_mass, self.bearing.ball_radius, self._speed(balls.points, shape)
         orbit, velocity = self.bodies[rows, ORBIT_RADIUS].reshape(shape), self.velocity[rows].reshape(*shape, 4)
         rate = velocity[..., 0] / orbit
@@ -189,11 +189,9 @@ class FreeTurning:
             pitch=np.arctan2(outward, -axial),
         )
 
-    def balls(self, nodes: Nodes | None = None) -> FreeBalls:
-        """The balls of the last round; nodes : of another quadrature, with which they turn anew."""
+    def balls(self) -> FreeBalls:
+        """The balls of the last round."""
         velocity, outcomes = self.velocity, self.outcomes
-        if nodes is not None:
-            velocity, outcomes = self._turned(np.arange(len(velocity)), velocity.copy(), nodes)
         races = np.moveaxis(outcomes, 1, 0).reshape(2, *self.shape, OUTCOME)
         law, unit = races[..., LAW_POWER], races[..., UNIT_POWER]
         return FreeBalls(
@@ -206,12 +204,12 @@ class FreeTurning:
             friction=races[..., FRICTION],
         )
 
-    def _turned(self, rows: NDArray[np.intp], start: Array, nodes: Nodes) -> tuple[Array, Array]:
+    def _turned(self, rows: NDArray[np.intp], start: Array) -> tuple[Array, Array]:
         """Velocities and outcomes of the balls in these rows."""
         from analytic.free_ball.kernel import rotate
 
         contacts, outcomes = self.contacts[rows], np.zeros((len(rows), *self.outcomes.shape[1:]))
-        quadrature = (*_nodes(nodes, marched=self.creep == "marched"), *self._thickening(contacts))
+        quadrature = (*_nodes(self.nodes, marched=self.creep == "marched"), *self._thickening(contacts))
         left = rotate(contacts, self.bodies[rows], start, quadrature, ACCURACY, outcomes)
         if not np.all(left <= ENOUGH):
             worst = int(np.argmax(np.where(np.isnan(left), np.inf, left)))

@@ -1,13 +1,12 @@
 """The torque by sliding of free balls: loads, rotation and friction settle together.
 
 Traction turns the balls and pushes them across their grooves, loads and angles follow, and where there is oil its film
-follows these. Each pass has the tractions of the last one. The error of the quadrature is the change of the torque when
-the balls turn anew with more nodes, at the same loads; the last pass adds its own change.
+follows these. Each pass has the tractions of the last one, and more nodes. The change of the torque between two passes
+is what is left of both errors.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,14 +18,14 @@ from analytic.loads.balls import LoadedBalls, LoadEffects, balls_between, loaded
 from analytic.loads.kinematics import BallKinematics
 from analytic.loads.thrust import unit_contacts
 from analytic.numerics.interpolated import sampled_series
-from analytic.oil.traction import CoulombTraction
 from analytic.scene import Array, Bearing, ContactAngle, Operation, SlidingMethod
 from analytic.sliding.ball import Tractions
 from analytic.sliding.methods import Sliding
 
-QUADRATURES = (Nodes(16, 12), Nodes(32, 20), Nodes(64, 36), Nodes(97, 61))  # each but the last is judged by the next
-SAFETY = 2.0  # times the change by more nodes: they leave a third of the error or less
-PASSES = 4  # films follow loads with small powers: two are usual
+QUADRATURES = (Nodes(16, 12), Nodes(24, 18), Nodes(36, 27), Nodes(54, 41), Nodes(81, 61))
+# Times the change from one quadrature to the next: what is left of it, where the error falls at least as fast as the
+# nodes lie closer. Films follow loads with small powers, and settle faster.
+SAFETY = 2.0
 METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_creep", "marched": "marched_creep"}
 SERIES = 400  # from this number of points on, a sample of them costs less
 BETWEEN = 1.25  # times the largest error at the points of a sample: what lies between them
@@ -44,7 +43,8 @@ class FreeProblem:
     effects: LoadEffects
     creep: Creep
     correction: ContactCorrection | None
-    tractions: Callable[[LoadedBalls, Points], Tractions]  # of the balls at some of the points
+    # Of balls at some of the points: the tractions, and what else resists them, (k,) N m
+    resistance: Callable[[LoadedBalls, Points], tuple[Tractions, Array]]
 
     def at(self, points: Points) -> "FreeProblem":
         operation = Operation(**{name: values[points] for name, values in vars(self.operation).items()})
@@ -53,7 +53,7 @@ class FreeProblem:
             self,
             operation=operation,
             correction=correction,
-            tractions=lambda balls, some: self.tractions(balls, points[some]),
+            resistance=lambda balls, some: self.resistance(balls, points[some]),
         )
 
 
@@ -65,65 +65,68 @@ class FreeSliding:
     sliding: Sliding
 
 
-def slide_freely(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, allowed: Array) -> FreeSliding:
+def slide_freely(problem: FreeProblem, ruled: LoadedBalls, *, allowed: Array) -> FreeSliding:
     """The balls and their torque, from balls by closed kinematics.
 
-    other_torque : (n,) of the other effects, N m;  allowed : (n,) error, relative to the whole torque
+    allowed : (n,) error, relative to the whole torque
     Raises ConvergenceError where a ball finds no steady rotation, or loads and rotation do not settle.
     """
     if ruled.alike > 1 and np.count_nonzero(problem.operation.inner_speed) >= SERIES:
-        sampled = _sampled(problem, ruled, other_torque=other_torque, allowed=allowed)
+        sampled = _sampled(problem, ruled, allowed=allowed)
         if sampled is not None:
             return sampled
-    return _settled(problem, ruled, other_torque=other_torque, allowed=allowed)
+    return _settled(problem, ruled, allowed=allowed)
 
 
-class _Pass(NamedTuple):
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Pass:
     """Balls that turned with the tractions of the balls before them."""
 
     balls: LoadedBalls
+    turning: FreeTurning
     free: FreeBalls
-    torque: Array  # (n,) N m
-    by_nodes: Array  # (n,) estimate of the error by the quadrature, N m
-    final: bool  # the tractions do not follow the balls
+    torque: Array  # (n,) by sliding, N m
+    whole: Array  # (n,) with what else resisted the balls before, N m
 
 
-def _settled(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, allowed: Array) -> FreeSliding:
-    """Every point by itself."""
-    level, last = 0, _passed(problem, ruled, 0)
-    while np.any(last.by_nodes > allowed * (last.torque + other_torque)) and level + 2 < len(QUADRATURES):
-        level += 1
-        last = _passed(problem, ruled, level)
-    by_pass = np.zeros_like(last.torque)
-    for _ in range(0 if last.final else PASSES):
-        before, last = last.torque, _passed(problem, last.balls, level)
-        by_pass = np.abs(last.torque - before)
-        if np.all(by_pass + last.by_nodes <= allowed * (last.torque + other_torque)):
+def _settled(problem: FreeProblem, ruled: LoadedBalls, *, allowed: Array) -> FreeSliding:
+    """Every point by itself, by passes with more and more nodes, until the torque changes no more than it may."""
+    last = _passed(problem, ruled, QUADRATURES[0], None)
+    change = np.full_like(last.torque, np.inf)
+    error = change
+    for nodes in QUADRATURES[1:]:
+        before, earlier, last = last, change, _passed(problem, last.balls, nodes, last.turning)
+        change = np.abs(last.whole - before.whole)
+        by_chance = np.where(np.isinf(earlier), 0.0, earlier / 4)  # two torques may agree by chance
+        error = SAFETY * np.maximum(change, by_chance)
+        if np.all(error <= allowed * last.whole):
             break
-    error, torque, spin = last.by_nodes + by_pass, last.torque, last.balls.total(_each(last.free.spin_torque))
+    spin = last.balls.total(_each(last.free.spin_torque))
     return FreeSliding(
         balls=last.balls,
         sliding=Sliding(
             spin=spin,
-            conformity=torque - spin,
+            conformity=last.torque - spin,
             coefficient=_each(last.free.coefficient),
             method=METHODS[problem.creep],
-            error=np.divide(error, torque, out=np.zeros_like(torque), where=torque > 0),
+            error=np.divide(error, last.torque, out=np.zeros_like(error), where=last.torque > 0),
         ),
     )
 
 
-def _passed(problem: FreeProblem, balls: LoadedBalls, level: int) -> _Pass:
-    """One pass from the tractions of these balls; level : of the quadrature."""
-    tractions = problem.tractions(balls, np.arange(problem.operation.inner_speed.size))
+def _passed(problem: FreeProblem, balls: LoadedBalls, nodes: Nodes, near: FreeTurning | None) -> _Pass:
+    """One pass from the tractions of these balls; near : the last pass's, from where the balls turn on."""
+    tractions, other = problem.resistance(balls, np.arange(problem.operation.inner_speed.size))
     turning = FreeTurning(
         problem.bearing,
         tractions,
         inner_speed=problem.operation.inner_speed,
         balls=None if balls.method == "thrust" else problem.bearing.ball_count,
-        surfaces=Surfaces(problem.creep, QUADRATURES[level]),
+        surfaces=Surfaces(problem.creep, nodes),
         inertia=(problem.effects.centrifugal, problem.effects.gyroscopic),
     )
+    if near is not None:
+        turning.velocity = near.velocity.copy()
     balls = loaded_balls(
         problem.bearing,
         problem.contact_angle,
@@ -134,14 +137,7 @@ def _passed(problem: FreeProblem, balls: LoadedBalls, level: int) -> _Pass:
     )
     free = turning.balls()
     torque = balls.total(_each(free.torque))
-    finer = balls.total(_each(turning.balls(QUADRATURES[level + 1]).torque))
-    return _Pass(
-        balls=balls,
-        free=free,
-        torque=torque,
-        by_nodes=SAFETY * np.abs(finer - torque),
-        final=all(isinstance(law, CoulombTraction) for law in tractions),
-    )
+    return _Pass(balls=balls, turning=turning, free=free, torque=torque, whole=torque + other)
 
 
 def _each(of_contact: Array) -> Array:
@@ -149,7 +145,7 @@ def _each(of_contact: Array) -> Array:
     return of_contact[..., None] if of_contact.ndim == 2 else of_contact
 
 
-def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, allowed: Array) -> FreeSliding | None:
+def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, allowed: Array) -> FreeSliding | None:
     """All balls alike, from a sample of the points; None where that does not pay or is not accurate enough.
 
     Loads, speeds and torques vary with load and speed in a smooth way, as logarithms.
@@ -161,7 +157,7 @@ def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, a
     def evaluate(some: Points) -> Array:
         nonlocal worst
         at = moving[some]
-        part = _settled(problem.at(at), ruled.at(at), other_torque=other_torque[at], allowed=allowed[at] / BETWEEN)
+        part = _settled(problem.at(at), ruled.at(at), allowed=allowed[at] / BETWEEN)
         worst = max(worst, BETWEEN * float(np.max(part.sliding.error)))
         return _quantities(part)
 
@@ -183,7 +179,6 @@ def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, other_torque: Array, a
         still = _settled(
             problem.at(standing),
             ruled.at(standing),
-            other_torque=other_torque[standing],
             allowed=allowed[standing],
         )
         values[standing], worst = _quantities(still), max(worst, float(np.max(still.sliding.error)))

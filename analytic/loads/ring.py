@@ -12,7 +12,7 @@ leave a freedom, as in a bearing with clearance that hangs on one ball: it is th
 Source: [Jones1960] and [Harris2007b] sections 1 and 3: derived here from energy and Euler's equation of a ball.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -35,7 +35,8 @@ PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps
 BALL_ROUND_OFF = 16 * np.finfo(np.float64).eps
 ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of the balls' loads times A0, whose rounding moves them
 # Contact stiffness, centrifugal and friction force follow the angles: 3 or 4 rounds at rest, about 10 at high speed.
-MOST_ROUNDS = 100
+MOST_ROUNDS = 200
+STEADYING = 30  # rounds, after which forces move halfway: some swing to and fro with the angles
 LEAST_BALLS = 3  # that hold a ring in all five freedoms
 
 
@@ -304,7 +305,7 @@ def _equilibrium(ring: _Ring, load: Array, *, angle: float) -> tuple[_State, NDA
     held = ring.held(load, active, angles=(angles, angles), loads=(nothing, nothing))
     state, steps = ring.settled(_start(ring, load, held), held)
     left = tolerance = 0.0  # N: change of the forces that a round holds
-    for _ in range(MOST_ROUNDS):
+    for rounds in range(MOST_ROUNDS):
         balls = part_of(state.balls, active)
         held = ring.held(
             load[active],
@@ -312,11 +313,18 @@ def _equilibrium(ring: _Ring, load: Array, *, angle: float) -> tuple[_State, NDA
             angles=(balls.inner_angle, balls.outer_angle),
             loads=(balls.inner_load, balls.outer_load),
         )
+        last = part_of(state.held, active)
+        if rounds >= STEADYING:
+            held = replace(
+                held,
+                ball_force=(held.ball_force + last.ball_force) / 2,
+                ring_force=(held.ring_force + last.ring_force) / 2,
+            )
         again, more = ring.settled(state.place[active], held)
         # The ring does not notice the force of a ball that floats or is wedged: that has to settle too.
         change = np.maximum(
-            np.abs(held.ball_force - state.held.ball_force[active]).max(axis=(-2, -1)),
-            np.abs(held.ring_force - state.held.ring_force[active]).max(axis=-1),
+            np.abs(held.ball_force - last.ball_force).max(axis=(-2, -1)),
+            np.abs(held.ring_force - last.ring_force).max(axis=-1),
         )
         accurate = np.maximum(again.tolerance, ring.turning.accuracy * np.max(balls.outer_load, axis=-1))
         state = merged(state, active, again)

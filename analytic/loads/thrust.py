@@ -286,7 +286,9 @@ class _Thrust:
             )
             change = float(np.max(steps, initial=0.0))
             # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
-            if change <= accuracy or change**2 <= accuracy * before:
+            # Balls that turn freely keep the motion of the last round, so that this round must change nothing.
+            next_change = change**2 / before if accuracy == ROUND_OFF and before > 0 else change
+            if min(change, next_change) <= accuracy:
                 return balls
         at_speed = "" if turning is None else " of balls at speed"
         raise ConvergenceError(

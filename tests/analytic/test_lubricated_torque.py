@@ -235,6 +235,7 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
                 operation=Operation(axial_load=np.full(3, 1000.0), inner_speed=speeds),
                 lubricant=replace(OIL, viscosity=viscosity),
                 friction_coefficient=0.05,
+                spin_rule="balanced",  # as that calculation: balls that roll on their contacts' middles
                 effects={"inlet_heating": "off", "starvation": "off"},
             )
         )
@@ -256,7 +257,7 @@ def test_rolling_stops_at_standstill_and_thins_with_heat(scene: Scene) -> None:
 
 
 def test_rolling_is_left_out_where_the_scene_says_so(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("analytic.torque.hydrodynamic_rolling", None)  # would raise if it were called
+    monkeypatch.setattr("analytic.races.hydrodynamic_rolling", None)  # would raise if it were called
     found = friction_torque(replace(scene, effects=PLAIN | {"rolling": "off"}))
     assert found.torque.rolling is None
     assert {effect.name: effect.reason for effect in found.effects}["rolling"].startswith("the scene says off")

@@ -97,20 +97,18 @@ def test_the_result_says_where_its_friction_comes_from(scene: Scene) -> None:
 
 
 @pytest.mark.parametrize(
-    ("load", "mu", "words"),
+    ("load", "words"),
     [
-        (14e3, 0.1, ["ellipse passes the inner race's shoulder", "semi-axis 0.002705 m, distance 0.002561 m"]),
-        (8e3, 0.1, ["peak pressure on the inner race 4.366e+09 Pa", "4.2e+09 Pa"]),
-        (1e3, 0.3, ["sliding number of the outer contact is 0.669", "elastic creep"]),
+        (14e3, ["ellipse passes the inner race's shoulder", "semi-axis 0.002705 m, distance 0.002561 m"]),
+        (8e3, ["peak pressure on the inner race 4.366e+09 Pa", "4.2e+09 Pa"]),
     ],
 )
-def test_a_doubtful_contact_is_flagged_with_its_numbers(scene: Scene, load: float, mu: float, words: list[str]) -> None:
-    """Hertz's cube root of the load from 1000 N, where b = 1.1222 mm, p0 = 2.1831 GPa, outer sliding number 6.459.
+def test_a_doubtful_contact_is_flagged_with_its_numbers(scene: Scene, load: float, words: list[str]) -> None:
+    """Hertz's cube root of the load from 1000 N, where b = 1.1222 mm, p0 = 2.1831 GPa.
 
-    The distance to the shoulder is r_g sin(asin(w/r_g) - al) = 4.13 sin(asin(3.1/4.13) - 0.18) = 2.561 mm; sliding is
-    least at 30 N.
+    The distance to the shoulder is r_g sin(asin(w/r_g) - al) = 4.13 sin(asin(3.1/4.13) - 0.18) = 2.561 mm.
     """
-    asked = replace(scene, operation=thrust(40.0, load, 30.0), friction_coefficient=mu)
+    asked = replace(scene, operation=thrust(40.0, load, 30.0))
     found = friction_torque(asked).warnings
     assert any(all(word in warning for word in words) for warning in found), found
 

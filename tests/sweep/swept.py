@@ -1,4 +1,7 @@
-"""The scene of the sweeps. It turns every effect on or off, so that a series decides as a single point does."""
+"""The scene of the sweeps. It turns every effect on or off, so that a series decides as a single point does.
+
+Balls turn by a rule: free ones take as many nodes as the worst point of a series needs.
+"""
 
 SCENE = """
 [scene]
@@ -13,6 +16,7 @@ inner_speed = "250 rpm"
 [scene.friction]
 coefficient = 0.09
 hysteresis_loss = 0.007
+spin_rule = "balanced"
 [scene.effects]
 centrifugal = "off"
 gyroscopic = "off"

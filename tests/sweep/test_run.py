@@ -31,8 +31,9 @@ Write = Callable[..., Path]
 
 
 @pytest.mark.usefixtures("in_process", "short_pieces")
-def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: Path) -> None:
-    path = grid_file(AXES)
+@pytest.mark.parametrize("rule", ["balanced", "free"])
+def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: Path, rule: str) -> None:
+    path = grid_file(AXES, scene=SCENE.replace('spin_rule = "balanced"', f'spin_rule = "{rule}"'))
     found = run_sweep(path, out=tmp_path / "out").dataset()
     assert found["torque_total"].dims == ("coefficient", "inner_speed", "conformity", "axial_load")
     base = load_grid(path).scene(0)
@@ -56,10 +57,14 @@ def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: 
             operation=operation,
         )
         alone = friction_torque(scene)
-        # 1e-9: the angle is iterated; all effects of the scene are on or off by its own word, whatever the series
-        np.testing.assert_allclose(float(here["torque_total"]), alone.torque.total[0], rtol=1e-9)
-        np.testing.assert_allclose(float(here["contact_angle"]), alone.contact_angle[0], rtol=1e-9)
-        np.testing.assert_allclose(float(here["load_outer"]), alone.outer.load[0], rtol=1e-9)
+        # 1e-9: the angle is iterated; all effects of the scene are on or off by its own word, whatever the series.
+        # Free balls have as many nodes as the worst point of the series needs: torques differ by the uncertainty.
+        free = rule == "free"
+        torque = alone.numerical_uncertainty[0] if free else 1e-9
+        np.testing.assert_allclose(float(here["torque_total"]), alone.torque.total[0], rtol=torque)
+        equal = 1e-3 if free else 1e-9  # friction across the grooves is a tenth of the load, and its error a hundredth
+        np.testing.assert_allclose(float(here["contact_angle"]), alone.contact_angle[0], rtol=equal)
+        np.testing.assert_allclose(float(here["load_outer"]), alone.outer.load[0], rtol=equal)
 
 
 @pytest.mark.usefixtures("in_process")

@@ -80,18 +80,19 @@ def times(*, repeats: int) -> None:
         cage, races = example(axial_load=load, rpm=rpm)
         given, free = CageMotion(cage, begin=start, seed=0), FreeCageMotion(cage, races, begin=start, seed=0)
         free.advance(0.01)
-        taken: dict[int, list[float]] = {0: [], 1: []}
-        for _ in range(repeats):
-            for index, motion in enumerate((given, free)):  # in turn: other work slows both
-                started = time.process_time()
-                passed = motion.advance(5e-3)
-                taken[index].append((time.process_time() - started) / (passed.duration / motion.step))
-        each = [statistics.median(taken[index]) * 1e6 for index in (0, 1)]
-        table.add_row(
-            name, *(f"{value:.2f}" for value in each), f"{each[1] / each[0]:.1f}", f"{free.step * 1e6:.3f}",
-            f"{passed.force:.3g}",
-        )  # fmt: skip
+        taken = [(step_time(given), step_time(free)) for _ in range(repeats)]  # in turn: other work slows both
+        each = [statistics.median(of_motion) * 1e6 for of_motion in zip(*taken, strict=True)]
+        force = free.advance(1e-3).force
+        row = (*(f"{value:.2f}" for value in each), f"{each[1] / each[0]:.1f}", f"{free.step * 1e6:.3f}")
+        table.add_row(name, *row, f"{force:.3g}")
     out.print(table)
+
+
+def step_time(motion: CageMotion) -> float:
+    """Processor time of a step, s."""
+    started = time.process_time()
+    passed = motion.advance(5e-3)
+    return (time.process_time() - started) / (passed.duration / motion.step)
 
 
 def energy() -> None:
@@ -115,13 +116,12 @@ def lost(passed: FreePassage) -> float:
 
 def steps(*, duration: float) -> None:
     table = Table("steps a contact", "rest, N mm", "whirl, N mm", "whirl, sum of forces, N")
+    cage, races = example()
     for steps_per_contact in (20, 40, 80):
-        row = [f"{steps_per_contact}"]
-        for start in ("rest", "whirl"):
-            cage, races = example()
-            passed = run(cage, races, begin=start, duration=duration, steps_per_contact=steps_per_contact)
-            row.append(f"{passed.slip_power / cage.ring_speed * 1e3:.4f}")
-        table.add_row(*row, f"{passed.force:.3f}")
+        options: dict[str, Any] = {"duration": duration, "steps_per_contact": steps_per_contact}
+        rest, whirl = (run(cage, races, begin=start, **options) for start in ("rest", "whirl"))
+        torques = (passed.slip_power / cage.ring_speed * 1e3 for passed in (rest, whirl))
+        table.add_row(f"{steps_per_contact}", *(f"{torque:.4f}" for torque in torques), f"{whirl.force:.3f}")
     out.print(table)
 
 

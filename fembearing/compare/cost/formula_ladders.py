@@ -11,7 +11,7 @@ import numpy as np
 
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.contact.hertz_fitted import fitted_error, hertz_contact_fitted
-from analytic.effects.table import COMPUTED
+from analytic.effects.table import COMPUTED, ruled
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, ring_balls, thrust_balls
 from analytic.loads.inertia import inertia_ratios
@@ -36,6 +36,13 @@ SLIDING: tuple[tuple[str, Sliding, float], ...] = (
     ("along axis", "along_axis", 1.0),
     ("over ellipse, few nodes", "over_ellipse", 1.0),
     ("over ellipse", "over_ellipse", 1e-6),
+)
+# Ways in which balls turn: sliding method, whether surfaces creep, tolerance; after the rule, which has none of these.
+TURNING: tuple[tuple[str, Sliding, Decision, float], ...] = (
+    ("free ball without creep", "free_ball", "off", 1e-2),
+    ("with closed creep", "closed_creep", "on", 1e-2),
+    ("with marched creep, few nodes", "marched_creep", "on", 1.0),
+    ("with marched creep", "marched_creep", "on", 1e-6),
 )
 LARGEST_MAP = 2048  # points along a side of a generated surface: takes 0.2 GB
 SEED = 20250  # of the generated surfaces: arbitrary, but the same every time
@@ -127,17 +134,10 @@ def load_methods(scene: Scene) -> UntimedLadder:
 
 
 def friction_methods(scene: Scene) -> UntimedLadder:
-    """Torque of the races by the methods to integrate sliding, with the same effects and the same loads."""
-    if not scene.has_friction:
-        raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
-    if scene.microslip == "as_printed":
-        raise InputError('friction.microslip = "as_printed" has one method: the paper\'s moments')
-    plain = replace(scene, effects={**scene.effects, "cage": "off"})  # its motion has its own ladder
-    decided = friction_torque(plain).effects
-    effects: dict[str, Decision] = {each.name: each.decision for each in decided if each.name in COMPUTED}
-    if "on" not in (effects.get("spin"), effects.get("conformity")):
-        raise InputError("nothing slides: spin and conformity are off")
-    settled = replace(scene, effects={**plain.effects, **effects})
+    """Torque of the races by the methods to integrate sliding, with the same effects, loads and closed kinematics."""
+    rule = "balanced" if scene.spin_rule == "free" else scene.spin_rule
+    settled = replace(_settled(scene), spin_rule=rule)
+    settled = replace(settled, effects={**settled.effects, "creep": "off"})
 
     def method(name: str, sliding: Sliding, tolerance: float) -> UntimedMethod:
         chosen = replace(settled, sliding=sliding, tolerance=tolerance)
@@ -154,6 +154,63 @@ def friction_methods(scene: Scene) -> UntimedLadder:
         reference=f"sliding integrated over the ellipse; worst of {points} operating points",
         methods=tuple(method(*each) for each in SLIDING),
     )
+
+
+def turning_methods(scene: Scene) -> UntimedLadder:
+    """Torque of the races by how the balls turn, with the same other effects: by rule, or freely with or without creep.
+
+    What creep changes has the bound that `analytic.effects` decides by, and a law of creep without memory misses at
+    most that. Nothing bounds what a rule misses where the inertia of the balls counts.
+    """
+    settled = _settled(replace(scene, spin_rule="free", sliding="auto"))
+    if reason := ruled(settled):
+        raise InputError(f"the balls do not turn freely: {reason}")
+    inert = "on" in (settled.effects["centrifugal"], settled.effects["gyroscopic"])
+
+    def method(name: str, chosen: Scene) -> UntimedMethod:
+        def bound() -> float:
+            result = friction_torque(chosen)
+            left = np.inf if inert and chosen.spin_rule != "free" else 0.0
+            if chosen.sliding != "marched_creep":
+                left += next(effect.share or 0.0 for effect in friction_torque(rigid).effects if effect.name == "creep")
+            return float(np.max(result.numerical_uncertainty)) + left
+
+        return UntimedMethod(
+            name=name,
+            run=lambda: friction_torque(chosen).torque.race,
+            bound=bound,
+            may_refer=name == TURNING[-1][0],
+        )
+
+    def turning(sliding: Sliding, creep: Decision, tolerance: float) -> Scene:
+        return replace(settled, sliding=sliding, tolerance=tolerance, effects={**settled.effects, "creep": creep})
+
+    rigid = turning(*TURNING[0][1:])
+    points = scene.operation.as_series().axial_load.size
+    rule = replace(rigid, spin_rule="balanced", sliding="over_ellipse")
+    return UntimedLadder(
+        quantity="how balls turn",
+        reference=f"torque of free balls, creep marched through many nodes; worst of {points} operating points",
+        methods=(
+            method("rule of balanced spin", rule),
+            *(method(name, turning(sliding, creep, tolerance)) for name, sliding, creep, tolerance in TURNING),
+        ),
+    )
+
+
+def _settled(scene: Scene) -> Scene:
+    """The scene without its cage, which has a ladder of its own, and with every other effect as it was decided."""
+    if not scene.has_friction:
+        raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
+    if scene.microslip == "as_printed":
+        raise InputError('friction.microslip = "as_printed" has one method: the paper\'s moments')
+    plain = replace(scene, effects={**scene.effects, "cage": "off"})
+    effects: dict[str, Decision] = {
+        each.name: each.decision for each in friction_torque(plain).effects if each.name in COMPUTED
+    }
+    if "on" not in (effects.get("spin"), effects.get("conformity")):
+        raise InputError("nothing slides: spin and conformity are off")
+    return replace(scene, effects={**plain.effects, **effects})
 
 
 def roughness_methods(scene: Scene) -> UntimedLadder:

@@ -10,7 +10,13 @@ from analytic.scene import Scene
 from fembearing.compare.contact.scene_contact import RECIPES, contact_of
 from fembearing.compare.cost.cage_ladder import cage_methods
 from fembearing.compare.cost.contact_ladder import measured_contact
-from fembearing.compare.cost.formula_ladders import friction_methods, hertz_methods, load_methods, roughness_methods
+from fembearing.compare.cost.formula_ladders import (
+    friction_methods,
+    hertz_methods,
+    load_methods,
+    roughness_methods,
+    turning_methods,
+)
 from fembearing.compare.cost.ladder import Ladder, UntimedLadder, measured
 from fembearing.compare.memory import peak_memory
 from fembearing.mesh.recipe import load_recipe
@@ -21,6 +27,7 @@ FORMULA_LADDERS: tuple[tuple[str, Callable[[Scene], UntimedLadder]], ...] = (
     ("Hertz contact", hertz_methods),
     ("load of the heaviest ball", load_methods),
     ("friction torque", friction_methods),
+    ("how balls turn", turning_methods),
     ("roughness", roughness_methods),
     ("cage torque", cage_methods),
 )

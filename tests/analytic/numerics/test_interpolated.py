@@ -97,11 +97,9 @@ def test_a_long_series_agrees_with_its_points(series: Scene, tolerance: float) -
     few = Operation(axial_load=series.operation.axial_load[some], inner_speed=series.operation.inner_speed[some])
     alone = friction_torque(replace(whole.settled(series), tolerance=tolerance, operation=few))
     assert "points" not in alone.provenance["sliding"]
-    np.testing.assert_allclose(
-        whole.torque.total[some],
-        alone.torque.total,
-        rtol=0.5 * tolerance,  # what the sample may add to the error of the method itself
-    )
+    # The quadrature follows the points that are computed together: the two results differ by what both leave open.
+    both = whole.numerical_uncertainty[some] + alone.numerical_uncertainty
+    assert np.all(np.abs(whole.torque.total[some] / alone.torque.total - 1) <= both)
     assert np.all(whole.numerical_uncertainty <= tolerance)
     for race in ("inner", "outer"):
         mine, theirs = (getattr(result.friction_coefficient, race) for result in (whole, alone))

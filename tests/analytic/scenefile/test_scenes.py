@@ -53,11 +53,16 @@ def test_the_calibrated_race_torque(usual: bool, roughness: float, speeds: np.nd
 
 
 def test_the_physical_scene() -> None:
-    """Loaded angle by an independent calculation; rolling grows with speed to more than a third of all."""
-    scene = load_scene(SCENES / "6205_physical.toml")
-    result = friction_torque(replace(scene, effects={"finite_geometry": "off"}))
-    np.testing.assert_allclose(result.contact_angle, 0.3031, atol=0.5e-4)
-    assert np.all(np.diff(result.torque.total) > 0)
+    """Loaded angle of frictionless balls by an independent calculation; rolling grows with speed to more than a third
+    of all."""
+    scene = replace(load_scene(SCENES / "6205_physical.toml"), effects={"finite_geometry": "off"})
+    ruled = friction_torque(replace(scene, spin_rule="balanced"))
+    np.testing.assert_allclose(ruled.contact_angle, 0.3031, atol=0.5e-4)
+    assert np.all(np.diff(ruled.torque.total) > 0)
+    result = friction_torque(scene)
+    # Spin pushes the balls across both grooves, with a part of their friction: at most 0.12 of the load.
+    np.testing.assert_allclose(result.contact_angle, 0.3031, atol=0.1 * 0.12)
+    assert np.all(np.diff(present(result.torque.rolling)) > 0)
     assert present(result.torque.rolling)[-1] > result.torque.total[-1] / 3
 
 
@@ -67,8 +72,13 @@ def test_the_hybrid_scene() -> None:
     assert scene.warnings == ()  # the mass of a steel ball would give one
     ceramic, steel = scene.bearing.ball_material, scene.bearing.inner.material
     np.testing.assert_allclose(scene.bearing.ball_mass / 2.04e-3, ceramic.density / 7850, rtol=0.01)  # Table 1 rounds
-    # so that the loads are equal and the contacts those of Hertz
-    scene = replace(scene, contact_angle=ContactAngle(rule="given", value=0.29), effects={"finite_geometry": "off"})
+    # so that the loads are equal, the contacts those of Hertz and the rolling rates those of closed kinematics
+    scene = replace(
+        scene,
+        spin_rule="balanced",
+        contact_angle=ContactAngle(rule="given", value=0.29),
+        effects={"finite_geometry": "off"},
+    )
     result = friction_torque(scene)
     of_steel = friction_torque(replace(scene, bearing=replace(scene.bearing, ball_material=steel)))
     stiffer = contact_modulus(ceramic, steel) / contact_modulus(steel, steel)

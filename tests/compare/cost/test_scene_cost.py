@@ -28,21 +28,24 @@ def test_every_ladder_is_run_or_absent_with_a_reason(scene: Scene, monkeypatch: 
         "Hertz contact",
         "load of the heaviest ball",
         "friction torque",
+        "how balls turn",
         "roughness",
         "cage torque",
         "contact, inner",
     ]
-    hertz, load, friction, roughness, cage, contact = found.ladders
+    hertz, load, friction, turning, roughness, cage, contact = found.ladders
     assert "holds the angle" in (load.absent or "")
     assert "no [surface]" in (roughness.absent or "")
     assert hertz.chosen is hertz.methods[-1]  # exact
-    assert friction.chosen is cage.chosen is contact.chosen is None  # no error there is known to be so small
+    assert (
+        friction.chosen is turning.chosen is cage.chosen is contact.chosen is None
+    )  # no error there is known to be so small
     assert steps == sorted(steps, key=lambda step: step[0])
     assert "inner: mesh 2, about" in steps[-1][1]
     document = json.loads(json.dumps(found.to_json(), allow_nan=False))
     assert {"ladders", "tolerance", "cost", "warnings", "provenance"} == document.keys()
-    assert {"quantity", "reference", "absent", "rungs", "choices"} == document["ladders"][5].keys()
-    mesh = document["ladders"][5]["rungs"][2]
+    assert {"quantity", "reference", "absent", "rungs", "choices"} == document["ladders"][6].keys()
+    mesh = document["ladders"][6]["rungs"][2]
     assert {"name", "error", "seconds", "memory", "chosen"} < mesh.keys()
     assert mesh["seconds"] > 0
     assert mesh["predicted"] > 0
