@@ -7,6 +7,7 @@ motion.
 """
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,9 @@ from analytic.cage.pocket import impact_damping
 from analytic.cage.steady import DrivenCage, whirl_speed
 from analytic.errors import ConvergenceError, FembearingError, InputError, require_non_negative, require_positive
 from analytic.scene import Array, Cage, CageStart
+
+if TYPE_CHECKING:
+    from analytic.cage.law import Law
 
 LEAST_IMPACT = 1e-3  # m/s: a contact that begins to close more slowly is damped as if it had closed with this speed
 DISTURBANCE = 1e-3  # of the half clearance and of the impact speed: by which seeds change the beginning of a motion
@@ -61,6 +65,65 @@ class Passage:
     distance_deviation: float  # root mean square deviation of the distance from z, m
 
 
+def means(tally: Array, time: float) -> dict[str, Any]:
+    """Fields of a Passage from the sums that both compiled loops begin with."""
+    slip, land, damping, drag, balls, force, circling, distance, square, x, y = tally[1:12] / time
+    return {
+        "duration": time,
+        "slip_power": slip,
+        "land_power": land,
+        "damping_power": damping,
+        "drag_power": drag,
+        "ball_power": balls,
+        "force": force,
+        "moment": tally[0] / time,
+        "circling": circling,
+        "place": (x, y),
+        "distance": distance,
+        "place_deviation": float(np.sqrt(max(square - x**2 - y**2, 0.0))),
+        "distance_deviation": float(np.sqrt(max(square - distance**2, 0.0))),
+    }
+
+
+def cage_law(cage: DrivenCage, *, ramp: float) -> "Law":
+    """Constants of the compiled loops; ramp : time in which all speeds rise, s, 0: full speed at once."""
+    from analytic.cage.law import Law
+
+    axial, transverse = cage.inertia
+    land, surface = cage.land, abs(cage.ball_speed) * cage.ball_radius
+    return Law(
+        mass=cage.mass,
+        axial_inertia=axial,
+        transverse_inertia=transverse,
+        pitch_radius=cage.pitch_radius,
+        ball_radius=cage.ball_radius,
+        half_clearance=cage.half_clearance,
+        centre_offset=cage.centre_offset,
+        axial_pockets=cage.pocket_axis == "axial",
+        stiffness=cage.stiffness,
+        damping=impact_damping(cage.restitution),
+        least_impact=LEAST_IMPACT,
+        friction=cage.friction_coefficient,
+        smoothing=min(cage.smoothing, SHARPEST * surface) if surface > 0 else cage.smoothing,
+        gravity_x=cage.gravity[0],
+        gravity_y=cage.gravity[1],
+        gravity_z=cage.gravity[2],
+        drag=cage.drag,
+        orbit_speed=cage.orbit_speed,
+        # Against the orbit, about an axis that leans inward: the ball rolls on the outer race.
+        spin_axial=-cage.ball_speed * np.cos(cage.contact_angle),
+        spin_radial=cage.ball_speed * np.sin(cage.contact_angle),
+        lead=cage.ball_lead / cage.pitch_radius,
+        ramp=ramp,
+        land_radius=0.0 if land is None else land.radius,
+        land_half_clearance=0.0 if land is None else land.half_clearance,
+        land_side=0.0 if land is None else (1.0 if land.outside else -1.0),
+        land_speed=0.0 if land is None else land.speed,
+        land_half_width=0.0 if land is None else land.half_width,
+        deepest=DEEPEST * cage.ball_radius,
+    )
+
+
 class CageMotion:
     """A motion that `advance` continues.
 
@@ -81,7 +144,7 @@ class CageMotion:
         ramp: float = 0.0,
         steps_per_contact: float = Cage.steps_per_contact,
     ) -> None:
-        from analytic.cage.kernel import STATE, Law, advance
+        from analytic.cage.kernel import STATE, TALLY, advance
 
         require_positive(steps_per_contact=steps_per_contact)
         require_non_negative(ramp=ramp)
@@ -91,40 +154,8 @@ class CageMotion:
             raise InputError('start "ramp" needs the time over which the speeds rise, above 0')
         self.cage = cage
         self.step = min(cage.contact_time / steps_per_contact, RESTING_STEP)
-        axial, transverse = cage.inertia
-        land, surface = cage.land, abs(cage.ball_speed) * cage.ball_radius
-        self._advance = advance
-        self._law = Law(
-            mass=cage.mass,
-            axial_inertia=axial,
-            transverse_inertia=transverse,
-            pitch_radius=cage.pitch_radius,
-            ball_radius=cage.ball_radius,
-            half_clearance=cage.half_clearance,
-            centre_offset=cage.centre_offset,
-            axial_pockets=cage.pocket_axis == "axial",
-            stiffness=cage.stiffness,
-            damping=impact_damping(cage.restitution),
-            least_impact=LEAST_IMPACT,
-            friction=cage.friction_coefficient,
-            smoothing=min(cage.smoothing, SHARPEST * surface) if surface > 0 else cage.smoothing,
-            gravity_x=cage.gravity[0],
-            gravity_y=cage.gravity[1],
-            gravity_z=cage.gravity[2],
-            drag=cage.drag,
-            orbit_speed=cage.orbit_speed,
-            # Against the orbit, about an axis that leans inward: the ball rolls on the outer race.
-            spin_axial=-cage.ball_speed * np.cos(cage.contact_angle),
-            spin_radial=cage.ball_speed * np.sin(cage.contact_angle),
-            lead=cage.ball_lead / cage.pitch_radius,
-            ramp=ramp if begin == "ramp" else 0.0,
-            land_radius=0.0 if land is None else land.radius,
-            land_half_clearance=0.0 if land is None else land.half_clearance,
-            land_side=0.0 if land is None else (1.0 if land.outside else -1.0),
-            land_speed=0.0 if land is None else land.speed,
-            land_half_width=0.0 if land is None else land.half_width,
-            deepest=DEEPEST * cage.ball_radius,
-        )
+        self._advance, self._sums = advance, TALLY
+        self._law = cage_law(cage, ramp=ramp if begin == "ramp" else 0.0)
         azimuth = 2 * np.pi * np.arange(cage.ball_count) / cage.ball_count
         self._azimuth = np.stack([np.cos(azimuth), np.sin(azimuth)], axis=1)
         self._touch = np.zeros((cage.ball_count, 2))
@@ -142,37 +173,15 @@ class CageMotion:
         duration : s, > 0
         Raises MotionError if the motion diverges.
         """
-        from analytic.cage.kernel import LARGEST, TALLY
+        from analytic.cage.kernel import LARGEST
 
-        require_positive(duration=duration)
-        tally = np.zeros(TALLY)
-        steps = max(1, round(duration / self.step))
-        self._go(tally, steps, np.empty((0, 3)))
-        time = steps * self.step
-        moment, slip, land, damping, drag, balls, force, circling, distance, square, x, y = tally[:LARGEST] / time
-        return Passage(
-            duration=time,
-            slip_power=slip,
-            land_power=land,
-            damping_power=damping,
-            drag_power=drag,
-            ball_power=balls,
-            force=force,
-            max_force=tally[LARGEST],
-            moment=moment,
-            circling=circling,
-            place=(x, y),
-            distance=distance,
-            place_deviation=float(np.sqrt(max(square - x**2 - y**2, 0.0))),
-            distance_deviation=float(np.sqrt(max(square - distance**2, 0.0))),
-        )
+        tally, time = self._summed(duration)
+        return Passage(max_force=tally[LARGEST], **means(tally, time))
 
     def forces(self) -> Array:
         """(Z, 3) N: the present force of each ball on the cage."""
-        from analytic.cage.kernel import TALLY
-
         now = np.zeros((self.cage.ball_count, 3))
-        self._go(np.zeros(TALLY), 0, now)
+        self._go(np.zeros(self._sums), 0, now)
         return now
 
     @property
@@ -255,6 +264,14 @@ class CageMotion:
                 self._state[PLACE] += down * (cage.free_path(down) + sag)
             if begin == "rest":
                 self.launch(velocity=np.zeros(3), angular_velocity=turning)
+
+    def _summed(self, duration: float) -> tuple[Array, float]:
+        """The sums of a duration, which becomes a number of steps, and its time, s."""
+        require_positive(duration=duration)
+        tally = np.zeros(self._sums)
+        steps = max(1, round(duration / self.step))
+        self._go(tally, steps, np.empty((0, 3)))
+        return tally, steps * self.step
 
     def _go(self, tally: Array, steps: int, now: NDArray[np.float64]) -> None:
         done = self._advance(self._law, self._azimuth, self._state, self._touch, now, tally, self.step, steps)

@@ -11,13 +11,16 @@ the half clearance. `whirl`: it circles at a distance that is steady within a te
 is `irregular`.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
+from analytic.cage.free_motion import FreeCageMotion, FreePassage
 from analytic.cage.motion import CageMotion, Passage
+from analytic.cage.races import Races
 from analytic.cage.steady import DrivenCage, whirl_number
 from analytic.errors import InputError, require_positive
 from analytic.scene import Cage, CageStart
@@ -58,12 +61,16 @@ class CageStatistics:
     wobble: float  # root mean square deviation of the centre's distance from the axis, over each seed, m
     start: CageStart
     other: OtherStart | None  # None: the cage cannot whirl, so there is only one steady motion
+    race_excess_torque: float = 0.0  # slip in the races that the cage adds, over the ring's speed, N m; by free balls
+    race_excess_interval: tuple[float, float] = (0.0, 0.0)  # of its mean
+    grip_used: float = 0.0  # largest traction of a race along the orbit over its limit; by free balls
 
 
 @lru_cache(maxsize=256)
 def measured_motion(
     cage: DrivenCage,
     *,
+    races: Races | None = None,
     start: CageStart,
     seeds: int = Cage.seeds,
     duration: float = Cage.duration,
@@ -71,6 +78,7 @@ def measured_motion(
 ) -> CageStatistics:
     """Run the motion from one start, once for each seed; the result is cached.
 
+    races : on which the balls move freely; None: the motion of the balls is given
     duration : measured time of each seed, s; a start-up of the same length comes first, during which a `ramp` rises
     Where the cage could whirl, one more motion shows whether another start leads to another state.
     Raises InputError for a bearing at standstill, fewer than two seeds, or a duration in which the cage does not cross
@@ -84,7 +92,15 @@ def measured_motion(
         )
     if not seeds >= 2:
         raise InputError(f"seeds must be at least 2, got {seeds!r}: one motion does not show the spread")
-    runs = [_blocks(cage, start, seed, duration, steps_per_contact) for seed in range(seeds)]
+
+    def blocks(begin: CageStart, seed: int) -> list[Passage]:
+        """The measured time of one seed in blocks."""
+        options = {"begin": begin, "seed": seed, "ramp": duration, "steps_per_contact": steps_per_contact}
+        motion = CageMotion(cage, **options) if races is None else FreeCageMotion(cage, races, **options)
+        motion.advance(duration)
+        return [motion.advance(duration / BLOCKS) for _ in range(BLOCKS)]
+
+    runs = [blocks(start, seed) for seed in range(seeds)]
     states: list[State] = [_state(cage, run) for run in runs]
     torques = np.array([_torque(cage, run) for run in runs])
     maxima = np.array([block.max_force for run in runs for block in run])
@@ -94,6 +110,7 @@ def measured_motion(
         return float(np.mean([getattr(block, name) for run in runs for block in run]))
 
     over_speed = 1 / abs(cage.ring_speed)
+    excess = np.array([_race_excess(run) for run in runs]) * over_speed
     return CageStatistics(
         torque=float(torques.mean()),
         torque_interval=_of_mean(torques),
@@ -110,20 +127,22 @@ def measured_motion(
         whirl_speed=mean("circling"),
         wobble=float(np.sqrt(np.mean([_wobble(run) ** 2 for run in runs]))),
         start=start,
-        other=_other(cage, state, start, duration, steps_per_contact),
+        other=_other(cage, state, start, blocks),
+        race_excess_torque=float(excess.mean()),
+        race_excess_interval=_of_mean(excess),
+        grip_used=max((block.grip for run in runs for block in run if isinstance(block, FreePassage)), default=0.0),
     )
-
-
-def _blocks(cage: DrivenCage, start: CageStart, seed: int, duration: float, steps_per_contact: float) -> list[Passage]:
-    """The measured time of one seed in blocks."""
-    motion = CageMotion(cage, begin=start, seed=seed, ramp=duration, steps_per_contact=steps_per_contact)
-    motion.advance(duration)
-    return [motion.advance(duration / BLOCKS) for _ in range(BLOCKS)]
 
 
 def _torque(cage: DrivenCage, blocks: list[Passage]) -> float:
     power = np.mean([block.slip_power + block.land_power + block.drag_power for block in blocks])
     return float(power) / abs(cage.ring_speed)
+
+
+def _race_excess(blocks: list[Passage]) -> float:
+    """Power of slip in the races beyond that of the same balls without a cage, W; 0 where their motion is given."""
+    free = [block.race_power - block.alone_power for block in blocks if isinstance(block, FreePassage)]
+    return float(np.mean(free)) if free else 0.0
 
 
 def _state(cage: DrivenCage, blocks: list[Passage]) -> State:
@@ -156,7 +175,7 @@ def _steady_state(cage: DrivenCage, *, place_deviation: float, distance_deviatio
 
 
 def _other(
-    cage: DrivenCage, state: State, start: CageStart, duration: float, steps_per_contact: float
+    cage: DrivenCage, state: State, start: CageStart, blocks: Callable[[CageStart, int], list[Passage]]
 ) -> OtherStart | None:
     """A motion from whirl for a cage that rests, else from rest; "sudden" if that is the given start already."""
     number = whirl_number(
@@ -170,8 +189,8 @@ def _other(
     other: CageStart = "whirl" if state == "rest" else "rest"
     if other == start:
         other = "sudden"
-    blocks = _blocks(cage, other, 0, duration, steps_per_contact)
-    return OtherStart(start=other, state=_state(cage, blocks), torque=_torque(cage, blocks))
+    run = blocks(other, 0)
+    return OtherStart(start=other, state=_state(cage, run), torque=_torque(cage, run))
 
 
 def _of_mean(values: np.ndarray) -> tuple[float, float]:

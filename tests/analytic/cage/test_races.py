@@ -1,0 +1,244 @@
+"""The races as free balls feel them: creep against a marched strip, derivatives against equilibria, balls alone."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import root
+
+from analytic.cage import race_law
+from analytic.cage.races import LEAST_CREEP, Races, ring_races, thrust_races
+from analytic.errors import InputError
+from analytic.loads.ball_balance import settled_ball
+from analytic.loads.balls import LoadEffects, ring_balls, thrust_balls
+from analytic.scene import Array, Operation
+from tests.analytic.cage.race_specimens import ANGLE, races_under, races_under_thrust
+from tests.analytic.cage.specimens import W
+from tests.analytic.specimens import BEARING_6205
+
+RADIUS, PITCH = BEARING_6205.ball_radius, BEARING_6205.pitch_diameter / 2
+STANDING = LoadEffects(centrifugal=False, gyroscopic=False)
+
+
+def carried(k: Array) -> Array:
+    """f(k): share of its limit that a strip carries at the slip k s_c."""
+    return 2 / np.pi * (np.arctan(k) + k / (1 + k**2))
+
+
+def at(*, load: float, moment: float = 0.0, axial: float = 1000.0) -> Operation:
+    return Operation(axial_load=np.array([axial]), inner_speed=np.array([W]), radial_load=load, moment=moment)
+
+
+def balance(races: Races, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:
+    """Force on a ball by its four speeds, N, and power of slip, W; by NumPy and its own arctan, from the formulas."""
+    nodes, weights = np.polynomial.legendre.leggauss(strips)
+    phi, weight = np.pi / 2 * nodes, np.pi / 2 * weights * 0.75 * np.cos(np.pi / 2 * nodes) ** 3
+    total, lost = np.zeros(4), 0.0
+    grooves = (BEARING_6205.inner, BEARING_6205.outer)
+    for race, (groove, ring) in enumerate(zip(grooves, (races.inner_speed, 0.0), strict=True)):
+        load = races.contacts.load[race, azimuth]
+        angle = races.contacts.contact_angle[race, azimuth] + np.pi * (1 - race)  # of the normal out of the ball
+        width = races.contacts.contact.semi_axis_y[race, azimuth]
+        conformity = groove.groove_radius / (2 * RADIUS)
+        depth = width**2 * np.sin(phi) ** 2 / (2 * 2 * conformity * 2 * RADIUS / (2 * conformity + 1))
+        creep = races.table[azimuth, race, race_law.CREEP] * np.cbrt(load) + LEAST_CREEP
+        outward, axial = speeds[2] / RADIUS, speeds[3] / RADIUS - ring
+        across = -np.sin(angle) * outward + np.cos(angle) * axial
+        normal = np.cos(angle) * outward + np.sin(angle) * axial
+        arm, side = RADIUS - depth, width * np.sin(phi)
+        slip = np.stack([speeds[0] - PITCH * ring + across * arm - normal * side, -speeds[1] / RADIUS * arm])
+        speed = np.hypot(*slip)
+        force = -races.friction[race] * load * weight * carried(speed / creep) * slip / speed
+        lost -= np.sum(force * slip)
+        turning, spinning, about = np.sum(force[0] * arm), -np.sum(force[0] * side), -np.sum(force[1] * arm)
+        total += [
+            np.sum(force[0]),
+            about / RADIUS,
+            (np.cos(angle) * spinning - np.sin(angle) * turning) / RADIUS,
+            (np.sin(angle) * spinning + np.cos(angle) * turning) / RADIUS,
+        ]
+    gyroscopic = 0.4 * BEARING_6205.ball_mass * speeds[0] / PITCH
+    return total + gyroscopic * np.array([0, -speeds[2], speeds[1], 0]), lost
+
+
+@pytest.mark.parametrize("k", [0.3, 1.1, 4.0])
+def test_the_law_of_creep_is_that_of_a_marched_strip(k: float) -> None:
+    """Kalker's algorithm: shear grows evenly with slip from the leading edge, and the limit sqrt(1 - x^2) cuts it."""
+    cells, shear, total = 4000, 0.0, 0.0
+    for limit in np.sqrt(1 - (-1 + (np.arange(cells) + 0.5) * 2 / cells) ** 2):
+        shear = min(shear + k * 2 / cells, limit)
+        total += shear * 2 / cells
+    np.testing.assert_allclose(total / (np.pi / 2), carried(np.array(k)), rtol=1e-3)  # the cells at the edge
+
+
+def test_creep_of_a_6205_agrees_with_independent_numbers() -> None:
+    """s_c/u at 1000 N and 0.18 rad, mu 0.1: numbers of another program, in which G and C11 are written out."""
+    load = 1000 / 9 / np.sin(0.18)
+    races = races_under((load, load), (0.18, 0.18), inner_speed=W, friction=0.1)
+    rolling = W * (PITCH**2 - (RADIUS * np.cos(0.18)) ** 2) / (2 * PITCH)
+    creep = races.table[0, :, race_law.CREEP] * np.cbrt(load) / rolling
+    np.testing.assert_allclose(creep, [0.0020845, 0.0018872], rtol=2e-4)  # rounded, and other digits of G
+
+
+def test_the_compiled_tractions_are_those_of_the_formulas() -> None:
+    """At speeds that no symmetry favours; and they fall with the speeds by their derivative."""
+    races = races_under((381.0, 297.0), (0.31, 0.22), inner_speed=W, friction=0.13)
+    speeds = races.alone.speeds[0] + [1.1e-3, -0.7e-3, 1.9e-3, -2.3e-3]
+    row, law = races.table[0], races.law()
+
+    def both(v: Array) -> tuple[Array, Array]:
+        inner, outer = race_law.seats.py_func(law, row, 0.0, 0.0, 1.0)
+        ring = W * PITCH, W * RADIUS
+        first = race_law.traction(inner, v[0] - ring[0], v[1], v[2], v[3] - ring[1])
+        second = race_law.traction(outer, *v)
+        fall = np.zeros((4, 4))
+        fall[np.triu_indices(4)] = np.add(first.fall, second.fall)
+        return np.add(first.force, second.force), fall + np.triu(fall, 1).T
+
+    force, fall = both(speeds)
+    gyroscopic = 0.4 * law.ball_mass * speeds[0] / PITCH * np.array([0, -speeds[2], speeds[1], 0])
+    exact, _ = balance(races, speeds, race_law.STRIPS)
+    np.testing.assert_allclose(force, exact - gyroscopic, rtol=0, atol=1e-9 * max(abs(exact)))  # arctan to 2e-13
+    for index, change in enumerate(1e-8 * np.eye(4)):
+        difference = (both(speeds - change)[0] - both(speeds + change)[0]) / 2e-8
+        np.testing.assert_allclose(fall[index], difference, rtol=0, atol=1e-6 * abs(fall).max())  # of differences
+
+
+def test_a_ball_alone_is_in_balance() -> None:
+    """By many strips, where creep is so wide that the kernel's few resolve it."""
+    races = races_under((41.6, 55.7), (0.266, 0.182), inner_speed=1500.0, friction=3.0)
+    force, lost = balance(races, races.alone.speeds[0], 400)
+    assert np.abs(force).max() < 1e-5 * races.limits.min()
+    np.testing.assert_allclose(races.alone.slip_power, lost, rtol=1e-5)  # of the strips
+
+
+@pytest.mark.parametrize(
+    ("loads", "angles", "speed", "torque", "orbit"),
+    [
+        ((41.627, 55.682), (0.26572, 0.18160), 1500.0, 1.4810e-3, 0.401828),
+        ((6.7702, 67.616), (0.33351, 0.02381), 3000.0, 0.50051e-3, 0.413352),
+    ],
+)
+def test_balls_alone_agree_with_another_program(
+    loads: tuple[float, float], angles: tuple[float, float], speed: float, torque: float, orbit: float
+) -> None:
+    """Its contacts are divided along the strips too, so that spin slips across: 1 % of the torque."""
+    alone = races_under(loads, angles, inner_speed=speed, friction=0.05).alone
+    np.testing.assert_allclose(9 * alone.slip_power / speed, torque, rtol=0.02)
+    np.testing.assert_allclose(alone.orbit_speed / speed, orbit, rtol=2e-3)
+
+
+def test_a_force_on_a_ball_changes_its_loads_as_the_equilibrium_says() -> None:
+    """Against the ball settled between grooves that stand still, by differences; with centrifugal force."""
+    races = ring_races(BEARING_6205, ANGLE, at(load=310.0), LoadEffects(gyroscopic=False), friction=(0.1, 0.1))
+    contacts, point = races.contacts, 17
+    load, angle = contacts.load[:, point], contacts.contact_angle[:, point]
+    stiffness = contacts.contact.stiffness[:, point]
+    free = np.array([g.groove_radius - RADIUS for g in (BEARING_6205.inner, BEARING_6205.outer)])
+    length = free + (load / stiffness) ** (2 / 3)
+    own = np.array([load[0] * np.cos(angle[0]), load[0] * np.sin(angle[0])])
+    own = load[1] * np.array([np.cos(angle[1]), np.sin(angle[1])]) - own  # what the ball bears already
+    span = length @ np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+    def settled(force: Array) -> Array:
+        ball = settled_ball(
+            BEARING_6205,
+            play=0.0,
+            radial=np.array([span[0] - BEARING_6205.groove_centre_distance]),
+            axial=span[1:],
+            inner_stiffness=stiffness[:1],
+            outer_stiffness=stiffness[1:],
+            ball_force=(own + force)[None],
+        )
+        return np.concatenate([ball.inner_load, ball.outer_load, ball.inner_angle, ball.outer_angle])
+
+    columns = race_law.LOAD_BY_RHO, race_law.ANGLE_BY_RHO
+    for direction, force in enumerate(1e-3 * np.eye(2)):
+        by_force = (settled(force) - settled(-force)) / 2e-3
+        table = np.concatenate([races.table[point, :, column + direction] for column in columns])
+        np.testing.assert_allclose(table, by_force, rtol=1e-5)  # of differences
+    # Across the bearing both races share the force, but for the turn of their normals.
+    shared = races.table[point, :, race_law.LOAD_BY_RHO] @ [-1, 1]
+    np.testing.assert_allclose(shared, np.cos(angle.mean()), rtol=0.01)
+
+
+def test_a_race_that_the_pocket_unloads_leaves_its_share_to_the_other() -> None:
+    races = races_under((40.0, 40.0), (0.3, 0.3), inner_speed=W, friction=0.1)
+    law, row = races.law(), races.table[0]
+    light, pressed = race_law.seats.py_func(law, row, 60.0, 0.0, 1.0)
+    lifted = race_law.seats.py_func(law, row, 200.0, 0.0, 1.0)
+    assert 0 < light.limit < 0.1 * 40 < pressed.limit
+    assert lifted[0].limit == 0
+    # The other race bears what the derivatives give both: the force across the bearing, less what angles turn.
+    np.testing.assert_allclose(lifted[1].limit, 0.1 * 200 * row[:, race_law.LOAD_BY_RHO] @ [-1, 1], rtol=1e-12)
+
+
+@pytest.mark.parametrize(("load", "moment", "rolling"), [(1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)])
+def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, moment: float, rolling: float) -> None:
+    """Against the orbit speed of a ball in balance at each azimuth, and a ball that rolls at the contacts' centres."""
+    races = ring_races(BEARING_6205, ANGLE, at(load=load, moment=moment), STANDING, friction=(0.1, 0.1))
+    points = range(0, races.contacts.load.shape[1], 12)
+    speeds = [
+        root(lambda v, p: balance(races, v, 100, azimuth=p)[0], races.alone.speeds[p], args=(p,), tol=1e-9).x[0]
+        for p in points
+    ]
+    azimuth = 2 * np.pi * np.arange(len(points)) / len(points)
+    # dpsi/dt = w (1 + c cos psi) leads by c sin psi.
+    lead = 2 * PITCH * np.mean(np.array(speeds) / np.mean(speeds) * np.cos(azimuth))
+    np.testing.assert_allclose(races.alone.lead, lead, rtol=0.04)  # of the strips
+    # A hollow contact rolls beside its centre, the farther the more load: that takes from the lead.
+    assert 0.88 * rolling < abs(races.alone.lead) < rolling * 1.03
+
+
+def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
+    operation = at(load=0.0)
+    balls = thrust_balls(BEARING_6205, ANGLE, operation, LoadEffects())
+    thrust = thrust_races(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.07))
+    ring = ring_races(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.07))
+    # The ring divides the gyroscopic moment a little differently, by the balls' own angles.
+    np.testing.assert_allclose(ring.table, np.broadcast_to(thrust.table, ring.table.shape), rtol=1e-5, atol=1e-12)
+    np.testing.assert_allclose(ring.alone.orbit_speed, thrust.alone.orbit_speed, rtol=1e-5)
+    np.testing.assert_allclose(ring.alone.slip_power.mean(), thrust.alone.slip_power[0], rtol=1e-4)
+
+
+def test_the_azimuths_of_a_ring_are_those_of_its_balls() -> None:
+    operation = at(load=430.0, moment=0.7)
+    races = ring_races(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
+    balls = ring_balls(BEARING_6205, ANGLE, operation, LoadEffects())
+    each = races.contacts.load.shape[1] // 9
+    np.testing.assert_allclose(races.contacts.load[:, ::each], balls.load[:, 0], rtol=1e-9)
+    # Halfway between two balls the load is between theirs or near it: no jump from one place of the set to the next.
+    steps = np.abs(np.diff(races.contacts.load, axis=1))
+    assert steps.max() < 3 * np.sort(steps, axis=1)[:, -9:].min()
+
+
+def test_running_backwards_turns_all_speeds() -> None:
+    races = races_under_thrust()
+    ahead, back = races.alone, replace(races, inner_speed=-races.inner_speed).alone
+    np.testing.assert_allclose(back.orbit_speed, -ahead.orbit_speed, rtol=1e-9)
+    np.testing.assert_allclose(back.slip_power, ahead.slip_power, rtol=1e-6)  # the last change of the speeds
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"friction": (0.0, 0.0)}, r"friction of the races \(0\.0, 0\.0\) drives no ball"),
+        ({"friction": (-0.1, 0.1)}, "friction must be at least 0"),
+        ({"inner_speed": np.nan}, "inner_speed must be finite"),
+    ],
+)
+def test_impossible_races_are_refused(change: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        replace(races_under_thrust(), **change)
+
+
+def test_a_ball_without_any_load_is_refused() -> None:
+    with pytest.raises(InputError, match=r"degrees from the radial load is pressed by 0 N: it needs more than 0 N"):
+        ring_races(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), STANDING, friction=(0.1, 0.1))
+
+
+def test_balls_of_a_ring_are_not_taken_for_balls_under_thrust() -> None:
+    balls = ring_balls(BEARING_6205, ANGLE, at(load=100.0), LoadEffects())
+    with pytest.raises(InputError, match="balls by the method 'ring' differ over a turn: take `ring_races`"):
+        thrust_races(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.1))
