@@ -29,13 +29,14 @@ from analytic.oil.inlets import Inlets, starvation_source
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.races import BY_SLIP, RaceTorque, race_torque
 from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
-from analytic.scene import Array, Scene
+from analytic.scene import Array, Decision, Scene
 from analytic.sliding.methods import Sliding
 
 # Times the largest change over six directions: others change more, and so do other methods, up to 1.25 in 110 drawn
 # scenes (validation/adversary.py).
 BETWEEN = 1.5
 DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
+NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
 PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
 
 
@@ -70,10 +71,10 @@ def friction_torque(
     race = races.total
     coefficient = scene.friction_coefficient if sliding is None else sliding.coefficient
     drive = None if scene.cage is None else cage_drive(scene, balls, coefficient, speed)
-    decide_cage(scene, drive, ledger, race=race)
+    frees = decide_cage(scene, drive, ledger, race=race)
     cage: CagePart | None = None
     if drive is not None and ledger.is_on("cage"):
-        cage = cage_friction(scene, drive, moves=ledger.is_on("cage_dynamics"))
+        cage = cage_friction(scene, drive, moves=ledger.is_on("cage_dynamics"), frees=frees)
     computed = race if cage is None else race + cage.torque
     declared = declared_losses(ledger, computed)
     total = computed if declared is None else computed + declared
@@ -129,7 +130,7 @@ def _in_any_direction(
 
     It is the largest change of the race torque over six directions, by the cheapest method.
     """
-    effects = {**result.settled(scene).effects, "creep": "off", "cage": "off", "cage_dynamics": "off"}
+    effects = {**result.settled(scene).effects, **NO_CAGE, "creep": "off"}
 
     def torque(down: tuple[float, float, float] | None) -> Array:
         weight = {"load_distribution": "on", "weight": "off" if down is None else "on"}
@@ -152,7 +153,7 @@ def _beyond_the_fit(
 ) -> FrictionTorque:
     """The torque with the uncertainty of contacts outside the fit for finite geometry: its change at their far end."""
     settled = result.settled(scene)
-    settled = replace(settled, effects={**settled.effects, "cage": "off", "cage_dynamics": "off"})
+    settled = replace(settled, effects={**settled.effects, **NO_CAGE})
     try:
         other = friction_torque(settled, correction=farthest, variation=variation)
     except FembearingError as problem:

@@ -11,7 +11,7 @@ from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import COVERAGE, NOMINAL, ROLLING_SPREAD, SURFACE_SPREAD, Variation
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Bearing, Scene, Surface
-from analytic.torque import friction_torque
+from analytic.torque import NO_CAGE, friction_torque
 
 
 def with_model_uncertainty(
@@ -45,15 +45,24 @@ def with_model_uncertainty(
         variations["rolling"] = tuple((same, resistance) for resistance in resistances)
     if not variations:
         return result
-    total = result.torque.total
+    total, counted = result.torque.total, "total"
+    if result.is_on("ball_dynamics"):  # a motion of minutes: only what the races lose without it varies
+        counted = "race"
+        for name, pairs in variations.items():
+            variations[name] = tuple((_without_cage(scene), variation) for scene, variation in pairs)
+    base = getattr(result.torque, counted)
 
     def changes(pairs: tuple[tuple[Scene, Variation], ...]) -> list[Array]:
         varied = (friction_torque(scene, correction=correction, variation=variation) for scene, variation in pairs)
-        return [share_in(np.abs(other.torque.total - total), total) for other in varied]
+        return [share_in(np.abs(getattr(other.torque, counted) - base), total) for other in varied]
 
     parts = {name: np.max(changes(pairs), axis=0) for name, pairs in variations.items()}
     whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
     return replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts))
+
+
+def _without_cage(scene: Scene) -> Scene:
+    return replace(scene, effects={**scene.effects, **NO_CAGE})
 
 
 def _other_gap(surface: Surface, bearing: Bearing) -> Surface:

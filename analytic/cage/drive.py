@@ -5,15 +5,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.cage.grip import RaceGrip, grip_number, race_grip, squeeze_force
+from analytic.cage.grip import LARGEST_GRIP, RaceGrip, grip_number, race_grip, squeeze_force
 from analytic.cage.pocket import PocketShape, pocket_shape, pocket_stiffness
 from analytic.cage.pocket_friction import PocketFriction, friction_in_pocket
+from analytic.cage.races import Races, ring_races, thrust_races
 from analytic.cage.steady import STANDARD_GRAVITY, lead_room, whirl_force, whirl_speed
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError
-from analytic.loads.balls import LoadedBalls
-from analytic.scene import Array, Bearing, Cage, Scene
+from analytic.loads.balls import LoadedBalls, LoadEffects
+from analytic.scene import Array, Bearing, Cage, Operation, Scene
+
+LEAST_LOAD = 1e-300  # N: keeps a race without load from a division by 0
 
 GRAVITY = {
     "across": (0.0, -STANDARD_GRAVITY, 0.0),
@@ -34,6 +37,8 @@ class CageDrive:
     ball_rate: Array  # w_b/w, of each ball about its own axis relative to the orbit
     contact_angle: Array  # al, magnitude, rad
     grip: RaceGrip  # of the races on the balls
+    balls: LoadedBalls
+    friction_coefficient: Array | float | None  # mu of each race contact, (2, n, m) or one; None: not known
 
     @property
     def orbit_speed(self) -> Array:
@@ -100,6 +105,26 @@ class CageDrive:
         carried = self.grip.carried(friction_coefficient)
         return force[:, None] if carried is None else np.minimum(force[:, None], carried)
 
+    def slides(self, friction_coefficient: Array) -> NDArray[np.bool_]:
+        """(n,) whether a whirl would use more of the races' grip than given balls have; mu_c, (n,)."""
+        return self.grip_number(friction_coefficient) > LARGEST_GRIP
+
+    def races(self, scene: Scene, point: int) -> Races:
+        """Both races of one operating point, for balls that move freely; friction : mean over the balls by load.
+
+        Errors as those of `analytic.cage.races`.
+        """
+        load = self.balls.load[:, point]
+        given = 0.0 if self.friction_coefficient is None else self.friction_coefficient
+        mu = np.broadcast_to(given, self.balls.load.shape)
+        inner, outer = np.sum(mu[:, point] * load, axis=1) / np.maximum(load.sum(axis=1), LEAST_LOAD)
+        friction, speed = (float(inner), float(outer)), float(self.inner_speed[point])
+        if self.balls.method == "thrust":
+            return thrust_races(self.bearing, self.balls, point=point, inner_speed=speed, friction=friction)
+        whole = scene.operation.as_series()
+        operation = Operation(**{name: values[[point]] for name, values in vars(whole).items()})
+        return ring_races(self.bearing, scene.contact_angle, operation, LoadEffects(), friction=friction)
+
     def pocket_friction(self, scene: Scene, force: Array) -> PocketFriction:
         """Friction of the balls when their normal forces add up to `force`, (n,), N, > 0."""
         surface_speed = self.ball_speed * self.bearing.ball_radius
@@ -126,6 +151,8 @@ def cage_drive(
         ball_rate=balls.motion.ball_speed.mean(axis=1),
         contact_angle=np.abs(balls.contact_angle.mean(axis=(0, 2))),
         grip=race_grip(balls, friction_coefficient, pitch_radius=bearing.pitch_diameter / 2),
+        balls=balls,
+        friction_coefficient=friction_coefficient,
     )
 
 

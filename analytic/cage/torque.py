@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from analytic.cage.drive import GRAVITY, CageDrive, pocket_shape_of, pocket_stiffness_of
 from analytic.cage.grip import LARGEST_GRIP, LOST_TO_RACES, SQUEEZE_SPREAD, used_share
 from analytic.cage.pocket_friction import PocketFriction
+from analytic.cage.races import Races
 from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import (
     STANDARD_GRAVITY,
@@ -35,6 +36,7 @@ CAGE_KEYS = (
     "ball_lead",
     "grip_share",
     "grip_number",
+    "race_excess",
 )
 
 
@@ -52,6 +54,7 @@ class CagePart:
         Array  # of what the races of all balls carry along the orbit: how much the mean force uses; NaN: unknown
     )
     grip_number: Array  # rho: the same of a whirl, by the ball with the least grip; NaN: unknown
+    race_excess: Array  # part of `torque` that the races lose more because the cage drags the balls, N m; NaN: unknown
     unsure: Array  # half width of what the balls' own motion may change in the torque, N m; infinite: unknown
     unknown: tuple[str, ...]  # why, where it is infinite
     driven: tuple[DrivenCage | None, ...]  # the cage that moved; None: by a closed form
@@ -62,8 +65,8 @@ class CagePart:
     @property
     def half_interval(self) -> Array:
         """Half width of the interval of the mean torque at 95 %, N m; 0 for the closed form."""
-        ends = [(0.0, 0.0) if m is None else m.torque_interval for m in self.motion]
-        return np.array([(high - low) / 2 for low, high in ends])
+        ends = [((0.0, 0.0),) * 2 if m is None else (m.torque_interval, m.race_excess_interval) for m in self.motion]
+        return np.array([sum(high - low for low, high in each) / 2 for each in ends])
 
     def at(self, point: int) -> dict[str, object]:
         """CAGE_KEYS of one operating point as plain Python; None where a closed form has no such value."""
@@ -84,16 +87,18 @@ class CagePart:
             intervals = {"torque": list(motion.torque_interval), "max_force": list(motion.max_force_interval)}
             forces = (motion.mean_force, motion.max_force, intervals, motion.duration)
             values = (*forces, motion.state, motion.signed_moment, motion.whirl_speed, motion.wobble)
-        grip = (float(number[point]) for number in (self.ball_lead, self.grip_share, self.grip_number))
+        numbers = (self.ball_lead, self.grip_share, self.grip_number, self.race_excess)
+        grip = (float(number[point]) for number in numbers)
         known = (number if np.isfinite(number) else None for number in grip)
         return dict(zip(CAGE_KEYS, (*values, *known), strict=True))
 
 
-def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool) -> CagePart:
-    """Torque and forces of the cage.
+def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray[np.bool_] | None = None) -> CagePart:
+    """Torque and forces of the cage, with what the races lose more because of it.
 
     moves : by its motion from `cage.start`, where the bearing turns and the pockets have room for balls that lead;
         else by a closed form
+    frees : (n,) where balls and cage move together instead; None: nowhere
     Raises InputError for races or a ball without grip, MotionError if a motion diverges.
     """
     drive.grip.require_grip(drive.inner_speed)
@@ -106,18 +111,26 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool) -> CagePart:
     moment = cage.drag * drive.orbit_speed * np.sign(drive.inner_speed)
     driven: list[DrivenCage | None] = [None] * points
     motion: list[CageStatistics | None] = [None] * points
-    if moves:  # at standstill the closed form is the limit
-        for point in map(int, np.flatnonzero((drive.inner_speed != 0) & ~drive.is_squeezed)):
-            driven[point], motion[point] = _moved(drive, point, float(friction.coefficient[point]))
+    excess = np.full(points, np.nan)
+    freely = np.zeros(points, dtype=bool) if frees is None else frees & (drive.inner_speed != 0)
+    given = moves & (drive.inner_speed != 0) & ~drive.is_squeezed  # at standstill the closed form is the limit
+    for point in map(int, np.flatnonzero(given | freely)):
+        races = drive.races(scene, point) if freely[point] else None
+        driven[point], moved = _moved(drive, point, float(friction.coefficient[point]), races)
+        motion[point] = moved
+        if races is not None:
+            excess[point] = moved.race_excess_torque
+    own = np.array([rest if m is None else m.torque for m, rest in zip(motion, torque, strict=True)])
     part = CagePart(
-        torque=np.array([rest if m is None else m.torque for m, rest in zip(motion, torque, strict=True)]),
+        torque=own + np.nan_to_num(excess),
+        race_excess=excess,
         friction_coefficient=friction.coefficient,
         mean_force=np.array([rest if m is None else m.mean_force for m, rest in zip(motion, force, strict=True)]),
         signed_moment=np.array(
             [drag if m is None else m.signed_moment for m, drag in zip(motion, moment, strict=True)]
         ),
         ball_lead=drive.grip.ball_lead,
-        is_squeezed=drive.is_squeezed,
+        is_squeezed=drive.is_squeezed & ~freely,
         grip_share=np.full(points, np.nan),
         grip_number=drive.grip_number(friction.coefficient),
         unsure=np.zeros(points),
@@ -125,7 +138,7 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool) -> CagePart:
         driven=tuple(driven),
         motion=tuple(motion),
         warnings=friction.warnings + _bistable(motion, drive.inner_speed) + _squeezed(drive),
-        provenance=_provenance(drive, friction, moves=moves),
+        provenance=_provenance(drive, friction, moves=moves, freely=freely),
     )
     return _with_grip(part, drive)
 
@@ -137,10 +150,11 @@ def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
     """
     carried = drive.grip.carried(part.friction_coefficient)
     share = part.grip_share if carried is None else used_share(part.mean_force, drive.grip.alike * carried.sum(axis=1))
-    moving = np.array([motion is not None and motion.state != "rest" for motion in part.motion])
+    given = np.isnan(part.race_excess)  # the motion of the balls
+    moving = given & np.array([motion is not None and motion.state != "rest" for motion in part.motion])
     used = np.where(moving, part.grip_number, share)
     unsure = np.where(moving, LOST_TO_RACES * used / LARGEST_GRIP * part.torque, 0.0)
-    slides = ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
+    slides = given & ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
     unsure = np.where(part.is_squeezed, SQUEEZE_SPREAD * part.torque, np.where(slides, np.inf, unsure))
     unknown: tuple[str, ...] = ()
     if np.any(slides):
@@ -209,7 +223,9 @@ def _at_rest(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Arra
     return torque + braked, weight + cage.drag * drive.orbit_speed / (bearing.pitch_diameter / 2)
 
 
-def _moved(drive: CageDrive, point: int, friction_coefficient: float) -> tuple[DrivenCage, CageStatistics]:
+def _moved(
+    drive: CageDrive, point: int, friction_coefficient: float, races: Races | None
+) -> tuple[DrivenCage, CageStatistics]:
     cage, speed = drive.cage, float(drive.inner_speed[point])
     assert cage.start is not None  # else no motion is called for
     level = driven_cage(
@@ -221,9 +237,10 @@ def _moved(drive: CageDrive, point: int, friction_coefficient: float) -> tuple[D
         ball_speed=float(np.copysign(drive.ball_speed[point], speed)),
         contact_angle=float(drive.contact_angle[point]),
     )
-    driven = replace(level, ball_lead=float(drive.grip.ball_lead[point]))
+    driven = level if races is not None else replace(level, ball_lead=float(drive.grip.ball_lead[point]))
     motion = measured_motion(
         driven,
+        races=races,
         start=cage.start,
         seeds=cage.seeds,
         duration=cage.duration,
@@ -309,10 +326,11 @@ def _squeezed(drive: CageDrive) -> tuple[str, ...]:
     )
 
 
-def _provenance(drive: CageDrive, friction: PocketFriction, *, moves: bool) -> str:
-    cage, tight = drive.cage, int(np.count_nonzero(drive.is_squeezed))
+def _provenance(drive: CageDrive, friction: PocketFriction, *, moves: bool, freely: NDArray[np.bool_]) -> str:
+    cage, tight = drive.cage, int(np.count_nonzero(drive.is_squeezed & ~freely))
     squeezed = f", squeezed by balls that lead at {tight} of {drive.inner_speed.size} points" if tight else ""
-    if not moves:
+    squeezed += f", with balls that move freely at {freely.sum()} of {freely.size} points" if freely.any() else ""
+    if not moves and not freely.any():
         land = ", without land" if cage.land is not None else ""
         return f"closed form at rest{land}{squeezed}, friction by {friction.source}"
     stiffness = "Hertz" if cage.pocket_stiffness is None else "given approach"

@@ -5,19 +5,20 @@ says how the motion starts (`cage.start`), the cage could whirl, and a whirl cou
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.cage.drive import CageDrive
 from analytic.cage.grip import LARGEST_GRIP
 from analytic.cage.steady import sliding_torque, whirl_number
 from analytic.effects.ledger import Ledger
-from analytic.effects.table import ENTRIES, LEAST_WHIRL, LONGEST_MOTION
+from analytic.effects.table import ENTRIES, LEAST_WHIRL, LONGEST_FREE_MOTION, LONGEST_MOTION
 from analytic.scene import Array, Cage, Scene
 
 LEAST_FORCE = 1e-9  # N: at standstill too, no film is computed without a load
 
 
-def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: Array) -> None:
-    """Decide `cage` and `cage_dynamics`, and settle `ball_dynamics`.
+def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: Array) -> NDArray[np.bool_]:
+    """Decide `cage`, `cage_dynamics` and `ball_dynamics`; (n,) where balls and cage move together.
 
     drive : None for a scene without a cage;  race : torque of the races, (n,), N m, to compare the motion with
     """
@@ -28,19 +29,33 @@ def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: 
         _decide_motion(scene, drive, ledger, race=race)
     else:
         ledger.settle("cage_dynamics", on=False, reason=ENTRIES["cage_dynamics"].idle)
-    _settle_ball_dynamics(scene, drive, ledger)
+    return _decide_ball_dynamics(scene, drive, ledger, race=race)
 
 
-def _settle_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger) -> None:
-    """The motion of the balls is given; the reason says how far that holds."""
-    entry = ENTRIES["ball_dynamics"]
-    reason = entry.lacks(scene) or entry.idle
-    if drive is not None and ledger.is_on("cage_dynamics"):
-        force = np.maximum(drive.whirling_force, LEAST_FORCE)
-        number = float(np.max(drive.grip_number(drive.pocket_friction(scene, force).coefficient)))
-        regime = "balls hold their motion below" if number <= LARGEST_GRIP else "balls slide, above"
-        reason = f"not modelled: grip number {number:.3g} at most, {regime} {LARGEST_GRIP:g}"
-    ledger.settle("ball_dynamics", on=False, reason=reason)
+def _decide_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: Array) -> NDArray[np.bool_]:
+    """Balls move freely where a whirl needs more grip than given balls have, or where they lead too far."""
+    nowhere, entry = np.zeros(race.shape, dtype=bool), ENTRIES["ball_dynamics"]
+    if drive is None or not ledger.is_on("cage"):
+        ledger.decide("ball_dynamics", lacks=entry.idle)
+        return nowhere
+    force = np.maximum(drive.whirling_force, LEAST_FORCE)
+    mu = drive.pocket_friction(scene, force).coefficient
+    turns = drive.inner_speed != 0
+    needs = turns & (drive.is_squeezed | (ledger.is_on("cage_dynamics") & drive.slides(mu)))
+    number = float(np.max(drive.grip_number(mu)))
+    automatic = scene.effects.get("ball_dynamics", "auto") == "auto"
+    lacks = None
+    if automatic and not np.any(needs):
+        still = f"grip number {number:.3g} at most, balls hold their motion below {LARGEST_GRIP:g}"
+        lacks = still if ledger.is_on("cage_dynamics") else entry.idle
+    elif automatic and drive.cage.start is not None:
+        lacks = _too_long(drive.cage, int(np.count_nonzero(needs)), LONGEST_FREE_MOTION, "ball_dynamics")
+        lacks = None if lacks is None else f"grip number {number:.3g} at most, and {lacks}"
+    demanded = f"grip number {number:.3g}, balls slide above {LARGEST_GRIP:g}"
+    if np.any(drive.is_squeezed):
+        demanded = f"balls lead by up to {np.max(np.abs(drive.grip.ball_lead)):.3g} m, pockets leave {drive.room:.3g} m"
+    on = ledger.decide("ball_dynamics", bound=np.full(race.shape, np.inf), lacks=lacks, demanded=demanded)
+    return (needs if automatic else turns) & on
 
 
 def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Array) -> None:
@@ -69,7 +84,7 @@ def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Arra
             'cage rests or whirls by how it started: give "rest", "ramp", "sudden" or "whirl"'
         )
     elif automatic:
-        lacks = _too_long(drive.cage, int(np.count_nonzero(drive.inner_speed)))
+        lacks = _too_long(drive.cage, int(np.count_nonzero(drive.inner_speed)), LONGEST_MOTION, "cage_dynamics")
     force = np.maximum(drive.whirling_force, LEAST_FORCE)
     bound = sliding_torque(
         friction_coefficient=drive.pocket_friction(scene, force).coefficient,
@@ -91,14 +106,14 @@ def _too_tight(drive: CageDrive) -> str:
     )
 
 
-def _too_long(cage: Cage, points: int) -> str | None:
-    """What is wrong with a series that takes longer than `auto` allows; None if it does not."""
+def _too_long(cage: Cage, points: int, most: float, effect: str) -> str | None:
+    """What is wrong with a series that takes longer than `auto` allows; None if it does not. most : s of motion."""
     simulated = 2 * cage.duration * (cage.seeds + 1) * points  # start-up and measured time; one more for another start
-    longest = LONGEST_MOTION * Cage.steps_per_contact / cage.steps_per_contact
+    longest = most * Cage.steps_per_contact / cage.steps_per_contact
     if simulated <= longest:
         return None
     return (
         f"{points} points take {simulated:.3g} s of motion, and beyond {longest:.3g} s at {cage.steps_per_contact} "
         "steps a contact it is not computed unasked: give fewer points, seeds or steps, a shorter duration, or "
-        'effects.cage_dynamics = "on"'
+        f'effects.{effect} = "on"'
     )

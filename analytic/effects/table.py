@@ -24,6 +24,7 @@ PRESSED = 10.0
 LEAST_WHIRL = 1.0  # of the whirl number: a cage cannot whirl below
 # Simulated time that `auto` allows, with start-up and all seeds, s: about ten minutes of computing in default steps
 LONGEST_MOTION = 500.0
+LONGEST_FREE_MOTION = 4.0  # s, the same of balls and cage together, at 4 to 10 us a step: minutes too
 # Change of the torque by sliding that elastic creep makes, over 1/K of spin and of conformity
 # (`analytic.sliding.levers.creep_numbers`): 4.0 and 0.8 at most in 150 scenes with angles of 0.05 to 0.75 rad and
 # friction of 0.005 to 0.3.
@@ -254,9 +255,10 @@ TABLE = (
     Entry(
         name="ball_dynamics",
         kind="cage",
-        meaning="motion of balls that the cage brakes; not modelled",
+        meaning="motion of balls that the cage brakes, together with the cage",
         needs=Need(keys="`[cage]` with `start`", lacks=_moving_cage),
-        bound=f"a grip number of the cage above {LARGEST_GRIP:g}",
+        bound=f"computed where the grip number of the cage exceeds {LARGEST_GRIP:g}, or balls lead farther than the "
+        "pockets leave free",
         idle="the cage does not move, and hardly touches its balls",
     ),
     Entry(

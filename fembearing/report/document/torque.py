@@ -86,6 +86,7 @@ class CageState(Table):
     ball_lead: float | None
     grip_share: float | None
     grip_number: float | None
+    race_excess: float | None
 
 
 class Point(OperatingPoint):
@@ -238,6 +239,7 @@ class MovedCage(Table):
     ball_lead: float
     grip_share: float | None
     grip_number: float | None
+    race_excess: float | None
     duration: float
     block: float
     other: OtherStart | None

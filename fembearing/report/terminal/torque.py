@@ -164,7 +164,11 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
 def _print_regimes(out: Console, friction: FrictionTorque, points: Sequence[int]) -> None:
     """How the cage goes round at the points where it moved, and what that asks of the races."""
     heads = ("#", "state", f"whirl, {RPM.name}", f"wobble, {MICRO.name}", f"ball lead, {MICRO.name}")
-    table = table_of((*heads, "grip used", "grip number"), title="Regime of the cage", left=("state",))
+    table = table_of(
+        (*heads, "grip used", "grip number", f"races, {NEWTON_MILLIMETRE.name}"),
+        title="Regime of the cage",
+        left=("state",),
+    )
     part = friction.cage
     assert part is not None
     for point in points:
@@ -179,12 +183,14 @@ def _print_regimes(out: Console, friction: FrictionTorque, points: Sequence[int]
             f"{part.ball_lead[point] * MICRO.factor:.3g}",
             percent(float(part.grip_share[point])),
             "unknown" if np.isnan(part.grip_number[point]) else f"{part.grip_number[point]:.2g}",
+            "" if np.isnan(part.race_excess[point]) else f"{part.race_excess[point] * NM:+.3g}",
         )
     out.print(table)
     out.print(
         "Whirl: mean speed of the cage's centre about the axis. Wobble: root mean square change of its distance. "
         "Grip used: of what the races carry along the orbit, by the mean force. Grip number: the same of a whirl, by "
-        f"the weakest ball; balls slide above {LARGEST_GRIP:g}.\n",
+        f"the weakest ball; balls slide above {LARGEST_GRIP:g}. Races: what they lose more because the cage drags the "
+        "balls, where balls and cage move together; it is part of the cage's torque.\n",
         style="dim",
     )
 
