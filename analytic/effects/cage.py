@@ -54,7 +54,7 @@ def _decide_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger,
     demanded = f"grip number {number:.3g}, balls slide above {LARGEST_GRIP:g}"
     if np.any(drive.is_squeezed):
         demanded = f"balls lead by up to {np.max(np.abs(drive.grip.ball_lead)):.3g} m, pockets leave {drive.room:.3g} m"
-    on = ledger.decide("ball_dynamics", bound=np.full(race.shape, np.inf), lacks=lacks, demanded=demanded)
+    on = ledger.decide("ball_dynamics", bound=np.where(needs, np.inf, 0.0), lacks=lacks, demanded=demanded)
     return (needs if automatic else turns) & on
 
 

@@ -14,7 +14,7 @@ from tests.analytic.specimens import present
 def running(load: float, rpm: float, **changed: object) -> Scene:
     operation = Operation(axial_load=np.array([load]), inner_speed=np.array([rpm * np.pi / 30]))
     scene = replace(CAGED, operation=operation, contact_angle=ContactAngle(rule="solved", free=0.18), effects={})
-    return with_cage(scene, start="whirl", **({"seeds": 2, "duration": 0.005} | changed))
+    return with_cage(scene, start="whirl", **({"seeds": 2, "duration": 0.008} | changed))
 
 
 @pytest.mark.slow
@@ -41,7 +41,7 @@ def test_balls_that_hold_their_motion_stay_given() -> None:
     found = friction_torque(running(1000.0, 500.0, duration=0.01))
     reason = next(effect.reason for effect in found.effects if effect.name == "ball_dynamics")
     assert not found.is_on("ball_dynamics")
-    assert reason.startswith("grip number 0.01")
+    assert reason.startswith("grip number 0.0266 at most")
     assert np.isnan(present(found.cage).race_excess[0])
 
 
