@@ -48,6 +48,8 @@ def _decide_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger,
     if automatic and not np.any(needs):
         still = f"grip number {number:.3g} at most, balls hold their motion below {LARGEST_GRIP:g}"
         lacks = still if ledger.is_on("cage_dynamics") else entry.idle
+    elif drive.friction_coefficient is None:
+        lacks = 'the friction of the races is not computed: leave effects.spin and effects.conformity on "auto"'
     elif automatic and drive.cage.start is not None:
         lacks = _too_long(drive.cage, int(np.count_nonzero(needs)), LONGEST_FREE_MOTION, "ball_dynamics")
         lacks = None if lacks is None else f"grip number {number:.3g} at most, and {lacks}"

@@ -103,17 +103,21 @@ def loaded_balls(
     *,
     correction: ContactCorrection | None = None,
     turning: Turning | None = None,
+    near: LoadedBalls | None = None,
 ) -> LoadedBalls:
     """The balls by the cheapest method that has the effects.
 
     operation : every array (n,);  correction : factors on Hertz's contacts, with a shape that the method takes:
     (n,) for thrust, (n, m) for the ring
     turning : how the balls turn, in shapes likewise; None: by closed kinematics
+    near : balls of the same points; under thrust the search begins there
     Raises InputError and ConvergenceError as the equilibrium does.
     """
     unequal = (effects.load_distribution and not operation.is_thrust) or effects.down is not None
-    method = ring_balls if unequal else thrust_balls
-    return method(bearing, contact_angle, operation, effects, correction=correction, turning=turning)
+    settings = {"correction": correction, "turning": turning}
+    if unequal:
+        return ring_balls(bearing, contact_angle, operation, effects, **settings)
+    return thrust_balls(bearing, contact_angle, operation, effects, **settings, near=near)
 
 
 def thrust_balls(
@@ -124,6 +128,7 @@ def thrust_balls(
     *,
     correction: ContactCorrection | None = None,
     turning: Turning | None = None,
+    near: LoadedBalls | None = None,
 ) -> LoadedBalls:
     """All balls alike, one column for Z of them, whatever the radial load and the moment.
 
@@ -143,6 +148,7 @@ def thrust_balls(
             axial_load=operation.axial_load,
             inner_speed=operation.inner_speed,
             turning=turning,
+            near=None if near is None else (near.contact_angle[..., 0], near.load[..., 0]),
             correction=correction,
         )
         loads, angles = (moving.inner_load, moving.outer_load), (moving.inner_angle, moving.outer_angle)

@@ -127,6 +127,7 @@ def thrust_at_speed(
     axial_load: ArrayLike,
     inner_speed: ArrayLike,
     turning: Turning | None = None,
+    near: tuple[Array, Array] | None = None,
     correction: ContactCorrection | None = None,
 ) -> ThrustAtSpeed:
     """Loads and contact angles of the balls on both races; load and speed broadcast to (n,).
@@ -134,6 +135,7 @@ def thrust_at_speed(
     axial_load : Fa, N, > 0;  inner_speed : w, rad/s, any sign;  contact_angle : rule "solved", as thrust_equilibrium
     turning : what acts on the balls because they turn; None: centrifugal force and gyroscopic moment by closed
         kinematics
+    near : contact angles and loads, (2, n), rad and N, that the search begins at; None: those at rest
     correction : factors on Hertz's contacts, each a number or (n,); None leaves them as they are
     On each race load and friction across the groove are a force Q/cos p at the angle b = al + p, tan p = -F_t/Q. Along
     the axis and outward the ball is at rest where
@@ -149,10 +151,10 @@ def thrust_at_speed(
     require_positive(axial_load=load, ball_count=bearing.ball_count)
     factors = (correction or ContactCorrection()).mapped(np.ravel)
     thrust = _Thrust(bearing, contact_angle, load.ravel())
-    at_rest = thrust.followed(thrust.frozen(factors), factors)
+    start = thrust.followed(thrust.frozen(factors), factors) if near is None else thrust.near(*near, factors)
     if turning is None:
         turning = RuledTurning(bearing=bearing, inner_speed=speed.ravel(), centrifugal=True, gyroscopic=True)
-    balls = thrust.followed(at_rest, factors, turning=turning)
+    balls = thrust.followed(start, factors, turning=turning)
     inner, outer = (
         loaded_contact(contact, load=of_race).reshape(load.shape)
         for contact, of_race in zip(balls.contacts, balls.load, strict=True)
@@ -255,6 +257,13 @@ class _Thrust:
             flat = np.minimum(flat, (approach / -self.play) ** 1.5)
         opened = np.sqrt(2 * max(self.play, 0.0) / distance) + flat + approach / distance
         return self.balanced(contacts, start=opened, outward=np.zeros(()), lean=np.zeros(()))
+
+    def near(self, angle: Array, load: Array, factors: ContactCorrection) -> _Balls:
+        """Balls that are nearly at these contact angles, rad, under these loads, N; both (2, n)."""
+        contacts = unit_contacts(
+            self.bearing, inner_angle=np.abs(angle[0]), outer_angle=np.abs(angle[1]), correction=factors
+        )
+        return _Balls(tangent=np.tan(np.clip(angle[0], 1e-6, 1.5)), angle=angle, load=load, contacts=contacts)
 
     def followed(
         self,

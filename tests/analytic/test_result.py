@@ -45,7 +45,7 @@ def test_shares_are_the_largest_of_the_series(scene: Scene) -> None:
         assert effect.share == np.max(part(found.torque, effect.name) / found.torque.total)
 
 
-REGIME = ("whirl_speed", "wobble", "ball_lead", "grip_share", "grip_number")
+REGIME = ("whirl_speed", "wobble", "ball_lead", "grip_share", "grip_number", "race_excess")
 DESIGN = {
     "inner_speed": None,
     "axial_load": None,

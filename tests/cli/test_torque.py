@@ -67,7 +67,8 @@ def test_the_regime_of_a_moving_cage_has_its_table() -> None:
         row = next(row for row in rows if row[:2] == [str(point + 1), motion.state])
         whirl, wobble = f"{motion.whirl_speed * 30 / np.pi:.4g}", f"{motion.wobble * 1e6:.3g}"
         grip = [f"{100 * part.grip_share[point]:.2g}", "%", f"{part.grip_number[point]:.2g}"]
-        assert row[2:] == [whirl, wobble, "0", *grip]
+        free = [] if np.isnan(part.race_excess[point]) else [f"{part.race_excess[point] * 1e3:+.3g}"]
+        assert row[2:] == [whirl, wobble, "0", *grip, *free]
 
 
 def test_without_oil_the_band_is_left_out_with_a_reason() -> None:

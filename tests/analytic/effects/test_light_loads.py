@@ -46,7 +46,7 @@ def assert_within_the_uncertainty(scene: Scene) -> None:
     """Whatever auto left out, and wherever the balls' weight points."""
     found = friction_torque(scene)
     for down in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 0.6, -0.8)):
-        full = friction_torque(replace(scene, effects=dict.fromkeys(COMPUTED, "on"), tolerance=1e-4, down=down))
+        full = friction_torque(replace(scene, effects=dict.fromkeys(COMPUTED, "on"), tolerance=3e-3, down=down))
         error = abs(found.torque.total / full.torque.total - 1)
         assert np.all(error <= found.numerical_uncertainty + full.numerical_uncertainty), down
 

@@ -111,6 +111,7 @@ CONTACT: dict[str, Callable[[], mpf]] = {
         2 * mpmath.pi / mpmath.quad(lambda psi: mpmath.cos(psi) ** mpf("2.5"), [-mpmath.pi / 2, 0, mpmath.pi / 2])
     ),
     "torque: spin at vanishing load": lambda: mpf(4) / 3,
+    "free ball: vanishing load": lambda: mpf(4) / 3,
     "torque: conformity at vanishing load": lambda: mpf(5) / 3,
     "torque: hysteresis at vanishing load": lambda: mpf(4) / 3,
     "torque: spin from an angle of zero": lambda: mpf(5) / 4,
