@@ -1,13 +1,14 @@
 """The torque of free balls: limits, directions, hard corners, oil, the sample of a long series, and weight."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, ring_balls
-from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from analytic.scene import Bearing, ContactAngle, Operation, Scene, SlidingMethod
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL, present
 
@@ -149,6 +150,23 @@ def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:
     assert held.is_on("creep")
     np.testing.assert_array_equal(held.contact_angle, 0.33)
     assert present(held.torque.spin)[0] > 0
+
+
+@pytest.mark.parametrize(
+    ("sliding", "other", "reason"),
+    [
+        ("marched_creep", {"spin_rule": "outer_control"}, r'friction\.spin_rule = "outer_control" says how'),
+        ("free_ball", {"microslip": "as_printed"}, r'friction\.microslip = "as_printed" has no creep'),
+        ("closed_creep", {"effects": {"spin": "off"}}, r'effects\.spin = "off" leaves out'),
+        ("marched_creep", {"effects": {"creep": "off"}}, r'effects\.creep = "off" leaves'),
+    ],
+)
+def test_a_method_for_free_balls_needs_free_balls(
+    scene: Scene, sliding: SlidingMethod, other: dict[str, Any], reason: str
+) -> None:
+    message = rf'friction\.sliding = "{sliding}" cannot be had: {reason}.*: use'
+    with pytest.raises(InputError, match=message):
+        friction_torque(replace(scene, sliding=sliding, **other))
 
 
 def test_creep_cannot_be_had_with_a_rule(scene: Scene) -> None:
