@@ -56,8 +56,8 @@ def test_a_long_motion_of_balls_is_not_computed_unasked() -> None:
 
 
 @pytest.mark.slow
-def test_a_lead_that_the_balls_still_build_up_is_uncertain_up_to_its_end() -> None:
-    """118 um of lead in 0.1 mm: a motion of two turns of the ring shows a small part of the squeezing."""
+def test_a_force_that_still_builds_up_is_uncertain_up_to_the_closed_form() -> None:
+    """118 um of lead in 0.1 mm: a motion of a fraction of a turn shows a small part of the squeezing."""
     diameter = CAGED.bearing.ball_diameter + 0.1e-3
     scene = running(1000.0, 500.0, pocket_diameter=diameter, pocket_depth=diameter / 2, start="rest")
     scene = replace(scene, operation=replace(scene.operation, radial_load=np.array([500.0])))
