@@ -175,7 +175,7 @@ def test_creep_cannot_be_had_with_a_rule(scene: Scene) -> None:
 
 
 def test_the_torque_has_the_loads_of_balls_that_turn_freely(scene: Scene) -> None:
-    """Loads of a 6205 under 100 N at 1500 rad/s with a friction of 0.05, by an independent code; a rule has 1.6 % less."""
+    """Loads of a 6205 under 100 N at 1500 rad/s with a friction of 0.05, by an independent code; rules miss 1.6 %."""
     fast = at(scene, axial_load=100.0, inner_speed=1500.0)
     effects = {"finite_geometry": "off", "centrifugal": "on", "gyroscopic": "on", "creep": "on"}
     found = friction_torque(
