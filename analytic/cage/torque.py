@@ -121,8 +121,9 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
         if races is not None:
             excess[point] = moved.race_excess_torque
     own = np.array([rest if m is None else m.torque for m, rest in zip(motion, torque, strict=True)])
+    moved_torque = own + np.nan_to_num(excess)
     part = CagePart(
-        torque=own + np.nan_to_num(excess),
+        torque=moved_torque,
         race_excess=excess,
         friction_coefficient=friction.coefficient,
         mean_force=np.array([rest if m is None else m.mean_force for m, rest in zip(motion, force, strict=True)]),
@@ -133,11 +134,15 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
         is_squeezed=drive.is_squeezed & ~freely,
         grip_share=np.full(points, np.nan),
         grip_number=drive.grip_number(friction.coefficient),
-        unsure=np.zeros(points),
+        # Balls that lead too far press harder for radians of the orbit, which motions may not last; the most is the
+        # closed form, three times where a 6205 ends.
+        unsure=np.where(drive.is_squeezed & freely, np.abs(torque - moved_torque), 0.0),
         unknown=(),
         driven=tuple(driven),
         motion=tuple(motion),
-        warnings=friction.warnings + _bistable(motion, drive.inner_speed) + _squeezed(drive),
+        warnings=friction.warnings
+        + _bistable(motion, drive.inner_speed)
+        + _squeezed(drive, drive.is_squeezed & ~freely),
         provenance=_provenance(drive, friction, moves=moves, freely=freely),
     )
     return _with_grip(part, drive)
@@ -153,7 +158,7 @@ def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
     given = np.isnan(part.race_excess)  # the motion of the balls
     moving = given & np.array([motion is not None and motion.state != "rest" for motion in part.motion])
     used = np.where(moving, part.grip_number, share)
-    unsure = np.where(moving, LOST_TO_RACES * used / LARGEST_GRIP * part.torque, 0.0)
+    unsure = np.where(moving, LOST_TO_RACES * used / LARGEST_GRIP * part.torque, part.unsure)
     slides = given & ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
     unsure = np.where(part.is_squeezed, SQUEEZE_SPREAD * part.torque, np.where(slides, np.inf, unsure))
     unknown: tuple[str, ...] = ()
@@ -314,11 +319,11 @@ def _bistable(motions: list[CageStatistics | None], inner_speed: Array) -> tuple
     return ()
 
 
-def _squeezed(drive: CageDrive) -> tuple[str, ...]:
-    """A warning for pockets that are too tight for the lead of the balls."""
-    if not np.any(drive.is_squeezed):
+def _squeezed(drive: CageDrive, at: NDArray[np.bool_]) -> tuple[str, ...]:
+    """A warning for pockets that are too tight for the lead of the balls; at : (n,) where that has a closed form."""
+    if not np.any(at):
         return ()
-    worst = int(np.argmax(np.abs(drive.grip.ball_lead)))
+    worst = int(np.argmax(np.where(at, np.abs(drive.grip.ball_lead), -1.0)))
     return (
         f"at {drive.inner_speed[worst]:.4g} rad/s balls lead on one side of the bearing and lag on the other by "
         f"{abs(drive.grip.ball_lead[worst]):.3g} m, and the cage leaves {drive.room:.3g} m free: they press on it all "

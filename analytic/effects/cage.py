@@ -100,11 +100,11 @@ def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Arra
 
 
 def _too_tight(drive: CageDrive) -> str:
-    """Why no motion is computed for balls that lead too far."""
+    """Why no motion on given balls is computed where they lead too far."""
     lead = float(np.max(np.abs(drive.grip.ball_lead)))
     return (
         f"balls lead by up to {lead:.3g} m, and the pockets leave {drive.room:.3g} m free: balls and cage press on "
-        "each other all round, by a closed form; a motion needs wider pockets, less radial load or less moment"
+        "each other all round; a motion on given balls needs wider pockets, less radial load or less moment"
     )
 
 

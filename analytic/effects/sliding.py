@@ -12,6 +12,7 @@ import numpy as np
 
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, PER_ROLL_CREEP, PER_SPIN_CREEP, ruled
+from analytic.errors import InputError
 from analytic.free_ball.rotation import Creep
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.inlets import Inlets
@@ -19,6 +20,8 @@ from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.scene import Array, Scene
 from analytic.sliding.levers import creep_numbers, full_spin_lever, largest_error, largest_spin_lever, rolling_lever
+
+TURNING_FREELY = ("free_ball", "closed_creep", "marched_creep")  # methods of sliding for free balls
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -85,8 +88,16 @@ def mixed_contacts(ledger: Ledger, resisting: Resisting) -> MixedContact | None:
 
 
 def decide_creep(scene: Scene, estimate: "Estimate", ledger: Ledger, *, slides: bool) -> Creep | None:
-    """Settle creep; how the surfaces of balls creep that turn freely, or None where closed kinematics turn them."""
+    """Settle creep; how the surfaces of balls creep that turn freely, or None where closed kinematics turn them.
+
+    Raises InputError for a method of sliding for free balls where something else in the scene says otherwise.
+    """
     wanted = {"closed_creep": "closed", "marched_creep": "marched"}.get(scene.sliding)
+    contrary = ruled(scene)
+    if wanted is not None and ledger.rules_out("creep"):
+        contrary = contrary or 'effects.creep = "off" leaves the creep out: use "auto"'
+    if slides and contrary is not None and scene.sliding in TURNING_FREELY:
+        raise InputError(f'friction.sliding = "{scene.sliding}" cannot be had: {contrary}')
     on = ledger.decide(
         "creep",
         bound=estimate.creep() if slides else None,
@@ -94,7 +105,7 @@ def decide_creep(scene: Scene, estimate: "Estimate", ledger: Ledger, *, slides: 
         demanded=None if wanted is None else f'friction.sliding = "{scene.sliding}" has it',
     )
     inert = ledger.is_on("centrifugal") or ledger.is_on("gyroscopic")
-    if not slides or ruled(scene) is not None or not (on or inert or scene.sliding != "auto"):
+    if not slides or contrary is not None or not (on or inert or scene.sliding != "auto"):
         return None
     if not ledger.is_on("spin"):
         ledger.settle("spin", on=True, share=estimate.spin_share, reason=ENTRIES["spin"].given)

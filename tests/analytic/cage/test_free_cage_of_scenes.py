@@ -14,7 +14,7 @@ from tests.analytic.specimens import present
 def running(load: float, rpm: float, **changed: object) -> Scene:
     operation = Operation(axial_load=np.array([load]), inner_speed=np.array([rpm * np.pi / 30]))
     scene = replace(CAGED, operation=operation, contact_angle=ContactAngle(rule="solved", free=0.18), effects={})
-    return with_cage(scene, start="whirl", **({"seeds": 2, "duration": 0.008} | changed))
+    return with_cage(scene, **({"start": "whirl", "seeds": 2, "duration": 0.008} | changed))
 
 
 @pytest.mark.slow
@@ -53,3 +53,21 @@ def test_a_long_motion_of_balls_is_not_computed_unasked() -> None:
     assert not found.is_on("ball_dynamics")
     reason = next(effect.reason for effect in found.effects if effect.name == "ball_dynamics")
     assert "1 points take 4.21 s of motion" in reason
+
+
+@pytest.mark.slow
+def test_a_force_that_still_builds_up_is_uncertain_up_to_the_closed_form() -> None:
+    """118 um of lead in 0.1 mm: a motion of a fraction of a turn shows a small part of the squeezing."""
+    diameter = CAGED.bearing.ball_diameter + 0.1e-3
+    scene = running(1000.0, 500.0, pocket_diameter=diameter, pocket_depth=diameter / 2, start="rest")
+    scene = replace(scene, operation=replace(scene.operation, radial_load=np.array([500.0])))
+    moved = friction_torque(scene)
+    squeezed = friction_torque(replace(scene, effects={"ball_dynamics": "off"}))
+    cage, end = present(moved.cage), present(squeezed.cage)
+    assert moved.is_on("ball_dynamics")
+    assert end.is_squeezed[0]
+    assert cage.torque[0] < 0.5 * end.torque[0]
+    np.testing.assert_allclose(cage.torque + cage.unsure, end.torque, rtol=1e-12)  # round-off
+    assert moved.numerical_uncertainty[0] * moved.torque.total[0] >= cage.unsure[0]
+    assert not any("press on it all round" in warning for warning in moved.warnings)
+    assert any("press on it all round" in warning for warning in squeezed.warnings)
