@@ -4,7 +4,7 @@ The balls are first loaded and turned by closed kinematics. From these it is dec
 counts they then turn freely, which changes loads and angles too, and all is computed from the balls that come out.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,7 +92,7 @@ def race_torque(
             bearing=scene.bearing,
             contact_angle=scene.contact_angle,
             operation=operation,
-            effects=chosen.effects,
+            effects=replace(chosen.effects, gyroscopic=ledger.is_on("gyroscopic")),
             creep=creep,
             correction=chosen.correction,
             resistance=resisted,

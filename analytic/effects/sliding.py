@@ -11,10 +11,11 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.effects.ledger import Ledger
-from analytic.effects.table import ENTRIES, PER_ROLL_CREEP, PER_SPIN_CREEP, ruled
+from analytic.effects.table import ENTRIES, PER_GYROSCOPIC_SLIP, PER_ROLL_CREEP, PER_SPIN_CREEP, ruled
 from analytic.errors import InputError
 from analytic.free_ball.rotation import Creep
 from analytic.loads.balls import LoadedBalls
+from analytic.loads.inertia import gyroscopic_moment
 from analytic.oil.inlets import Inlets
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
@@ -104,6 +105,8 @@ def decide_creep(scene: Scene, estimate: "Estimate", ledger: Ledger, *, slides: 
         lacks=None if slides else ENTRIES["creep"].idle,
         demanded=None if wanted is None else f'friction.sliding = "{scene.sliding}" has it',
     )
+    if slides and contrary is None:
+        _decide_gyroscopic_slip(scene, estimate, ledger)
     inert = ledger.is_on("centrifugal") or ledger.is_on("gyroscopic")
     if not slides or contrary is not None or not (on or inert or scene.sliding != "auto"):
         return None
@@ -112,6 +115,17 @@ def decide_creep(scene: Scene, estimate: "Estimate", ledger: Ledger, *, slides: 
     if on:
         return "closed" if scene.sliding == "closed_creep" else "marched"
     return "none"
+
+
+def _decide_gyroscopic_slip(scene: Scene, estimate: "Estimate", ledger: Ledger) -> None:
+    """Put gyroscopic on where friction can hardly hold the moment, however little the moment does to the loads."""
+    entry = ENTRIES["gyroscopic"]
+    if ledger.is_on("gyroscopic") or ledger.rules_out("gyroscopic") or entry.lacks(scene) is not None:
+        return
+    share = estimate.gyroscopic(scene)
+    if not ledger.leaves_out(PER_GYROSCOPIC_SLIP * share):
+        reason = f"holding the moment takes up to {np.max(share):.2g} of the friction across the grooves"
+        ledger.settle("gyroscopic", on=True, share=PER_GYROSCOPIC_SLIP * share, reason=reason)
 
 
 def _carried(mixed: MixedContact | None, tolerance: float) -> str | None:
@@ -186,6 +200,21 @@ class Estimate:
         share = np.minimum(_over(PER_SPIN_CREEP, spinning) + _over(PER_ROLL_CREEP, sliding), 1e9)
         loaded = np.where(balls.load > 0, share, 0.0).max(axis=(0, 2))
         return np.where(loaded >= 1, np.inf, loaded)
+
+    def gyroscopic(self, scene: Scene) -> Array:
+        """(n,) gyroscopic moment of a ball over what friction across both grooves holds, in the last regime."""
+        balls, bearing = self.resisting.balls, scene.bearing
+        speed = scene.operation.as_series().inner_speed[:, None]
+        moment = gyroscopic_moment(
+            ball_mass=bearing.ball_mass,
+            ball_diameter=bearing.ball_diameter,
+            ball_speed=speed * balls.motion.ball_speed,
+            cage_speed=speed * balls.motion.cage_speed,
+            axis_angle=balls.motion.pitch,
+        )
+        friction = np.min(list(self.known.values())[-1].friction, axis=0)
+        held = bearing.ball_radius * np.where(balls.load.min(axis=0) > 0, friction.sum(axis=0), np.inf)
+        return _over(np.abs(moment), held).max(axis=1)
 
     def _at(self, regime: Regime) -> _Torque:
         if regime not in self.known:

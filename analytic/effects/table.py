@@ -29,6 +29,9 @@ LONGEST_FREE_MOTION = 4.0  # s, the same of balls and cage together, at 4 to 10 
 # (`analytic.sliding.levers.creep_numbers`): 4.0 and 0.8 at most in 150 scenes with angles of 0.05 to 0.75 rad and
 # friction of 0.005 to 0.3.
 PER_SPIN_CREEP, PER_ROLL_CREEP = 4.5, 1.0
+# Change of the torque by sliding over the share of friction across the grooves that holds the gyroscopic moment: slip
+# across the groove comes with it, and near 1 the ball's axis follows.
+PER_GYROSCOPIC_SLIP = 3.0
 # Share of an ellipse's load beyond a shoulder, by Hertz, up to which its torque is known; and the change of the torque
 # over that share. By finite elements the loss by conformity falls by 1.6 shares at most, by spin by 0.7
 # (tests/fem/test_shoulder.py); the load's centroid moves as well, and with it the contact angle.
@@ -97,7 +100,7 @@ def _cage(scene: Scene) -> str | None:
 
 def _moving_cage(scene: Scene) -> str | None:
     if scene.cage is not None and scene.cage.start is None:
-        return "cage.start is not given"
+        return 'cage.start is not given: give "rest", "ramp", "sudden" or "whirl"'
     return _cage(scene)
 
 
@@ -166,7 +169,8 @@ TABLE = (
         meaning="gyroscopic moment on the balls",
         needs=SOLVED_ANGLE,
         bound="the axial pull of the friction that holds the moment, over a ball's thrust; under unequal loads all of "
-        "that friction, over the load of the lightest ball",
+        f"that friction, over the load of the lightest ball; and {PER_GYROSCOPIC_SLIP:g} times the moment over what "
+        "friction holds",
     ),
     Entry(
         name="weight",

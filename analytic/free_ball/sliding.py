@@ -31,7 +31,7 @@ SAFETY = 2.0
 # quadrature is only a start.
 LEAST = (np.inf, 0.01, 0.003, 0.0007, 0.0003)
 METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_creep", "marched": "marched_creep"}
-SERIES = 400  # from this number of points on, a sample of them costs less
+SERIES = 130  # from this number of points on, a sample of them costs less
 BETWEEN = 1.25  # times the largest error at the points of a sample: what lies between them
 METHODS_PART = 0.5  # of the allowed error at the points of a sample; the rest is for what lies between them
 POSITIVE = ("inner_entrainment", "outer_entrainment", "inner_rolling_rate", "outer_rolling_rate", "ball_speed")

@@ -310,8 +310,8 @@ class _Thrust:
             residual=change,
             tolerance=float(accuracy),
             unit="of ln(tan al)",
-            problem=f"the contact angle{at_speed}",
-            remedy="Raise the load or lower the speed; check load, speed, clearance and ball mass for a slipped unit.",
+            problem=f"the contact angle{at_speed}, under {np.min(self.push):.4g} N of thrust on each at least,",
+            remedy="Raise the load or lower the speed: a race that hardly presses a ball cannot drive it.",
         )
 
     def balanced(
