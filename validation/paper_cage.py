@@ -15,7 +15,7 @@ import numpy as np
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.pocket_friction import friction_in_pocket
-from analytic.cage.statistics import measured_motion
+from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import DrivenCage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Array, Cage, CageStart, ContactAngle, Decision, Operation, Scene
@@ -33,6 +33,7 @@ LOADED_ANGLE = ContactAngle(rule="solved", free=0.18)
 COEFFICIENTS = {ROUGH: (0.12, 0.069), SMOOTH: (0.10, 0.051)}
 HELD_BALLS: dict[str, Decision] = {"cage_dynamics": "on", "ball_dynamics": "off"}
 SPAN, SPANS = 10, 8000  # time steps in a span, and spans: for the mean magnitude of an alternating moment
+FREE_SEEDS, FREE_DURATION = 2, 0.05  # of balls and cage together, which take a hundred times as long; s
 SEEDS, DURATION = 8, 0.1  # many short motions: the largest force of one scatters at low speed; s, after as long a start
 
 
@@ -162,6 +163,17 @@ def cage_at(scene: Scene, *, axis_angle: float | None = None) -> CagePoint:
         ),
         state=motion.state,
     )
+
+
+def on_free_balls(scene: Scene) -> CageStatistics:
+    """The motion of the cage of a scene of `with_moving_cage` with balls that the cage may brake, both together."""
+    assert scene.cage is not None
+    short = replace(scene.cage, seeds=FREE_SEEDS, duration=FREE_DURATION)
+    part = friction_torque(replace(scene, cage=short, effects={**scene.effects, "ball_dynamics": "on"})).cage
+    assert part is not None
+    (motion,) = part.motion
+    assert motion is not None
+    return motion
 
 
 def mean_axial_moment(driven: DrivenCage, *, start: CageStart) -> float:
