@@ -15,10 +15,10 @@ import numpy as np
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.pocket_friction import friction_in_pocket
-from analytic.cage.statistics import measured_motion
+from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import DrivenCage
 from analytic.loads.kinematics import ball_kinematics
-from analytic.scene import Array, Cage, CageStart, ContactAngle, Scene
+from analytic.scene import Array, Cage, CageStart, ContactAngle, Decision, Operation, Scene
 from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.torque import friction_torque
 
@@ -31,7 +31,9 @@ LOADED_ANGLE = ContactAngle(rule="solved", free=0.18)
 # Ball on pocket, Sq -> at 100 and 500 rpm. With them the friction moments about the balls' centres are the cage torque
 # of [Paper]; between, the coefficient is a power of the speed.
 COEFFICIENTS = {ROUGH: (0.12, 0.069), SMOOTH: (0.10, 0.051)}
+HELD_BALLS: dict[str, Decision] = {"cage_dynamics": "on", "ball_dynamics": "off"}
 SPAN, SPANS = 10, 8000  # time steps in a span, and spans: for the mean magnitude of an alternating moment
+FREE_SEEDS, FREE_DURATION = 2, 0.05  # of balls and cage together, which take a hundred times as long; s
 SEEDS, DURATION = 8, 0.1  # many short motions: the largest force of one scatters at low speed; s, after as long a start
 
 
@@ -113,9 +115,14 @@ def cage_scene(reading: str, scene: Scene, *, inner_speed: float) -> Scene:
 
 
 def with_moving_cage(scene: Scene, cage: Cage, *, inner_speed: float) -> Scene:
-    """The scene at one speed with a cage whose motion is computed; inner_speed : rad/s."""
-    operation = replace(scene.operation, axial_load=scene.operation.axial_load[:1], inner_speed=np.array([inner_speed]))
-    return replace(scene, cage=cage, operation=operation, effects={**scene.effects, "cage_dynamics": "on"})
+    """The scene at one speed with a cage whose motion is computed, on balls that hold theirs; inner_speed : rad/s.
+
+    The readings were chosen with such balls. Above a grip number of 0.9 they would slide: `ball_dynamics` is off, and
+    `traction_share` shows it.
+    """
+    first = Operation(**{name: values[:1] for name, values in vars(scene.operation.as_series()).items()})
+    operation = replace(first, inner_speed=np.array([inner_speed]))
+    return replace(scene, cage=cage, operation=operation, effects={**scene.effects, **HELD_BALLS})
 
 
 def cage_at(scene: Scene, *, axis_angle: float | None = None) -> CagePoint:
@@ -156,6 +163,17 @@ def cage_at(scene: Scene, *, axis_angle: float | None = None) -> CagePoint:
         ),
         state=motion.state,
     )
+
+
+def on_free_balls(scene: Scene) -> CageStatistics:
+    """The motion of the cage of a scene of `with_moving_cage` with balls that the cage may brake, both together."""
+    assert scene.cage is not None
+    short = replace(scene.cage, seeds=FREE_SEEDS, duration=FREE_DURATION)
+    part = friction_torque(replace(scene, cage=short, effects={**scene.effects, "ball_dynamics": "on"})).cage
+    assert part is not None
+    (motion,) = part.motion
+    assert motion is not None
+    return motion
 
 
 def mean_axial_moment(driven: DrivenCage, *, start: CageStart) -> float:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
+from analytic.cage.statistics import CageStatistics
 from analytic.scene import Array
 from analytic.surface.heightmap import Measurement
 from paper_cage import CLEARANCE, ROUGH, SMOOTH
@@ -50,16 +51,20 @@ def write_page(
     table: list[tuple[str, str, str]],
     surfaces: Mapping[float, Measurement],
     mixed: Mapping[tuple[str, float], Array],
+    free: CageStatistics,
     path: Path,
 ) -> None:
-    """table : table 1 of the paper;  surfaces, mixed : what figure 5 and the last picture show."""
+    """table : table 1 of the paper;  surfaces, mixed : what figure 5 and the last picture show
+
+    free : the calibrated cage at Sq 0.1 um and 500 rpm on balls that it may brake
+    """
     by_name = {one.name: one for one in readings}
     fit = by_name["calibrated"]
     captions = [_surfaces(surfaces), *_captions(by_name), _pocket(mixed)]
     lines = ["# The paper, figure by figure", "", *_introduction(readings), ""]
     for (name, title), caption in zip(PICTURES.items(), captions, strict=True):
         lines += [f"## {title}", "", f"![{title}]({name})", "", caption, ""]
-    lines += ["## What is power and what is not", "", *_powers(fit), ""]
+    lines += ["## What is power and what is not", "", *_powers(fit), "", _freed(fit, free), ""]
     lines += ["## Misses and their reasons", "", *_misses(readings), ""]
     lines += ["## Table 1", "", *_rows(("parameter", "paper", "ours"), table), ""]
     lines += ["## Calibrated inputs", "", "Inputs chosen so that numbers of the paper come out predict nothing.", ""]
@@ -207,6 +212,17 @@ def _powers(fit: Comparison) -> Iterator[str]:
         {rough:.2f} of the traction that the races can give it. At Sq 0.1 um it takes up to {smooth:.2f}: with race
         coefficients as low as the calibrated 0.003, the balls would slide at 500 rpm. There the calibrated reading
         contradicts itself."""
+    )
+
+
+def _freed(fit: Comparison, free: CageStatistics) -> str:
+    held = fit.smooth
+    return _text(
+        f"""Where balls and cage move together there (`ball_dynamics`), the largest force is {free.max_force:.1f} N in
+        place of {held["cage_max_force"][-1]:.1f}, while the sum of all forces stays, {free.mean_force:.1f} N in place
+        of {held["cage_force"][-1]:.1f}. The pockets take {free.torque * 1e3:.1f} N mm in place of
+        {held["cage_torque"][-1] * 1e3:.1f}, and the races lose {free.race_excess_torque * 1e3:.1f} N mm more: the cage
+        adds {(free.torque + free.race_excess_torque) * 1e3:.1f} N mm, where the paper has about 6."""
     )
 
 

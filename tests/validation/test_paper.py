@@ -1,6 +1,7 @@
 """The paper, figure by figure: verdicts on known curves, what a cage's torque is, and the files that are written."""
 
 import json
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -9,6 +10,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+
+from tests.analytic.specimens import present
 
 SPEEDS = np.array([100.0, 300.0, 500.0]) * np.pi / 30
 RACES = ("inner_coefficient", "outer_coefficient")
@@ -207,6 +210,8 @@ def test_the_script_makes_every_figure_and_the_calibrated_forces_are_within_1_7(
     assert any("as_printed" in text for text in written["readings"][0]["warnings"])
     assert len((tmp_path / "paper.csv").read_text("utf-8").splitlines()) == 1 + 3 * 24
     page = (tmp_path / "paper.md").read_text("utf-8")
+    free, held = present(re.search(r"largest force is ([\d.]+) N in place of ([\d.]+),", page)).groups()
+    assert 0 < float(free) < float(held)  # balls that slide press less
     pictures = sorted(path.name for path in tmp_path.glob("*.png"))
     assert len(pictures) == 6
     assert all(f"]({name})" in page for name in pictures)
