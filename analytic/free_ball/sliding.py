@@ -16,7 +16,7 @@ from analytic.contact.hertz import loaded_contact
 from analytic.free_ball.rotation import Creep, FreeBalls, FreeTurning, Nodes, Surfaces
 from analytic.loads.balls import LoadedBalls, LoadEffects, balls_between, loaded_balls
 from analytic.loads.kinematics import BallKinematics
-from analytic.loads.thrust import unit_contacts
+from analytic.loads.race_contacts import unit_contacts
 from analytic.numerics.interpolated import sampled_series
 from analytic.scene import Array, Bearing, ContactAngle, Operation, SlidingMethod
 from analytic.sliding.ball import Tractions

@@ -16,8 +16,9 @@ from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
 from analytic.contact.rolling_contact import RollingContact, deformed_radius
 from analytic.loads.kinematics import BallKinematics
+from analytic.loads.race_contacts import unit_contacts
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium, unit_contacts
+from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium
 from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Operation
 

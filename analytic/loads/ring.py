@@ -21,7 +21,8 @@ from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.loads.ball_balance import BallBalance, settled_ball
-from analytic.loads.thrust import play_and_free_angle, unit_contacts
+from analytic.loads.race_contacts import unit_contacts
+from analytic.loads.thrust import play_and_free_angle
 from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
 from analytic.numerics.newton import ConvexState, least_energy
 from analytic.numerics.rows import merged, part_of

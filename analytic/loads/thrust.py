@@ -13,10 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.factors import ContactCorrection, corrected_contact
+from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import race_curvatures
-from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact
+from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.loads.race_contacts import unit_contacts
 from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
 from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array, Bearing, ContactAngle
@@ -200,31 +201,6 @@ def play_and_free_angle(bearing: Bearing, contact_angle: ContactAngle) -> tuple[
     if not free < np.pi / 2:
         raise InputError(f"the free contact angle must be below pi/2 rad, got {free!r}; is it in degrees?")
     return float(2 * bearing.groove_centre_distance * np.sin(free / 2) ** 2), free
-
-
-def unit_contacts(
-    bearing: Bearing, *, inner_angle: ArrayLike, outer_angle: ArrayLike, correction: ContactCorrection
-) -> tuple[HertzContact, HertzContact]:
-    """A ball on its inner and on its outer race under 1 N by Hertz, corrected; of the angles' shape, which is one.
-
-    inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2]
-    analytic.contact.hertz.loaded_contact gives the contacts under load. Raises InputError as race_curvatures does.
-    """
-    pairs = (
-        race_curvatures(bearing, "inner", contact_angle=inner_angle),
-        race_curvatures(bearing, "outer", contact_angle=outer_angle),
-    )
-    rolling, transverse = (np.array(curvatures) for curvatures in zip(*pairs, strict=True))
-    moduli = [contact_modulus(bearing.ball_material, ring.material) for ring in (bearing.inner, bearing.outer)]
-    # One call for both races: most callers have few balls, and the time goes with the calls.
-    both = hertz_contact(
-        curvature_x=rolling,
-        curvature_y=transverse,
-        load=1.0,
-        modulus=np.reshape(moduli, (2,) + (1,) * (rolling.ndim - 1)),
-    )
-    inner, outer = (HertzContact(**{name: field[race] for name, field in vars(both).items()}) for race in (0, 1))
-    return corrected_contact(inner, correction.inner), corrected_contact(outer, correction.outer)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -64,11 +64,11 @@ def test_a_whirl_states_its_share_of_the_grip() -> None:
 def test_the_grip_of_fast_and_light_bearings(
     thrust: float, rpm: float, friction: float, carried: float, number: float
 ) -> None:
-    operation = Operation(axial_load=thrust, inner_speed=rpm * RPM).as_series()
+    operation = Operation(axial_load=np.array([thrust]), inner_speed=np.array([rpm * RPM])).as_series()
     balls = loaded_balls(FAST.bearing, ContactAngle(rule="solved", free=0.18), operation, LoadEffects())
     drive = cage_drive(FAST, balls, friction, operation.inner_speed)
     mu = np.array([0.1])
-    np.testing.assert_allclose(9 * np.min(drive.grip.carried(mu)), carried, rtol=0.005)  # digits
+    np.testing.assert_allclose(9 * np.min(present(drive.grip.carried(mu))), carried, rtol=0.005)  # digits
     np.testing.assert_allclose(drive.grip_number(mu), number, rtol=0.02)
 
 

@@ -123,7 +123,7 @@ def test_any_start_leads_to_one_rotation() -> None:
     found, random = turning.velocity.copy(), np.random.default_rng(8)
     for _ in range(18):
         pitch, across = random.uniform(-0.3, 1.3), random.uniform(-0.3, 0.3)
-        speed = np.linalg.norm(found[0, 1:])
+        speed = float(np.linalg.norm(found[0, 1:]))
         start = np.array([[found[0, 0], across * speed, speed * np.sin(pitch), -speed * np.cos(pitch)]])
         again = start
         for _ in range(20):  # each takes the speed of the surfaces through the contacts from the last

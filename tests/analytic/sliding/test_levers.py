@@ -16,10 +16,14 @@ def test_the_creep_of_a_6205(bearing_6205: Bearing) -> None:
     contacts, speed = balls.contacts, balls.motion.entrainment_speed
     rolled, spun = creep_numbers(contacts, friction_coefficient=0.1, entrainment_speed=speed, spin_rate=0.29)
     for race, expected in enumerate((0.0020845, 0.0018872)):
-        b = contacts.semi_axis_transverse[race, 0, 0]
+        b = np.asarray(contacts.semi_axis_transverse)[race, 0, 0]
         saturated = expected * speed[race, 0, 0]
         assert spun[race, 0, 0] == pytest.approx(0.29 * b / saturated, rel=5e-5)  # five digits
-        slip = contacts.rolling_rate[race, 0, 0] * b**2 / (2 * contacts.deformed_radius[race, 0, 0])
+        slip = (
+            np.asarray(contacts.rolling_rate)[race, 0, 0]
+            * b**2
+            / (2 * np.asarray(contacts.deformed_radius)[race, 0, 0])
+        )
         assert rolled[race, 0, 0] == pytest.approx(slip / saturated, rel=5e-5)
 
 
