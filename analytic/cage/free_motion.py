@@ -94,7 +94,7 @@ class FreeCageMotion(CageMotion):
         self._balls = np.zeros((cage.ball_count, BALL))
         places = replace(cage, ball_lead=lead).ball_places(0.0)
         angle = np.arctan2(places[:, 1], places[:, 0]) % (2 * np.pi)
-        self._balls[:, 0] = angle
+        self._balls[:, 0], self._first = angle, angle
         if begin != "ramp":
             grid = 2 * np.pi * np.arange(len(alone.speeds)) / len(alone.speeds)
             for speed in range(4):
@@ -128,6 +128,11 @@ class FreeCageMotion(CageMotion):
             grip=tally[GRIP],
             **means(tally, time),
         )
+
+    @property
+    def ball_angle(self) -> float:
+        """Mean angle through which the balls have orbited, rad."""
+        return float(np.mean(self._balls[:, 0] - self._first))
 
     @property
     def ball_angles(self) -> Array:

@@ -6,9 +6,8 @@ from typing import Any
 import numpy as np
 
 from analytic.cage.motion import CageMotion
-from analytic.cage.steady import DrivenCage
 from analytic.errors import require_positive
-from analytic.scene import Array, Cage, CageStart
+from analytic.scene import Array
 
 AXES = ("x", "y", "z")  # of the fixed frame; z is the bearing's axis
 
@@ -64,23 +63,13 @@ class CageSeries:
         )
 
 
-def recorded_motion(
-    cage: DrivenCage,
-    *,
-    start: CageStart,
-    duration: float,
-    samples: int,
-    ramp: float = 0.0,
-    seed: int | None = None,
-    steps_per_contact: float = Cage.steps_per_contact,
-) -> CageSeries:
-    """A motion from its beginning, at n equidistant instants.
+def recorded_motion(motion: CageMotion, *, duration: float, samples: int) -> CageSeries:
+    """A motion as it goes on, at n equidistant instants.
 
-    duration : s, > 0;  samples : n, >= 1;  ramp, seed, steps_per_contact : as in `CageMotion`
+    duration : s, > 0;  samples : n, >= 1
     Raises MotionError if the motion diverges.
     """
     require_positive(duration=duration, samples=samples)
-    motion = CageMotion(cage, begin=start, seed=seed, ramp=ramp, steps_per_contact=steps_per_contact)
     rows: list[tuple[Any, ...]] = []
     for _ in range(samples):
         passed = motion.advance(duration / samples)

@@ -59,6 +59,7 @@ class CagePart:
     unknown: tuple[str, ...]  # why, where it is infinite
     driven: tuple[DrivenCage | None, ...]  # the cage that moved; None: by a closed form
     motion: tuple[CageStatistics | None, ...]  # its motion; likewise
+    races: tuple[Races | None, ...]  # on which the balls moved freely; None: their motion was given
     warnings: tuple[str, ...]
     provenance: str  # methods of motion, stiffness and friction
 
@@ -114,11 +115,11 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
     excess = np.full(points, np.nan)
     freely = np.zeros(points, dtype=bool) if frees is None else frees & (drive.inner_speed != 0)
     given = moves & (drive.inner_speed != 0) & ~drive.is_squeezed  # at standstill the closed form is the limit
+    races = tuple(drive.races(scene, point) if free else None for point, free in enumerate(freely))
     for point in map(int, np.flatnonzero(given | freely)):
-        races = drive.races(scene, point) if freely[point] else None
-        driven[point], moved = _moved(drive, point, float(friction.coefficient[point]), races)
+        driven[point], moved = _moved(drive, point, float(friction.coefficient[point]), races[point])
         motion[point] = moved
-        if races is not None:
+        if races[point] is not None:
             excess[point] = moved.race_excess_torque
     own = np.array([rest if m is None else m.torque for m, rest in zip(motion, torque, strict=True)])
     moved_torque = own + np.nan_to_num(excess)
@@ -140,6 +141,7 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
         unknown=(),
         driven=tuple(driven),
         motion=tuple(motion),
+        races=races,
         warnings=friction.warnings
         + _bistable(motion, drive.inner_speed)
         + _squeezed(drive, drive.is_squeezed & ~freely),

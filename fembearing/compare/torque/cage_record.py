@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from analytic.cage.free_motion import FreeCageMotion
+from analytic.cage.motion import CageMotion
 from analytic.cage.series import CageSeries, recorded_motion
 from analytic.cage.statistics import CageStatistics
 from analytic.cage.steady import DrivenCage, whirl_speed
@@ -122,19 +124,23 @@ def record_cage(scene: Scene, friction: FrictionTorque, point: int) -> CageRecor
         half_clearance=cage.half_clearance,
     )
     turns = 2 * noun.duration * abs(float(whirl) + cage.orbit_speed) / (2 * np.pi)
+    races = part.races[point]
+    start = {
+        "begin": statistics.start,
+        "seed": SEED,
+        "ramp": noun.duration,
+        "steps_per_contact": noun.steps_per_contact,
+    }
+    motion = CageMotion(cage, **start) if races is None else FreeCageMotion(cage, races, **start)
     return CageRecord(
         scene=scene,
         point=point + 1,
         cage=cage,
         statistics=statistics,
         series=recorded_motion(
-            cage,
-            start=statistics.start,
+            motion,
             duration=2 * noun.duration,
             samples=int(np.clip(np.ceil(INSTANTS_A_TURN * turns), FEWEST, MOST)),
-            ramp=noun.duration,
-            seed=SEED,
-            steps_per_contact=noun.steps_per_contact,
         ),
         start_up=noun.duration,
     )

@@ -7,8 +7,11 @@ import numpy as np
 import pytest
 import xarray
 
+from analytic.cage.free_motion import FreeCageMotion
+from analytic.cage.motion import CageMotion
 from analytic.cage.series import recorded_motion
 from analytic.errors import InputError
+from tests.analytic.cage.race_specimens import cage_on, races_under_thrust
 from tests.analytic.cage.specimens import CAGE
 
 SEVEN = replace(CAGE, ball_count=7, orbit_speed=21.0, ball_speed=123.0)
@@ -16,7 +19,7 @@ SEVEN = replace(CAGE, ball_count=7, orbit_speed=21.0, ball_speed=123.0)
 
 def test_velocities_are_derivatives_of_places() -> None:
     """The cage whirls with a period of 1.3 ms."""
-    series = recorded_motion(SEVEN, start="whirl", duration=2e-3, samples=400)
+    series = recorded_motion(CageMotion(SEVEN, begin="whirl"), duration=2e-3, samples=400)
     step = np.diff(series.time)
     np.testing.assert_allclose(step.sum() + step[0], 2e-3, rtol=0.05)  # in whole steps of the motion
     moved = np.diff(series.centre, axis=0) / step[:, None]
@@ -34,7 +37,7 @@ def test_velocities_are_derivatives_of_places() -> None:
 def test_without_friction_forces_are_normal() -> None:
     """Balls lead and lag and the cage tumbles: each force is along the offset of the ball from its pocket."""
     slippery = replace(SEVEN, friction_coefficient=0.0, ball_lead=0.05e-3)
-    series = recorded_motion(slippery, start="sudden", duration=0.02, samples=700, seed=3)
+    series = recorded_motion(CageMotion(slippery, begin="sudden", seed=3), duration=0.02, samples=700)
     force, distance = np.linalg.norm(series.force, axis=2), np.linalg.norm(series.offset, axis=2)
     pressed = force > 0
     assert 20 < pressed.sum() < pressed.size / 2
@@ -48,7 +51,7 @@ def test_without_friction_forces_are_normal() -> None:
 
 def test_the_file_has_series_and_units(tmp_path: Path) -> None:
     """Written as netCDF and read again."""
-    series = recorded_motion(SEVEN, start="sudden", duration=2e-4, samples=5)
+    series = recorded_motion(CageMotion(SEVEN, begin="sudden"), duration=2e-4, samples=5)
     series.to_dataset().to_netcdf(tmp_path / "series.nc", engine="netcdf4")
     read = xarray.load_dataset(tmp_path / "series.nc", engine="netcdf4")
     assert dict(read.sizes) == {"time": 5, "direction": 3, "ball": 7}
@@ -75,4 +78,16 @@ def test_the_file_has_series_and_units(tmp_path: Path) -> None:
 
 def test_a_series_needs_a_positive_duration() -> None:
     with pytest.raises(InputError, match="duration must be positive"):
-        recorded_motion(SEVEN, start="rest", duration=-1.0, samples=3)
+        recorded_motion(CageMotion(SEVEN, begin="rest"), duration=-1.0, samples=3)
+
+
+def test_free_balls_are_recorded_with_their_own_places() -> None:
+    """They orbit at the speed that their races give them, and their offsets are those of the motion at its end."""
+    races = races_under_thrust()
+    motion = FreeCageMotion(cage_on(races), races, begin="rest")
+    series = recorded_motion(motion, duration=1e-3, samples=50)
+    speed = motion.races.alone.orbit_speed
+    np.testing.assert_allclose(
+        series.ball_angle, speed * series.time, rtol=1e-3
+    )  # the cage at rest brakes them a little
+    np.testing.assert_array_equal(series.offset[-1], motion.offsets)
