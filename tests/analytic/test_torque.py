@@ -6,7 +6,7 @@ from dataclasses import replace
 import hypothesis.strategies as st
 import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, settings
 from scipy.optimize import brentq
 
 import analytic
@@ -149,6 +149,7 @@ def test_without_friction_only_hysteresis_is_left(scene: Scene) -> None:
     assert all(effect.share == 0 for effect in nothing.effects if effect.decision == "on")
 
 
+@settings(max_examples=40)  # some search for the spread of the balls' weight, half a second each
 @given(
     log_load=st.floats(-12, 4),
     speed=st.floats(-1e4, 1e4),
