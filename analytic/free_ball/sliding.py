@@ -33,7 +33,9 @@ LEAST = (np.inf, 0.01, 0.003, 0.0007, 0.0003)
 METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_creep", "marched": "marched_creep"}
 SERIES = 130  # from this number of points on, a sample of them costs less
 BETWEEN = 1.25  # times the largest error at the points of a sample: what lies between them
-METHODS_PART = 0.5  # of the allowed error at the points of a sample; the rest is for what lies between them
+# Of the allowed error, at the points of a sample. The rest is for what lies between them: errors of a quadrature change
+# sign with the load, and four times their noise counts there.
+METHODS_PART = 0.2
 POSITIVE = ("inner_entrainment", "outer_entrainment", "inner_rolling_rate", "outer_rolling_rate", "ball_speed")
 Points = NDArray[np.intp]
 
