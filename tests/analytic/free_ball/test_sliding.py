@@ -198,3 +198,27 @@ def test_the_error_of_few_nodes_is_stated(scene: Scene) -> None:
     error = abs(loose.torque.total / tight.torque.total - 1)
     assert error[0] > 3 * tight.numerical_uncertainty[0]  # else there is nothing to state
     assert error[0] <= loose.numerical_uncertainty[0]
+
+
+@pytest.mark.parametrize(("load", "rpm"), [(1000.0, 11832.0), (300.0, 6999.0), (3.0, 857.0)])
+def test_little_friction_hardly_holds_the_gyroscopic_moment(scene: Scene, load: float, rpm: float) -> None:
+    """The moment moves loads by next to nothing there, and the torque by a quarter to a half."""
+    slippery = at(replace(scene, friction_coefficient=0.002), axial_load=load, inner_speed=rpm * np.pi / 30)
+    slippery = replace(slippery, tolerance=0.05, effects={**scene.effects, "weight": "off"})
+    found = friction_torque(slippery)
+    assert found.is_on("gyroscopic")
+    full = dict.fromkeys(("centrifugal", "gyroscopic", "creep"), "on")
+    exact = friction_torque(replace(slippery, tolerance=0.01, effects={**slippery.effects, **full}))
+    error = np.abs(found.torque.total / exact.torque.total - 1)
+    assert np.all(error <= found.numerical_uncertainty + exact.numerical_uncertainty)
+
+
+def test_loads_that_the_scene_leaves_out_stay_out_beside_weight(scene: Scene) -> None:
+    off = {**scene.effects, "load_distribution": "off", "weight": "on"}
+    aside, alone = (
+        friction_torque(
+            replace(at(scene, radial_load=radial), down=(1.0, 0.0, 0.0), tolerance=0.4, effects=off)
+        ).ball_load
+        for radial in (30.0, 0.0)
+    )
+    np.testing.assert_array_equal(aside, alone)
