@@ -26,7 +26,6 @@ from analytic.free_ball.layout import (
     NORMAL_Z,
     ORBIT_RADIUS,
     OUTCOME,
-    PASSING,
     PLAIN,
     POWER,
     RADIUS,
@@ -239,7 +238,6 @@ def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
         outcome[LAW_POWER] += width * law_power
         outcome[UNIT_POWER] += width * unit
         outcome[FRICTION] += width * friction
-    outcome[PASSING] = passing
 
 
 @njit(inline="always", error_model="numpy")

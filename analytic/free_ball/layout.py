@@ -9,8 +9,8 @@ CONTACT = 14
 BALL_RADIUS, ORBIT_RADIUS, INERTIA = range(3)
 BALL = 3
 # What a contact does: force on the ball along the orbit and across the groove, slip power, part of it by spin, sum of
-# all friction, speed of the surfaces through it; and at the same slip without creep the power of the law of traction
-# and that of a friction coefficient of 1
-ALONG, ACROSS, POWER, SPIN_POWER, FRICTION, PASSING, LAW_POWER, UNIT_POWER = range(8)
-OUTCOME = 8
+# all friction; and at the same slip without creep the power of the law of traction and that of a friction coefficient
+# of 1
+ALONG, ACROSS, POWER, SPIN_POWER, FRICTION, LAW_POWER, UNIT_POWER = range(7)
+OUTCOME = 7
 MOST_STEPS = 100  # of Newton's method

@@ -38,7 +38,6 @@ from analytic.free_ball.layout import (
     BOUNDARY,
     CONTACT,
     FLEXIBILITY,
-    FRICTION,
     INERTIA,
     LAW_POWER,
     LOAD,
@@ -67,7 +66,7 @@ ACCURACY = 1e-10  # of the residual force, over all friction of the ball
 ENOUGH = 1e-7  # likewise, where round-off of stiff surfaces leaves no better
 STEADY = 1e-6  # relative, of the forces on a ball from one round to the next: a torque needs three digits
 MOST_MIXED, LEAST_MIXED = 0.9, 0.2  # of a secant's step, and of the error that a step has to remove at least
-PRESSURES = 400  # in a table of the viscosity under pressure; ln(eta) between them to 1e-5
+PRESSURES = 400  # in a table of the viscosity under pressure: between them it is within 3e-4 up to 3 GPa
 
 
 class Nodes(NamedTuple):
@@ -88,13 +87,10 @@ class Surfaces(NamedTuple):
 class FreeBalls:
     """Balls that turn steadily, of shape (n,) or (n, m); contacts (2, ...), inner and outer race."""
 
-    orbit_rate: Array  # w_c/w
     rotation: Array  # (..., 3) absolute, along the orbit, outward and along the axis, over w
-    across: Array  # (2, ...) F_t on the ball along t, N
     torque: Array  # (2, ...) slip power over w, N m
     spin_torque: Array  # (2, ...) the part of it by spin, N m
     coefficient: Array  # (2, ...) of Coulomb friction that loses what the law does at this slip without creep; or 0
-    friction: Array  # (2, ...) sum of all friction, N
 
 
 class FreeTurning:
@@ -139,9 +135,9 @@ class FreeTurning:
         self.given, self.gave, self.left = (np.full((count, 2), np.nan) for _ in range(3))
 
     def forces(self, balls: PlacedBalls) -> TurningForces:
-        """Turns the balls to where they turn steadily, from where they turned last.
+        """What acts on the balls once they turn steadily, from where they turned last.
 
-        Raises ConvergenceError with ball, load and residual where there is no such rotation.
+        Raises ConvergenceError with ball, load and residual where they find no steady rotation.
         """
         rows, shape = self._rows(balls.points), balls.inner_angle.shape
         self.bodies[rows] = self._bodies(balls)
@@ -191,17 +187,13 @@ class FreeTurning:
 
     def balls(self) -> FreeBalls:
         """The balls of the last round."""
-        velocity, outcomes = self.velocity, self.outcomes
-        races = np.moveaxis(outcomes, 1, 0).reshape(2, *self.shape, OUTCOME)
+        races = np.moveaxis(self.outcomes, 1, 0).reshape(2, *self.shape, OUTCOME)
         law, unit = races[..., LAW_POWER], races[..., UNIT_POWER]
         return FreeBalls(
-            orbit_rate=(velocity[:, 0] / self.bodies[:, ORBIT_RADIUS]).reshape(self.shape),
-            rotation=(velocity[:, 1:] / self.bearing.ball_radius).reshape(*self.shape, 3),
-            across=races[..., ACROSS],
+            rotation=(self.velocity[:, 1:] / self.bearing.ball_radius).reshape(*self.shape, 3),
             torque=races[..., POWER],
             spin_torque=races[..., SPIN_POWER],
             coefficient=np.divide(law, unit, out=np.zeros_like(law), where=unit > 0),
-            friction=races[..., FRICTION],
         )
 
     def _turned(self, rows: NDArray[np.intp], start: Array) -> tuple[Array, Array]:

@@ -52,6 +52,22 @@ def test_no_effect_is_larger_than_its_bound(bearing_6205: Bearing, seed: int, mo
         assert np.all(measured <= bound + NOISE), name
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_creep_changes_no_more_than_its_bound(
+    bearing_6205: Bearing, seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of balls that turn freely with and without it, in oil and dry."""
+    ruled = drawn(bearing_6205, np.random.default_rng(400 + seed), points=3)
+    thrust = replace(ruled.operation, radial_load=np.zeros(3))
+    effects = {**EVERYTHING, "load_distribution": "off", "creep": "on"} | {
+        name: "auto" for name in ("asperities",) if ruled.surface is None
+    }
+    free = replace(ruled, spin_rule="free", sliding="auto", tolerance=0.01, operation=thrust, effects=effects)
+    measured, bound = shares(free, monkeypatch, ("creep",))["creep"]
+    # Both torques are uncertain by less than their tolerance.
+    assert np.all(measured <= bound + 2 * free.tolerance)
+
+
 # Scenes in which bounds that looked only at the size of the load once fell short, found among drawn ones.
 LIGHTLY_TOUCHING = {"viscosity": 5.54e-3, "eyring_stress": 3.97e6}  # asperities take 9 % of the area, 0.1 % of the load
 
