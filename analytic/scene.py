@@ -31,6 +31,7 @@ AsperityLaw = Literal["zhao_maietta_chang", "greenwood_williamson"]
 SlidingMethod = Literal[
     "single_coefficient", "along_axis", "over_ellipse", "free_ball", "closed_creep", "marched_creep"
 ]
+Status = Literal["given", "printed", "derived", "assumed", "not known"]
 Sliding = Literal["auto"] | SlidingMethod
 
 
@@ -55,6 +56,16 @@ class Material:
     density: float  # kg/m^3
     source: str  # where the numbers come from
     hardness: float | None = None  # H, of indentation, Pa; None: unknown
+    thermal_expansion: float | None = None  # of length, 1/K; None: unknown
+
+
+@dataclass(frozen=True, kw_only=True)
+class Origin:
+    """Where a dimension comes from, and how far to trust it."""
+
+    status: Status
+    uncertainty: float | None  # standard deviation, in the unit of the value; None: unknown
+    source: str  # in words
 
 
 @dataclass(frozen=True, kw_only=True)
