@@ -95,7 +95,7 @@ def checked_with_progress(shallow: "Callable[[str], Recipe]") -> Checked:
     shares: list[float] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scene_contact, "load_recipe", shallow)
-        scene = load_scene(builtin_scene("6205"))
+        scene = load_scene(builtin_scene("paper_6205"))
         return Checked(check_scene(scene, tolerance=0.9, progress=lambda share, _: shares.append(float(share))), shares)
 
 

@@ -55,7 +55,7 @@ BYTES = (
     *(b"\x00", b"\xff\xfe", b"\xef\xbb\xbf", b"\r", b"\n", b"'''", b'"""'),
     *(b"[", b"]", b"=", b"#", b"{", b"}", b"<", b">"),
 )
-SCENES = (builtin_scene("6205"), *sorted((ROOT / "validation" / "scenes").glob("*.toml")))
+SCENES = (builtin_scene("paper_6205"), *sorted((ROOT / "validation" / "scenes").glob("*.toml")))
 MESHES = tuple(sorted((ROOT / "meshes" / "reference").glob("*.vtu")))
 
 

@@ -67,7 +67,7 @@ def main() -> None:
     free = on_free_balls(cage_scene("calibrated", at_finish(load("calibrated"), SMOOTH), inner_speed=FASTEST))
     write_json(readings, jumps, mixed, folder / "paper.json")
     draw_pocket(needed, mixed, fit.rough["inner_speed"], pocket)
-    write_page(readings, table_1(load_scene(builtin_scene("6205"))), surfaces, mixed, free, folder / "paper.md")
+    write_page(readings, table_1(load_scene(builtin_scene("paper_6205"))), surfaces, mixed, free, folder / "paper.md")
 
 
 def mixed_coefficients(fit: Comparison) -> dict[tuple[str, float], Array]:

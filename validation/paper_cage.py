@@ -61,7 +61,7 @@ def at_finish(scene: Scene, rms_roughness: float) -> Scene:
 
 
 def catalog_cage() -> Cage:
-    cage = load_scene(builtin_scene("6205")).cage
+    cage = load_scene(builtin_scene("paper_6205")).cage
     assert cage is not None
     return cage
 
@@ -73,7 +73,7 @@ def printed_pocket() -> Cage:
 
 def loose_cage(*, clearance: float, start: CageStart, friction_coefficient: float | None) -> Cage:
     """The catalog's cage in pockets of one sphere; clearance : of the diameter, m; None: mixed lubrication."""
-    diameter = load_scene(builtin_scene("6205")).bearing.ball_diameter + clearance
+    diameter = load_scene(builtin_scene("paper_6205")).bearing.ball_diameter + clearance
     return replace(
         catalog_cage(),
         pocket_diameter=diameter,

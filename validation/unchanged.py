@@ -79,7 +79,7 @@ GUIDED = (
 
 def scene(operation: str, *tables: str, angle: str = SOLVED, tolerance: str = "1 %") -> str:
     return (
-        f'name = "unchanged"\ntolerance = "{tolerance}"\n[bearing]\ncatalog = "6205"\n{angle}\n'
+        f'name = "unchanged"\ntolerance = "{tolerance}"\n[bearing]\ncatalog = "paper_6205"\n{angle}\n'
         f"[operation]\n{operation}\n" + "".join(tables)
     )
 
@@ -152,13 +152,13 @@ def cases() -> Iterator[tuple[str, list[str], str | None]]:
     yield (
         "sweep-torque",
         ["sweep", "--json", "--out", "swept"],
-        'what = "torque"\nscene = "6205"\n'
+        'what = "torque"\nscene = "paper_6205"\n'
         + sweep.format('operation.inner_speed = ["100 rpm", "3000 rpm"]\nconformity = [0.515, 0.53]'),
     )
     yield (
         "sweep-contact",
         ["sweep", "--json", "--out", "swept"],
-        'what = "contact"\nscene = "6205"\n'
+        'what = "contact"\nscene = "paper_6205"\n'
         + sweep.format('operation.inner_speed = ["100 rpm"]\npair = ["inner", "outer"]'),
     )
 

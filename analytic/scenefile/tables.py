@@ -145,7 +145,7 @@ class ContactAngleTable(Table):
 
 class BearingTable(Table):
     catalog: Text | None = None  # a bearing whose dimensions apply where no other is given
-    name: Text = Field(description='give a name, or take a bearing of the catalog with catalog = "6205"')
+    name: Text = Field(description='give a name, or take a bearing of the catalog with catalog = "6206"')
     ball_count: Count
     ball_diameter: Length
     ball_mass: Mass
@@ -293,7 +293,7 @@ class SceneTable(Table):
         default=None, description="say which inputs were chosen until which numbers came out"
     )
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
-    bearing: BearingTable = Field(description='give a table [bearing] with catalog = "6205" or every dimension')
+    bearing: BearingTable = Field(description='give a table [bearing] with catalog = "paper_6205" or every dimension')
     operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")
     cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
     lubricant: LubricantTable | None = Field(

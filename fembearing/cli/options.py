@@ -10,13 +10,13 @@ from analytic.scene import Scene
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.read import builtin_scene, load_scene
 
-BUILTIN = "6205"
+BUILTIN = "paper_6205"
 TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
 LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
 GeometryName = Literal["real", "hertzian", "wall", "ring"]
 
 ScenePath = Annotated[
-    Path | None, typer.Argument(metavar="[SCENE]", help="Scene file, TOML; the built-in 6205 without it.")
+    Path | None, typer.Argument(metavar="[SCENE]", help="Scene file, TOML; the built-in paper_6205 without it.")
 ]
 Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %"; the scene\'s without it.')]
 Accuracy = Annotated[

@@ -16,7 +16,7 @@ from tests.analytic.specimens import present
 def scene() -> Scene:
     """At 500 and 900 N."""
     series = Operation(axial_load=np.array([500.0, 900.0]), inner_speed=np.array([31.0, 47.0]))
-    return replace(load_scene(builtin_scene("6205")), operation=series)
+    return replace(load_scene(builtin_scene("paper_6205")), operation=series)
 
 
 def test_declared_losses_are_added_and_listed(scene: Scene) -> None:
@@ -42,7 +42,7 @@ def test_declared_losses_are_added_and_listed(scene: Scene) -> None:
 
 
 def test_a_scene_file_declares_losses() -> None:
-    text = builtin_scene("6205").read_text("utf-8")
+    text = builtin_scene("paper_6205").read_text("utf-8")
     found = parse_scene(text + '\n[losses]\nseals = "5 N mm"\ndrag = "0.3 N cm"\n', origin="here")
     assert found.losses == Losses(seals=5e-3, drag=3e-3)
     assert parse_scene(text, origin="here").losses == Losses()

@@ -213,7 +213,7 @@ def test_what_does_not_fit_together_is_refused(scene: Scene, change: dict, words
 
 
 def test_a_scene_file_with_oil_needs_no_coefficient(tmp_path: Path) -> None:
-    text, _ = builtin_scene("6205").read_text("utf-8").split("[friction]")
+    text, _ = builtin_scene("paper_6205").read_text("utf-8").split("[friction]")
     friction = '[friction]\nhysteresis_loss = 0.006\nspin_rule = "outer_control"\n'
     scene = parse_scene(text + friction + LUBRICANT + SURFACE, origin="here", folder=tmp_path)
     assert scene.has_friction

@@ -16,7 +16,7 @@ SCENES = Path(__file__).parents[2] / "validation" / "scenes"
 
 
 def test_without_a_film_nothing_is_known() -> None:
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     found = friction_torque(scene)
     assert with_model_uncertainty(scene, found).model_uncertainty is None
     assert found.to_json()["points"][0]["uncertainty"]["model"] is None

@@ -137,7 +137,7 @@ def test_what_cannot_be_answered_is_refused(scene: Scene, change: dict, words: s
 
 
 def test_a_scene_file_names_loss_and_spin_rule() -> None:
-    text = builtin_scene("6205").read_text("utf-8")
+    text = builtin_scene("paper_6205").read_text("utf-8")
     assert parse_scene(text, origin="here").hysteresis_loss == 0.007
     given, _ = text.split("[friction]")
     table = '[friction]\ncoefficient = 0.08\nspin_rule = "outer_control"\n'

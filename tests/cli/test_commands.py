@@ -236,7 +236,9 @@ def test_a_series_of_two_loads_states_its_assumption(command) -> None:
 def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -> None:
     """A narrow groove: the ellipse of 700 N reaches beyond its shoulder."""
     scene = tmp_path / "narrow.toml"
-    scene.write_text(MINE.replace('catalog = "6205"', 'catalog = "6205"\ninner = { shoulder_half_width = "1.6 mm" }'))
+    scene.write_text(
+        MINE.replace('catalog = "paper_6205"', 'catalog = "paper_6205"\ninner = { shoulder_half_width = "1.6 mm" }')
+    )
     for_mesh = ("mesh", str(scene), "--level", "1", "--load", "700 N", "--json", "--out")
     cells = {}
     for geometry in ("real", "hertzian"):
@@ -281,7 +283,7 @@ def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, 
     )
     monkeypatch.setattr(hard_cases, "HARD_CASES", cases)
     measured = cost.Cost(
-        scene=load_scene(builtin_scene("6205")),
+        scene=load_scene(builtin_scene("paper_6205")),
         tolerance=0.9,
         ladders=(),
         seconds=0.5,

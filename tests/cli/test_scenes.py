@@ -15,13 +15,13 @@ BALL = (
     'ball_material = { name = "Si3N4", youngs_modulus = "310 GPa", poisson_ratio = 0.26, density = "3200 kg/m^3" }\n'
 )
 SCENES = {
-    "steel": HEAD + 'catalog = "6205"\n' + ANGLE + OPERATION,
-    "hybrid": HEAD + 'catalog = "6205"\n' + BALL + ANGLE + OPERATION,
+    "steel": HEAD + 'catalog = "paper_6205"\n' + ANGLE + OPERATION,
+    "hybrid": HEAD + 'catalog = "paper_6205"\n' + BALL + ANGLE + OPERATION,
     "peek races": HEAD
-    + 'catalog = "6205"\ninner = { material = "peek" }\nouter = { material = "peek" }\n'
+    + 'catalog = "paper_6205"\ninner = { material = "peek" }\nouter = { material = "peek" }\n'
     + ANGLE
     + OPERATION,
-    "peek cage": HEAD + 'catalog = "6205"\n' + ANGLE + OPERATION + '[cage]\nvariant = "peek"\n',
+    "peek cage": HEAD + 'catalog = "paper_6205"\n' + ANGLE + OPERATION + '[cage]\nvariant = "peek"\n',
     "no bore": HEAD
     + 'name = "own"\nball_count = 9\nball_diameter = "7.94 mm"\nball_mass = "2.04 g"\nball_material = "steel"\n'
     + ANGLE

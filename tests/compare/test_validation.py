@@ -65,5 +65,5 @@ def test_what_cannot_be_had_is_refused_before_anything_is_solved(spoiled: Callab
     """A solve tells its progress before it starts."""
     told: list[str] = []
     with pytest.raises(InputError, match=words):
-        check_scene(spoiled(load_scene(builtin_scene("6205"))), progress=lambda _, step: told.append(step))
+        check_scene(spoiled(load_scene(builtin_scene("paper_6205"))), progress=lambda _, step: told.append(step))
     assert told == []

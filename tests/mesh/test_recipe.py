@@ -18,7 +18,7 @@ SHIPPED = Path(fembearing.__file__).parent / "meshes"
 
 @pytest.fixture
 def scene() -> Scene:
-    return analytic.load_scene(builtin_scene("6205"))
+    return analytic.load_scene(builtin_scene("paper_6205"))
 
 
 @pytest.mark.parametrize(("name", "geometry"), [("race", "real"), ("hertzian", "hertzian"), ("wall", "wall")])

@@ -8,7 +8,7 @@ SCENE = """
 name = "swept"
 tolerance = "5 %"
 [scene.bearing]
-catalog = "6205"
+catalog = "paper_6205"
 contact_angle = { rule = "solved", free = "0.18 rad" }
 [scene.operation]
 axial_load = "300 N"

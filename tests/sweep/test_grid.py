@@ -91,8 +91,11 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
         ('operation.axial_load = { from = "1 N", to = "3 N", steps = 4 }', "steps is an unknown key"),
         ('operation.axial_load = { from = "0 N", to = "3 N", count = 4, spacing = "log" }', "has no logarithm"),
         ('operation.axial_load = { from = "1 N", to = "3 N", count = 4, spacing = "even" }', "spacing = 'even' is not"),
-        ('bearing.catalog = ["6205", "nought"]', r"catalog\[1\] = 'nought' is not in the catalog; give one of 6205"),
-        ('bearing.catalog = { from = "6205", to = "6208", count = 2 }', "has no order to step through"),
+        (
+            'bearing.catalog = ["paper_6205", "nought"]',
+            r"catalog\[1\] = 'nought' is not in the catalog; give one of paper_6205",
+        ),
+        ('bearing.catalog = { from = "paper_6205", to = "6208", count = 2 }', "has no order to step through"),
         ('effects.spin = ["on", "perhaps"]', "'perhaps' is not a word known here; give 'auto', 'on' or 'off'"),
         ('operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]', "axial_load is there twice"),
         (
@@ -145,7 +148,7 @@ def test_a_series_in_the_scene_is_no_axis(grid_file: Callable[..., Path]) -> Non
 
 def test_a_scene_has_a_path_or_is_built_in(grid_file: Callable[..., Path], tmp_path: Path) -> None:
     axes = 'operation.inner_speed = ["90 rpm"]'
-    builtin = load_grid(grid_file(axes, head='scene = "6205"', scene="")).scene(0)
+    builtin = load_grid(grid_file(axes, head='scene = "paper_6205"', scene="")).scene(0)
     text = grid_file("").read_text("utf-8").partition("[axes]")[0]
     (tmp_path / "own.toml").write_text(text.replace("[scene]", "").replace("[scene.", "["), "utf-8")
     assert load_grid(grid_file(axes, head='scene = "own.toml"', scene="")).scene(0).name == "swept"

@@ -71,7 +71,7 @@ def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: 
 def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    other = catalog.path("bearings", "6205").read_text("utf-8").replace("ball_count = 9", "ball_count = 8")
+    other = catalog.path("bearings", "paper_6205").read_text("utf-8").replace("ball_count = 9", "ball_count = 8")
     (tmp_path / "6299.toml").write_text(other, "utf-8")
     places, names = catalog.path, catalog.names
     monkeypatch.setattr(catalog, "path", lambda k, name: tmp_path / "6299.toml" if name == "6299" else places(k, name))
@@ -79,7 +79,7 @@ def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
     oiled = changed(SPEEDS, '"300 rpm"', OILED)
     (tmp_path / "oiled.toml").write_text(oiled, "utf-8")
     axes = {
-        "bearing.catalog": ["6205", "6299"],
+        "bearing.catalog": ["paper_6205", "6299"],
         "lubricant.viscosity": ["0.013 Pa s", "77 mPa s"],
         "surface.rms_roughness": ["0.05 um", "310 nm"],
     }
@@ -91,7 +91,7 @@ def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
     np.testing.assert_array_equal(found["rms_roughness"], [5e-8, 3.1e-7])
     for point in np.ndindex(2, 2, 2):
         text = oiled
-        for before, values, index in zip(("6205", "60 mPa s", "0.1 um"), axes.values(), point, strict=True):
+        for before, values, index in zip(("paper_6205", "60 mPa s", "0.1 um"), axes.values(), point, strict=True):
             text = text.replace(f'"{before}"', f'"{values[index]}"')
         alone = friction_torque(parse_scene(text, origin="written"))
         for name, expected in (("torque_total", alone.torque.total), ("film_inner", alone.film.inner)):

@@ -49,7 +49,7 @@ def main() -> None:
 
 def example() -> DrivenCage:
     """The cage of the built-in scene, with the scene's friction coefficient of the races."""
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     bearing, cage = scene.bearing, scene.cage
     assert cage is not None
     moving = ball_kinematics(

@@ -49,7 +49,7 @@ def seconds(call: Callable[[], object], *, repeats: int) -> float:
 
 
 def processor_times() -> None:
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     bearing, rule = scene.bearing, scene.contact_angle
     random = np.random.default_rng(5)
     many = random.uniform(20, 2000, 100_000)
@@ -80,7 +80,7 @@ def processor_times() -> None:
 
 
 def thrust_limit() -> None:
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     loads = np.geomspace(1e-3, 1e5, 33)
     ring = ring_equilibrium(scene.bearing, scene.contact_angle, axial_load=loads)
     thrust = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=loads)

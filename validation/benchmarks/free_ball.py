@@ -26,7 +26,7 @@ CREEPS: tuple[Creep, ...] = ("none", "closed", "marched")
 
 
 def main() -> None:
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     table = Table("what", "creep", "ms", title="Free balls")
     thrust = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([523.6])).as_series()
     aside = Operation(

@@ -108,7 +108,7 @@ def ladder(out: Console) -> None:
 
 
 def oiled_races(roughness: float, speed: Array, traction: Law = "eyring_constant") -> LubricatedRaces:
-    bearing = load_scene(builtin_scene("6205")).bearing
+    bearing = load_scene(builtin_scene("paper_6205")).bearing
     balls = thrust_balls(
         bearing,
         ContactAngle(rule="given", value=ANGLE),

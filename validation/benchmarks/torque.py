@@ -101,7 +101,7 @@ def scenes() -> dict[str, Scene]:
     physical = load_scene(VALIDATION / "scenes" / "6205_physical.toml")
     assert physical.lubricant is not None
     constant = replace(physical, lubricant=replace(physical.lubricant, traction="eyring_constant"))
-    given = replace(load_scene(builtin_scene("6205")), cage=None)
+    given = replace(load_scene(builtin_scene("paper_6205")), cage=None)
     laws = {"given coefficient": given, "constant Eyring stress": constant, "sinh traction": physical}
     return {name: replace(scene, tolerance=TOLERANCE) for name, scene in laws.items()}
 

@@ -29,7 +29,7 @@ SCENE = """
 name = "a scene"
 tolerance = "5 %"
 [bearing]
-catalog = "6205"
+catalog = "paper_6205"
 contact_angle = {{ rule = "solved" }}
 [operation]
 axial_load = "{load}"
@@ -39,7 +39,7 @@ axial_load = "{load}"
 
 @cache
 def scene_6205() -> Scene:
-    return load_scene(builtin_scene("6205"))
+    return load_scene(builtin_scene("paper_6205"))
 
 
 def bearing() -> Bearing:

@@ -20,7 +20,7 @@ OILED = """
 name = "light"
 tolerance = "1 %"
 [bearing]
-catalog = "6205"
+catalog = "paper_6205"
 contact_angle = { rule = "solved" }
 [operation]
 inner_speed = "10 rpm"

@@ -10,7 +10,7 @@ PLAIN = """\
 name = "a series"
 tolerance = "2 %"
 [bearing]
-catalog = "6205"
+catalog = "paper_6205"
 contact_angle = { rule = "solved" }
 [operation]
 axial_load = "700 N"
@@ -20,7 +20,7 @@ MINE = """\
 name = "mine"
 tolerance = "4 %"
 [bearing]
-catalog = "6205"
+catalog = "paper_6205"
 contact_angle = { rule = "given", value = "0.2 rad" }
 [operation]
 axial_load = "700 N"

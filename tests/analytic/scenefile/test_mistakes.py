@@ -12,7 +12,7 @@ from analytic.scenefile.read import builtin_scene, load_scene
 from analytic.scenefile.text import LARGEST_FILE
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
 
-BEARING = 'catalog = "6205"'
+BEARING = 'catalog = "paper_6205"'
 MAP = '{ path = "a.npy", spacing = "1 um" }'
 CAGE = PLAIN + "[cage]\n"
 
@@ -88,9 +88,9 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (PLAIN + "[friction]\ncoefficient = -0.1", ("friction.coefficient = -0.1", "0 to 5")),
     (PLAIN + "[friction]", ("friction.coefficient is missing", "0.1")),
     ("bearing = 5\n" + PLAIN.replace("[bearing]", "[spare]"), ("bearing = 5", "not a table", "[bearing]")),
-    (changed(BEARING, 'catalog = "6206"'), ("bearing.catalog = '6206'", "give one of 6205")),
+    (changed(BEARING, 'catalog = "6206"'), ("bearing.catalog = '6206'", "give one of paper_6205")),
     (changed(BEARING, 'catalog = "../scenes/6205"'), ("bearing.catalog = '../scenes/6205'", "give one of")),
-    (changed(BEARING, "catalog = [[6205]]"), ("bearing.catalog", "give one of 6205")),
+    (changed(BEARING, "catalog = [[6205]]"), ("bearing.catalog", "give one of paper_6205")),
     (changed(BEARING, ""), ("bearing.name is missing", "catalog", "and 2 more")),
     (with_bearing("inner = 7"), ("bearing.inner = 7", "not a table", "bottom_radius")),
     (with_bearing("ball_count = 9.0"), ("bearing.ball_count = 9.0", "whole number")),

@@ -12,7 +12,7 @@ from tests.analytic.specimens import present
 
 
 def test_the_builtin_scene_is_table_1_of_the_paper(bearing_6205) -> None:
-    parsed = load_scene(builtin_scene("6205"))
+    parsed = load_scene(builtin_scene("paper_6205"))
     table = bearing_6205  # typed in a second time
     for name in ("ball_count", "ball_diameter", "ball_mass"):
         assert getattr(parsed.bearing, name) == getattr(table, name), name
@@ -62,7 +62,7 @@ def test_one_quantity_applies_to_the_whole_series() -> None:
 
 def test_a_catalog_entry_is_overridden_key_by_key() -> None:
     parsed = scene(
-        changed('catalog = "6205"', 'catalog = "6205"\ninner.groove_radius = "4.2 mm"\nball_count = 8')
+        changed('catalog = "paper_6205"', 'catalog = "paper_6205"\ninner.groove_radius = "4.2 mm"\nball_count = 8')
     ).bearing
     assert (parsed.inner.groove_radius, parsed.inner.bottom_radius, parsed.ball_count) == (4.2e-3, 15.53e-3, 8)
 
@@ -84,8 +84,8 @@ def test_radial_load_and_moment_are_read() -> None:
 
 @pytest.mark.parametrize("clearance", [13e-6, -7e-6])
 def test_a_clearance_moves_both_rings(bearing_6205, clearance: float) -> None:
-    key = f'catalog = "6205"\ndiametral_clearance = "{clearance * 1e6} um"'
-    parsed = scene(changed('catalog = "6205"', key)).bearing
+    key = f'catalog = "paper_6205"\ndiametral_clearance = "{clearance * 1e6} um"'
+    parsed = scene(changed('catalog = "paper_6205"', key)).bearing
     np.testing.assert_allclose(parsed.diametral_clearance, clearance, rtol=1e-9)  # a difference of radii of 20 mm
     np.testing.assert_allclose(parsed.pitch_diameter, bearing_6205.pitch_diameter, rtol=1e-15)  # one rounding
     assert parsed.inner.bottom_radius != bearing_6205.inner.bottom_radius
@@ -182,11 +182,11 @@ def test_only_steel_has_a_hardness_in_the_catalog() -> None:
 
 
 def test_a_ball_of_the_wrong_mass_gives_a_warning() -> None:
-    (warning,) = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.5 mm"')).warnings
+    (warning,) = scene(changed('catalog = "paper_6205"', 'catalog = "paper_6205"\nball_diameter = "7.5 mm"')).warnings
     assert "2.04 g" in warning
     assert "1.734 g" in warning  # pi/6 (7.5 mm)^3 7850 kg/m^3
 
 
 def test_an_elastic_preload_is_accepted() -> None:
-    parsed = scene(changed('catalog = "6205"', 'catalog = "6205"\nball_diameter = "7.96 mm"'))
+    parsed = scene(changed('catalog = "paper_6205"', 'catalog = "paper_6205"\nball_diameter = "7.96 mm"'))
     assert parsed.bearing.diametral_clearance < 0

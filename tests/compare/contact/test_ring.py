@@ -54,7 +54,7 @@ def test_the_infinite_half_space_takes_the_place_of_the_block(monkeypatch: pytes
 
 @pytest.mark.slow
 def test_the_ring_does_not_change_the_contact() -> None:
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     plain, ringed = (solve_contact(scene, pair="inner", tolerance=0.9, geometry=shape) for shape in ("real", "ring"))
     assert plain.ring is None
     assert ringed.ring is not None

@@ -24,7 +24,7 @@ def scene() -> Scene:
         radial_load=np.array([700.0, 1500.0]),
         moment=np.array([0.0, 1.3]),
     )
-    return replace(load_scene(builtin_scene("6205")), contact_angle=ContactAngle(rule="solved"), operation=series)
+    return replace(load_scene(builtin_scene("paper_6205")), contact_angle=ContactAngle(rule="solved"), operation=series)
 
 
 def test_under_thrust_it_is_any_ball_at_the_heaviest_point(scene: Scene) -> None:

@@ -22,7 +22,7 @@ SPEEDS = np.array([31.0, -83.0, 47.0])
 
 @pytest.fixture
 def scene() -> Scene:
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     assert scene.cage is not None
     operation = Operation(axial_load=np.array([700.0, 900.0, 1100.0]), inner_speed=SPEEDS)
     return replace(scene, operation=operation, cage=replace(scene.cage, steps_per_contact=44, seeds=5, duration=0.3))

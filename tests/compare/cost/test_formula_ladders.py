@@ -27,7 +27,7 @@ pytestmark = pytest.mark.usefixtures("timed_once")
 
 @pytest.fixture(scope="module")
 def scene() -> Scene:
-    return load_scene(builtin_scene("6205"))
+    return load_scene(builtin_scene("paper_6205"))
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from fembearing.mesh.recipe import load_recipe
 
 @pytest.fixture(scope="module")
 def scene() -> Scene:
-    return load_scene(builtin_scene("6205"))
+    return load_scene(builtin_scene("paper_6205"))
 
 
 @pytest.mark.usefixtures("timed_once")

@@ -19,7 +19,7 @@ SCENE = """
 name = "held angle"
 tolerance = "5 %"
 [bearing]
-catalog = "6205"
+catalog = "paper_6205"
 contact_angle = { rule = "RULE", VALUE = "0.21 rad" }
 [operation]
 axial_load = ["700 N", "900 N"]
@@ -167,7 +167,7 @@ def test_the_correction_for_finite_geometry_knows_every_load() -> None:
 
 
 def test_where_the_correction_does_not_reach_nothing_is_claimed() -> None:
-    wide = SCENE.replace('catalog = "6205"', 'catalog = "6205"\ninner.groove_radius = "4.9 mm"')
+    wide = SCENE.replace('catalog = "paper_6205"', 'catalog = "paper_6205"\ninner.groove_radius = "4.9 mm"')
     scene = parse_scene(wide.replace("RULE", "given").replace("VALUE", "value"), origin="test")
     found = change_of_torque(scene, inner=solution(), outer=solution()).fitted
     assert found.to_json()["change"] == [None, None]

@@ -56,7 +56,7 @@ def test_what_was_fitted_is_named_and_what_was_chosen_too(calibrated: Scene, bes
     assert beside.calibration == calibrated.calibration is not None
     assert beside.chosen["surface hardness"] == Chosen(value=7.8e9, unit="Pa")
     assert beside.chosen["autocorrelation length"].value == pytest.approx(150e-6, rel=1e-12)  # read from um
-    assert load_scene(builtin_scene("6205")).calibration is None
+    assert load_scene(builtin_scene("paper_6205")).calibration is None
 
 
 @pytest.mark.parametrize(

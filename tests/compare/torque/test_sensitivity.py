@@ -29,7 +29,7 @@ def the(found: Sensitivity, name: str) -> Input:
 @pytest.fixture(scope="module")
 def dry() -> Scene:
     """Without friction, its contact angle given: the balls' load is the thrust's share, whatever the contacts do."""
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     return replace(
         scene, friction_coefficient=None, hysteresis_loss=None, contact_angle=ContactAngle(rule="given", value=0.31)
     )
@@ -147,7 +147,7 @@ def test_clearance_is_moved_by_the_outer_groove(oiled: Scene, torques: Sensitivi
 
 
 def test_loads_move_together() -> None:
-    scene = load_scene(builtin_scene("6205"))
+    scene = load_scene(builtin_scene("paper_6205"))
     both = replace(scene, operation=replace(scene.operation, radial_load=300.0))
     (loads,) = (each for each in variations(both) if "load" in each.name)
     assert loads.name == "axial load, with it radial load"
