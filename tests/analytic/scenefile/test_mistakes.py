@@ -191,7 +191,7 @@ def test_several_mistakes_are_reported_together() -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (None, "give the path of a scene file (built in: 6205)"),
+        (None, "give the path of a scene file (built in: paper_6205)"),
         (b"\xff\xfe\x00n", "byte 0 is not UTF-8"),
         (b"#" * (LARGEST_FILE + 1), f"more than {LARGEST_FILE} bytes"),
         (b"\x00\x01\x02", "not TOML"),
@@ -220,7 +220,7 @@ def test_a_file_with_a_byte_order_mark_is_read(tmp_path: Path) -> None:
 
 
 def test_an_unknown_builtin_scene_is_refused() -> None:
-    with pytest.raises(InputError, match="'6305'; give one of 6205"):
+    with pytest.raises(InputError, match="'6305'; give one of paper_6205"):
         builtin_scene("6305")
 
 
