@@ -1,4 +1,7 @@
-"""Built-in bearings, materials and scenes, in the format of a scene file, and fitted corrections of contacts."""
+"""Built-in bearings, materials and scenes, in the format of a scene file, and fitted corrections of contacts.
+
+Bearings by their designation, in tables: `analytic.catalog.bearing_rows`.
+"""
 
 import tomllib
 from functools import cache

@@ -1,0 +1,120 @@
+"""The designation of a bearing as people write it: maker, number and suffixes, in any case and with any separators."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from analytic.catalog.suffixes import PREFIXES, Suffix, read_suffixes
+from analytic.errors import InputError
+
+MAKERS = ("NSK", "SKF", "KOYO", "GMN", "SNFA")  # whose bearings are in the catalogue
+_OTHERS = (
+    *("FAG", "INA", "SCHAEFFLER", "NTN-SNR", "NTN", "SNR", "NACHI", "TIMKEN", "JTEKT", "NMB", "MINEBEA", "RHP", "ZKL"),
+    *(
+        "ZVL",
+        "KINEX",
+        "URB",
+        "NKE",
+        "NBC",
+        "EZO",
+        "FBJ",
+        "IJK",
+        "HRB",
+        "ZWZ",
+        "LYC",
+        "FAFNIR",
+        "BARDEN",
+        "MRC",
+        "STEYR",
+    ),
+)
+_NAME = "|".join(sorted((*MAKERS, *_OTHERS), key=len, reverse=True))
+_MAKER_BEFORE = re.compile(rf"({_NAME})(?![A-Z])[\s\-:/]*")
+_MAKER_BEHIND = re.compile(rf"[\s\-:/(]*(?<![A-Z])({_NAME})\)?$")
+_HYPHEN_FOR_SLASH = re.compile(r"^(6[023]|61[89])\s*[-_]\s*(22|28|32|[4-9])(?!\d)")
+_CUT_NUMBER = re.compile(r"\d[\s\-._]+\d")  # 623-2RS is not 6232 RS
+_FILLER = re.compile(r"[\s\-._]+")
+LONGEST = 60  # characters
+
+
+@dataclass(frozen=True, kw_only=True)
+class Designation:
+    """What a designation says."""
+
+    maker: str | None  # None: not named
+    name: str  # of the row in the catalogue
+    suffixes: tuple[Suffix, ...]  # a prefix is one of them
+    unknown: tuple[str, ...]  # parts that are not understood
+
+
+def plain_name(text: str) -> str:
+    """A designation in capitals without spaces, hyphens and points; a slash stays: 60/22 is not 6022."""
+    return _FILLER.sub("", text.upper())
+
+
+def read_designation(text: str, names: Mapping[str, str]) -> Designation | None:
+    """What the text says; None if it names no bearing of the catalogue.
+
+    names : from each way to write a number, as `plain_name` gives it, to the name of its row
+    Raises InputError if the text is empty or too long, names two makers, or can be read in two ways.
+    """
+    given = text.strip().upper()
+    if not given or len(given) > LONGEST:
+        raise InputError(
+            f"bearing {text[:LONGEST]!r} has {len(given)} characters; give 1 to {LONGEST}, for example 6206"
+        )
+    maker, body = read_maker(given)
+    body = _HYPHEN_FOR_SLASH.sub(r"\1/\2", body)
+    for prefix in ("", *PREFIXES):
+        if not body.startswith(prefix):
+            continue
+        found = _readings(body[len(prefix) :].lstrip(" -/."), names)
+        if prefix:
+            kind, meaning = PREFIXES[prefix]
+            found = [
+                (name, [Suffix(text=prefix, kind=kind, meaning=meaning), *known], odd) for name, known, odd in found
+            ]
+        if len({name for name, _, _ in found}) > 1:
+            both = " or ".join(name for name, _, _ in found)
+            raise InputError(f"bearing {text!r} can be {both}; put a hyphen between number and suffix")
+        if found:
+            name, known, unknown = found[0]
+            return Designation(maker=maker, name=name, suffixes=tuple(known), unknown=tuple(unknown))
+    return None
+
+
+def read_maker(text: str) -> tuple[str | None, str]:
+    """(maker, the rest) of a designation in capitals; the maker stands before or behind the number, or is not named."""
+    rest, named = text, set[str]()
+    while match := _MAKER_BEFORE.match(rest):
+        named.add(match[1])
+        rest = rest[match.end() :]
+    while match := _MAKER_BEHIND.search(rest):
+        named.add(match[1])
+        rest = rest[: match.start()]
+    if len(named) > 1:
+        raise InputError(f"bearing {text!r} names two makers, {' and '.join(sorted(named))}; give one")
+    return (named.pop() if named else None), rest
+
+
+def _readings(body: str, names: Mapping[str, str]) -> list[tuple[str, list[Suffix], list[str]]]:
+    """(row, known suffixes, unknown parts) for every way to cut the text into a number and what stands behind it.
+
+    A way that leaves nothing unknown and whose suffixes all describe the bearing goes before one that does not.
+    """
+    clear, other_balls, doubtful = [], [], []
+    for end in range(len(body), 0, -1):
+        name = names.get(plain_name(body[:end])) if body[end - 1].isalnum() else None
+        if name is None or _CUT_NUMBER.search(body[:end]):
+            continue
+        rest = body[end:]
+        known, unknown = read_suffixes(rest, angular=name[0] != "6" and name[:2] != "16")
+        cut_inside = rest[:1].isalnum()  # no separator between number and suffix
+        if cut_inside and body[end - 1].isalpha() and name[-1] == "R":
+            continue  # the letter belongs to a seal, RS or RZ, and not to the number
+        first = re.match(r"[A-Z0-9]*", rest)
+        if cut_inside and first and first[0] in unknown and (rest[0].isdigit() or body[end - 1].isalpha()):
+            continue  # a longer number, or other letters of the contact angle
+        refused = any(suffix.kind == "refused" for suffix in known)
+        (doubtful if unknown else other_balls if refused else clear).append((name, known, unknown))
+    return clear or other_balls or doubtful[:1]
