@@ -32,6 +32,8 @@ SlidingMethod = Literal[
     "single_coefficient", "along_axis", "over_ellipse", "free_ball", "closed_creep", "marched_creep"
 ]
 Status = Literal["given", "printed", "derived", "assumed", "not known"]
+ClearanceGroup = Literal["C2", "CN", "C3", "C4", "C5"]
+Grade = Literal["printed", "A", "B", "C", "D"]
 Sliding = Literal["auto"] | SlidingMethod
 
 
@@ -44,6 +46,10 @@ def read_only(mapping: Mapping) -> MappingProxyType:
 
 # Scenes and results are sent between processes, and read-only mappings cannot be pickled without this.
 copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))
+
+
+def no_origins() -> "Mapping[str, Origin]":
+    return MappingProxyType({})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,7 +80,9 @@ class Groove:
 
     bottom_radius: float  # bearing axis to the bottom of the groove, m
     groove_radius: float  # r_g, of the profile of the groove, m
-    shoulder_half_width: float  # middle of the groove to each shoulder, along the axis, m
+    shoulder_half_width: float | None  # middle of the groove to the shoulder that thrust loads, m; None: unknown
+    # To the other shoulder, m; None: as far; 0: the ring is cylindrical from the bottom of its groove.
+    far_shoulder_half_width: float | None = None
     material: Material
 
 
@@ -129,6 +137,11 @@ class Bearing:
         None  # of both rings, m; where one of these three is None the structure of the rings is unknown
     )
     static_load_rating: float | None = None  # C0 by a catalogue, N; None: unknown
+    dynamic_load_rating: float | None = None  # C by a catalogue, N; None: unknown
+    seals: str | None = None  # in words; None: open, or not known
+    grade: Grade | None = None  # of what the catalogue derives; None: not of the catalogue
+    origins: Mapping[str, Origin] = field(default_factory=no_origins, compare=False)  # of the dimensions, by their keys
+    other_candidate: "Bearing | None" = None  # that the ratings fit nearly as well; None: the catalogue is sure
 
     @property
     def ball_radius(self) -> float:

@@ -61,7 +61,7 @@ GREASE = OIL.format(traction="eyring_sinh", more='supply = "grease"', roughness=
 COEFFICIENT = "\n[friction]\ncoefficient = 0.083\nhysteresis_loss = 0.006\n"
 LOSS = "\n[friction]\nhysteresis_loss = 0.006\n"
 SOLVED = 'contact_angle = { rule = "solved", free = "0.18 rad" }'
-CLEARANCE = 'contact_angle = { rule = "solved" }\ndiametral_clearance = "0.015 mm"'
+CLEARANCE = 'contact_angle = { rule = "solved" }\nclearance = "0.015 mm"'
 GIVEN = 'contact_angle = { rule = "given", value = "0.31 rad" }'
 THRUST = 'axial_load = ["140 N", "900 N"]\ninner_speed = ["90 rpm", "2100 rpm"]'
 RADIAL = 'axial_load = "350 N"\nradial_load = ["40 N", "1900 N"]\ninner_speed = "740 rpm"'
@@ -153,7 +153,7 @@ def cases() -> Iterator[tuple[str, list[str], str | None]]:
         "sweep-torque",
         ["sweep", "--json", "--out", "swept"],
         'what = "torque"\nscene = "paper_6205"\n'
-        + sweep.format('operation.inner_speed = ["100 rpm", "3000 rpm"]\nconformity = [0.515, 0.53]'),
+        + sweep.format('operation.inner_speed = ["100 rpm", "3000 rpm"]\nbearing.conformity = [0.515, 0.53]'),
     )
     yield (
         "sweep-contact",

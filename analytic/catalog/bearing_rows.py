@@ -101,7 +101,7 @@ def clearance_group(bore: float, group: str) -> tuple[float, float]:
             return float(row[f"{group}_min_um"]) * 1e-6, float(row[f"{group}_max_um"]) * 1e-6
     raise InputError(
         f"clearance group {group} of a bore of {millimetres:g} mm is unknown: ISO 5753-1 covers more than "
-        f"{rows[0]['bore_over_mm']} mm up to {rows[-1]['bore_up_to_mm']} mm; give bearing.diametral_clearance"
+        f"{rows[0]['bore_over_mm']} mm up to {rows[-1]['bore_up_to_mm']} mm; give a length"
     )
 
 

@@ -4,7 +4,7 @@
 """
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
@@ -14,6 +14,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from analytic import catalog
+from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.errors import InputError
 from analytic.scene import (
     Array,
@@ -21,7 +22,6 @@ from analytic.scene import (
     Bearing,
     Cage,
     ContactAngle,
-    Groove,
     HeightMapFile,
     Land,
     Losses,
@@ -32,11 +32,11 @@ from analytic.scene import (
     Surface,
 )
 from analytic.scenefile import fit
+from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
 from analytic.scenefile.keys import fault_at, fault_of
 from analytic.scenefile.tables import (
     CageTable,
     FrictionTable,
-    GrooveTable,
     LubricantTable,
     OperationTable,
     SceneTable,
@@ -46,6 +46,7 @@ from analytic.scenefile.text import parse_text, plain, read_text, shown
 
 HEIGHT_MAPS = (".npy", ".csv")
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
+BALLS = ("ball_count", "ball_diameter")
 MOST_FAULTS = 5  # in one message; the others are counted
 
 
@@ -84,7 +85,14 @@ def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) ->
 
     The entries of the catalog are put into the document.
     """
-    faults = _put_catalog(document)
+    bearing, row = document.get("bearing"), None
+    own = bearing if isinstance(bearing, dict) else {}
+    try:
+        row = catalog_row(own)
+    except InputError as problem:
+        faults = [f"bearing.catalog: {problem}"]
+    else:
+        faults = _put_catalog(document, row)
     if not faults:
         try:
             table = SceneTable.model_validate(document)
@@ -93,7 +101,7 @@ def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) ->
         else:
             faults = list(_conflicts(document, table))
             if not faults:
-                scene, misfits = _scene(table, folder)
+                scene, misfits = _scene(table, own, row, folder)
                 faults = [fault_at(document, key, problem) for key, problem in misfits]
                 if not faults:
                     return scene
@@ -101,20 +109,15 @@ def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) ->
     raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
 
 
-def _put_catalog(document: dict[str, Any]) -> list[str]:
+def _put_catalog(document: dict[str, Any], row: CatalogBearing | None) -> list[str]:
     """Put bearing and cage of the catalog into the document, whose own keys take precedence; return the faults."""
     bearing, cage = document.get("bearing"), document.get("cage")
-    entry: dict[str, Any] = {}
-    if isinstance(bearing, dict) and "catalog" in bearing:
-        known = catalog.names("bearings")
-        if bearing["catalog"] not in known:
-            problem = f"is not in the catalog; give one of {', '.join(known)}, or leave it out and give every dimension"
-            return [fault_at(document, "bearing.catalog", problem)]
-        entry = catalog.entry("bearings", bearing["catalog"])
-    catalog_cage = entry.pop("cage", {})
-    variants = catalog_cage.pop("variants", {})
+    catalog_cage: dict[str, Any] = {}
     if isinstance(bearing, dict):
-        document["bearing"] = _overlaid(entry, bearing)
+        bearing = with_catalog(bearing, row)
+        catalog_cage = bearing.pop("cage", {})
+        document["bearing"] = bearing
+    variants = catalog_cage.pop("variants", {})
     if isinstance(cage, dict):
         own_pocket = [key for key in cage if key.startswith("pocket_")]
         if "variant" in cage:
@@ -130,15 +133,6 @@ def _put_catalog(document: dict[str, Any]) -> list[str]:
     return []
 
 
-def _overlaid(entry: dict[str, Any], given: dict[str, Any]) -> dict[str, Any]:
-    """The entry with the given keys, which take precedence; the rings are merged key by key."""
-    merged = entry | given
-    for ring in ("inner", "outer"):
-        if isinstance(entry.get(ring), dict) and isinstance(given.get(ring), dict):
-            merged[ring] = entry[ring] | given[ring]
-    return merged
-
-
 def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
     """Keys that are valid on their own and in conflict with each other."""
     angle, cage, operation = table.bearing.contact_angle, table.cage, document["operation"]
@@ -151,9 +145,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         yield fault_at(
             document, "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
         )
-    if table.bearing.diametral_clearance is not None and angle.free is not None:
-        problem = "and contact_angle.free both say how far the rings are apart; leave one of them out"
-        yield fault_at(document, "bearing.diametral_clearance", problem)
+    yield from (fault_at(document, key, problem) for key, problem in bearing_faults(table.bearing))
     lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list) and key != "down"}
     if len(set(lengths.values())) > 1:
         counts = " and ".join(f"operation.{key} has {count}" for key, count in lengths.items())
@@ -183,18 +175,18 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
             yield fault_at(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
 
 
-def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]]]:
-    """The scene, and (key, problem) for everything in it that does not fit together."""
-    given = table.bearing
-    inner, outer = _groove(given.inner), _groove(given.outer)
-    if given.diametral_clearance is not None:
-        opening = given.ball_diameter + given.diametral_clearance / 2 - (outer.bottom_radius - inner.bottom_radius)
-        inner = replace(inner, bottom_radius=inner.bottom_radius - opening / 2)
-        outer = replace(outer, bottom_radius=outer.bottom_radius + opening / 2)
-    derived = {"catalog", "diametral_clearance", "contact_angle", "ball_material", "inner", "outer"}
-    ball = Material(**given.ball_material.model_dump())
-    bearing = Bearing(**given.model_dump(exclude=derived), ball_material=ball, inner=inner, outer=outer)
-    angle = ContactAngle(**given.contact_angle.model_dump())
+def _scene(
+    table: SceneTable, own: Mapping[str, Any], row: CatalogBearing | None, folder: Path
+) -> tuple[Scene, list[tuple[str, str]]]:
+    """The scene, and (key, problem) for everything in it that does not fit together.
+
+    own, row : the scene's own table of the bearing, and its row of the catalogue
+    """
+    bearing = bearing_of(table.bearing, own=own, row=row)
+    if row is not None and row.other_candidate is not None and row.grade == "C" and not {*BALLS} & {*own}:
+        others = table.bearing.model_copy(update=dict(zip(BALLS, row.other_candidate, strict=True)))
+        bearing = replace(bearing, other_candidate=bearing_of(others, own=own, row=row))
+    angle = ContactAngle(**table.bearing.contact_angle.model_dump(exclude={"nominal"}))
     misfits = list(fit.bearing_misfits(bearing))
     cage = None
     if not misfits:
@@ -223,13 +215,9 @@ def _scene(table: SceneTable, folder: Path) -> tuple[Scene, list[tuple[str, str]
         losses=Losses(**table.losses.model_dump()),
         effects=MappingProxyType(table.effects.model_dump()),
         calibration=table.calibration,
-        warnings=tuple(fit.warnings(bearing, cage)),
+        warnings=(*(() if row is None else row.warnings), *fit.warnings(bearing, cage)),
     )
     return scene, misfits
-
-
-def _groove(given: GrooveTable) -> Groove:
-    return Groove(**given.model_dump(exclude={"material"}), material=Material(**given.material.model_dump()))
 
 
 def _cage(given: CageTable, bearing: Bearing) -> Cage:

@@ -4,7 +4,7 @@ Unknown keys are refused. A key without a default must be given. Values are read
 """
 
 import math
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 from pydantic.fields import FieldInfo
@@ -15,6 +15,7 @@ from analytic.scene import (
     Cage,
     CageGravity,
     CageStart,
+    ClearanceGroup,
     Decision,
     GapModel,
     Lubricant,
@@ -82,6 +83,18 @@ def _material(given: object) -> object:
     return catalog.entry("materials", str(given))
 
 
+class Clearance(Dimension):
+    """A clearance: a length, or the name of a group."""
+
+    @property
+    def accepted(self) -> str:
+        return f"{super().accepted}, or a group: {', '.join(get_args(ClearanceGroup))}"
+
+    def read(self, given: object) -> Any:
+        """The length in m, or the name of the group. Raises ValueError as `Dimension.read`."""
+        return given if given in get_args(ClearanceGroup) else super().read(given)
+
+
 Text = Annotated[str, BeforeValidator(_text), Field(description="give a name")]
 Count = Annotated[
     int, _whole("balls", low=1, high=1000, example=9), Field(description="give a whole number, for example 9")
@@ -94,7 +107,9 @@ Force = Annotated[float, Dimension(unit="N", low=1e-15, high=1e12, example='"100
 Thrust = Annotated[float, Dimension(unit="N", low=0, high=1e12, example='"1000 N"')]
 Side = Annotated[float, Dimension(unit="N", low=-1e12, high=1e12, example='"500 N"')]
 Moment = Annotated[float, Dimension(unit="N m", low=-1e12, high=1e12, example='"2 N m"')]
-Clearance = Annotated[float, Dimension(unit="m", low=-1, high=1, example='"10 um"')]
+ClearanceEntry = Annotated[float | ClearanceGroup, Clearance(unit="m", low=-1, high=1, example='"10 um"')]
+Conformity = Annotated[float, Dimension(unit="", low=0.5, high=5, example="0.52")]
+Width = Annotated[float, Dimension(unit="m", low=0, high=10, example='"2 mm"')]
 Speed = Annotated[float, Dimension(unit="rad/s", low=-1e6, high=1e6, example='"300 rpm"')]
 Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1 um"')]
 Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
@@ -128,38 +143,54 @@ class MaterialTable(Table):
 MaterialEntry = Annotated[
     MaterialTable, BeforeValidator(_material), Field(description='give a material, for example "steel"')
 ]
+STEEL = Field(default="steel", validate_default=True)
+
+
+CATALOGUE = 'catalogue: catalog = "6206"'
 
 
 class GrooveTable(Table):
-    bottom_radius: Length
-    groove_radius: Length
-    shoulder_half_width: Length
-    material: MaterialEntry
+    bottom_radius: Length | None = None
+    groove_radius: Length | None = None
+    conformity: Conformity | None = None  # groove_radius over ball_diameter
+    # The shoulder that thrust loads: one of these; without it, it is not known.
+    shoulder_half_width: Length | None = None
+    shoulder_height: Length | None = None
+    shoulder_diameter: Length | None = None
+    # The other shoulder, if it differs: one of these.
+    far_shoulder_half_width: Width | None = None
+    far_shoulder_height: Width | None = None
+    far_shoulder_diameter: Length | None = None
+    material: MaterialEntry = STEEL
 
 
 class ContactAngleTable(Table):
-    rule: Literal["solved", "given"] = Field(description='give "solved" or "given"')
-    value: Angle | None = None
-    free: Angle | None = None
+    rule: Literal["solved", "given"] = "solved"
+    value: Angle | None = None  # under load
+    free: Angle | None = None  # unloaded, whatever the clearance is
+    nominal: Angle | None = None  # unloaded; the clearance follows from it
 
 
 class BearingTable(Table):
     catalog: Text | None = None  # a bearing whose dimensions apply where no other is given
-    name: Text = Field(description='give a name, or take a bearing of the catalog with catalog = "6206"')
-    ball_count: Count
-    ball_diameter: Length
-    ball_mass: Mass
-    ball_material: MaterialEntry
-    inner: GrooveTable = Field(description="give a table [bearing.inner] with bottom_radius and so on")
-    outer: GrooveTable = Field(description="give a table [bearing.outer] with bottom_radius and so on")
+    name: Text | None = None
+    ball_count: Count = Field(description="give a whole number, for example 9, or a bearing of the " + CATALOGUE)
+    ball_diameter: Length = Field(description='give for example "7.94 mm", or a bearing of the ' + CATALOGUE)
+    ball_mass: Mass | None = None  # that of a solid ball by default
+    ball_material: MaterialEntry = STEEL
+    pitch_diameter: Length | None = None
+    conformity: Conformity | None = None  # of both rings
+    inner: GrooveTable = Field(default=GrooveTable(), description="give a table [bearing.inner] of bottom_radius ...")
+    outer: GrooveTable = Field(default=GrooveTable(), description="give a table [bearing.outer] of bottom_radius ...")
     bore_diameter: Length | None = None
     outside_diameter: Length | None = None
     width: Length | None = None
     static_load_rating: Force | None = None  # C0 of a maker's catalogue, only for the catalogue band
-    diametral_clearance: Clearance | None = None  # moves both bottom radii and keeps their mean; negative is preload
+    dynamic_load_rating: Force | None = None  # C of a maker's catalogue
+    clearance: ClearanceEntry | None = None  # unmounted, on the diameter: a length, negative is preload; or a group
     contact_angle: ContactAngleTable = Field(
-        description='give { rule = "solved" }, { rule = "solved", free = "0.18 rad" } '
-        'or { rule = "given", value = "0.18 rad" }'
+        default=ContactAngleTable(),
+        description='give { rule = "solved" }, { nominal = "15 deg" } or { rule = "given", value = "0.18 rad" }',
     )
 
 

@@ -2,7 +2,7 @@
 
     what = "torque"           # or "contact", by finite elements
     scene = "bearing.toml"    # path from the folder of the grid file, name of a built-in scene, or a table
-    [axes]                    # keys of the scene, and keys of sweeps: conformity, pair, ball_load, geometry
+    [axes]                    # keys of the scene, and keys of sweeps: pair, ball_load, geometry
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
     operation.inner_speed = ["100 rpm", "300 rpm"]
 
@@ -28,10 +28,7 @@ from analytic.scenefile.read import scene_of
 from analytic.scenefile.text import parse_text, plain, read_text, shown
 
 What = Literal["torque", "contact"]
-# Radius over ball diameter of both grooves. The bottoms of the grooves stay where they are, and so does the clearance.
-CONFORMITY = "conformity"
 OWN_QUANTITIES = {
-    CONFORMITY: Dimension(unit="", low=0.5, high=1, example="0.52"),
     "ball_load": Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"'),
     "accuracy": Dimension(unit="", low=1e-6, high=1, example='"1 %"'),
 }
@@ -119,14 +116,8 @@ class Grid:
         chosen = self.chosen(variant)
         document = self.document
         for axis in self.order:
-            if axis.key not in (*OF_CONTACT, CONFORMITY):
+            if axis.key not in OF_CONTACT:
                 document = with_key(document, axis.key, axis.in_scene(chosen.get(axis.key, 0)))
-        conformity = next((a.values[chosen[a.key]] for a in self.outside if a.key == CONFORMITY), None)
-        if conformity is not None:
-            diameter = self._read(document).bearing.ball_diameter
-            for ring in ("inner", "outer"):
-                radius = f"{float(conformity) * diameter!r} m"
-                document = with_key(document, f"bearing.{ring}.groove_radius", radius)
         return self._read(document)
 
     def first_scene(self) -> Scene:
@@ -224,8 +215,7 @@ def _axis(key: str, given: object) -> Axis:
         try:
             entry = scene_key(key)
         except InputError as problem:
-            own = ", ".join((CONFORMITY, "pair", "ball_load", "geometry"))
-            raise InputError(f"axes: {problem} (or one of the sweep's own: {own})") from None
+            raise InputError(f"axes: {problem} (or one of the sweep's own: pair, ball_load, geometry)") from None
         dimension, in_series = entry.dimension, entry.in_series
 
         def read(name: str, given: object) -> Value:
@@ -247,7 +237,12 @@ def _axis(key: str, given: object) -> Axis:
     if len(set(values)) < len(values):
         twice = next(value for value, count in Counter(values).items() if count > 1)
         raise InputError(f"{name} has {shown(twice)} twice; leave one of them out")
-    return Axis(key=key, unit=None if dimension is None else dimension.unit, values=values, in_series=in_series)
+    words = [isinstance(value, str) for value in values]  # of a key that takes a quantity or a word: a clearance
+    if dimension is None or all(words):
+        return Axis(key=key, unit=None, values=values, in_series=in_series)
+    if any(words):
+        raise InputError(f"{name} mixes words and quantities; give one kind")
+    return Axis(key=key, unit=dimension.unit, values=values, in_series=in_series)
 
 
 def _steps(name: str, given: dict[str, Any], read: Any) -> tuple[float, ...]:
@@ -258,7 +253,9 @@ def _steps(name: str, given: dict[str, Any], read: Any) -> tuple[float, ...]:
     for key in RANGE[:3]:
         if key not in given:
             raise InputError(f'{name}.{key} is missing; give {{ from = ..., to = ..., count = 20, spacing = "log" }}')
-    begin, end = (float(read(f"{name}.{key}", given[key])) for key in ("from", "to"))
+    begin, end = (read(f"{name}.{key}", given[key]) for key in ("from", "to"))
+    if isinstance(begin, str) or isinstance(end, str):
+        raise InputError(f"{name} steps through quantities, not words; give a list of its values")
     count, spacing = given["count"], given.get("spacing", "linear")
     if isinstance(count, bool) or not isinstance(count, int) or not 2 <= count <= MOST_COUNT:
         raise InputError(f"{name}.count = {shown(count)} is no count; give a whole number from 2 to {MOST_COUNT}")
@@ -303,8 +300,6 @@ def _require_distinct(keys: list[str], fixed: dict[str, Value]) -> None:
             raise InputError(f"axes.{key} is there twice, with quotes and without; leave one of them out")
         if key in fixed:
             raise InputError(f"{key} is an axis and has one value for the whole sweep; leave one of them out")
-        if key.endswith(".groove_radius") and CONFORMITY in keys:
-            raise InputError(f"axes: conformity sets {key} too; leave one of them out")
 
 
 def _require_memory(axes: tuple[Axis, ...]) -> None:

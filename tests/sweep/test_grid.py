@@ -10,6 +10,7 @@ from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
 from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import pieces
+from tests.sweep.swept import SCENE
 
 LOADS = 'operation.axial_load = ["100 N", "0.7 kN"]\n'
 
@@ -36,7 +37,6 @@ def test_values_come_out_in_si_and_in_order(grid_file: Callable[..., Path]) -> N
 
 
 def test_a_point_is_the_scene_that_a_user_would_write(grid_file: Callable[..., Path], tmp_path: Path) -> None:
-    """All keys of a scene file, thus without the conformity."""
     axes = 'friction.coefficient = [0.06, 0.08]\nbearing.inner.groove_radius = ["4.14 mm", "4.17 mm"]\n'
     grid = load_grid(grid_file(axes + 'operation.axial_load = ["120 N", "340 N"]'))
     text = grid.text.partition("[axes]")[0].replace("[scene]\n", "").replace("[scene.", "[")
@@ -48,8 +48,17 @@ def test_a_point_is_the_scene_that_a_user_would_write(grid_file: Callable[..., P
     assert found.operation.axial_load == written.operation.axial_load
 
 
+def test_a_clearance_is_swept_as_a_length_or_as_a_group(grid_file: Callable[..., Path]) -> None:
+    solved = SCENE.replace(', free = "0.18 rad"', "")
+    groups = load_grid(grid_file('bearing.clearance = ["C3", "CN"]\n' + LOADS, scene=solved)).scene(0)
+    lengths = load_grid(grid_file('bearing.clearance = ["9 um", "20.5 um"]\n' + LOADS, scene=solved)).scene(1)
+    # 13 to 28 um is C3 of a bore of 25 mm; a difference of radii of 20 mm has a round-off of 1e-9 of it
+    assert groups.bearing.diametral_clearance == pytest.approx(20.5e-6, rel=1e-9)
+    assert lengths.bearing.diametral_clearance == pytest.approx(20.5e-6, rel=1e-9)
+
+
 def test_conformity_sets_both_grooves_and_nothing_else(grid_file: Callable[..., Path]) -> None:
-    grid = load_grid(grid_file("conformity = [0.515, 0.53]\n" + LOADS))
+    grid = load_grid(grid_file("bearing.conformity = [0.515, 0.53]\n" + LOADS))
     plain = load_grid(grid_file(LOADS)).scene(0).bearing
     found = grid.scene(1).bearing
     for ring in ("inner", "outer"):
@@ -98,10 +107,12 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
         ('bearing.catalog = { from = "paper_6205", to = "6208", count = 2 }', "has no order to step through"),
         ('effects.spin = ["on", "perhaps"]', "'perhaps' is not a word known here; give 'auto', 'on' or 'off'"),
         ('operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]', "axial_load is there twice"),
+        ('bearing.clearance = ["C3", "10 um"]', "bearing.clearance mixes words and quantities; give one kind"),
         (
-            'conformity = [0.52]\nbearing.inner.groove_radius = ["4.2 mm"]',
-            r"conformity sets bearing\.inner\.groove_radius too; leave one of them out",
+            'bearing.clearance = { from = "C3", to = "10 um", count = 3 }',
+            "steps through quantities, not words; give a list",
         ),
+        ("conformity = [0.52]", "conformity is no key of a scene file; did you mean bearing.conformity"),
         ('pair = ["inner"]', 'pair is of a contact; write what = "contact"'),
         ('bearing.ball_material.hardness = ["7 GPa"]', None),  # a table that the scene has as a word: found at a point
         (

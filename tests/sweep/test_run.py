@@ -24,7 +24,7 @@ from tests.sweep.swept import SCENE
 AXES = """
 friction.coefficient = [0.05, 0.11]
 "operation.inner_speed" = ["100 rpm", "450 rpm"]
-conformity = [0.515, 0.52, 0.53]
+bearing.conformity = [0.515, 0.52, 0.53]
 "operation.axial_load" = { from = "100 N", to = "900 N", count = 4, spacing = "log" }
 """  # an axis of the series comes before one outside it: the order in the file is not that of the computation
 Write = Callable[..., Path]
@@ -284,7 +284,7 @@ def test_two_at_once_in_one_folder_are_refused(grid_file: Write, tmp_path: Path)
 @pytest.mark.usefixtures("in_process")
 def test_points_that_fail_give_a_reason_and_leave_the_others_alone(grid_file: Write, tmp_path: Path) -> None:
     """A load that drives balls over the shoulder, within a series; a groove as narrow as the ball, in its own scene."""
-    rest = 'conformity = {}\noperation.axial_load = {}\noperation.inner_speed = ["90 rpm"]'
+    rest = 'bearing.conformity = {}\noperation.axial_load = {}\noperation.inner_speed = ["90 rpm"]'
     good = rest.format([0.52], ["200 N", "500 N"])
     known = run_sweep(grid_file(good), out=tmp_path / "good").dataset()
     more = rest.format([0.5, 0.52], ["200 N", "90 MN", "500 N"])
@@ -330,7 +330,7 @@ def test_a_bug_in_a_scene_is_reported_at_its_points(
         return whole(grid, variant)
 
     monkeypatch.setattr(Grid, "scene", broken)
-    found = run_sweep(grid_file("conformity = [0.515, 0.52, 0.53]"), out=tmp_path / "out").dataset()
+    found = run_sweep(grid_file("bearing.conformity = [0.515, 0.52, 0.53]"), out=tmp_path / "out").dataset()
     assert found["failure"].values.tolist() == ["", "KeyError: 'groove'", ""]
 
 

@@ -84,7 +84,7 @@ def test_radial_load_and_moment_are_read() -> None:
 
 @pytest.mark.parametrize("clearance", [13e-6, -7e-6])
 def test_a_clearance_moves_both_rings(bearing_6205, clearance: float) -> None:
-    key = f'catalog = "paper_6205"\ndiametral_clearance = "{clearance * 1e6} um"'
+    key = f'catalog = "paper_6205"\nclearance = "{clearance * 1e6} um"'
     parsed = scene(changed('catalog = "paper_6205"', key)).bearing
     np.testing.assert_allclose(parsed.diametral_clearance, clearance, rtol=1e-9)  # a difference of radii of 20 mm
     np.testing.assert_allclose(parsed.pitch_diameter, bearing_6205.pitch_diameter, rtol=1e-15)  # one rounding

@@ -1,0 +1,251 @@
+"""A bearing from the keys of a scene, of which an engineer gives those that he has.
+
+The catalogue fills what the scene leaves open. The bottom radii of the grooves follow from pitch diameter and
+clearance, the clearance from its group or from the unloaded contact angle.
+"""
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from analytic import catalog
+from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
+from analytic.errors import InputError
+from analytic.scene import Bearing, Groove, Material, Origin
+from analytic.scenefile.tables import BearingTable, GrooveTable
+from analytic.scenefile.text import shown
+
+RINGS = ("inner", "outer")
+# Keys of a ring; each says the same as the others of its line.
+RIVALS = (
+    ("groove_radius", "conformity"),
+    ("shoulder_half_width", "shoulder_height", "shoulder_diameter"),
+    ("far_shoulder_half_width", "far_shoulder_height", "far_shoulder_diameter"),
+)
+NO_DIMENSIONS = ("catalog", "name")
+SPAN = 12**0.5  # of a uniform distribution, over its standard deviation
+ANGLE_SPREAD = np.radians(1.5)  # standard deviation of a nominal contact angle; judgement, no tolerance was read
+
+
+def catalog_row(given: Mapping[str, Any]) -> CatalogBearing | None:
+    """The catalogue's row of the table's bearing; None where the table names none, or one that has its own file.
+
+    Raises InputError for a designation that the catalogue does not have.
+    """
+    name = given.get("catalog")
+    if name is not None and not isinstance(name, str):
+        raise InputError(f'{shown(name)} is no designation; give it in quotes, for example "6206"')
+    return None if name is None or name in catalog.names("bearings") else find_bearing(name)
+
+
+def with_catalog(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Any]:
+    """The table [bearing] filled from the catalogue; its own keys replace those of the entry that say the same."""
+    entry: dict[str, Any] = {}
+    if row is not None:
+        entry = _entry(row)
+    elif given.get("catalog") is not None:
+        entry = catalog.entry("bearings", given["catalog"])
+    angle = given.get("contact_angle")
+    if "clearance" in given or (isinstance(angle, dict) and "free" in angle):
+        entry.pop("contact_angle", None)
+    if isinstance(angle, dict) and ("nominal" in angle or "free" in angle):
+        entry.pop("clearance", None)
+    merged = {**entry, **given}
+    for name in (*RINGS, "contact_angle"):
+        inside, own = entry.get(name), given.get(name)
+        if isinstance(inside, dict) and (own is None or isinstance(own, dict)):
+            merged[name] = _without_rivals(inside, {**given, **(own or {})}) | (own or {})
+    return merged
+
+
+def bearing_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
+    """(path of the key, problem) for what the table of a bearing lacks, or says twice."""
+    for name in RINGS:
+        ring: GrooveTable = getattr(given, name)
+        for keys in RIVALS:
+            said = [key for key in keys if getattr(ring, key) is not None]
+            if len(said) > 1:
+                yield f"bearing.{name}.{said[1]}", f"says the same as {said[0]}; leave one of them out"
+        if given.conformity is not None and (ring.groove_radius is not None or ring.conformity is not None):
+            yield "bearing.conformity", f"is of both rings, and the {name} ring has its own; leave one of them out"
+        if ring.groove_radius is None and ring.conformity is None and given.conformity is None:
+            yield (
+                f"bearing.{name}.groove_radius",
+                "is missing; give it, or for both rings conformity = 0.52 of [bearing]",
+            )
+    bottoms = [name for name in RINGS if getattr(given, name).bottom_radius is not None]
+    if len(bottoms) == 1:
+        (other,) = set(RINGS) - set(bottoms)
+        yield f"bearing.{other}.bottom_radius", "is missing; give it for both rings, or pitch_diameter and clearance"
+    elif not bottoms and given.pitch_diameter is None:
+        yield "bearing.pitch_diameter", 'is missing; give for example "39 mm", or the bottom_radius of both rings'
+    angle = given.contact_angle
+    angles = [name for name in ("nominal", "free") if getattr(angle, name) is not None]
+    if given.clearance is not None and angles:
+        problem = f"and contact_angle.{angles[0]} both say how far the rings are apart; leave one of them out"
+        yield "bearing.clearance", problem
+    if len(angles) == 2:
+        yield "bearing.contact_angle.nominal", "and free both say the unloaded angle; leave one of them out"
+    if not bottoms and given.clearance is None and not angles and angle.value is None:
+        yield (
+            "bearing.clearance",
+            'is missing; give a length like "10 um", a group like "CN", or contact_angle = { nominal = "15 deg" }',
+        )
+    if isinstance(given.clearance, str) and given.bore_diameter is None:
+        yield "bearing.clearance", "is a group, which depends on the bore: give bore_diameter, or a length"
+
+
+def bearing_of(given: BearingTable, *, own: Mapping[str, Any], row: CatalogBearing | None) -> Bearing:
+    """The bearing of a table without faults.
+
+    own : the table as the scene has it, before the catalogue filled it;  row : of the catalogue
+    Raises InputError for a bore that the groups of clearance do not cover.
+    """
+    profiles = {name: _profile(given, getattr(given, name)) for name in RINGS}
+    distance = sum(profiles.values()) - given.ball_diameter
+    clearance, origin = _clearance(given, distance)
+    bottoms = _bottoms(given, clearance)
+    ball = Material(**given.ball_material.model_dump())
+    solid = ball.density * np.pi / 6 * given.ball_diameter**3
+    return Bearing(
+        **given.model_dump(include={"ball_count", "ball_diameter", "bore_diameter", "outside_diameter", "width"}),
+        **given.model_dump(include={"static_load_rating", "dynamic_load_rating"}),
+        name=given.name or (given.catalog if row is None else row.designation) or "unnamed",
+        ball_mass=float(solid) if given.ball_mass is None else given.ball_mass,
+        ball_material=ball,
+        inner=_groove(given.inner, bottom=bottoms[0], profile=profiles["inner"], side=1),
+        outer=_groove(given.outer, bottom=bottoms[1], profile=profiles["outer"], side=-1),
+        seals=None if row is None else row.seals,
+        grade=None if row is None else row.grade,
+        origins=MappingProxyType(_origins(own, row) | ({} if origin is None else {"clearance": origin})),
+    )
+
+
+def _entry(row: CatalogBearing) -> dict[str, Any]:
+    """The table [bearing] of a row, in the form of a scene file."""
+    rings: dict[str, dict[str, Any]] = {}
+    for name, conformity, half_width in zip(RINGS, row.conformity, row.shoulder_half_width, strict=True):
+        rings[name] = {"conformity": conformity}
+        if half_width is not None:
+            rings[name]["shoulder_half_width"] = _length(half_width)
+    if row.one_sided:  # the other side of the outer ring is turned off so far that the ring can be put over the balls
+        rings["outer"]["far_shoulder_half_width"] = _length(0.0)
+    if row.nominal_angle is None:
+        play: dict[str, Any] = {"clearance": row.clearance_group or "CN"}
+    else:
+        play = {"contact_angle": {"rule": "solved", "nominal": f"{row.nominal_angle!r} rad"}}
+    lengths = {
+        "ball_diameter": row.ball_diameter,
+        "pitch_diameter": row.pitch_diameter,
+        "bore_diameter": row.bore,
+        "outside_diameter": row.outside,
+        "width": row.width,
+    }
+    ratings = {"static_load_rating": row.static_load_rating, "dynamic_load_rating": row.dynamic_load_rating}
+    return {
+        "name": row.designation,
+        "ball_count": row.ball_count,
+        **{key: _length(value) for key, value in lengths.items() if value is not None},
+        **{key: f"{value!r} N" for key, value in ratings.items() if value is not None},
+        **rings,
+        **play,
+    }
+
+
+def _length(value: float) -> str:
+    return f"{value!r} m"
+
+
+def _without_rivals(entry: Mapping[str, Any], own: Mapping[str, Any]) -> dict[str, Any]:
+    """The keys of a ring's entry that the given keys do not replace by others that say the same."""
+    replaced = {key for keys in RIVALS if any(each in own for each in keys) for key in keys}
+    return {key: value for key, value in entry.items() if key not in replaced}
+
+
+def _profile(given: BearingTable, ring: GrooveTable) -> float:
+    """Radius of the groove's profile, m."""
+    if ring.groove_radius is not None:
+        return ring.groove_radius
+    conformity = given.conformity if ring.conformity is None else ring.conformity
+    return conformity * given.ball_diameter if conformity is not None else np.nan
+
+
+def _clearance(given: BearingTable, distance: float) -> tuple[float | None, Origin | None]:
+    """The clearance that keys other than the bottom radii give, m, and where it comes from; distance : A_0, m."""
+    if isinstance(given.clearance, str) and given.bore_diameter is not None:
+        low, high = clearance_group(given.bore_diameter, given.clearance)
+        group = f"middle of the group {given.clearance} of [ISO5753], {low * 1e6:g} to {high * 1e6:g} um, unmounted"
+        return (low + high) / 2, Origin(status="printed", uncertainty=(high - low) / SPAN, source=group)
+    if isinstance(given.clearance, float):
+        return given.clearance, None
+    angle = given.contact_angle
+    bottoms_known = given.inner.bottom_radius is not None
+    unloaded = angle.nominal if angle.nominal is not None or bottoms_known else angle.free or angle.value
+    if unloaded is None:
+        return None, None
+    spread = 2 * distance * np.sin(unloaded) * ANGLE_SPREAD
+    words = f"closes at the unloaded contact angle of {np.degrees(unloaded):.4g} deg"
+    return float(2 * distance * (1 - np.cos(unloaded))), Origin(
+        status="derived", uncertainty=float(spread), source=words
+    )
+
+
+def _bottoms(given: BearingTable, clearance: float | None) -> tuple[float, float]:
+    """Bottom radii of the inner and outer groove, m."""
+    inner, outer = given.inner.bottom_radius, given.outer.bottom_radius
+    if inner is not None and outer is not None:
+        if clearance is None and given.pitch_diameter is None:
+            return inner, outer
+        if clearance is None:
+            clearance = 2 * (outer - inner - given.ball_diameter)
+        pitch = inner + outer if given.pitch_diameter is None else given.pitch_diameter
+    else:
+        assert clearance is not None, "bearing_faults says so before"
+        assert given.pitch_diameter is not None, "bearing_faults says so before"
+        pitch = given.pitch_diameter
+    opening = given.ball_diameter + clearance / 2
+    return (pitch - opening) / 2, (pitch + opening) / 2
+
+
+def _groove(given: GrooveTable, *, bottom: float, profile: float, side: int) -> Groove:
+    """side : 1 for the inner ring, whose shoulders are larger than its groove; -1 for the outer ring."""
+
+    def half_width(half: float | None, height: float | None, diameter: float | None) -> float | None:
+        if diameter is not None:
+            height = side * (diameter / 2 - bottom)
+        if height is None:
+            return half
+        # A shoulder below the groove's bottom, or above the middle of its profile, is refused as a half-width.
+        return float(np.sqrt(height * (2 * profile - height))) if 0 <= height < profile else profile
+
+    return Groove(
+        bottom_radius=bottom,
+        groove_radius=profile,
+        shoulder_half_width=half_width(given.shoulder_half_width, given.shoulder_height, given.shoulder_diameter),
+        far_shoulder_half_width=half_width(
+            given.far_shoulder_half_width, given.far_shoulder_height, given.far_shoulder_diameter
+        ),
+        material=Material(**given.material.model_dump()),
+    )
+
+
+def _origins(own: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Origin]:
+    """Where each dimension comes from: the catalogue's row, or the scene where it gives its own."""
+    origins = {} if row is None else dict(row.origins)
+    said = {key for key, value in own.items() if not isinstance(value, dict) and key not in NO_DIMENSIONS}
+    for ring in RINGS:
+        inside = own.get(ring)
+        said |= {f"{ring}.{_said_by(key)}" for key in (inside if isinstance(inside, dict) else ())}
+    if "conformity" in said:
+        said = said - {"conformity"} | {f"{ring}.conformity" for ring in RINGS}
+    if "inner.bottom_radius" in said:
+        said |= {"pitch_diameter", "clearance"}
+    given = Origin(status="given", uncertainty=None, source="the scene")
+    return origins | dict.fromkeys(said, given)
+
+
+def _said_by(key: str) -> str:
+    """The key that stands for this one and its rivals."""
+    return next((keys[0] if "conformity" not in keys else "conformity" for keys in RIVALS if key in keys), key)
