@@ -24,7 +24,7 @@ RIVALS = (
     ("shoulder_half_width", "shoulder_height", "shoulder_diameter"),
     ("far_shoulder_half_width", "far_shoulder_height", "far_shoulder_diameter"),
 )
-NO_DIMENSIONS = ("catalog", "name")
+NO_DIMENSIONS = ("catalog", "name", "material", "ball_material")
 SPAN = 12**0.5  # of a uniform distribution, over its standard deviation
 ANGLE_SPREAD = np.radians(1.5)  # standard deviation of a nominal contact angle; judgement, no tolerance was read
 
@@ -42,11 +42,7 @@ def catalog_row(given: Mapping[str, Any]) -> CatalogBearing | None:
 
 def with_catalog(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Any]:
     """The table [bearing] filled from the catalogue; its own keys replace those of the entry that say the same."""
-    entry: dict[str, Any] = {}
-    if row is not None:
-        entry = _entry(row)
-    elif given.get("catalog") is not None:
-        entry = catalog.entry("bearings", given["catalog"])
+    entry = {key: value for key, value in _entry(given, row).items() if key != "origins"}
     angle = given.get("contact_angle")
     if "clearance" in given or (isinstance(angle, dict) and "free" in angle):
         entry.pop("contact_angle", None)
@@ -123,8 +119,14 @@ def bearing_of(given: BearingTable, *, own: Mapping[str, Any], row: CatalogBeari
     )
 
 
-def _entry(row: CatalogBearing) -> dict[str, Any]:
-    """The table [bearing] of a row, in the form of a scene file."""
+def _entry(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Any]:
+    """What the catalogue has on the table's bearing, in the form of a scene file."""
+    if row is not None:
+        return _entry_of_row(row)
+    return catalog.entry("bearings", given["catalog"]) if given.get("catalog") is not None else {}
+
+
+def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
     rings: dict[str, dict[str, Any]] = {}
     for name, conformity, half_width in zip(RINGS, row.conformity, row.shoulder_half_width, strict=True):
         rings[name] = {"conformity": conformity}
@@ -233,11 +235,16 @@ def _groove(given: GrooveTable, *, bottom: float, profile: float, side: int) -> 
 
 def _origins(own: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Origin]:
     """Where each dimension comes from: the catalogue's row, or the scene where it gives its own."""
-    origins = {} if row is None else dict(row.origins)
+    if row is None:
+        entry = _entry(own, None).get("origins", {})
+        origins = {key: Origin(uncertainty=None, **origin) for key, origin in entry.items()}
+    else:
+        origins = dict(row.origins)
     said = {key for key, value in own.items() if not isinstance(value, dict) and key not in NO_DIMENSIONS}
     for ring in RINGS:
         inside = own.get(ring)
-        said |= {f"{ring}.{_said_by(key)}" for key in (inside if isinstance(inside, dict) else ())}
+        keys = {*inside} - {*NO_DIMENSIONS} if isinstance(inside, dict) else ()
+        said |= {f"{ring}.{_said_by(key)}" for key in keys}
     if "conformity" in said:
         said = said - {"conformity"} | {f"{ring}.conformity" for ring in RINGS}
     if "inner.bottom_radius" in said:

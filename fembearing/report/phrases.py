@@ -6,7 +6,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from fembearing.compare.cost.ladder import Ladder
-from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, Quantity
+from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, Quantity, unit_for
 
 if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from fembearing.report.document.contact import Contact, Ring
@@ -111,6 +111,16 @@ def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:
     if is_lubricated:
         return "coefficient of each race by mixed lubrication, from the scene's lubricant and surface"
     return "neither a coefficient nor both lubricant and surface in the scene: no torque"
+
+
+def value_of(value: float | None, uncertainty: float | None, unit: str) -> str:
+    """The value of an input with its unit and its standard deviation, as far as they are known."""
+    if value is None:
+        return "not known"
+    shown = unit_for(unit, abs(value))
+    number = f"{value * shown.factor:.5g}"
+    spread = f" +- {uncertainty * shown.factor:.2g}" if uncertainty else ""
+    return f"{number}{spread} {shown.name}".strip()
 
 
 def share_of(kind: str, share: float | None) -> str:

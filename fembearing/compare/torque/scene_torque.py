@@ -1,14 +1,15 @@
 """The friction torque of a scene, as the command `torque` computes it, with what is shown next to it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from analytic.effects.table import STATIC_LIMIT
+from analytic.inputs import StatedInput, stated_inputs
 from analytic.result import FrictionTorque
-from analytic.scene import Scene
+from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
@@ -21,6 +22,12 @@ class SceneTorque:
     scene: Scene
     friction: FrictionTorque
     catalogue: BesideCatalogue
+    other_candidate: FrictionTorque | None = None  # with the balls that the ratings fit nearly as well, if there are any
+
+    @property
+    def inputs(self) -> tuple[StatedInput, ...]:
+        """Where the inputs come from."""
+        return stated_inputs(self.scene)
 
     @property
     def within_tolerance(self) -> bool:
@@ -42,6 +49,13 @@ class SceneTorque:
                 yield f"The numerical uncertainty of the torque is not known: {'; '.join(self.friction.unknown)}."
         for race in ("inner", "outer"):
             yield from static_doubt(race, getattr(self.friction, race).peak_pressure)
+        other, given = self.scene.bearing.other_candidate, self.scene.bearing
+        if other is not None and self.other_candidate is not None:
+            change = self.other_candidate.torque.total / self.friction.torque.total - 1
+            yield (
+                f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: with them the torque "
+                f"changes by {_span(change)}."
+            )
         band, total = self.catalogue.band, self.friction.torque.total
         if band is not None and (outside := np.count_nonzero((total < band.low) | (total > band.high))):
             yield f"The torque is outside the catalogue band at {outside} of {total.size} operating points."
@@ -52,7 +66,31 @@ class SceneTorque:
             "tolerance": self.scene.tolerance,
             "catalogue_band": self.catalogue.to_json(),
             "doubts": list(self.doubts),
+            "inputs": [_input_to_json(each) for each in self.inputs],
+            "other_candidate": self._other_to_json(),
         }
+
+    def _other_to_json(self) -> dict[str, Any] | None:
+        """Balls and total of the other candidate."""
+        other = self.scene.bearing.other_candidate
+        if other is None or self.other_candidate is None:
+            return None
+        balls = {"ball_count": other.ball_count, "ball_diameter": other.ball_diameter}
+        return balls | {"total": self.other_candidate.torque.total.tolist()}
+
+
+def _input_to_json(given: StatedInput) -> dict[str, Any]:
+    return {"key": given.key, "value": given.value, "unit": given.unit} | vars(given.origin)
+
+
+def _balls(bearing: Bearing) -> str:
+    return f"{bearing.ball_count} balls of {bearing.ball_diameter * 1e3:.4g} mm"
+
+
+def _span(change: Array) -> str:
+    """A relative change at every operating point, in words."""
+    low, high = 100 * float(np.min(change)), 100 * float(np.max(change))
+    return f"{low:+.2g} %" if f"{low:.2g}" == f"{high:.2g}" else f"{low:+.2g} to {high:+.2g} %"
 
 
 def static_doubt(race: str, peak_pressure: Any) -> Iterator[str]:
@@ -68,4 +106,10 @@ def static_doubt(race: str, peak_pressure: Any) -> Iterator[str]:
 def torque_of_scene(scene: Scene) -> SceneTorque:
     """The torque of a scene. Raises InputError as friction_torque does."""
     friction = with_model_uncertainty(scene, friction_torque(scene))
-    return SceneTorque(scene=scene, friction=friction, catalogue=beside_catalogue(scene))
+    other = scene.bearing.other_candidate
+    return SceneTorque(
+        scene=scene,
+        friction=friction,
+        catalogue=beside_catalogue(scene),
+        other_candidate=None if other is None else friction_torque(replace(scene, bearing=other)),
+    )

@@ -27,7 +27,7 @@ class Groove(Noun):
 
     bottom_radius: float
     groove_radius: float
-    shoulder_half_width: float
+    shoulder_half_width: float | None
     material: Material
 
 

@@ -129,6 +129,25 @@ class Band(Table):
     note: str
 
 
+class StatedInput(Table):
+    """An input with where it comes from; its uncertainty is a standard deviation."""
+
+    key: str
+    value: float | None
+    unit: str
+    status: Literal["given", "printed", "derived", "assumed", "not known"]
+    uncertainty: float | None
+    source: str
+
+
+class OtherCandidate(Table):
+    """The balls that the ratings fit nearly as well, and the total torque with them at each point."""
+
+    ball_count: int
+    ball_diameter: Positive
+    total: list[float]
+
+
 class Torque(Table):
     """The friction torque that `fembearing torque` computes."""
 
@@ -142,6 +161,8 @@ class Torque(Table):
     tolerance: float
     catalogue_band: Band
     doubts: list[str]
+    inputs: list[StatedInput]
+    other_candidate: OtherCandidate | None
 
     @model_validator(mode="after")
     def the_band_is_whole(self) -> "Torque":

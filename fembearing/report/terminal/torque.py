@@ -10,7 +10,7 @@ from analytic.cage.grip import LARGEST_GRIP
 from analytic.result import COLUMNS, COORDINATES, FrictionTorque
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.quantities import CONTACT, MICRO, NEWTON_MILLIMETRE, QUANTITIES, RPM
-from fembearing.report.phrases import LOADS, SHARES, capital, friction_of, share_of, uncertainty_of
+from fembearing.report.phrases import LOADS, SHARES, capital, friction_of, share_of, uncertainty_of, value_of
 from fembearing.report.terminal.table import table_of
 
 NM = NEWTON_MILLIMETRE.factor
@@ -44,6 +44,7 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     _print_contacts(out, friction, points)
     _print_cage(out, friction, points)
     _print_effects(out, friction)
+    _print_inputs(out, result)
     names = ("loads", "contacts", "sliding", *(() if friction.cage is None else ("cage",)))
     methods = [f"{name} by {friction.provenance[name]}".replace("_", " ") for name in names]
     source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
@@ -205,6 +206,20 @@ def _print_effects(out: Console, friction: FrictionTorque) -> None:
         )
     out.print(table)
     out.print(f"{SHARES}\n", style="dim")
+
+
+def _print_inputs(out: Console, result: SceneTorque) -> None:
+    """The inputs that the scene does not give itself, with where they come from."""
+    stated = [each for each in result.inputs if each.origin.status != "given"]
+    if not stated:
+        return
+    words = ("input", "value", "status", "source")
+    table = table_of(words, title="Inputs that the scene does not give itself", left=words, fixed=words[:3])
+    for each in stated:
+        value = value_of(each.value, each.origin.uncertainty, each.unit)
+        table.add_row(each.key.partition(".")[2], value, each.origin.status, escape(each.origin.source))
+    out.print(table)
+    out.print("+-: one standard deviation.\n", style="dim")
 
 
 def percent(value: float | None) -> str:
