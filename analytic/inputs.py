@@ -1,9 +1,19 @@
 """The inputs of a scene that are not simply given: values with where they come from and how uncertain they are."""
 
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from analytic.scene import Bearing, Groove, Origin, Scene
+from analytic.scene import Bearing, Groove, Lubricant, Origin, Scene, Surface
+
+UNITS = {
+    **dict.fromkeys(("ball_count", "conformity", "limiting_shear", "boundary_friction"), "1"),
+    **dict.fromkeys(("static_load_rating", "dynamic_load_rating"), "N"),
+    **dict.fromkeys(("eyring_stress", "hardness"), "Pa"),
+    "ball_mass": "kg",
+    "viscosity": "Pa s",
+    "pressure_viscosity": "1/Pa",
+    "thermal_conductivity": "W/m/K",
+    "density": "kg/m^3",
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -17,28 +27,29 @@ class StatedInput:
 
 
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
-    """The inputs that have an origin, in the order of the scene file: those of the bearing, the oil and the surface."""
-    tables: tuple[tuple[str, Mapping[str, Origin], Callable[[str], tuple[float | None, str]]], ...] = (
-        ("bearing", scene.bearing.origins, lambda key: _of_bearing(scene.bearing, key)),
-    )
+    """The inputs of bearing, oil and surface that have an origin, in the order of the scene file."""
+    tables = (("bearing", scene.bearing), ("lubricant", scene.lubricant), ("surface", scene.surface))
     return tuple(
-        StatedInput(key=f"{table}.{key}", value=value, unit=unit, origin=origin)
-        for table, origins, read in tables
-        for key, origin in origins.items()
-        for value, unit in (read(key),)
+        StatedInput(key=f"{name}.{key}", value=_value(table, key), unit=_unit(key), origin=origin)
+        for name, table in tables
+        if table is not None
+        for key, origin in table.origins.items()
     )
 
 
-def _of_bearing(bearing: Bearing, key: str) -> tuple[float | None, str]:
-    """Value and unit of a dimension of the bearing."""
-    ring, _, own = key.partition(".")
-    if own:
-        return _of_groove(getattr(bearing, ring), own, bearing.ball_diameter)
-    if key == "clearance":
-        return bearing.diametral_clearance, "m"
-    unit = {"ball_count": "1", "ball_mass": "kg"}.get(key, "N" if key.endswith("_rating") else "m")
-    return getattr(bearing, key), unit
+def _value(table: Bearing | Lubricant | Surface, key: str) -> float | None:
+    """The value of a key, SI."""
+    if isinstance(table, Bearing) and key == "clearance":
+        return table.diametral_clearance
+    part = table
+    *path, last = key.split(".")
+    for name in path:
+        part = getattr(part, name)
+    if isinstance(table, Bearing) and isinstance(part, Groove) and last == "conformity":
+        return part.groove_radius / table.ball_diameter
+    return getattr(part, last)
 
 
-def _of_groove(groove: Groove, key: str, ball_diameter: float) -> tuple[float | None, str]:
-    return (groove.groove_radius / ball_diameter, "1") if key == "conformity" else (getattr(groove, key), "m")
+def _unit(key: str) -> str:
+    """The unit of a key in SI; a length, if it is not listed."""
+    return UNITS.get(key.rpartition(".")[2], "m")

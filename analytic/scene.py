@@ -67,7 +67,7 @@ class Material:
 
 @dataclass(frozen=True, kw_only=True)
 class Origin:
-    """Where a dimension comes from, and how far to trust it."""
+    """Where a dimension or a property comes from, and how far to trust it."""
 
     status: Status
     uncertainty: float | None  # standard deviation, in the unit of the value; None: unknown
@@ -193,6 +193,9 @@ class Lubricant:
     supply: Supply = "oil_bath"  # how oil returns to the track
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
     compressible: bool = False  # whether pressure squeezes the oil in the film
+    origins: Mapping[str, Origin] = field(
+        default_factory=lambda: MappingProxyType({}), compare=False
+    )  # by field; empty: not noted
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -230,6 +233,9 @@ class Surface:
         "elastic"  # the room for the oil: between surfaces that deform, or that are cut off where they overlap
     )
     asperities: AsperityLaw = "zhao_maietta_chang"  # of truncated surfaces; greenwood_williamson: they never yield
+    origins: Mapping[str, Origin] = field(
+        default_factory=lambda: MappingProxyType({}), compare=False
+    )  # by field; empty: not noted
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache, lru_cache
 from math import isfinite
+from typing import Any
 
 import pint
 from pydantic_core import CoreSchema, core_schema
@@ -42,11 +43,18 @@ class Dimension:
 
     def __get_pydantic_core_schema__(self, _source: object, _handler: object) -> CoreSchema:
         """Makes `Annotated[float, Dimension(...)]` a field of a table."""
-        return core_schema.no_info_plain_validator_function(self.read)
+        return core_schema.no_info_plain_validator_function(self.field_value)
+
+    def field_value(self, given: object) -> Any:
+        """What a field of a table holds; the errors of read."""
+        return self.read(given)
 
     def read(self, given: object) -> float:
         """The value in SI. Raises ValueError that says what is wrong and what is accepted."""
-        value = self._in_si(given)
+        return self.checked(self._in_si(given))
+
+    def checked(self, value: float) -> float:
+        """The value, which is in SI. Raises ValueError if it is out of range."""
         if not isfinite(value):
             raise ValueError(f"is not finite; {self.accepted}")
         if not self.low <= value <= self.high:

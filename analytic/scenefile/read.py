@@ -18,33 +18,28 @@ from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.errors import InputError
 from analytic.scene import (
     Array,
-    Autocorrelation,
     Bearing,
     Cage,
     ContactAngle,
-    HeightMapFile,
     Land,
     Losses,
-    Lubricant,
     Material,
     Operation,
     Scene,
-    Surface,
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
 from analytic.scenefile.keys import fault_at, fault_of
+from analytic.scenefile.oil import lubricant_of
+from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
     CageTable,
     FrictionTable,
-    LubricantTable,
     OperationTable,
     SceneTable,
-    SurfaceTable,
 )
 from analytic.scenefile.text import parse_text, plain, read_text, shown
 
-HEIGHT_MAPS = (".npy", ".csv")
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
 BALLS = ("ball_count", "ball_diameter")
 MOST_FAULTS = 5  # in one message; the others are counted
@@ -160,16 +155,13 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"
     if table.friction is not None and table.friction.coefficient is None and table.lubricant is None:
         yield "friction.coefficient is missing; give for example 0.1, or the tables [lubricant] and [surface] instead"
-    surface = table.surface
-    if surface is not None:
-        if (surface.rms_roughness is None) == (surface.height_map is None):
-            yield "surface needs exactly one of rms_roughness and height_map"
-        elif (surface.rms_roughness is None) != (surface.autocorrelation is None):
-            yield "surface.autocorrelation goes with rms_roughness, and with it alone: a height map has its own"
-        if surface.asperities is not None and surface.gap != "truncated":
-            yield 'surface.asperities is the law of summits of gap = "truncated": leave it out, or give that gap'
-        if surface.height_map is not None and Path(surface.height_map.path).suffix.lower() not in HEIGHT_MAPS:
-            yield fault_at(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
+    if table.surface is not None:
+        yield from surface_conflicts(document, table.surface)
+    if table.lubricant is not None:
+        try:
+            lubricant_of(table.lubricant)
+        except InputError as problem:
+            yield str(problem)
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
         if cage is None and getattr(table.effects, name) == "on":
             yield fault_at(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
@@ -196,7 +188,7 @@ def _scene(
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
             overlaps = table.cage.variant == AS_PRINTED
             misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
-    surface = None if table.surface is None else _surface(table.surface, folder)
+    surface = None if table.surface is None else surface_of(table.surface, folder)
     if surface is not None and surface.height_map is not None and not os.path.isfile(surface.height_map.path):
         misfits.append(("surface.height_map.path", "is not a file; give its path from the scene file's folder"))
     friction = table.friction or FrictionTable()
@@ -208,7 +200,7 @@ def _scene(
         operation=_operation(table.operation),
         down=table.operation.down,
         cage=cage,
-        lubricant=None if table.lubricant is None else _lubricant(table.lubricant),
+        lubricant=None if table.lubricant is None else lubricant_of(table.lubricant),
         surface=surface,
         friction_coefficient=friction.coefficient,
         **friction.model_dump(exclude={"coefficient"}),
@@ -231,20 +223,6 @@ def _cage(given: CageTable, bearing: Bearing) -> Cage:
         pocket_stiffness=None if approach is None else approach.load / approach.approach**1.5,
         material=Material(**given.material.model_dump()),
         land=None if given.land is None else Land(**given.land.model_dump()),
-    )
-
-
-def _lubricant(given: LubricantTable) -> Lubricant:
-    temperature = given.reference_temperature if given.temperature is None else given.temperature
-    return Lubricant(**given.model_dump(exclude={"temperature"}), temperature=temperature)
-
-
-def _surface(given: SurfaceTable, folder: Path) -> Surface:
-    correlation, heights = given.autocorrelation, given.height_map
-    return Surface(
-        **given.model_dump(exclude={"autocorrelation", "height_map"}, exclude_none=True),
-        autocorrelation=None if correlation is None else Autocorrelation(**correlation.model_dump()),
-        height_map=None if heights is None else HeightMapFile(path=str(folder / heights.path), spacing=heights.spacing),
     )
 
 

@@ -28,7 +28,9 @@ from analytic.scene import (
     Surface,
     Traction,
 )
+from analytic.scenefile.material import material_entry
 from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.viscosity import GivenViscosity, Viscosity
 
 
 def _text(given: object) -> str:
@@ -74,13 +76,18 @@ def _direction(given: object) -> tuple[float, float, float]:
     return x, y, z
 
 
-def _material(given: object) -> object:
-    if isinstance(given, dict):
-        return given
-    known = catalog.names("materials")
-    if given not in known:
-        raise ValueError(f"is not a material; give one of {', '.join(known)}, or a table with youngs_modulus and so on")
-    return catalog.entry("materials", str(given))
+def _finish(given: object) -> object:
+    known = catalog.rows("finishes")
+    if given not in tuple(known):
+        raise ValueError(f"is not a finish; give one of {', '.join(known)}, or Ra or rms_roughness instead")
+    return given
+
+
+def _base_oil(given: object) -> object:
+    known = catalog.rows("base_oils")
+    if given not in tuple(known):
+        raise ValueError(f"is not a base oil; give one of {', '.join(known)}")
+    return given
 
 
 class Clearance(Dimension):
@@ -138,10 +145,11 @@ class MaterialTable(Table):
     density: Annotated[float, Dimension(unit="kg/m^3", low=1, high=3e4, example='"7850 kg/m^3"')]
     source: Text = "the scene file"
     hardness: Pressure | None = None  # of indentation; without it, give [surface] hardness
+    thermal_expansion: Annotated[float, Dimension(unit="1/K", low=0, high=1e-3, example='"12.5e-6 1/K"')] | None = None
 
 
 MaterialEntry = Annotated[
-    MaterialTable, BeforeValidator(_material), Field(description='give a material, for example "steel"')
+    MaterialTable, BeforeValidator(material_entry), Field(description='give a material, for example "steel"')
 ]
 STEEL = Field(default="steel", validate_default=True)
 
@@ -242,18 +250,34 @@ class OperationTable(Table):
 
 
 class LubricantTable(Table):
-    viscosity: Annotated[float, Dimension(unit="Pa*s", low=1e-4, high=1e4, example='"0.06 Pa s"')]
-    pressure_viscosity: Annotated[float, Dimension(unit="1/Pa", low=0, high=1e-7, example='"2e-8 1/Pa"')]
-    eyring_stress: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e9, example='"5 MPa"')]
+    """What is left out follows from the name, the viscosities or the base oil: see `analytic.scenefile.oil`."""
+
+    name: Text | None = None  # of an oil or grease of the catalog
+    base_oil: Annotated[str, BeforeValidator(_base_oil)] | None = None  # where the oil has no name of the catalog
+    viscosity: (
+        Annotated[
+            GivenViscosity,
+            Viscosity(
+                unit="Pa*s",
+                low=1e-4,
+                high=1e4,
+                example='"0.06 Pa s", or two at two temperatures, ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]',
+            ),
+        ]
+        | None
+    ) = None
+    pressure_viscosity: Annotated[float, Dimension(unit="1/Pa", low=0, high=1e-7, example='"2e-8 1/Pa"')] | None = None
+    eyring_stress: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e9, example='"5 MPa"')] | None = None
     traction: Traction = "eyring_sinh"
     # Over the pressure; 0.05 to 0.08 for lubricants (no source seen).
-    limiting_shear: Annotated[float, Dimension(unit="", low=0, high=1, example="0.065")] = 0.065
-    reference_temperature: Temperature = 313.15  # of viscosity and pressure_viscosity; oils are graded at 40 degC
+    limiting_shear: Annotated[float, Dimension(unit="", low=0, high=1, example="0.065")] | None = None
+    reference_temperature: Temperature | None = None  # of a viscosity without a temperature
     temperature: Temperature | None = None  # of the oil at the inlet; the reference temperature by default
-    # The next three defaults are typical of mineral oils near 40 degC (no source seen).
-    viscosity_temperature: Annotated[float, Dimension(unit="1/K", low=0, high=0.2, example='"0.045 1/K"')] = 0.045
-    thermal_conductivity: Annotated[float, Dimension(unit="W/m/K", low=1e-3, high=100, example='"0.14 W/m/K"')] = 0.14
-    density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] = 870.0
+    viscosity_temperature: Annotated[float, Dimension(unit="1/K", low=0, high=0.2, example='"0.045 1/K"')] | None = None
+    thermal_conductivity: (
+        Annotated[float, Dimension(unit="W/m/K", low=1e-3, high=100, example='"0.14 W/m/K"')] | None
+    ) = None
+    density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] | None = None
     supply: Supply = Lubricant.supply
     # Distance of the oil's meniscus from the centre of a contact, over its semi-axis along rolling; by the supply if
     # it is not given.
@@ -274,6 +298,8 @@ class HeightMapTable(Table):
 
 class SurfaceTable(Table):
     rms_roughness: Roughness | None = None  # of each surface
+    Ra: Roughness | None = None  # of each surface, instead
+    finish: Annotated[str, BeforeValidator(_finish)] | None = None  # of the race, instead
     ball_rms_roughness: Roughness | None = None  # if it differs from that of the race
     autocorrelation: AutocorrelationTable | None = Field(
         default=None, description='give { kind = "gaussian", length = "60 um", spacing = "2 um" }'
@@ -328,10 +354,13 @@ class SceneTable(Table):
     operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")
     cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
     lubricant: LubricantTable | None = Field(
-        default=None, description="give a table [lubricant] with viscosity, pressure_viscosity and eyring_stress"
+        default=None,
+        description='give a table [lubricant] with name = "ISO VG 46", or with viscosity, pressure_viscosity '
+        "and eyring_stress",
     )
     surface: SurfaceTable | None = Field(
-        default=None, description="give a table [surface] with rms_roughness and autocorrelation, or with height_map"
+        default=None,
+        description="give a table [surface] with rms_roughness and autocorrelation, finish, Ra or height_map",
     )
     friction: FrictionTable | None = Field(
         default=None, description="give a table [friction], with coefficient where no lubricant is given"

@@ -22,7 +22,9 @@ class SceneTorque:
     scene: Scene
     friction: FrictionTorque
     catalogue: BesideCatalogue
-    other_candidate: FrictionTorque | None = None  # with the balls that the ratings fit nearly as well, if there are any
+    other_candidate: FrictionTorque | None = (
+        None  # with the balls that the ratings fit nearly as well, if there are any
+    )
 
     @property
     def inputs(self) -> tuple[StatedInput, ...]:
@@ -53,8 +55,8 @@ class SceneTorque:
         if other is not None and self.other_candidate is not None:
             change = self.other_candidate.torque.total / self.friction.torque.total - 1
             yield (
-                f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: with them the torque "
-                f"changes by {_span(change)}."
+                f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: with them the "
+                f"torque changes by {_span(change)}."
             )
         band, total = self.catalogue.band, self.friction.torque.total
         if band is not None and (outside := np.count_nonzero((total < band.low) | (total > band.high))):

@@ -1,0 +1,129 @@
+"""What the catalog knows of a named oil, or of a kind of base oil, in SI."""
+
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from typing import Any
+
+from analytic import catalog
+from analytic.errors import InputError
+from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, law_through, viscosity_line
+from analytic.scene import Status
+from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.text import shown
+
+COLD, HOT = 313.15, 373.15  # K: where the catalog's viscosities are given
+DENSITY_AT = 288.15  # K: where its densities are given
+SI = {  # units of the columns that have one
+    "viscosity_40": "m^2/s",
+    "viscosity_100": "m^2/s",
+    "density_15": "kg/m^3",
+    "density_slope": "kg/m^3/K",
+    "pressure_viscosity_40": "1/Pa",
+    "pressure_viscosity_100": "1/Pa",
+    "factor": "1/Pa",
+    "thermal_conductivity": "W/m/K",
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Density:
+    """rho = rho_15 + slope (T - 15 degC)."""
+
+    at_15: float  # kg/m^3
+    slope: float  # kg/(m^3 K)
+    status: Status
+    source: str
+
+    def at(self, temperature: float) -> float:
+        """rho, kg/m^3; temperature : K."""
+        return self.at_15 + self.slope * (temperature - DENSITY_AT)
+
+
+@dataclass(frozen=True, kw_only=True)
+class KnownOil:
+    """What the catalog knows of an oil; None: no readable source."""
+
+    name: str  # for messages and sources
+    source: str = ""  # of the viscosities
+    cold_viscosity: float | None = None  # kinematic, at 40 degC, m^2/s
+    line: ViscosityLine | None = None
+    is_class: bool = False  # whether the viscosity is that of a class of ISO 3448
+    density: Density | None = None
+    law: PressureViscosityLaw | None = None
+    law_status: Status = "derived"  # printed: of a law through its own measured coefficients
+    law_source: str = ""
+    limiting_shear: float | None = None
+    shear_status: Status = "assumed"
+    thermal_conductivity: float | None = None  # W/(m K)
+    conductivity_status: Status = "assumed"
+    is_grease: bool = False
+
+
+def named_oil(given: str) -> KnownOil:
+    """The oil or grease of that name. Raises InputError for an unknown name."""
+    name = catalog.find("oils", given)
+    if name is None:
+        names = {catalog.spelling(each): each for each in catalog.oil_names()}
+        near = get_close_matches(catalog.spelling(given), names, n=3, cutoff=0.4)
+        known = ", ".join(names[each] for each in near) or "ISO VG 46, ISO VG 46 PAO, FVA 3"
+        raise InputError(
+            f"lubricant.name = {shown(given)} is not an oil of the catalog; near it are {known}; or leave the name out "
+            "and give viscosity, pressure_viscosity and eyring_stress"
+        )
+    row = catalog.rows("oils")[name]
+    base = base_oil(row["base oil"]) if row["base oil"] in catalog.rows("base_oils") else KnownOil(name="")
+    cold, hot = _value(row, "viscosity_40"), _cell(row, "viscosity_100")
+    own: dict[str, Any] = {}
+    if row["density status"]:
+        slope, source = _value(row, "density_slope"), row["source"]
+        status: Status = "printed" if row["density status"] == "printed" else "assumed"
+        if status == "assumed" and base.density is not None:
+            source = f"near that of {base.density.source}"
+        own["density"] = Density(at_15=_value(row, "density_15"), slope=slope, status=status, source=source)
+    if hot is not None:
+        own["line"] = viscosity_line(temperatures=(COLD, HOT), viscosities=(cold, hot))
+        if _cell(row, "pressure_viscosity_40") is not None:
+            measured = _value(row, "pressure_viscosity_40"), _value(row, "pressure_viscosity_100")
+            own["law"] = law_through(viscosities=(cold, hot), coefficients=measured)
+            own |= {"law_status": "printed", "law_source": row["source"]}
+    if _cell(row, "limiting_shear") is not None:
+        own |= {"limiting_shear": _value(row, "limiting_shear"), "shear_status": "printed"}
+    if _cell(row, "thermal_conductivity") is not None:
+        own |= {"thermal_conductivity": _value(row, "thermal_conductivity"), "conductivity_status": "printed"}
+    return replace(
+        base,
+        name=f"grease {name}" if row["kind"] == "grease" else name,
+        source="; ".join(text for text in (row["source"], row["note"]) if text),
+        cold_viscosity=cold,
+        is_class=row["viscosity status"] == "class",
+        is_grease=row["kind"] == "grease",
+        **own,
+    )
+
+
+def base_oil(name: str) -> KnownOil:
+    """What oils of this kind have in common; name : one of catalog.rows("base_oils")."""
+    row = catalog.rows("base_oils")[name]
+    density, slope = _value(row, "density_15"), _value(row, "density_slope")
+    return KnownOil(
+        name=f"{name} oil",
+        density=Density(at_15=density, slope=slope, status="assumed", source=row["source"]),
+        law=PressureViscosityLaw(factor=_value(row, "factor"), exponent=_value(row, "exponent")),
+        law_source=f"{row['factor [1/GPa]']} nu^{row['exponent']} 1/GPa, nu in mm2/s; {row['source']}",
+        limiting_shear=_cell(row, "limiting_shear"),
+        thermal_conductivity=_cell(row, "thermal_conductivity"),
+    )
+
+
+def _value(row: catalog.Row, column: str) -> float:
+    """The value of a cell in SI, by the unit in the name of its column."""
+    title = next(title for title in row if title.partition(" [")[0] == column)
+    unit = title.partition(" [")[2].rstrip("]")
+    if not unit:
+        return float(row[title])
+    return Dimension(unit=SI[column], low=-1e9, high=1e9, example="").read(f"{row[title]} {unit}")
+
+
+def _cell(row: catalog.Row, column: str) -> float | None:
+    """The same; None if the cell is empty."""
+    return _value(row, column) if next(row[title] for title in row if title.partition(" [")[0] == column) else None

@@ -1,0 +1,242 @@
+"""The oil of a scene: an oil of the catalog by its name, two viscosities, or every number; keys that are given win.
+
+A limit +-a of a value counts as a rectangular distribution, whose standard deviation is a/sqrt(3).
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import hypot, log, sqrt
+from typing import Any
+
+from analytic.errors import InputError
+from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, viscosity_line
+from analytic.scene import Lubricant, Origin, Status, read_only
+from analytic.scenefile.known_oil import COLD, HOT, Density, KnownOil, base_oil, named_oil
+from analytic.scenefile.tables import LubricantTable
+from analytic.scenefile.viscosity import GivenViscosity
+
+DEFAULTS = {  # typical of mineral oils near 40 degC (no source seen)
+    "limiting_shear": 0.065,
+    "viscosity_temperature": 0.045,  # 1/K
+    "thermal_conductivity": 0.14,  # W/(m K)
+    "density": 870.0,  # kg/m^3
+}
+EXAMPLES = {"density": '"900 kg/m^3"', "pressure_viscosity": '"2e-8 1/Pa"', "eyring_stress": '"5 MPa"'}
+# Limits, over the value.
+CLASS_LIMIT = 0.10  # a class of ISO 3448, at 40 degC
+INDEX_LIMIT = 0.05  # at 100 degC: some ten points of an assumed viscosity index; in proportion at other temperatures
+DENSITY_LIMIT = 0.03  # an assumed density: base oils of one kind are some 850 to 900 kg/m^3
+MEASURED_LIMIT = 0.05  # a measured pressure-viscosity coefficient; two laboratories differ by 8 %
+DERIVED_LIMIT = 0.25  # one by the kind of oil: a judgement, as the law is fitted to one class, ISO VG 100
+SHEAR_LIMIT = 0.10  # traction by the limiting shear of [Arana2019] was within 10 % of tests
+EYRING_LIMIT = 0.5  # 3 to 8 MPa are usual, about the 5 MPa of mineral oils
+
+
+@dataclass(frozen=True, kw_only=True)
+class Property:
+    """A value in SI and where it comes from."""
+
+    value: float
+    origin: Origin
+
+
+def lubricant_of(table: LubricantTable) -> Lubricant:
+    """The lubricant of a scene; the errors of completed_lubricant."""
+    return completed_lubricant({key: getattr(table, key) for key in table.model_fields_set})
+
+
+def completed_lubricant(given: Mapping[str, Any]) -> Lubricant:
+    """The lubricant that these keys of [lubricant] describe; values in SI, the viscosity as GivenViscosity.
+
+    Raises InputError, in one line, for an unknown name, for keys in conflict, for a temperature beyond the oil's data,
+    and for what neither the keys nor the catalog gives.
+    """
+    _refuse_conflicts(given)
+    if "name" in given:
+        oil = named_oil(given["name"])
+    else:
+        oil = base_oil(given["base_oil"]) if "base_oil" in given else KnownOil(name="")
+    viscosity: GivenViscosity | None = given.get("viscosity")
+    if "name" in given or (viscosity is not None and viscosity.is_pair):
+        temperature = reference = given.get("temperature", COLD)
+    else:
+        reference = given.get("reference_temperature", COLD)
+        temperature = given.get("temperature", reference)
+
+    density = _density(given, oil, reference)
+    known_shear = _own(given, "limiting_shear") or _limiting_shear(oil)
+    line = _given_line(given, oil) or oil.line
+    eta = None if density is None else _viscosity(given, oil, line, density, reference)
+    nu = None if eta is None or density is None else eta.value / density.value
+    alpha = _own(given, "pressure_viscosity") or _pressure_viscosity(oil, nu)
+    stress = _own(given, "eyring_stress") or _eyring_stress(alpha, known_shear)
+    if eta is None or density is None or alpha is None or stress is None:
+        reason = f": no sourced value for {oil.name}" if "name" in given else ""
+        needed = {"density": density, "pressure_viscosity": alpha, "eyring_stress": stress}
+        missing = (key for key, known in needed.items() if known is None)
+        raise InputError(
+            "; ".join(f"lubricant.{key} is missing{reason}; give for example {EXAMPLES[key]}" for key in missing)
+        )
+    conductivity = _own(given, "thermal_conductivity") or _conductivity(oil)
+    is_line_used = line is not None and (viscosity is None or viscosity.is_pair or "name" in given)
+    slope = _slope(given, line if is_line_used else None, oil, reference)
+    properties = {
+        "viscosity": eta,
+        "pressure_viscosity": alpha,
+        "eyring_stress": stress,
+        "limiting_shear": known_shear or _default("limiting_shear", None),
+        "density": density,
+        "thermal_conductivity": conductivity,
+    }
+    words = {key: given[key] for key in ("traction", "supply", "starvation_degree", "compressible") if key in given}
+    return Lubricant(
+        **{name: each.value for name, each in properties.items()},
+        viscosity_temperature=slope,
+        reference_temperature=reference,
+        temperature=temperature,
+        origins=read_only({name: each.origin for name, each in properties.items()}),
+        **({"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"} | words),
+    )
+
+
+def _refuse_conflicts(given: Mapping[str, Any]) -> None:
+    viscosity: GivenViscosity | None = given.get("viscosity")
+    if viscosity is None and "name" not in given:
+        raise InputError(
+            'lubricant.viscosity is missing; give for example "0.06 Pa s", or ["46 cSt at 40 degC", "6.8 cSt at '
+            '100 degC"] with density, or name = "ISO VG 46" alone'
+        )
+    if "name" in given and "base_oil" in given:
+        raise InputError(
+            "lubricant.base_oil goes with viscosity; the oil of lubricant.name has its own, so leave it out"
+        )
+    has_temperatures = viscosity is not None and viscosity.is_pair
+    if "reference_temperature" in given and ("name" in given or has_temperatures):
+        owner = "lubricant.name" if "name" in given else "lubricant.viscosity with two temperatures"
+        raise InputError(
+            f"lubricant.reference_temperature does not go with {owner}, which is known at every temperature; give "
+            "temperature alone"
+        )
+    is_density_known = "density" in given or "name" in given or "base_oil" in given
+    if viscosity is not None and viscosity.is_kinematic and not is_density_known:
+        raise InputError(
+            f"lubricant.viscosity = {viscosity.text} is kinematic, so lubricant.density is missing; give for example "
+            '"870 kg/m^3" (or base_oil = "mineral"), or a viscosity in Pa*s, for example "0.06 Pa s"'
+        )
+
+
+def _density(given: Mapping[str, Any], oil: KnownOil, temperature: float) -> Property | None:
+    """None for an oil whose kinematic viscosity is known and whose density is not."""
+    own = _own(given, "density")
+    if own is not None:
+        return own
+    if oil.density is not None:
+        limit = DENSITY_LIMIT if oil.density.status == "assumed" else None
+        return _property(oil.density.at(temperature), oil.density.status, limit, oil.density.source)
+    return None if "name" in given and not _has_dynamic_viscosity(given) else _default("density", DENSITY_LIMIT)
+
+
+def _has_dynamic_viscosity(given: Mapping[str, Any]) -> bool:
+    return "viscosity" in given and not given["viscosity"].is_kinematic
+
+
+def _given_line(given: Mapping[str, Any], oil: KnownOil) -> ViscosityLine | None:
+    """The line through two given viscosities; a dynamic one is divided by the density at its temperature."""
+    viscosity: GivenViscosity | None = given.get("viscosity")
+    if viscosity is None or not viscosity.is_pair:
+        return None
+    temperatures, kinematic = [], []
+    for point in viscosity.points:
+        density = None if point.is_kinematic else _density(given, oil, point.temperature)
+        temperatures.append(point.temperature)
+        kinematic.append(point.value if density is None else point.value / density.value)
+    try:
+        return viscosity_line(temperatures=(temperatures[0], temperatures[1]), viscosities=(kinematic[0], kinematic[1]))
+    except InputError as problem:
+        raise InputError(f"lubricant.{problem}") from problem
+
+
+def _viscosity(
+    given: Mapping[str, Any], oil: KnownOil, line: ViscosityLine | None, density: Property, temperature: float
+) -> Property:
+    viscosity: GivenViscosity | None = given.get("viscosity")
+    if viscosity is not None and not viscosity.is_pair:
+        (point,) = viscosity.points
+        value = point.value * density.value if point.is_kinematic else point.value
+        return _property(value, "given", None, "the scene")
+    if line is None:
+        if abs(temperature - COLD) > 0.01:
+            raise InputError(
+                f"lubricant.temperature must be 40 degC, got {temperature - 273.15:.4g} degC: no sourced viscosity of "
+                f"{oil.name} at another temperature; give viscosity at that temperature"
+            )
+        assert oil.cold_viscosity is not None
+        nu = oil.cold_viscosity
+    else:
+        try:
+            nu = line.kinematic_viscosity(temperature)
+        except InputError as problem:
+            raise InputError(f"lubricant.{problem}") from problem
+    if viscosity is not None:
+        return _property(nu * density.value, "derived", None, "two viscosities of the scene, ASTM D341")
+    limit = None
+    source = f"{oil.name}: {oil.source}"
+    if oil.is_class:
+        limit = hypot(CLASS_LIMIT, INDEX_LIMIT * log(temperature / COLD) / log(HOT / COLD), DENSITY_LIMIT)
+        source += "; the limits of the class are +-10 % at 40 degC"
+    at_a_print = min(abs(temperature - COLD), abs(temperature - HOT)) < 0.01 and not oil.is_class
+    status: Status = "printed" if at_a_print or abs(temperature - COLD) < 0.01 else "derived"
+    return _property(nu * density.value, status, limit, source if status == "printed" else f"{source}; ASTM D341")
+
+
+def _slope(given: Mapping[str, Any], line: ViscosityLine | None, oil: KnownOil, temperature: float) -> float:
+    """-d ln(eta)/dT: that of the kinematic viscosity and that of the density."""
+    if "viscosity_temperature" in given:
+        return given["viscosity_temperature"]
+    if line is None or not line.coldest <= temperature <= line.hottest:
+        return DEFAULTS["viscosity_temperature"]
+    density: Density | None = None if "density" in given else oil.density
+    thermal = 0.0 if density is None else -density.slope / density.at(temperature)
+    return line.temperature_slope(temperature) + thermal
+
+
+def _pressure_viscosity(oil: KnownOil, kinematic: float | None) -> Property | None:
+    if oil.law is None or kinematic is None:
+        return None
+    limit = MEASURED_LIMIT if oil.law_status == "printed" else DERIVED_LIMIT
+    return _property(oil.law.coefficient(kinematic), oil.law_status, limit, oil.law_source)
+
+
+def _limiting_shear(oil: KnownOil) -> Property | None:
+    if oil.limiting_shear is None:
+        return None
+    return _property(oil.limiting_shear, oil.shear_status, SHEAR_LIMIT, "by the kind of oil, table 2 of [Arana2019]")
+
+
+def _eyring_stress(alpha: Property | None, shear: Property | None) -> Property | None:
+    """By pressure-viscosity and limiting shear; None where one of them is not known."""
+    if alpha is None or shear is None or not alpha.value * shear.value > 0:
+        return None
+    stress = eyring_stress_of(limiting_shear=shear.value, pressure_viscosity=alpha.value)
+    return _property(stress, "derived", EYRING_LIMIT, "2 limiting_shear/pressure_viscosity [Arana2019]")
+
+
+def _conductivity(oil: KnownOil) -> Property:
+    if oil.thermal_conductivity is None:
+        return _default("thermal_conductivity", None)
+    source = "table A1 of [Schwarz2023], of FVA 3"
+    return _property(oil.thermal_conductivity, oil.conductivity_status, None, source)
+
+
+def _own(given: Mapping[str, Any], key: str) -> Property | None:
+    return _property(given[key], "given", None, "the scene") if key in given else None
+
+
+def _default(key: str, limit: float | None) -> Property:
+    return _property(DEFAULTS[key], "assumed", limit, "typical of mineral oils near 40 degC, no source seen")
+
+
+def _property(value: float, status: Status, limit: float | None, source: str) -> Property:
+    """limit : of the value, relative; None: unknown."""
+    deviation = None if limit is None else abs(value) * limit / sqrt(3)
+    return Property(value=value, origin=Origin(status=status, uncertainty=deviation, source=source))

@@ -1,0 +1,74 @@
+"""Viscosities as a scene gives them: dynamic or kinematic, one, or two at two temperatures."""
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.text import shown
+
+KINEMATIC = Dimension(unit="m^2/s", low=1e-7, high=10, example='"46 cSt"')
+TEMPERATURE = Dimension(unit="K", low=200, high=600, example='"40 degC"')
+
+
+@dataclass(frozen=True, kw_only=True)
+class ViscosityPoint:
+    """One viscosity."""
+
+    value: float  # Pa s, or m^2/s
+    is_kinematic: bool
+    temperature: float | None  # K; None: none is given with it
+
+
+@dataclass(frozen=True, kw_only=True)
+class GivenViscosity:
+    """The viscosity of an oil: one without a temperature, or two at two temperatures."""
+
+    points: tuple[ViscosityPoint, ...]
+    text: str  # as it was given, for messages
+
+    @property
+    def is_pair(self) -> bool:
+        return len(self.points) == 2
+
+    @property
+    def is_kinematic(self) -> bool:
+        return any(point.is_kinematic for point in self.points)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Viscosity(Dimension):
+    """What the viscosity of an oil accepts; `read` accepts only a dynamic one, as a sweep steps through them."""
+
+    def field_value(self, given: object) -> GivenViscosity:
+        """Raises ValueError that says what is wrong and what is accepted."""
+        if not isinstance(given, list):
+            points = (self._point(given, with_temperature=False),)
+        elif len(given) == 2:
+            points = tuple(self._point(each, with_temperature=True) for each in given)
+        else:
+            raise ValueError(f"is not one viscosity or two; {self.accepted}")
+        return GivenViscosity(points=points, text=shown(given))
+
+    def _point(self, given: object, *, with_temperature: bool) -> ViscosityPoint:
+        value, at, temperature = given.partition(" at ") if isinstance(given, str) else (given, "", "")
+        if bool(at) != with_temperature:
+            problem = "has no temperature" if with_temperature else "has a temperature, which needs a second one"
+            raise ValueError(f"{problem}; {self.accepted}")
+        kelvin = TEMPERATURE.read(temperature.strip()) if at else None
+        kinematic = _kinematic(value)
+        return ViscosityPoint(
+            value=self.read(value) if kinematic is None else kinematic,
+            is_kinematic=kinematic is not None,
+            temperature=kelvin,
+        )
+
+
+def _kinematic(given: Any) -> float | None:
+    """The kinematic viscosity in m^2/s; None for what is none. mm2/s and mm²/s are known too."""
+    if not isinstance(given, str):
+        return None
+    try:
+        return KINEMATIC.read(re.sub(r"mm[2²]", "mm^2", given))
+    except ValueError:
+        return None
