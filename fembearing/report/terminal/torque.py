@@ -213,13 +213,12 @@ def _print_inputs(out: Console, result: SceneTorque) -> None:
     stated = [each for each in result.inputs if each.origin.status != "given"]
     if not stated:
         return
-    words = ("input", "value", "status", "source")
-    table = table_of(words, title="Inputs that the scene does not give itself", left=words, fixed=words[:3])
+    words = ("input", "value", "status")
+    table = table_of(words, title="Inputs that the scene does not give itself", left=words, fixed=words)
     for each in stated:
-        value = value_of(each.value, each.origin.uncertainty, each.unit)
-        table.add_row(each.key.partition(".")[2], value, each.origin.status, escape(each.origin.source))
+        table.add_row(each.key, value_of(each.value, each.origin.uncertainty, each.unit), each.origin.status)
     out.print(table)
-    out.print("+-: one standard deviation.\n", style="dim")
+    out.print("+-: one standard deviation. --json and the report name the sources.\n", style="dim")
 
 
 def percent(value: float | None) -> str:

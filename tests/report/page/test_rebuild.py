@@ -132,8 +132,8 @@ def test_nothing_is_left_of_a_page_that_fails(
     assert {file.name for file in tmp_path.iterdir()} == {"report.json", "report.html"}
 
 
-def put(document: dict[str, Any], place: str, value: object) -> None:
-    *way, last = place.split(".")
+def put(document: dict[str, Any], place: str | tuple[str, ...], value: object) -> None:
+    *way, last = place.split(".") if isinstance(place, str) else place
     here: Any = document
     for step in way:
         here = here[int(step)] if isinstance(here, list) else here[step]
@@ -233,11 +233,11 @@ def test_a_file_that_is_no_report_gets_one_line_and_status_2(
     assert words in told.err
 
 
-def places(value: object, way: str = "") -> Iterator[str]:
+def places(value: object, way: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:
     """Of everything in a document."""
     parts = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for name, part in parts:
-        here = f"{way}.{name}" if way else str(name)
+        here = (*way, str(name))
         yield here
         yield from places(part, here)
 
