@@ -27,7 +27,8 @@ class Groove(Noun):
 
     bottom_radius: float
     groove_radius: float
-    shoulder_half_width: float
+    shoulder_half_width: float | None
+    far_shoulder_half_width: float | None = None
     material: Material
 
 
