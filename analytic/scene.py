@@ -76,14 +76,23 @@ class Origin:
 
 @dataclass(frozen=True, kw_only=True)
 class Groove:
-    """The raceway of one ring: a torus, with a flat land beyond each shoulder."""
+    """The raceway of one ring: a torus, with a flat land beyond each shoulder.
+
+    Thrust loads one side of the groove; the shoulder there is the near one, the other is the far one. A far half-width
+    of 0 is a groove that is cylindrical from its bottom on, as in a counterbored outer ring.
+    """
 
     bottom_radius: float  # bearing axis to the bottom of the groove, m
     groove_radius: float  # r_g, of the profile of the groove, m
-    shoulder_half_width: float | None  # middle of the groove to the shoulder that thrust loads, m; None: unknown
-    # To the other shoulder, m; None: as far; 0: the ring is cylindrical from the bottom of its groove.
-    far_shoulder_half_width: float | None = None
+    shoulder_half_width: float | None  # middle of the groove to the near shoulder, along the axis, m; None: not known
     material: Material
+    far_shoulder_half_width: float | None = None  # likewise to the far shoulder, m, >= 0; None: as the near one
+
+    @property
+    def half_widths(self) -> tuple[float | None, float | None]:
+        """Middle of the groove to the near and to the far shoulder, m; None: not known."""
+        near, far = self.shoulder_half_width, self.far_shoulder_half_width
+        return near, near if far is None else far
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -310,12 +319,12 @@ class Wall:
 
 @dataclass(frozen=True, kw_only=True)
 class Ring:
-    """The ring that carries a groove; its section is symmetric about the middle of the groove."""
+    """The ring that carries a groove, whose middle is that of the ring."""
 
     bottom_radius: float  # bearing axis to the bottom of the groove, m
     seat_radius: float  # bearing axis to the seat on the shaft or in the housing, m
     width: float  # m
-    shoulder_half_width: float  # middle of the groove to each shoulder, along the axis, m
+    shoulder_half_widths: tuple[float, float]  # middle of the groove to the shoulder at y > 0 and at y < 0, axially, m
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -323,18 +332,25 @@ class Contact:
     """A ball pressed into a groove: all that an elastic solution needs.
 
     `rolling_radius` is the radius of the groove along rolling at the centre of the contact: positive on the inner ring
-    (convex), negative on the outer ring (concave). `shoulder` is the distance from the centre of the contact to the
-    nearer shoulder, in the tangent plane at that centre; y is positive towards this shoulder.
+    (convex), negative on the outer ring (concave). `shoulder` and `far_shoulder` are the distances from the centre of
+    the contact to the shoulders at y > 0 and at y < 0, in the tangent plane at that centre. The contact lies on the
+    side y > 0 of the groove, at an angle that is never negative; so y points to the shoulder that it has moved towards.
     """
 
     pair: Pair
     ball_radius: float  # m
     groove_radius: float  # r_g, m
     rolling_radius: float  # m, signed
-    shoulder: float  # m
-    contact_angle: float  # rad
+    shoulder: float  # at y > 0, m
+    far_shoulder: float  # at y < 0, m
+    contact_angle: float  # rad, >= 0
     load: float  # N
     ball_material: Material
     race_material: Material
     wall: Wall | None = None  # of a pocket
     ring: Ring | None = None  # of a race whose seat and width are known
+
+    @property
+    def nearer_shoulder(self) -> float:
+        """Distance to the nearer one of both shoulders, m."""
+        return min(self.shoulder, self.far_shoulder)

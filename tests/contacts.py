@@ -13,11 +13,14 @@ INNER = Contact(
     groove_radius=4.13e-3,
     rolling_radius=16.47e-3,
     shoulder=2.14e-3,
+    far_shoulder=3.77e-3,
     contact_angle=0.303,
     load=372.0,
     ball_material=STEEL,
     race_material=STEEL,
 )
-OUTER = replace(INNER, pair="outer", groove_radius=4.21e-3, rolling_radius=-24.41e-3, shoulder=2.11e-3)
-INNER_RING = Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_width=3.1e-3)
+OUTER = replace(
+    INNER, pair="outer", groove_radius=4.21e-3, rolling_radius=-24.41e-3, shoulder=2.11e-3, far_shoulder=3.81e-3
+)
+INNER_RING = Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_widths=(3.1e-3, 3.1e-3))
 OUTER_RING = replace(INNER_RING, bottom_radius=23.48e-3, seat_radius=26e-3)

@@ -22,6 +22,7 @@ from analytic.cage.steady import (
     rest_torque,
     sliding_torque,
 )
+from analytic.contact.geometry import known_half_widths
 from analytic.scene import Array, Bearing, Cage, Scene
 
 CAGE_KEYS = (
@@ -298,7 +299,8 @@ def _land(bearing: Bearing, cage: Cage, inner_speed: float) -> LandGuidance | No
         return None
     outside = cage.land.ring == "outer"
     groove = bearing.outer if outside else bearing.inner
-    height = groove.groove_radius - np.sqrt(groove.groove_radius**2 - groove.shoulder_half_width**2)
+    half_width = max(known_half_widths(bearing, cage.land.ring))  # the higher shoulder is next to the cage
+    height = groove.groove_radius - np.sqrt(groove.groove_radius**2 - half_width**2)
     return LandGuidance(
         radius=float(groove.bottom_radius + (-height if outside else height)),
         half_clearance=cage.land.clearance / 2,

@@ -14,7 +14,7 @@ in. This is derived here; the sphere of [Sternberg1952] has such a logarithm.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import cache
 from types import MappingProxyType
 from typing import Any
@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from analytic import catalog
 from analytic.contact.factors import ContactCorrection, ContactFactors
-from analytic.contact.geometry import Race, race_curvatures, shoulder_distance
+from analytic.contact.geometry import USUAL_SHOULDERS, Race, race_curvatures, shoulder_distances
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.scene import Array, Bearing, Contact, Material
 
@@ -134,25 +134,61 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     )
 
 
+def within_unknown_shoulders(
+    typical: CorrectedGeometry, low: CorrectedGeometry, high: CorrectedGeometry
+) -> CorrectedGeometry:
+    """The correction of shoulders that are not known, from those of a typical, a low and a high one.
+
+    The factors are the typical ones. Their uncertainty reaches to those of either other, and nothing is covered.
+    """
+    every, factors = (typical, low, high), vars(typical.factors)
+    farthest, uncertainty = {}, {}
+    for name, factor in factors.items():
+        others = np.stack([getattr(each.factors, name) for each in every])
+        ends = np.stack([getattr(each.farthest, name) for each in every])
+        own = np.stack([each.uncertainty[name] for each in every])
+        uncertainty[name] = np.max(np.abs(others - factor) + own, axis=0)
+        at = np.argmax(np.abs(ends - factor), axis=0)[None]
+        farthest[name] = np.take_along_axis(ends, at, axis=0)[0]
+    taken, least, most = (USUAL_SHOULDERS[place] for place in (1, 0, 2))
+    return replace(
+        typical,
+        farthest=ContactFactors(**farthest),
+        uncertainty=MappingProxyType(uncertainty),
+        covered=np.zeros_like(typical.covered),
+        warnings=(
+            f"shoulder not known: the correction is that of a height of {taken:g} ball diameters, and its uncertainty "
+            f"that of {least:g} to {most:g}",
+            *typical.warnings,
+        ),
+    )
+
+
 def beyond_range(shape: ContactShape) -> Array:
-    """How far a shape lies outside the range of the fit, in steps of each ratio; the largest of these, 0 within."""
+    """How far a shape lies outside the range of the fit, in steps of each ratio; the largest of these, 0 within.
+
+    0 without load, where nothing is to be corrected.
+    """
     values, limits = _broadcast(shape), stored_fit()["range"]
     beyond = np.maximum(OFF_SHOULDER - values["shoulder"] / np.maximum(values["size"], TINIEST), 0.0) / STEP_TO_SHOULDER
     for name, (low, high) in limits.items():
         outside = np.maximum((0.0 if name == "size" else low) - values[name], values[name] - high)
         beyond = np.maximum(beyond, outside / STEP[name])
-    return beyond
+    return np.where(values["size"] > 0, beyond, 0.0)
 
 
 def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> ContactShape:
-    """The shape of ball on race; contact_angle (al, rad, in [0, pi/2]) and ball_load (Q, N, >= 0) broadcast."""
+    """The shape of ball on race, whose shoulders must be known.
+
+    contact_angle (al, rad, in [-pi/2, pi/2], see `shoulder_distances`) and ball_load (Q, N, >= 0) broadcast.
+    """
     groove, radius = bearing.inner if race == "inner" else bearing.outer, bearing.ball_radius
-    rolling, _ = race_curvatures(bearing, race, contact_angle=contact_angle)
+    rolling, _ = race_curvatures(bearing, race, contact_angle=np.abs(contact_angle))
     return _shape(
         radius=radius,
         groove_radius=groove.groove_radius,
         rolling_curvature=radius * rolling - 1,
-        shoulder=shoulder_distance(bearing, race, contact_angle=contact_angle),
+        shoulder=np.minimum(*shoulder_distances(bearing, race, contact_angle=contact_angle)),
         load=ball_load,
         ball=bearing.ball_material,
         race=groove.material,
@@ -165,7 +201,7 @@ def contact_shape(contact: Contact) -> ContactShape:
         radius=contact.ball_radius,
         groove_radius=contact.groove_radius,
         rolling_curvature=contact.ball_radius / contact.rolling_radius,
-        shoulder=contact.shoulder,
+        shoulder=contact.nearer_shoulder,
         load=contact.load,
         ball=contact.ball_material,
         race=contact.race_material,
@@ -256,9 +292,10 @@ def _outside(values: Mapping[str, Array], limits: Mapping[str, Any], applied: Ar
             return "the correction is held at the border"
         return "the correction is not applied" if least == 0 else f"{least:.2g} of the correction is applied"
 
+    loaded = values["size"] > 0
     for name, (low, high) in limits.items():
         value, low = values[name], 0.0 if name == "size" else low
-        outside = ~((value >= low) & (value <= high))
+        outside = ~((value >= low) & (value <= high)) & loaded
         if outside.any():
             farthest = value[outside][np.argmax(np.abs(value[outside] - (low + high) / 2))]
             least = applied[value == farthest].min()

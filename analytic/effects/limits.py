@@ -8,12 +8,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from analytic.contact.geometry import RACES, shoulder_distance
+from analytic.contact.geometry import RACES, USUAL_SHOULDERS, shoulder_distances, with_shoulders
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, MOST_CUT, PER_CUT_SHARE, STATIC_LIMIT
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Array, Bearing, Operation, Scene
 
 CHECKED = "checked, not modelled"  # how a reason begins
 
@@ -33,15 +33,21 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
     operation : every array (n,)
     Raises InputError for a contact that has left its race.
     """
-    distance = _shoulder_distance(scene, balls)
+    distance = _shoulder_distance(scene.bearing, balls)
+    lowest = _shoulder_distance(with_shoulders(scene.bearing, USUAL_SHOULDERS[0]), balls)
     warnings = (
         *_shoulder(distance, operation, balls, ledger),
         *_plasticity(balls, ledger),
     )
-    share = cut_off_share(distance, balls.contact.semi_axis_y).max(axis=(0, 2))
+    share = cut_off_share(np.maximum(lowest, 0.0), balls.contact.semi_axis_y).max(axis=(0, 2))
     plastic = balls.contact.peak_pressure.max(axis=(0, 2)) > STATIC_LIMIT
     unknown = []
-    if np.any(share > MOST_CUT):
+    if np.any(share > MOST_CUT) and np.isnan(distance).any():
+        unknown.append(
+            f"shoulder not known: a low one, of {USUAL_SHOULDERS[0]:g} ball diameters, would cut off {share.max():.2g} "
+            f"of a contact's load, more than {MOST_CUT:g}; give shoulder_height of both rings"
+        )
+    elif np.any(share > MOST_CUT):
         unknown.append(
             f"a shoulder cuts off {share.max():.2g} of a contact's load by Hertz, more than {MOST_CUT:g}: its pressure "
             "and its place are no longer Hertz's; raise shoulder_half_width or lower the load"
@@ -61,7 +67,7 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
 def cut_off_share(distance: Array, semi_axis: Array) -> Array:
     """Share of an ellipse's load beyond a line across it, of one shape: (2 - 3 t + t^3)/4, t = distance/semi_axis.
 
-    distance : of the line from the centre, m, > 0;  semi_axis : b, to which the line is perpendicular, m, >= 0
+    distance : of the line from the centre, m, >= 0;  semi_axis : b, to which the line is perpendicular, m, >= 0
     Hertz's pressure, integrated along rolling, is a parabola over b.
     """
     reach = np.minimum(distance, semi_axis)
@@ -69,11 +75,11 @@ def cut_off_share(distance: Array, semi_axis: Array) -> Array:
     return (1 - t) ** 2 * (2 + t) / 4
 
 
-def _shoulder_distance(scene: Scene, balls: LoadedBalls) -> Array:
-    """(2, n, m) from the contacts' centres to their nearer shoulders, m; infinite without load."""
+def _shoulder_distance(bearing: Bearing, balls: LoadedBalls) -> Array:
+    """(2, n, m) from the contacts' centres to their nearer shoulders, m; infinite without load, NaN if not known."""
     distance = np.stack(
         [
-            shoulder_distance(scene.bearing, race, contact_angle=np.abs(angle))
+            np.minimum(*shoulder_distances(bearing, race, contact_angle=angle))
             for race, angle in zip(RACES, balls.contact_angle, strict=True)
         ]
     )
@@ -82,13 +88,16 @@ def _shoulder_distance(scene: Scene, balls: LoadedBalls) -> Array:
 
 def _shoulder(distance: Array, operation: Operation, balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
     b, bearing = balls.contact.semi_axis_y, ledger.scene.bearing
-    left, nearest = np.inf, ENTRIES["shoulder"].idle
+    left, nearest, unknown = np.inf, ENTRIES["shoulder"].idle, []
     for index, name in enumerate(RACES):
+        if np.isnan(distance[index]).any():
+            unknown.append(name)
+            continue
         point, ball = np.unravel_index(np.argmin(distance[index]), distance[index].shape)
         if distance[index, point, ball] <= 0:
-            angles = np.abs(balls.contact_angle[:, point, ball])
+            angles = balls.contact_angle[:, point, ball]
             # The ball's inertia separates its two angles: without it both would be near their mean.
-            separated = shoulder_distance(bearing, name, contact_angle=angles.mean()) > 0
+            separated = np.min(shoulder_distances(bearing, name, contact_angle=angles.mean())) > 0
             speed = f"the speed of {operation.inner_speed[point]:.5g} rad/s, whose centrifugal force moves it there"
             raise InputError(
                 f"{_loads(operation, int(point))}: the contact moves to {angles[index]:.4f} rad, beyond the {name} "
@@ -105,6 +114,9 @@ def _shoulder(distance: Array, operation: Operation, balls: LoadedBalls, ledger:
                 f"{space:.4g} m; "
                 "the true contact is cut off there and its pressure higher"
             )
+    if unknown:
+        rings = " and ".join(f"bearing.{name}.shoulder_height" for name in unknown)
+        nearest = f"shoulder not known: give {rings}" + (f"; {nearest}" if np.isfinite(left) else "")
     ledger.settle("shoulder", on=False, reason=f"{CHECKED}: {nearest}")
 
 

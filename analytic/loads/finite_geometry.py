@@ -9,8 +9,14 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.finite_geometry import RaceCorrections, finite_geometry_factors, race_shape
-from analytic.contact.geometry import RACES
+from analytic.contact.finite_geometry import (
+    CorrectedGeometry,
+    RaceCorrections,
+    finite_geometry_factors,
+    race_shape,
+    within_unknown_shoulders,
+)
+from analytic.contact.geometry import RACES, USUAL_SHOULDERS, Race, with_shoulders
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Array, Bearing, ContactAngle
@@ -31,7 +37,7 @@ def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
     A contact without load has no place on its race, and its factors are 1.
     """
     each = (..., 0) if balls.method == "thrust" else ...  # an equilibrium takes one factor for each element of this
-    inner_angle, outer_angle = np.where(balls.load > 0, np.abs(balls.contact_angle), 0.0)
+    inner_angle, outer_angle = np.where(balls.load > 0, balls.contact_angle, 0.0)
     inner_load, outer_load = balls.load
     return _corrections(
         bearing, angles=(inner_angle[each], outer_angle[each]), loads=(inner_load[each], outer_load[each])
@@ -40,7 +46,18 @@ def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
 
 def _corrections(bearing: Bearing, *, angles: Sequence[Array], loads: Sequence[Array]) -> RaceCorrections:
     inner, outer = (
-        finite_geometry_factors(race_shape(bearing, race, contact_angle=angle, ball_load=load))
-        for race, angle, load in zip(RACES, angles, loads, strict=True)
+        _of_race(bearing, race, angle, load) for race, angle, load in zip(RACES, angles, loads, strict=True)
     )
     return RaceCorrections(inner=inner, outer=outer)
+
+
+def _of_race(bearing: Bearing, race: Race, angle: Array, load: Array) -> CorrectedGeometry:
+    """The correction of a race; where its shoulders are not known, that of a typical height, which others spread."""
+    groove = bearing.inner if race == "inner" else bearing.outer
+    if groove.shoulder_half_width is not None:
+        return finite_geometry_factors(race_shape(bearing, race, contact_angle=angle, ball_load=load))
+    low, typical, high = (
+        finite_geometry_factors(race_shape(with_shoulders(bearing, height), race, contact_angle=angle, ball_load=load))
+        for height in USUAL_SHOULDERS
+    )
+    return within_unknown_shoulders(typical, low, high)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from analytic.scene import Bearing, Cage, ContactAngle
+from analytic.scene import Bearing, Cage, ContactAngle, Groove
 
 # Interference on the diameter over the ball diameter: several times that at which a steel race yields (about 0.8 %), so
 # that plastic balls are accepted.
@@ -27,9 +27,11 @@ def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
                 f"must exceed the ball radius {_mm(ball / 2)} (equal radii are a line contact); "
                 f"usual are {_mm(0.51 * ball)} to {_mm(0.54 * ball)}",
             )
-        if not ring.shoulder_half_width < ring.groove_radius:
-            possible = False
-            yield f"bearing.{name}.shoulder_half_width", f"must be below groove_radius {_mm(ring.groove_radius)}"
+        for key in ("shoulder_half_width", "far_shoulder_half_width"):
+            half_width = getattr(ring, key)
+            if half_width is not None and not half_width < ring.groove_radius:
+                possible = False
+                yield f"bearing.{name}.{key}", f"must be below groove_radius {_mm(ring.groove_radius)}"
     if not possible:
         return
     if not bearing.outer.groove_radius < bearing.outer.bottom_radius:
@@ -47,9 +49,8 @@ def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
 
 def angle_misfits(bearing: Bearing, angle: ContactAngle) -> Iterator[tuple[str, str]]:
     """The same for a contact angle beyond a shoulder."""
-    shoulder = min(
-        float(np.arcsin(ring.shoulder_half_width / ring.groove_radius)) for ring in (bearing.inner, bearing.outer)
-    )
+    known = [ring for ring in (bearing.inner, bearing.outer) if ring.shoulder_half_width is not None]
+    shoulder = min((float(np.arcsin(ring.shoulder_half_width / ring.groove_radius)) for ring in known), default=np.inf)
     for name, value in (("value", angle.value), ("free", angle.free)):
         if value is not None and not value < shoulder:
             yield f"bearing.contact_angle.{name}", f"must be below the shoulder's angle {shoulder:.4g} rad"
@@ -114,16 +115,19 @@ def _ring_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
             f"leaves a diametral clearance of {_mm(clearance)}, which must be below 2 (r_gi + r_go - D) = "
             f"{_mm(2 * distance)}: no contact angle closes it",
         )
-    inner_land, outer_land = (
-        ring.bottom_radius + sign * (ring.groove_radius - np.sqrt(ring.groove_radius**2 - ring.shoulder_half_width**2))
-        for ring, sign in ((bearing.inner, 1), (bearing.outer, -1))
-    )
-    if not inner_land < outer_land:
-        yield (
-            "bearing.inner.shoulder_half_width",
-            f"and that of the outer ring raise the shoulders to radii {_mm(inner_land)} and {_mm(outer_land)}: "
-            "the rings touch",
-        )
+    # The near shoulders, which thrust loads, lie on opposite sides of the ball; each faces the other ring's far one.
+    for inner_width, outer_width in zip(bearing.inner.half_widths, bearing.outer.half_widths[::-1], strict=True):
+        if inner_width is None or outer_width is None:
+            continue
+        inner_land = bearing.inner.bottom_radius + _rise(bearing.inner, inner_width)
+        outer_land = bearing.outer.bottom_radius - _rise(bearing.outer, outer_width)
+        if not inner_land < outer_land:
+            yield (
+                "bearing.inner.shoulder_half_width",
+                f"and that of the outer ring raise the shoulders to radii {_mm(inner_land)} and {_mm(outer_land)}: "
+                "the rings touch",
+            )
+            return
 
 
 def _boundary_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
@@ -135,9 +139,15 @@ def _boundary_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
     if outside is not None and not outside > 2 * bearing.outer.bottom_radius:
         limit = _mm(2 * bearing.outer.bottom_radius)
         yield "bearing.outside_diameter", f"must exceed the outer groove's bottom, {limit} in diameter"
-    widest = 2 * max(bearing.inner.shoulder_half_width, bearing.outer.shoulder_half_width)
+    known = (each for ring in (bearing.inner, bearing.outer) for each in ring.half_widths if each is not None)
+    widest = 2 * max(known, default=0.0)
     if width is not None and not width > widest:
         yield "bearing.width", f"must exceed the wider groove, {_mm(widest)} from shoulder to shoulder"
+
+
+def _rise(ring: Groove, half_width: float) -> float:
+    """Height of a shoulder over the bottom of its groove, m."""
+    return ring.groove_radius - float(np.sqrt(ring.groove_radius**2 - half_width**2))
 
 
 def _mm(length: float) -> str:

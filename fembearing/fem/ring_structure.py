@@ -8,13 +8,15 @@ averaged with the forces as weights.
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.errors import InputError
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.recipe import Recipe
-from fembearing.mesh.ring import into_ring, ring_piece
+from fembearing.mesh.ring import RingPiece, into_ring, ring_piece
 
+Array = NDArray[np.float64]
 End = Literal["free", "held"]
 HALVES = 2  # the meshed piece is one half of the loaded ring
 
@@ -30,16 +32,25 @@ def ring_compression(solution: MeshSolution, *, recipe: Recipe, end: End = "free
     if pair.footprint.cut:
         raise InputError(
             f"{contact.pair}: the ring's structure is that of a contact that ends before its shoulder, "
-            f"{contact.shoulder:.3g} m away; this one reaches over: lower the load or the contact angle"
+            f"{contact.nearer_shoulder:.3g} m away; this one reaches over: lower the load or the contact angle"
         )
     piece = ring_piece(contact, recipe, solution.level, pair.semi_axes)
     body = piece.body if end == "free" else piece.held
-    image = pair.normal * np.array([[1.0], [-1.0], [1.0]])
     system = held_stiffness(body, material=contact.race_material, semi_axes=pair.semi_axes)
-    direction = into_ring(contact, np.hstack([pair.normal, image]))
-    push = system.forces(body.touching, direction) @ np.tile(solution.force, 2)
+    normal, force = _on_both_sides(solution, piece)
+    push = system.forces(body.touching, into_ring(contact, normal)) @ force
     moved = system.displacement(push, load=0.0).ravel()[system.free]  # no far field: the seat holds the ring
     return float(push @ moved) / (contact.load / HALVES)
+
+
+def _on_both_sides(solution: MeshSolution, piece: RingPiece) -> tuple[Array, Array]:
+    """Normals (3, m) and forces (m,) on the touching nodes of the ring."""
+    normal, force = solution.pair.normal, solution.force
+    if solution.pair.footprint.half:
+        return normal, force
+    mirrored = np.array([np.ones(piece.side.size), np.where(piece.side < 0, -1.0, 1.0), np.ones(piece.side.size)])
+    # Nodes on the plane of symmetry carry the force of both sides.
+    return normal[:, piece.quarter] * mirrored, force[piece.quarter] * np.where(piece.side == 0, 2, 1)
 
 
 def block_compression(solution: MeshSolution) -> float:

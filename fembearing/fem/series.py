@@ -22,7 +22,7 @@ from fembearing.fem.solution import (
     fitted_solution,
     pressed,
 )
-from fembearing.mesh.footprint import farther_shoulder
+from fembearing.mesh.footprint import shoulders_of
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
@@ -113,7 +113,7 @@ def _solve_band(
     series = tuple(_under(meshed, load) for load in loads)
     if len(loads) == 1 or all(_fits(part) and _is_cut_correctly(part) for part in series):
         return series
-    reached = [sum(part.semi_axes[1] > shoulder for shoulder in _shoulders(contact)) for part in series]
+    reached = [sum(part.semi_axes[1] > shoulder for shoulder in shoulders_of(contact)) for part in series]
     alike = sum(count == reached[0] for count in reached)
     split = alike if alike < len(loads) else len(loads) // 2
     below = _solve_band(contact, recipe=recipe, loads=loads[:split], latest=meshed)
@@ -175,14 +175,9 @@ def _fits(solution: MeshSolution) -> bool:
     return bool(ratios.min() > NARROWEST - SLACK and ratios.max() < WIDEST + SLACK)
 
 
-def _shoulders(contact: Contact) -> tuple[float, float]:
-    """Distances of the shoulders at y < 0 and at y > 0, m."""
-    return farther_shoulder(contact), contact.shoulder
-
-
 def _is_cut_correctly(solution: MeshSolution) -> bool:
     """Whether the mesh is cut off at exactly those shoulders that the ellipse of the load reaches."""
-    for cut, shoulder in zip(solution.pair.footprint.shoulders, _shoulders(solution.contact), strict=True):
+    for cut, shoulder in zip(solution.pair.footprint.shoulders, shoulders_of(solution.contact), strict=True):
         beyond = solution.semi_axes[1] / shoulder - 1
         if beyond <= -AT_SHOULDER if np.isfinite(cut) else beyond >= AT_SHOULDER:
             return False

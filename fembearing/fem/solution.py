@@ -58,7 +58,7 @@ class MeshSolution:
     level: int
     pair: PairMesh
     quantities: Quantities
-    semi_axes: tuple[float, float]  # m, of the ellipse that a mesh should follow; from y <= 0 where y > 0 is cut off
+    semi_axes: tuple[float, float]  # m, of the ellipse that a mesh should follow; from the side that is not cut off
     shoulder: ShoulderLoad | None  # None where the contact ends before its shoulder
     x: Array  # (m,) rolling direction, m
     y: Array  # (m,) transverse direction, m
@@ -138,15 +138,17 @@ def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]
     )
     carried = force * lever  # part of the load that each node carries, N
     pressure = nodal_pressure(force, bodies.mass)
-    distance = pair.footprint.shoulders[1]
+    below, above = pair.footprint.shoulders
+    side, distance = (1, above) if above <= below else (-1, below)  # of the nearer shoulder that cuts
     centroid = float(carried @ y / carried.sum()) if half else 0.0
     shoulder = None
     if np.isfinite(distance):
-        strip = strip_integrals(pair.upper.mesh, pair.upper.touching, low=(1 - STRIP) * distance, high=distance)
+        low, high = sorted((side * (1 - STRIP) * distance, side * distance))
+        strip = strip_integrals(pair.upper.mesh, pair.upper.touching, low=low, high=high)
         strip_force = float(strip @ (pressure * lever))
         shoulder = shoulder_load(centroid=centroid, strip_force=strip_force, shoulder=distance, load=load)
     measured = semi_axis(x, carried), semi_axis(y, carried, centre=centroid)
-    ellipse = uncut_semi_axes(x, y, carried) if half else measured
+    ellipse = uncut_semi_axes(x, side * y, carried) if half and shoulder is not None else measured
     area = np.asarray(bodies.mass.sum(axis=1)).ravel()
     inside = (ellipse[0], min(ellipse[1], distance))
     quantities = Quantities(

@@ -5,7 +5,7 @@ cut off on that side alone, unless the contact angle is zero: half of it is mesh
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,6 @@ ROUND_OFF = 1e-9  # of a coordinate
 UNCUT = (math.inf, math.inf)
 NEARLY = 0.995  # largest shoulder distance in the mesh, in semi-axes; an error of 1 % in the mesh does no harm
 MOST_OVERRUN = 3.0  # semi-axis of the mesh over the shoulder distance; beyond, too little of the ellipse is left
-STEEPEST = 1.2  # rad, profile angle up to which a groove is meshed as a height over the tangent plane
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,27 +55,22 @@ class Footprint:
 
 def footprint_of(contact: Contact, semi_axes: tuple[float, float]) -> Footprint:
     """The footprint of an ellipse of `semi_axes`, m. Raises InputError where a shoulder leaves too little of it."""
-    transverse = semi_axes[1]
-    if transverse <= contact.shoulder:
-        return Footprint(semi_axes=semi_axes)
-    if transverse > MOST_OVERRUN * contact.shoulder:
+    transverse, nearer = semi_axes[1], contact.nearer_shoulder
+    if transverse > MOST_OVERRUN * nearer:
         raise InputError(
             f"{contact.pair}: {contact.load:g} N spread the contact to {transverse:.3g} m across, its shoulder stands "
-            f"at {contact.shoulder:.3g} m: the mesh holds up to {MOST_OVERRUN:g} times that. Lower the load or the "
+            f"at {nearer:.3g} m: the mesh holds up to {MOST_OVERRUN:g} times that. Lower the load or the "
             "contact angle, or raise shoulder_half_width"
         )
-    farther = farther_shoulder(contact)
-    below = farther if transverse > farther else math.inf
-    return Footprint(semi_axes=semi_axes, shoulders=(below, contact.shoulder), half=below != contact.shoulder)
+    below, above = (distance if transverse > distance else math.inf for distance in shoulders_of(contact))
+    return Footprint(semi_axes=semi_axes, shoulders=(below, above), half=below != above)
 
 
-def farther_shoulder(contact: Contact) -> float:
-    """Distance to the other shoulder on the plane tangent at the centre of the contact, m.
+def shoulders_of(contact: Contact) -> tuple[float, float]:
+    """Distances of the shoulders at y < 0 and at y > 0, m."""
+    return contact.far_shoulder, contact.shoulder
 
-    Its profile angle is that of the nearer shoulder plus twice the contact angle, at most `STEEPEST`.
-    """
-    if contact.shoulder >= contact.groove_radius:
-        return contact.shoulder
-    nearer = math.asin(contact.shoulder / contact.groove_radius)
-    farther = max(nearer, min(nearer + 2 * contact.contact_angle, STEEPEST))
-    return contact.shoulder if farther == nearer else contact.groove_radius * math.sin(farther)
+
+def evened(contact: Contact) -> Contact:
+    """The contact that a quarter stands for: with the nearer shoulder on both sides."""
+    return replace(contact, shoulder=contact.nearer_shoulder, far_shoulder=contact.nearer_shoulder)

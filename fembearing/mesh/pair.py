@@ -13,7 +13,7 @@ from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.mesh.ball import ball_octant
 from fembearing.mesh.bodies import FURTHER, Block, BodyMesh, body_mesh
-from fembearing.mesh.footprint import Footprint, footprint_of
+from fembearing.mesh.footprint import Footprint, evened, footprint_of
 from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.pocket import pocket_wall
 from fembearing.mesh.quality import mesh_quality
@@ -98,6 +98,8 @@ def _ball_on_race(
             "groove_radius or youngs_modulus"
         )
     footprint = footprint_of(contact, semi_axes)
+    if not footprint.half:
+        contact = evened(contact)
     upper = ball_octant(contact, recipe, level, footprint)
     touching = upper.mesh.doflocs[:, upper.touching]
     normal = touching / radius - np.array([[0.0], [0.0], [1.0]])

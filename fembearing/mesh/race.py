@@ -5,11 +5,12 @@ from numpy.typing import NDArray
 
 from analytic.scene import Contact
 from fembearing.mesh.bodies import FURTHER, Block, BodyMesh, body_mesh
-from fembearing.mesh.footprint import Footprint, farther_shoulder
+from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
+STEEPEST = 1.2  # rad, profile angle up to which a groove is meshed as a height over the tangent plane
 LEAST_FURTHER = 1.5  # smallest size of an extended block over its own, where the ring limits it
 WIDEST_BLOCK = 0.7  # over the rolling radius; beyond, the surface of an inner ring is too steep
 
@@ -38,7 +39,8 @@ def race_height(contact: Contact, x: Array, y: Array) -> Array:
     The height of the profile, r_g - sqrt(r_g^2 - y^2), is added to the radius of an inner ring and subtracted from that
     of an outer ring; the axis of the ring is parallel to y.
     """
-    inside = np.clip(y, -farther_shoulder(contact), contact.shoulder)
+    highest = contact.groove_radius * np.sin(STEEPEST)
+    inside = np.clip(y, -min(contact.far_shoulder, highest), min(contact.shoulder, highest))
     rise = inside**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - inside**2))
     side, radius = np.sign(contact.rolling_radius), abs(contact.rolling_radius)
     # Square of the ring's radius at y, minus x^2, minus the square of its radius at the bottom of the groove.

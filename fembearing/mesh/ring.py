@@ -10,8 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
-from skfem import MeshHex1, MeshHex2
-from skfem.refdom import RefHex
+from skfem import MeshHex2
 
 from analytic.errors import InputError
 from analytic.scene import Contact, Ring
@@ -33,8 +32,10 @@ COARSENING = 3.0  # largest ratio by which one ring or layer of cells per level 
 class RingPiece:
     """Half of a piece of a ring on a rigid shaft or in a rigid housing."""
 
-    body: BodyMesh  # touching: the nodes of the race, then their mirror images in y; those at y = 0 come twice
+    body: BodyMesh  # touching: the nodes that half of the race would have, both sides of y = 0
     end: Nodes  # nodes where the piece is cut from the rest of the ring: free in `body`
+    side: NDArray[np.intp]  # (m,) of the touching nodes: the sign of y
+    quarter: Nodes  # (m,) the touching node of a quarter of the race that each is or mirrors
 
     @property
     def held(self) -> BodyMesh:
@@ -66,32 +67,34 @@ def ring_piece(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[fl
     whole, extent = block.whole, min(reach, thickness)
     further, deeper = _added(max(length, ring.width) / reach, level), _added(thickness / extent, level)
     patch = patch_mesh(
-        replace(whole, outside=whole.outside + further.size - 1, depth=whole.depth + deeper.size - 1),
+        replace(whole, outside=whole.outside + further.size - 1, depth=whole.depth + deeper.size - 1), half=True
     )
-    mesh, column, mirrored = _halved(patch)
-    side = np.where(mirrored, -1.0, 1.0)
-    zone = meeting_places(contact, contact_zone(patch, shape=recipe.patch, footprint=Footprint(semi_axes=semi_axes)))
-    x, y = block.plane(patch, zone)[:, column]
-    angle, axial = _columns(contact, ring, x, side * y)
+    footprint = Footprint(semi_axes=semi_axes, half=True)
+    zone = meeting_places(contact, contact_zone(patch, shape=recipe.patch, footprint=footprint))
+    x, y = block.plane(patch, zone)[:, patch.column]
+    angle, axial = _columns(contact, ring, x, y)
     # Outside the reach of the race's block, further columns extend to the side faces and to the cut end.
-    share = np.interp(patch.ring - whole.rings, np.arange(further.size), further)[column]
-    far_u, far_v = far_square(patch.u, patch.v)[:, column]
+    share = np.interp(patch.ring - whole.rings, np.arange(further.size), further)[patch.column]
+    far_u, far_v = far_square(patch.u, patch.v)[:, patch.column]
     angle = angle * (1 - share) + length / ring.bottom_radius * far_u * share
-    axial = axial * (1 - share) + ring.width / 2 * side * far_v * share
+    axial = axial * (1 - share) + ring.width / 2 * far_v * share
     lines = depth_lines(whole.depth, depth=recipe.depth, minor=min(semi_axes), extent=extent)
     corners = np.append(lines[::2], extent + (thickness - extent) * deeper[1:]) / thickness
-    below = patch.cells.depth - mesh.doflocs[2]  # layers are counted upwards from the seat
+    below = patch.cells.depth - patch.layer  # layers are counted upwards from the seat
     down = np.interp(below, np.arange(corners.size), corners)
     position = _position(contact, ring, angle, axial, down)
-    body = _body(patch, MeshHex2(np.ascontiguousarray(position), mesh.t), column, mirrored, below)
+    body = _body(patch, MeshHex2(np.ascontiguousarray(position), patch.topology.t), below)
     quality = mesh_quality(body.mesh)
     if not quality.valid:
         raise InputError(
             f"{contact.pair}: cell {quality.worst_cell} of the ring is inside out, meshed for an ellipse of "
             f"{semi_axes[0]:.3g} by {semi_axes[1]:.3g} m at {contact.contact_angle:.4f} rad: lower the load"
         )
-    end = (patch.ring > patch.cells.rings - NODE) & (patch.u > patch.v - NODE)
-    return RingPiece(body=body, end=np.flatnonzero(end[column]))
+    end = (patch.ring > patch.cells.rings - NODE) & (patch.u > np.abs(patch.v) - NODE)
+    u, v = np.rint(np.array([patch.u, patch.v])[:, patch.zone] / NODE).astype(np.intp)
+    numbers = {place: number for number, place in enumerate(zip(u[v >= 0], v[v >= 0], strict=True))}
+    quarter = np.array([numbers[place] for place in zip(u, np.abs(v), strict=True)])
+    return RingPiece(body=body, end=np.flatnonzero(end[patch.column]), side=np.sign(v), quarter=quarter)
 
 
 def known_ring(contact: Contact) -> Ring:
@@ -112,8 +115,9 @@ def into_ring(contact: Contact, vector: Array) -> Array:
 
 
 def ring_surface(contact: Contact, ring: Ring, axial: Array) -> Array:
-    """Radius of the groove and its lands, m, at the distance `axial`, m, from the middle of the ring."""
-    inside = np.minimum(np.abs(axial), ring.shoulder_half_width)
+    """Radius of the groove and its lands, m, at `axial`, m, from the middle of the ring."""
+    above, below = ring.shoulder_half_widths
+    inside = np.clip(axial, -below, above)
     rise = inside**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - inside**2))
     return ring.bottom_radius + np.sign(contact.rolling_radius) * rise
 
@@ -136,20 +140,19 @@ def _position(contact: Contact, ring: Ring, angle: Array, axial: Array, down: Ar
     return np.array([radius * np.sin(angle), axial, np.sign(contact.rolling_radius) * height])
 
 
-def _body(patch: PatchMesh, mesh: MeshHex2, column: Nodes, mirrored: NDArray[np.bool_], below: Array) -> BodyMesh:
+def _body(patch: PatchMesh, mesh: MeshHex2, below: Array) -> BodyMesh:
     surface = np.flatnonzero(below < NODE)
-    order = np.full((2, patch.u.size), -1)
-    order[mirrored[surface].astype(int), column[surface]] = surface
-    order[1] = np.where(order[1] < 0, order[0], order[1])  # nodes on the mirror plane are their own images
+    order = np.empty(patch.u.size, dtype=np.intp)
+    order[patch.column[surface]] = surface
     none = np.array([], dtype=np.intp)
     return BodyMesh(
         name="ring",
         mesh=mesh,
-        touching=order[:, patch.zone].ravel(),
+        touching=order[patch.zone],
         surface=surface,
         far=none,
         clamped=np.flatnonzero(below > patch.cells.depth - NODE),
-        planes=(np.flatnonzero((patch.u < NODE)[column]), none, none),
+        planes=(np.flatnonzero((patch.u < NODE)[patch.column]), none, none),
     )
 
 
@@ -159,28 +162,3 @@ def _added(ratio: float, level: int) -> Array:
         return np.array([0.0])
     count = level * int(np.ceil(np.log(ratio) / np.log(COARSENING)))
     return (ratio ** (np.arange(count + 1) / count) - 1) / (ratio - 1)
-
-
-def _halved(patch: PatchMesh) -> tuple[MeshHex2, Nodes, NDArray[np.bool_]]:
-    """The quarter patch and its image at v < 0; the column in the quarter of every node, and whether it is an image."""
-    quarter = patch.topology
-    corners = quarter.doflocs[:, : quarter.t.max() + 1]
-    image = corners * np.array([[1.0], [-1.0], [1.0]])
-    # A mirrored cell is left-handed; its corners are reordered as those of a mirrored reference cell.
-    reference = RefHex.p
-    flipped = np.array([1 - reference[0], reference[1], reference[2]])
-    order = [int(np.flatnonzero((corner == reference.T).all(axis=1))[0]) for corner in flipped.T]
-    cells = np.hstack([quarter.t, quarter.t[order] + corners.shape[1]])
-    _, first, number = _unique(np.hstack([corners, image]))
-    both = np.hstack([corners, image])[:, first]
-    mesh = MeshHex2.from_mesh(MeshHex1(np.ascontiguousarray(both), np.ascontiguousarray(number[cells])))
-    u, v, _ = mesh.doflocs
-    count = patch.u.size
-    _, first, number = _unique(np.hstack([[patch.u, patch.v], [u, np.abs(v)]]))
-    return mesh, first[number[count:]], v < -NODE
-
-
-def _unique(places: Array) -> tuple[Array, Nodes, Nodes]:
-    """Unique columns of patch coordinates, the first place of each, and the number of every column among them."""
-    unique, first, number = np.unique(np.round(places / NODE), axis=1, return_index=True, return_inverse=True)
-    return unique, first, number.ravel()

@@ -171,10 +171,11 @@ def shoulder_lines(contact: "Contact") -> list[str]:
         return []
     centroid, line = shoulder.centroid, shoulder.strip_line_load
     ends = [MILLI.written(y, ".4g") for y in sorted(shoulder.cuts)]
+    nearer = MILLI.written(shoulder.cuts[0], ".4g")
     if len(ends) == 1:
         where, edge = f"Cut off at the shoulder, y = {ends[0]}, on one side", "the shoulder"
     else:
-        where, edge = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {ends[1]}"
+        where, edge = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {nearer}"
     half = (
         f": half of the contact is meshed, semi-axes are about the load's centroid, at y = "
         f"{MILLI.written(centroid.fe, '.3g')} (+-{centroid.uncertainty:.1%} of that)"

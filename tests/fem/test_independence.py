@@ -53,7 +53,7 @@ for part in pkgutil.walk_packages(analytic.__path__, "analytic."):
     importlib.import_module(part.name)
 steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
 contact = Contact(pair="inner", ball_radius=3.97e-3, groove_radius=4.13e-3, rolling_radius=16.2e-3, shoulder=2.6e-3,
-                  contact_angle=0.18, load=620.0, ball_material=steel, race_material=steel)
+                  far_shoulder=3.5e-3, contact_angle=0.18, load=620.0, ball_material=steel, race_material=steel)
 
 def solve():
     for name in ("race", "hertzian"):

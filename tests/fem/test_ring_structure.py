@@ -54,12 +54,15 @@ def structure(found: MeshSolution) -> float:
 def flat(*, thickness: float, poisson_ratio: float) -> Contact:
     """A ball on a plate: nearly flat ring, wide, with no shoulder near."""
     material = replace(STEEL, poisson_ratio=poisson_ratio)
-    plate = Ring(bottom_radius=FLAT, seat_radius=FLAT - thickness, width=10 * thickness, shoulder_half_width=FLAT / 9)
+    plate = Ring(
+        bottom_radius=FLAT, seat_radius=FLAT - thickness, width=10 * thickness, shoulder_half_widths=(FLAT / 9,) * 2
+    )
     return replace(
         INNER,
         groove_radius=FLAT,
         rolling_radius=FLAT,
         shoulder=FLAT / 9,
+        far_shoulder=FLAT / 9,
         contact_angle=0.0,
         race_material=material,
         ring=plate,

@@ -187,7 +187,8 @@ def test_physics_does_not_depend_on_the_units() -> None:
     metre, newton = 1.7e3, 0.043
     scaled_steel = replace(STEEL, youngs_modulus=STEEL.youngs_modulus * newton / metre**2)
     lengths = {
-        name: getattr(INNER, name) * metre for name in ("ball_radius", "groove_radius", "rolling_radius", "shoulder")
+        name: getattr(INNER, name) * metre
+        for name in ("ball_radius", "groove_radius", "rolling_radius", "shoulder", "far_shoulder")
     }
     scaled = replace(INNER, **lengths, load=INNER.load * newton, ball_material=scaled_steel, race_material=scaled_steel)
     semi_axes = expected_semi_axes(INNER)

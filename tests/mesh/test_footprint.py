@@ -8,7 +8,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.mesh.footprint import Footprint, farther_shoulder, footprint_of
+from fembearing.mesh.footprint import Footprint, footprint_of
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
@@ -31,17 +31,19 @@ def test_no_cell_is_inside_out(
 
 
 @pytest.mark.parametrize("overrun", [1.004, 1.3, 2.2])
-@pytest.mark.parametrize("angle", [0.303, 0.0])  # rad: at 0 both shoulders are reached, and a quarter is enough
+@pytest.mark.parametrize("reached", ["near", "both", "far"])  # where both are at one distance a quarter is enough
 @pytest.mark.parametrize("recipe", ["race", "hertzian"])
 def test_a_line_of_the_mesh_is_the_shoulder(
-    contacts: dict[str, Contact], recipe: str, angle: float, overrun: float
+    contacts: dict[str, Contact], recipe: str, reached: str, overrun: float
 ) -> None:
     shoulder = SEMI_AXES["inner"][1] / overrun
-    contact = replace(contacts["inner"], shoulder=shoulder, contact_angle=angle)
+    distances = {"near": (shoulder, 3.3e-3), "both": (shoulder, shoulder), "far": (3.3e-3, shoulder)}[reached]
+    contact = replace(contacts["inner"], shoulder=distances[0], far_shoulder=distances[1])
     bodies = pair_mesh(contact, recipe=load_recipe(recipe), level=2, semi_axes=SEMI_AXES["inner"])
-    assert bodies.footprint.half == (angle > 0)
+    assert bodies.footprint.half == (reached != "both")
+    side = -1 if reached == "far" else 1
     race = bodies.lower.mesh
-    x, y, _ = race.doflocs
+    x, y, _ = race.doflocs * np.array([[1.0], [side], [1.0]])
     on_line = np.intersect1d(np.flatnonzero(np.abs(y - shoulder) < 1e-12 * shoulder), bodies.lower.surface)
     assert on_line.size == 2 * 2 + 1  # corners and middle nodes of two cells
     # from the middle to where the ellipse crosses the shoulder, or to 0.995 where it only just reaches it
@@ -67,19 +69,12 @@ def test_a_shoulder_cuts_off_an_ellipse_that_reaches_it(contacts: dict[str, Cont
     assert footprint_of(contact, (0.1e-3, 0.8e-3)) == Footprint(semi_axes=(0.1e-3, 0.8e-3))
     over = footprint_of(contact, (0.1e-3, 0.81e-3))
     assert (over.half, over.parts, over.shoulders) == (True, 2, (math.inf, 0.8e-3))
-    slight = replace(contact, contact_angle=0.01)  # both shoulders reached, at unequal distances
-    further = farther_shoulder(slight)
-    assert footprint_of(slight, (0.1e-3, 0.9e-3)).shoulders == (further, 0.8e-3)
-    both = footprint_of(replace(contact, contact_angle=0.0), (0.1e-3, 0.81e-3))
+    slight = replace(contact, far_shoulder=0.87e-3)  # both shoulders reached, at unequal distances
+    assert footprint_of(slight, (0.1e-3, 0.9e-3)).shoulders == (0.87e-3, 0.8e-3)
+    far = footprint_of(replace(contact, shoulder=1.9e-3, far_shoulder=0.8e-3), (0.1e-3, 0.81e-3))
+    assert (far.half, far.parts, far.shoulders) == (True, 2, (0.8e-3, math.inf))
+    both = footprint_of(replace(contact, far_shoulder=0.8e-3), (0.1e-3, 0.81e-3))
     assert (both.half, both.parts, both.shoulders) == (False, 4, (0.8e-3, 0.8e-3))
-
-
-def test_the_farther_shoulder_is_the_groove_mirrored_about_its_bottom(contacts: dict[str, Contact]) -> None:
-    """Half-width w of the groove: shoulders at r_g sin(asin(w/r_g) -+ al) from the contact's centre."""
-    width, angle, groove = 2.37e-3, 0.21, contacts["outer"].groove_radius
-    near, far = (groove * np.sin(np.arcsin(width / groove) + side * angle) for side in (-1, 1))
-    contact = replace(contacts["outer"], shoulder=near, contact_angle=angle)
-    assert farther_shoulder(contact) == pytest.approx(far, rel=1e-12)  # round-off
 
 
 def test_an_ellipse_too_far_beyond_the_shoulder_is_refused(contacts: dict[str, Contact]) -> None:

@@ -66,7 +66,7 @@ def main(contacts: Annotated[int, typer.Option(help="Number of random contacts."
 
 
 def ideal_contact(seed: int) -> Contact:
-    return replace(random_contact(np.random.default_rng(seed)), shoulder=np.inf)
+    return replace(random_contact(np.random.default_rng(seed)), shoulder=np.inf, far_shoulder=np.inf)
 
 
 def mesh_size_errors(contact: Contact) -> tuple[tuple[float, float], tuple[float, float]]:

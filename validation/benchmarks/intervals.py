@@ -137,6 +137,7 @@ def random_contact(rng: np.random.Generator, *, pockets: float = SHARE_OF_POCKET
         groove_radius=groove,
         rolling_radius=rolling,
         shoulder=0.95 * groove,
+        far_shoulder=0.95 * groove,
         contact_angle=angle,
         load=1.0,
         ball_material=ball,
@@ -169,7 +170,7 @@ def error_of_converged(seed: int) -> dict[str, float]:
     """Relative error of `converged` against exact Hertz on the idealisation of a contact of true shape."""
     contact = random_contact(np.random.default_rng(seed), pockets=0.0)
     recipe = load_recipe("hertzian")
-    contact = replace(contact, shoulder=np.inf)
+    contact = replace(contact, shoulder=np.inf, far_shoulder=np.inf)
     values = converged(contact, recipe=recipe, semi_axes=fitted_solution(contact, recipe=recipe).pair.semi_axes)
     exact = vars(hertz_quantities(contact))
     return {name: values[name] / exact[name] - 1 for name in COMPARED}

@@ -150,6 +150,7 @@ def solved(case: dict[str, Any]) -> dict[str, Any]:
         groove_radius=inf if case["ratio"] == 1 else RADIUS / (1 - 1 / case["ratio"]),
         rolling_radius=inf,  # a straight groove
         shoulder=inf,
+        far_shoulder=inf,
         contact_angle=0.0,
         load=LOAD,
         ball_material=steel,

@@ -169,7 +169,8 @@ def contact_of_shape(shape: dict[str, float]) -> Contact:
         groove_radius=2 * RADIUS * shape["conformity"],
         rolling_radius=RADIUS / curvature,
         shoulder=RADIUS * shape["shoulder"],
-        contact_angle=0.0,  # symmetric groove: the shoulder keeps its place
+        far_shoulder=RADIUS * shape["shoulder"],
+        contact_angle=0.0,  # acts by the rolling radius and by the shoulders alone
         load=1.0,
         ball_material=bodies[0],
         race_material=bodies[1],

@@ -36,6 +36,7 @@ def idealised_contact(case: dict[str, Any]) -> Contact:
         groove_radius=1 / groove if groove else float("inf"),
         rolling_radius=float("inf"),
         shoulder=float("inf"),
+        far_shoulder=float("inf"),
         contact_angle=0.0,
         load=case["load"],
         ball_material=steel,

@@ -124,7 +124,7 @@ class ContactSolution:
 
     @property
     def shoulders(self) -> tuple[float, ...]:
-        """y of the shoulders that cut the contact off, m: above 0 for the nearer one, below 0 for the farther one."""
+        """y of the shoulders that cut the contact off, m."""
         if not self.shoulder:
             return ()
         below, above = self.meshes[-1].pair.footprint.shoulders
@@ -138,7 +138,7 @@ class ContactSolution:
     @property
     def strip_width(self) -> float:
         """Width of the strip next to the nearer shoulder whose load is shown, m."""
-        return STRIP * self.contact.shoulder
+        return STRIP * self.contact.nearer_shoulder
 
     @property
     def hertz_line_load(self) -> float:
@@ -230,7 +230,7 @@ class ContactSolution:
         return contact_html(self.columns(), caption)
 
     def _shoulder_to_json(self) -> dict[str, Any] | None:
-        """The contact at the nearer shoulder that cuts it off, above y = 0; uncertainties relative."""
+        """The contact at the nearer shoulder that cuts it off; uncertainties relative."""
         if not self.shoulder:
             return None
         return {

@@ -40,7 +40,7 @@ def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contac
 def heaviest_contact(scene: Scene, race: Race) -> Contact:
     """The most heavily loaded ball at any operating point, on one race, with its load and contact angle there.
 
-    Raises InputError as balls_of, and for a contact beyond its shoulder.
+    Raises InputError as balls_of, for a contact beyond its shoulder, and where the shoulders are not known.
     """
     balls = balls_of(scene)
     largest = balls.load.max(axis=0)
@@ -48,7 +48,7 @@ def heaviest_contact(scene: Scene, race: Race) -> Contact:
     return race_contact(
         scene.bearing,
         race,
-        contact_angle=float(abs(balls.contact_angle[place])),
+        contact_angle=float(balls.contact_angle[place]),
         ball_load=float(balls.load[place]),
     )
 
@@ -85,4 +85,4 @@ def recipe_of(geometry: Shape, *, pair: Pair) -> Recipe:
 
 def as_meshed(contact: Contact, *, recipe: Recipe) -> Contact:
     """The contact that a recipe meshes: the half spaces of Hertz have no shoulder."""
-    return replace(contact, shoulder=math.inf) if recipe.geometry == "hertzian" else contact
+    return replace(contact, shoulder=math.inf, far_shoulder=math.inf) if recipe.geometry == "hertzian" else contact

@@ -14,7 +14,7 @@ Solved = tuple[MeshSolution, Estimates]  # a load on its finest mesh, and the es
 
 def near_shoulder(mesh: MeshSolution, contact: Contact) -> bool:
     """Whether a solved contact reaches its shoulder, or nearly, where Hertz does not apply."""
-    return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.shoulder
+    return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.nearer_shoulder
 
 
 def solve_warnings(
@@ -41,16 +41,19 @@ def sheet_warning(contact: Contact) -> str:
 
 def shoulder_warning(contact: Contact, reference: Reference) -> str:
     """The warning for a contact that reaches its shoulder, or nearly."""
-    near, remedy = f"{contact.shoulder * 1e3:.3f} mm", "lower the load or the contact angle"
+    near, remedy = f"{contact.nearer_shoulder * 1e3:.3f} mm", "lower the load or the contact angle"
     finest = reference.meshes[-1]
     if finest.shoulder is None:
         across = f"the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across"
         return f"{contact.pair}: {across}, the shoulder stands at {near}: outside Hertz; {remedy}"
-    far = finest.pair.footprint.shoulders[0]
-    if math.isinf(far):
+    below, above = finest.pair.footprint.shoulders
+    if math.isinf(max(below, above)):
         cut = f"an ellipse of {finest.semi_axes[1] * 1e3:.3f} mm across is cut off, its shoulder stands at {near}"
     else:
-        cut = f"the contact is cut off on both sides, its shoulders stand at y = -{far * 1e3:.3f} mm and {near}"
+        cut = (
+            f"the contact is cut off on both sides, its shoulders stand at y = -{below * 1e3:.3f} mm and "
+            f"{above * 1e3:.3f} mm"
+        )
     share = reference.shoulder["strip_share"]
     return (
         f"{contact.pair}: {cut}: outside Hertz. The tenth of {near} beside the nearer one carries {share.value:.2%} of "
@@ -62,7 +65,7 @@ def shoulder_warning(contact: Contact, reference: Reference) -> str:
 def series_shoulder_warning(contact: Contact, *, load: float) -> str:
     """The warning for a series that reaches its shoulder, or nearly, from `load` (N) on."""
     return (
-        f"{contact.pair}: from {load:g} N on the contact reaches its shoulder, {contact.shoulder * 1e3:.3f} mm "
+        f"{contact.pair}: from {load:g} N on the contact reaches its shoulder, {contact.nearer_shoulder * 1e3:.3f} mm "
         "away: outside Hertz"
     )
 

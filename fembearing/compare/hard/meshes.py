@@ -62,12 +62,13 @@ def shuffled() -> float:
 
 def in_millimetres(contact: Contact) -> Contact:
     """The same contact in mm and MPa, where a newton stays a newton."""
-    lengths = {name: 1e3 * getattr(contact, name) for name in ("ball_radius", "groove_radius", "rolling_radius")}
+    names = ("ball_radius", "groove_radius", "rolling_radius", "shoulder", "far_shoulder")
+    lengths = {name: 1e3 * getattr(contact, name) for name in names}
     materials = {
         name: replace(getattr(contact, name), youngs_modulus=1e-6 * getattr(contact, name).youngs_modulus)
         for name in ("ball_material", "race_material")
     }
-    return replace(contact, **lengths, **materials, shoulder=1e3 * contact.shoulder)
+    return replace(contact, **lengths, **materials)
 
 
 def unsupported() -> float:

@@ -75,8 +75,8 @@ class Estimated(Table):
 class Sides(Table):
     """Distances of the shoulders that cut a contact off."""
 
-    above: float
-    below: float = 0.0  # not given where one side alone is cut off
+    above: float = 0.0  # one of both is not given where one side alone is cut off
+    below: float = 0.0
 
 
 class Shoulder(Table):
@@ -93,9 +93,10 @@ class Shoulder(Table):
 
     @property
     def cuts(self) -> list[float]:
-        """y of each shoulder that cuts the contact off, the nearer one first, above 0."""
+        """y of each shoulder that cuts the contact off, the nearer one first."""
         given = self.sides.model_fields_set
-        return [y for side, y in (("above", self.sides.above), ("below", -self.sides.below)) if side in given]
+        cuts = [y for side, y in (("above", self.sides.above), ("below", -self.sides.below)) if side in given]
+        return sorted(cuts, key=abs)
 
 
 class Study(Table):

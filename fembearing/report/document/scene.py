@@ -28,6 +28,7 @@ class Groove(Noun):
     bottom_radius: float
     groove_radius: float
     shoulder_half_width: float | None
+    far_shoulder_half_width: float | None = None
     material: Material
 
 

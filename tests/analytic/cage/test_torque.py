@@ -95,6 +95,30 @@ def test_the_motion_is_that_of_the_scene(ring: Any) -> None:
     assert 0 < towards * (land.radius - groove.bottom_radius) < groove.groove_radius
 
 
+def test_a_land_needs_the_height_of_its_shoulder() -> None:
+    """The higher shoulder guides; an unknown one is asked for."""
+    land = Land(ring="outer", clearance=0.3e-3, width=9e-3)
+    scene = with_cage(CAGED, start="rest", land=land)
+    bearing = scene.bearing
+
+    def radius(near: float | None, far: float | None) -> float:
+        outer = replace(bearing.outer, shoulder_half_width=near, far_shoulder_half_width=far)
+        driven = driven_cage(
+            replace(bearing, outer=outer),
+            present(scene.cage),
+            friction_coefficient=0.13,
+            inner_speed=-41.0,
+            orbit_speed=-16.0,
+            ball_speed=-95.0,
+            contact_angle=0.21,
+        )
+        return present(driven.land).radius
+
+    assert radius(3.3e-3, 1.2e-3) == radius(1.2e-3, 3.3e-3) == radius(3.3e-3, None) < radius(1.2e-3, None)
+    with pytest.raises(InputError, match=r"bearing\.outer\.shoulder_height, usual are 0\.15 to 0\.25"):
+        radius(None, None)
+
+
 def test_a_start_calls_for_the_motion() -> None:
     result = friction_torque(with_cage(CAGED, start="whirl"))
     assert result.cage is not None

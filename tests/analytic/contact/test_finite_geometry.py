@@ -88,9 +88,10 @@ def test_only_ratios_matter(contacts: dict[str, Contact]) -> None:
     def stiffer(material: Material) -> Material:
         return replace(material, youngs_modulus=7 * material.youngs_modulus)
 
+    lengths = ("ball_radius", "groove_radius", "rolling_radius", "shoulder", "far_shoulder")
     scaled = replace(
         plain,
-        **{name: 3 * getattr(plain, name) for name in ("ball_radius", "groove_radius", "rolling_radius", "shoulder")},
+        **{name: 3 * getattr(plain, name) for name in lengths},
         load=63 * plain.load,
         ball_material=stiffer(plain.ball_material),
         race_material=stiffer(plain.race_material),

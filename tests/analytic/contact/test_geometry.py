@@ -5,7 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.contact.geometry import Race, race_contact, race_curvatures
+from analytic.contact.geometry import (
+    USUAL_SHOULDERS,
+    Race,
+    known_half_widths,
+    race_contact,
+    race_curvatures,
+    shoulder_distances,
+    with_shoulders,
+)
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.errors import InputError
 from analytic.scene import Bearing, Ring
@@ -54,6 +62,7 @@ def test_the_shoulder_is_where_the_groove_ends(bearing_6205: Bearing, race: Race
     axial, radial = groove.shoulder_half_width, np.sqrt(groove.groove_radius**2 - groove.shoulder_half_width**2)
     tangent = np.array([np.cos(ANGLE), -np.sin(ANGLE)])  # in (axial, radial from the profile's centre)
     np.testing.assert_allclose(contact.shoulder, tangent @ (axial, radial), rtol=1e-12)  # round-off
+    np.testing.assert_allclose(contact.far_shoulder, -tangent @ (-axial, radial), rtol=1e-12)
 
 
 @pytest.mark.parametrize("race", RACES)
@@ -86,7 +95,7 @@ def test_each_race_keeps_its_own_dimensions(bearing_6205: Bearing) -> None:
     [
         ("outer", 0.83, LOAD, ("0.8300 rad", "outer race's shoulder at 0.8276 rad", "lower the load")),
         ("inner", 18.0, LOAD, ("contact_angle", "18.0", "degrees")),
-        ("inner", -0.2, LOAD, ("contact_angle", "-0.2")),
+        ("inner", -0.86, LOAD, ("-0.8600 rad", "inner race's shoulder", "lower the load")),
         ("inner", ANGLE, -5.0, ("ball_load", "-5.0")),
         ("pocket", ANGLE, LOAD, ("race", "pocket")),
     ],
@@ -102,7 +111,78 @@ def test_a_contact_off_the_groove_is_refused(
 def test_the_ring_behind_a_groove_is_known_with_its_seat_and_width(bearing_6205) -> None:
     sized = replace(bearing_6205, width=15e-3)
     inner, outer = (race_contact(sized, race, contact_angle=0.2, ball_load=55.0).ring for race in ("inner", "outer"))
-    assert inner == Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_width=3.1e-3)
-    assert outer == Ring(bottom_radius=23.48e-3, seat_radius=26e-3, width=15e-3, shoulder_half_width=3.1e-3)
+    both = (3.1e-3, 3.1e-3)
+    assert inner == Ring(bottom_radius=15.53e-3, seat_radius=12.5e-3, width=15e-3, shoulder_half_widths=both)
+    assert outer == Ring(bottom_radius=23.48e-3, seat_radius=26e-3, width=15e-3, shoulder_half_widths=both)
     for lacking in (replace(sized, bore_diameter=None), replace(sized, width=None)):
         assert race_contact(lacking, "inner", contact_angle=0.2, ball_load=55.0).ring is None
+
+
+def with_half_widths(bearing: Bearing, near: float | None, far: float | None) -> Bearing:
+    inner, outer = (
+        replace(groove, shoulder_half_width=near, far_shoulder_half_width=far)
+        for groove in (bearing.inner, bearing.outer)
+    )
+    return replace(bearing, inner=inner, outer=outer)
+
+
+@pytest.mark.parametrize("race", RACES)
+def test_a_ball_pressed_to_the_far_side_has_the_far_shoulder_ahead(bearing_6205: Bearing, race: Race) -> None:
+    """At a negative angle everything is that of the mirrored groove at the positive one."""
+    plain, mirrored = with_half_widths(bearing_6205, 3.3e-3, 1.9e-3), with_half_widths(bearing_6205, 1.9e-3, 3.3e-3)
+    ahead, behind = shoulder_distances(plain, race, contact_angle=np.array([-0.21, 0.13]))
+    there, back = shoulder_distances(mirrored, race, contact_angle=np.array([0.21, -0.13]))
+    np.testing.assert_allclose([ahead, behind], [there, back], rtol=1e-15)
+    radius = bearing_6205.inner.groove_radius if race == "inner" else bearing_6205.outer.groove_radius
+    tangent = np.array([np.cos(0.21), np.sin(0.21)])  # along the axis and towards the ball, at the far side's contact
+    on_profile = radius * np.array([np.sin(0.21), -np.cos(0.21)])
+    far_edge = np.array([1.9e-3, -np.sqrt(radius**2 - 1.9e-3**2)])
+    assert ahead[0] == pytest.approx(tangent @ (far_edge - on_profile), rel=1e-12)  # round-off
+    near_edge = np.array([-3.3e-3, -np.sqrt(radius**2 - 3.3e-3**2)])
+    assert behind[0] == pytest.approx(-tangent @ (near_edge - on_profile), rel=1e-12)
+    pressed = race_contact(replace(plain, width=15e-3), race, contact_angle=-0.21, ball_load=LOAD)
+    assert pressed == race_contact(replace(mirrored, width=15e-3), race, contact_angle=0.21, ball_load=LOAD)
+    assert pressed.ring is not None
+    assert pressed.ring.shoulder_half_widths == (1.9e-3, 3.3e-3)
+    assert pressed.contact_angle == 0.21
+
+
+def test_a_counterbored_ring_ends_at_the_bottom_of_its_groove(bearing_6205: Bearing) -> None:
+    bearing = with_half_widths(bearing_6205, 3.3e-3, 0.0)
+    contact = race_contact(bearing, "outer", contact_angle=0.26, ball_load=LOAD)
+    assert contact.far_shoulder == pytest.approx(4.21e-3 * np.sin(0.26), rel=1e-12)  # along the tangent to the bottom
+    assert contact.nearer_shoulder == contact.far_shoulder < contact.shoulder
+    with pytest.raises(InputError, match=r"contact_angle 0\.0000 rad is beyond the outer race's shoulder at 0\.0000"):
+        race_contact(bearing, "outer", contact_angle=0.0, ball_load=LOAD)
+
+
+def test_a_far_shoulder_that_is_not_given_is_as_the_near_one(bearing_6205: Bearing) -> None:
+    plain, given = with_half_widths(bearing_6205, 2.9e-3, None), with_half_widths(bearing_6205, 2.9e-3, 2.9e-3)
+    for angle in (-0.3, 0.0, 0.17):
+        one, other = (race_contact(each, "inner", contact_angle=angle, ball_load=LOAD) for each in (plain, given))
+        assert one == other
+    assert one.shoulder < one.far_shoulder
+
+
+@pytest.mark.parametrize(
+    ("near", "far", "words"), [(3.1e-3, -0.1e-3, "at least 0"), (3.1e-3, 4.3e-3, "below groove_radius")]
+)
+def test_an_impossible_far_shoulder_is_refused(bearing_6205: Bearing, near: float, far: float, words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        race_contact(with_half_widths(bearing_6205, near, far), "inner", contact_angle=0.1, ball_load=LOAD)
+
+
+def test_unknown_shoulders_are_asked_for_in_one_line(bearing_6205: Bearing) -> None:
+    unknown = with_half_widths(bearing_6205, None, None)
+    assert np.isnan(shoulder_distances(unknown, "outer", contact_angle=np.array([0.1, -0.3]))).all()
+    with pytest.raises(InputError) as refusal:
+        race_contact(unknown, "outer", contact_angle=0.1, ball_load=LOAD)
+    words = str(refusal.value)
+    assert "\n" not in words
+    assert 'bearing.outer.shoulder_height, usual are 0.15 to 0.25 of the ball diameter, "1.19 mm" to "1.98 mm"' in words
+    typical = with_shoulders(unknown, USUAL_SHOULDERS[1])
+    near, far = known_half_widths(typical, "outer")
+    rise = 4.21e-3 - np.sqrt(4.21e-3**2 - near**2)
+    assert rise == pytest.approx(0.19 * 7.94e-3, rel=1e-12)
+    assert near == far
+    assert with_shoulders(bearing_6205, 0.19) == bearing_6205

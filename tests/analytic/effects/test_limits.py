@@ -107,3 +107,55 @@ def test_what_a_shoulder_cuts_off_is_uncertain_and_then_unknown(scene: Scene) ->
     assert whole.unknown == cut.unknown == ()
     assert np.isinf(torn.numerical_uncertainty[1])
     assert "shoulder cuts off 0.1" in torn.unknown[0]
+
+
+def shouldered(scene: Scene, near: float | None, far: float | None = None) -> Scene:
+    inner, outer = (
+        replace(groove, shoulder_half_width=near, far_shoulder_half_width=far)
+        for groove in (scene.bearing.inner, scene.bearing.outer)
+    )
+    return replace(scene, bearing=replace(scene.bearing, inner=inner, outer=outer))
+
+
+def test_an_unknown_shoulder_is_said_and_undecided_where_a_low_one_would_cut(scene: Scene) -> None:
+    """One of 0.1 ball diameters stands r_g sin(acos(1 - 0.1 D/r_g) - al) away: 1.81 mm inside at 0.18 rad."""
+    light = friction_torque(shouldered(scene, None))
+    reason = reason_of(light, "shoulder")
+    assert "shoulder not known: give bearing.inner.shoulder_height and bearing.outer.shoulder_height" in reason
+    assert light.unknown == ()  # b = 1.1222 mm ends before the lowest
+    np.testing.assert_allclose(light.numerical_uncertainty, friction_torque(scene).numerical_uncertainty, rtol=1e-12)
+    given = replace(scene, contact_angle=ContactAngle(rule="given", value=0.42))
+    steep = friction_torque(shouldered(given, None))  # 0.96 mm inside, and b = 0.845 mm at 1000 N
+    assert steep.unknown == ()
+    heavy = replace(
+        given, operation=Operation(axial_load=np.array([300.0, 5500.0]), inner_speed=np.array([31.0, 31.0]))
+    )
+    torn = friction_torque(shouldered(heavy, None))  # b = 1.49 mm
+    np.testing.assert_array_equal(np.isinf(torn.numerical_uncertainty), [False, True])
+    (why,) = torn.unknown
+    assert why.startswith("shoulder not known: a low one, of 0.1 ball diameters, would cut off 0.1")
+    assert torn.to_json()["points"][1]["uncertainty"]["numerical"] is None
+
+
+def test_the_far_shoulder_cuts_too(scene: Scene) -> None:
+    """A groove that is cylindrical from its bottom on: r_g sin(0.18) = 0.739 mm away inside, b = 1.1222 mm."""
+    found = friction_torque(shouldered(scene, 3.1e-3, 0.0))
+    axis, distance = numbers_in(reason_of(found, "shoulder"))
+    np.testing.assert_allclose([axis, distance], [1.1222e-3, 4.13e-3 * np.sin(0.18)], rtol=5e-4)
+    t = 4.13e-3 * np.sin(0.18) / 1.1222e-3
+    grown = found.numerical_uncertainty[1] - friction_torque(scene).numerical_uncertainty[1]
+    np.testing.assert_allclose(grown, PER_CUT_SHARE * (2 - 3 * t + t**3) / 4, rtol=2e-3)  # b has five digits
+    assert any("passes the inner race's shoulder" in warning for warning in found.warnings)
+
+
+def test_the_torque_with_unknown_shoulders_is_more_uncertain(scene: Scene) -> None:
+    """By what a contact corrected for other shoulders does."""
+    corrected = replace(scene, effects={"spin": "on"})
+    known, unknown = friction_torque(corrected), friction_torque(shouldered(corrected, None))
+    grown = unknown.numerical_uncertainty - known.numerical_uncertainty
+    assert ((grown > 0) & (grown < 0.01)).all()
+    for height in (2.6e-3, 3.4e-3):
+        other = friction_torque(shouldered(corrected, height))
+        apart = np.abs(unknown.torque.total / other.torque.total - 1)
+        assert (apart < unknown.numerical_uncertainty).all()
+    assert any("shoulder not known" in warning for warning in unknown.warnings)

@@ -63,3 +63,28 @@ def test_loaded_balls_take_the_factors_of_their_loads(bearing_6205: Bearing, rac
     approach = np.asarray(getattr(corrections_of(bearing_6205, balls), race).factors.approach)
     assert np.any(balls.load == 0)
     np.testing.assert_array_equal(approach == 1, balls.load[0] == 0)
+
+
+def test_unknown_shoulders_are_typical_ones_and_their_spread_is_uncertain(bearing_6205: Bearing) -> None:
+    """Shoulders of 0.1 to 0.25 ball diameters, on one race alone; 0.1 is 1.4 to 1.8 mm off, 1.5 mm is 0.38 radii."""
+    loads = np.array([90.0, 1500.0])
+    outer = replace(bearing_6205.outer, shoulder_half_width=None)
+    found = thrust_correction(replace(bearing_6205, outer=outer), SOLVED, axial_load=loads)
+    known = thrust_correction(bearing_6205, SOLVED, axial_load=loads)
+    for name in NAMES:
+        np.testing.assert_array_equal(getattr(found.inner.factors, name), getattr(known.inner.factors, name))
+    assert not found.outer.covered.any()
+    (warning,) = found.warnings
+    assert warning.startswith("outer: shoulder not known: the correction is that of a height of 0.19 ball diameters")
+    groove, spread = bearing_6205.outer.groove_radius, {name: np.zeros(2) for name in NAMES}
+    for height in (0.12, 0.16, 0.19, 0.22, 0.25):
+        width = float(np.sqrt(groove**2 - (groove - height * bearing_6205.ball_diameter) ** 2))
+        at = replace(bearing_6205, outer=replace(bearing_6205.outer, shoulder_half_width=width))
+        there = thrust_correction(at, SOLVED, axial_load=loads).outer
+        for name in NAMES:
+            apart = np.abs(np.asarray(getattr(there.factors, name)) - getattr(found.outer.factors, name))
+            spread[name] = np.maximum(spread[name], apart)
+            assert (apart <= found.outer.uncertainty[name]).all()
+            if height == 0.19:
+                np.testing.assert_allclose(apart, 0.0, atol=1e-15)
+    assert (spread["approach"] > 1e-4).any()  # the shoulder acts

@@ -144,6 +144,7 @@ def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[s
         groove_radius=4.07e-3,
         rolling_radius=-4.07e-3,
         shoulder=4.07e-3,
+        far_shoulder=4.07e-3,
         contact_angle=0.0,
         load=28.0,
         race_material=PEEK,
