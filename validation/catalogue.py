@@ -1,20 +1,22 @@
 """Balls from load ratings, computed anew: python validation/catalogue.py [--out FOLDER]
 
-Nobody prints the balls of most bearings. They follow from the printed ratings: C0 of [ISO76] and C of [ISO281] depend on
-ball count, ball diameter and pitch diameter, and f0 of [ISO76] on ball over pitch diameter. For every standard ball of
-[ISO3290] and every count, the residuals of the ratings are squared and summed in units of their spread. This program does
-so for every bearing of the catalogue whose balls are derived. It compares the balls with those that the catalogue has, and
-with balls that others print or measured. It writes catalogue.csv, one row for each bearing, and the tables of catalogue.md
-into the folder (validation/reports).
+Nobody prints the balls of most bearings. They follow from the printed ratings: C0 of [ISO76] and C of [ISO281] depend
+on ball count, ball diameter and pitch diameter, and f0 of [ISO76] on ball over pitch diameter. For every standard ball
+of [ISO3290] and every count, the residuals of the ratings are squared and summed in units of their spread. This program
+does so for every bearing of the catalogue whose balls are derived. It compares the balls with those that the catalogue
+has, and with balls that others print or measured. It writes catalogue.csv, one row for each bearing, and the tables of
+catalogue.md into the folder (validation/reports).
 """
 
 import argparse
 import csv
 import math
+import sys
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -37,8 +39,8 @@ LARGE_BALL = 25.4  # mm: beyond, C grows as D^1.4
 METRIC = [1.5, *np.arange(2, 12.6, 0.5), *np.arange(13, 26), *np.arange(26, 51, 2), 35.0, 45.0]  # mm
 INCH_32 = [25.4 / 32 * n for n in (*range(2, 49), *range(50, 86, 2))]
 INCH_64 = [25.4 / 64 * n for n in range(5, 40, 2)]
-# Penalties in units of the score. All balls that GMN and SNFA print are inch sizes, and odd 64ths are rare. No maker says
-# how many balls it fills in; printed bearings lie between 183 and 194 degrees.
+# Penalties in units of the score. All balls that GMN and SNFA print are inch sizes, and odd 64ths are rare. No maker
+# says how far it fills a bearing with balls; printed ones lie between 183 and 194 degrees.
 METRIC_PENALTY, INCH_64_PENALTY = 4.0, 2.0
 FILLING, FILLING_SPREAD = (181.0, 197.0), 4.0  # degrees
 PLAY = 0.006  # standard deviation of the pitch diameter about (d + D)/2, relative
@@ -56,17 +58,21 @@ class Spread:
     factor: float  # of f0
     rounded: float  # half of the last digit of f0
     dynamic_ratios: tuple[float, ...]  # C over that of [ISO281]
-    smaller_factor: bool  # f0 is the smaller of inner and outer contact, as in the table of [ISO76]
+    smaller_factor: tuple[
+        bool, ...
+    ]  # whether f0 is the smaller of inner and outer contact, as in [ISO76], or the inner
 
 
 SPREADS = {
     "NSK": Spread(
-        static=0.005, dynamic=0.007, factor=0.06, rounded=0.0, dynamic_ratios=(1.0,), smaller_factor=False
+        static=0.005, dynamic=0.007, factor=0.06, rounded=0.0, dynamic_ratios=(1.0,), smaller_factor=(False,)
     ),
-    "KOYO": Spread(static=0.005, dynamic=0.007, factor=0.06, rounded=0.0, dynamic_ratios=(1.0,), smaller_factor=True),
+    "KOYO": Spread(
+        static=0.005, dynamic=0.007, factor=0.06, rounded=0.0, dynamic_ratios=(1.0,), smaller_factor=(True,)
+    ),
     # Found in its deep groove bearings: some of its C are 4.8 % above [ISO281]; f0 is a whole number from 10 on.
     "SKF": Spread(
-        static=0.01, dynamic=0.011, factor=0.06, rounded=0.5, dynamic_ratios=(1.0, 1.048), smaller_factor=False
+        static=0.01, dynamic=0.011, factor=0.06, rounded=0.5, dynamic_ratios=(1.0, 1.048), smaller_factor=(False, True)
     ),
 }
 
@@ -149,11 +155,11 @@ def score_balls(
     pitches = pitch * (1 + play * offset)
     half_angle = np.arcsin(diameter / pitches)
     total = np.full(np.broadcast_shapes(diameter.shape, count.shape, offset.shape), np.inf)
-    for ratio in spread.dynamic_ratios:
+    for ratio, smaller in product(spread.dynamic_ratios, spread.smaller_factor):
         score = offset**2 + np.zeros_like(total)
         for rating in ratings:
             gamma = diameter * np.cos(rating.angle) / pitches
-            factor = static_factor(gamma, smaller=spread.smaller_factor)
+            factor = static_factor(gamma, smaller=smaller)
             static = static_rating(count, diameter, rating.angle, factor)
             dynamic = ratio * dynamic_rating(count, diameter, rating.angle, gamma)
             score = score + ((static / rating.static - 1) / spread.static) ** 2
@@ -240,7 +246,8 @@ def check_deep_groove(designations: Iterable[str] | None = None, *, priors: bool
             play=SMALL_PLAY if outside < SMALL else PLAY,
             priors=priors,
         )
-        listed = (int(row["ball_count"]), float(row["ball_diameter_mm"])) if row["ball_count"] else None
+        balls = size if row["maker"] in size["supported_by"].split(" + ") and row["grade"] != "D" else row
+        listed = (int(balls["ball_count"]), float(balls["ball_diameter_mm"])) if balls["ball_count"] else None
         checks.append(
             Check(
                 maker=row["maker"],
@@ -293,13 +300,167 @@ def supported(checks: Iterable[Check]) -> dict[str, Candidate]:
     for name, group in by_name.items():
         ranked = []
         for candidate in (check.candidates[0] for check in group):
-            scores = [score_of(check.candidates, candidate.count, candidate.diameter) for check in group]
-            within = [
-                score
-                for score, check in zip(scores, group, strict=True)
-                if score < min(POOR, check.candidates[0].score + CLEAR)
+            excesses = [
+                score_of(check.candidates, candidate.count, candidate.diameter) - check.candidates[0].score
+                for check in group
             ]
-            # One maker's balls: NSK and KOYO print C0 and f0 finer than SKF.
-            ranked.append((-len(within), sum(within) / max(len(within), 1), candidate))
+            within = [excess for excess in excesses if excess < CLEAR]
+            ranked.append((-len(within), sum(within), candidate))
         chosen[name] = min(ranked, key=lambda entry: entry[:2])[2]
     return chosen
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hit:
+    """Balls that others print or measured, and those from ratings."""
+
+    designation: str
+    outside: float  # mm
+    source: str
+    printed: tuple[int, float]  # count, diameter in mm
+    found: Candidate
+
+    @property
+    def count_right(self) -> bool:
+        return self.found.count == self.printed[0]
+
+    @property
+    def right(self) -> bool:
+        """Count, and diameter within 0.6 %: data sets round it."""
+        return self.count_right and math.isclose(self.found.diameter, self.printed[1], rel_tol=0.006)
+
+
+def compare_balls(found: Mapping[str, Candidate]) -> list[Hit]:
+    """Every row of published balls whose designation is among these."""
+    outside = {row["designation"]: float(row["outside_mm"]) for row in read_rows(ROWS / "deep_groove.csv")}
+    return [
+        Hit(
+            designation=row["designation"],
+            outside=outside[row["designation"]],
+            source=row["maker"],
+            printed=(int(row["ball_count"]), float(row["ball_diameter_mm"])),
+            found=found[row["designation"]],
+        )
+        for row in read_rows(GEOMETRY)
+        if row["designation"] in found
+    ]
+
+
+def _hits_row(name: str, hits: Sequence[Hit]) -> str:
+    bearings = {hit.designation for hit in hits}
+    missed = {hit.designation for hit in hits if not hit.right}
+    return (
+        f"| {name} | {len(hits)} | {sum(hit.count_right for hit in hits)} | {sum(hit.right for hit in hits)} "
+        f"| {len(bearings)} | {len(bearings - missed)} |"
+    )
+
+
+def factor_errors() -> tuple[float, float]:
+    """Largest difference of f0 and of f_c from the printed tables."""
+    table = read_rows(HERE / "published" / "iso_ball_factors.csv")
+    static = [(float(row["gamma"]), float(row["f0"])) for row in table if row["f0"]]
+    dynamic = [(float(row["gamma"]), float(row["fc"])) for row in table if row["fc"]]
+    worst = []
+    for rows, formula in ((static, static_factor), (dynamic, dynamic_factor)):
+        gamma, printed = np.array(rows).T
+        worst.append(float(np.max(np.abs(formula(gamma) - printed))))
+    return worst[0], worst[1]
+
+
+def report(deep: Sequence[Check], angular: Sequence[Check], without_priors: Sequence[Check]) -> str:
+    """The tables, as Markdown."""
+    hits = compare_balls(supported(deep))
+    static, dynamic = factor_errors()
+    lines = [
+        "# Balls from load ratings",
+        "",
+        "By `python validation/catalogue.py`. [The catalogue](../../docs/catalogue.md) says what the numbers mean.",
+        "",
+        f"f0 differs from the table of ISO 76 by at most {static:.3f}, f_c from that of ISO 281 by {dynamic:.3f};",
+        "the tables are rounded to 0.1.",
+        "",
+        "## Against balls that others print or measured",
+        "",
+        "| balls from | rows | count right | both right | bearings | both right |",
+        "| --- | --- | --- | --- | --- | --- |",
+        _hits_row("most makers", hits),
+        _hits_row("most makers, outside diameter from 22 mm", [hit for hit in hits if hit.outside >= 22]),
+        _hits_row("most makers, below 22 mm", [hit for hit in hits if hit.outside < 22]),
+    ]
+    for maker in SPREADS:
+        own = {check.designation: check.candidates[0] for check in deep if check.maker == maker}
+        lines.append(_hits_row(f"{maker} alone", compare_balls(own)))
+    lines.append(_hits_row("most makers, without penalties", compare_balls(supported(without_priors))))
+    lines += ["", "Both right: the count, and the diameter within 0.6 %. Misses:", ""]
+    lines += [
+        f"- {hit.designation}: {hit.source} has {hit.printed[0]} x {hit.printed[1]:.3f} mm, the ratings give "
+        f"{hit.found.count} x {hit.found.diameter:.3f} mm (score {hit.found.score:.1f})"
+        for hit in hits
+        if not hit.right
+    ]
+    lines += [
+        "",
+        "## Against the catalogue",
+        "",
+        "| ratings of | grade | checked | same balls | other balls, clearly |",
+    ]
+    lines += ["| --- | --- | --- | --- | --- |"]
+    kinds = {"deep groove": deep, "angular contact": angular}
+    for kind, checks in kinds.items():
+        groups = Counter((check.maker, check.grade) for check in checks)
+        for (maker, grade), number in sorted(groups.items()):
+            group = [check for check in checks if (check.maker, check.grade) == (maker, grade)]
+            same = sum(check.agrees for check in group)
+            clear = sum(not check.agrees and check.excess > CLEAR for check in group)
+            lines.append(f"| {maker}, {kind} | {grade} | {number} | {same} | {clear} |")
+    lines += [
+        "",
+        f"Clearly: the catalogue's balls score more than {CLEAR:g} above the best. Other balls, of grades A to C:",
+        "",
+    ]
+    lines += [
+        f"- {check.maker} {check.designation}: {_written(check.listed)}; here {check.candidates[0].count} x "
+        f"{check.candidates[0].diameter:.3f} mm, better by {check.excess:.1f}"
+        for check in (*deep, *angular)
+        if not check.agrees and check.grade != "D"
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _written(balls: tuple[int, float] | None) -> str:
+    return "none" if balls is None else f"{balls[0]} x {balls[1]:.3f} mm"
+
+
+def write_rows(path: Path, checks: Iterable[Check]) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(
+            (
+                *("maker", "designation", "grade", "catalogue_count", "catalogue_diameter_mm"),
+                *("count", "diameter_mm", "score", "catalogue_score", "next_count", "next_diameter_mm", "next_score"),
+            )
+        )
+        for check in checks:
+            best = check.candidates[0]
+            own = score_of(check.candidates, *check.listed) if check.listed else math.inf
+            row = [check.maker, check.designation, check.grade, *(check.listed or ("", ""))]
+            row += [best.count, best.diameter, f"{best.score:.2f}", f"{own:.2f}" if math.isfinite(own) else ""]
+            for second in check.candidates[1:2]:
+                row += [second.count, second.diameter, f"{second.score:.2f}"]
+            writer.writerow(row)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=HERE / "reports", metavar="FOLDER", help="where the tables go")
+    folder = parser.parse_args().out
+    folder.mkdir(parents=True, exist_ok=True)
+    deep, angular = check_deep_groove(), check_angular_contact()
+    text = report(deep, angular, check_deep_groove(priors=False))
+    write_rows(folder / "catalogue.csv", (*deep, *angular))
+    (folder / "catalogue.md").write_text(text, "utf-8")
+    sys.stdout.write(text)
+
+
+if __name__ == "__main__":
+    main()
