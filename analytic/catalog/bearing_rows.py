@@ -98,7 +98,7 @@ def clearance_group(bore: float, group: str) -> tuple[float, float]:
     for row in rows:
         # A bore of exactly 30 mm, read from "30 mm", may be 30.000000000000004 here.
         if float(row["bore_over_mm"]) + 1e-9 < millimetres <= float(row["bore_up_to_mm"]) + 1e-9:
-            return float(row[f"{group}_min_um"]) * 1e-6, float(row[f"{group}_max_um"]) * 1e-6
+            return float(row[f"{group}_min_um"]) / 1e6, float(row[f"{group}_max_um"]) / 1e6
     raise InputError(
         f"clearance group {group} of a bore of {millimetres:g} mm is unknown: ISO 5753-1 covers more than "
         f"{rows[0]['bore_over_mm']} mm up to {rows[-1]['bore_up_to_mm']} mm; give a length"
@@ -146,8 +146,11 @@ def _row_of_maker(main: Row, maker: str | None) -> Row:
     if own is not None:
         if own["grade"] != "D" and maker in main["supported_by"].split(" + ") and main["ball_status"] == "derived":
             balls = {key: main[key] for key in ("ball_count", "ball_diameter_mm")}
-            second = {f"second_{key}": own[key] for key in balls} if not _same_balls(own, main) else {}
-            return {**main, **own, **balls, **second}
+            if _same_balls(own, main):
+                return {**main, **own, **balls}
+            # Its own best fit is the second candidate; the residuals in the file are those of that fit.
+            residuals = dict.fromkeys((f"{rating}_residual_percent" for rating in ("dynamic", "static")), "")
+            return {**main, **own, **balls, **{f"second_{key}": own[key] for key in balls}, **residuals}
         remark = ""
         if main["ball_status"] == "printed":
             remark = f"they give {_balls(own)}, and {main['maker']} prints {_balls(main)} for its bearing of this size"
@@ -171,9 +174,9 @@ def _same_balls(one: Row, other: Row) -> bool:
 
 def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
     angle = row["contact_angle_deg"]
-    ball = float(row["ball_diameter_mm"]) * 1e-3
+    ball = float(row["ball_diameter_mm"]) / 1e3
     # Another ball than the main row's: the same shoulders in proportion.
-    scale = ball / (float(main["ball_diameter_mm"]) * 1e-3) if main["ball_diameter_mm"] else 1.0
+    scale = ball / (float(main["ball_diameter_mm"]) / 1e3) if main["ball_diameter_mm"] else 1.0
     heights = [_metres(row[f"shoulder_height_{ring}_mm"]) for ring in ("inner", "outer")]
     inner, outer = (None if height is None else height * scale for height in heights)
     conformity = (INNER_CONFORMITY, OUTER_CONFORMITY)
@@ -184,12 +187,12 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
         designation=row["designation"] if found.maker is None else _with_maker(row),
         maker=row["maker"],
         kind="angular contact" if angle else "deep groove",
-        bore=float(row["bore_mm"]) * 1e-3,
-        outside=float(row["outside_mm"]) * 1e-3,
-        width=float(row["width_mm"]) * 1e-3,
+        bore=float(row["bore_mm"]) / 1e3,
+        outside=float(row["outside_mm"]) / 1e3,
+        width=float(row["width_mm"]) / 1e3,
         ball_count=int(row["ball_count"]),
         ball_diameter=ball,
-        pitch_diameter=float(row["pitch_diameter_mm"]) * 1e-3,
+        pitch_diameter=float(row["pitch_diameter_mm"]) / 1e3,
         conformity=conformity,
         nominal_angle=math.radians(float(angle)) if angle else None,
         shoulder_height=(inner, outer),
@@ -200,7 +203,7 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
         f0=float(row["f0"]) if row["f0"] else None,
         grade=cast(Grade, row["grade"]),
         origins=read_only(origins_of(row, scaled=scale != 1.0)),
-        other_candidate=(int(second), float(row["second_ball_diameter_mm"]) * 1e-3) if second else None,
+        other_candidate=(int(second), float(row["second_ball_diameter_mm"]) / 1e3) if second else None,
         seals="; ".join(seals) or None,
         clearance_group=groups[-1] if groups else None,
         suffixes=read_only({suffix.text: suffix.meaning for suffix in found.suffixes}),
@@ -214,7 +217,7 @@ def _with_maker(row: Row) -> str:
 
 
 def _metres(text: str) -> float | None:
-    return float(text) * 1e-3 if text else None
+    return float(text) / 1e3 if text else None
 
 
 def _balls(row: Row) -> str:

@@ -25,7 +25,7 @@ def origins_of(row: Row, *, scaled: bool) -> dict[str, Origin]:
     """
     maker = row["maker"]
     printed = Origin(status="printed", uncertainty=None, source=f"catalogue of {maker}")
-    ball = float(row["ball_diameter_mm"]) * 1e-3
+    ball = float(row["ball_diameter_mm"]) / 1e3
     assumed = Origin(
         status="assumed",
         uncertainty=CONFORMITY_UNCERTAINTY,
@@ -56,23 +56,20 @@ def _ball_origin(row: Row, uncertainty: float) -> Origin:
         rounded = ", rounded; the nearest inch size is taken" if "inch" in row["ball_status"] else ""
         return Origin(status="printed", uncertainty=uncertainty, source=f"catalogue of {maker}{rounded}")
     factor = f", f0 {row['f0']}" if row["f0"] else ""
-    dynamic, static = (float(row[f"{kind}_rating_N"]) / 1e3 for kind in ("dynamic", "static"))
-    second = (
-        f"; next best {row['second_ball_count']} x {row['second_ball_diameter_mm']} mm"
-        if row["second_ball_count"]
-        else ""
-    )
+    dynamic, static = (f"{float(row[f'{kind}_rating_N']) / 1e3:g} kN" for kind in ("dynamic", "static"))
+    parts = [f"{maker}'s C {dynamic}, C0 {static}{factor}"]
+    if row["static_residual_percent"]:
+        parts.append(f"residuals C {row['dynamic_residual_percent']} %, C0 {row['static_residual_percent']} %")
     trust = f", {RIGHT[row['grade']]}" if row["grade"] in RIGHT else ""
-    source = (
-        f"{maker}'s C {dynamic:g} kN, C0 {static:g} kN{factor} (residuals C {row['dynamic_residual_percent']} %, "
-        f"C0 {row['static_residual_percent']} %); supported by {row['supported_by']}; "
-        f"grade {row['grade']}{trust}{second}"
-    )
+    parts += [f"supported by {row['supported_by']}", f"grade {row['grade']}{trust}"]
+    if row["second_ball_count"]:
+        parts.append(f"next best {row['second_ball_count']} x {float(row['second_ball_diameter_mm']):.3f} mm")
+    source = "; ".join(parts)
     return Origin(status="derived", uncertainty=uncertainty, source=source)
 
 
 def _pitch_origin(row: Row) -> Origin:
-    pitch = float(row["pitch_diameter_mm"]) * 1e-3
+    pitch = float(row["pitch_diameter_mm"]) / 1e3
     source = row["pitch_source"]
     if source == "GMN":
         return Origin(status="printed", uncertainty=0.001 * pitch, source="GMN prints it for its bearing of this size")
@@ -93,8 +90,8 @@ def _pitch_origin(row: Row) -> Origin:
 def _shoulder_origin(row: Row, height_mm: str, groove_radius: float, scaled: bool) -> Origin:
     if not height_mm:
         return Origin(status="not known", uncertainty=None, source="no shoulder diameter is printed")
-    ball = float(row["ball_diameter_mm"]) * 1e-3
-    height = float(height_mm) * 1e-3
+    ball = float(row["ball_diameter_mm"]) / 1e3
+    height = float(height_mm) / 1e3
     width = math.sqrt(height * (2 * groove_radius - height))
     uncertainty = HEIGHT_UNCERTAINTY * ball * (groove_radius - height) / width  # d(half width)/d(height)
     if scaled:
