@@ -41,7 +41,9 @@ def material(name: str, **overrides: float | str) -> Material:
         entry = catalog_material(name, given)
     except ValueError as problem:
         raise InputError(f"material {shown(name)} {problem}") from None
-    written = {key: scene_key(f"{MATERIAL}.{key}").read(value) for key, value in entry.items() if key not in given}
+    written: dict[str, Any] = {
+        key: scene_key(f"{MATERIAL}.{key}").read(value) for key, value in entry.items() if key not in given
+    }
     return Material(**(written | given))
 
 

@@ -15,8 +15,9 @@ def material_entry(given: object) -> object:
     if not isinstance(given, dict):
         return catalog_material(given, {})
     name = given.get("name")
-    is_known = isinstance(name, str) and catalog.find("materials", name) is not None
-    return _overlaid(name, given) if is_known else given
+    if not isinstance(name, str) or catalog.find("materials", name) is None:
+        return given
+    return _overlaid(name, given)
 
 
 def catalog_material(name: object, given: dict[str, Any]) -> dict[str, Any]:

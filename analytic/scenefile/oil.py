@@ -13,7 +13,7 @@ from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, 
 from analytic.scene import Lubricant, Origin, Status, read_only
 from analytic.scenefile.known_oil import COLD, HOT, Density, KnownOil, base_oil, named_oil
 from analytic.scenefile.tables import LubricantTable
-from analytic.scenefile.viscosity import GivenViscosity
+from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint
 
 DEFAULTS = {  # typical of mineral oils near 40 degC (no source seen)
     "limiting_shear": 0.065,
@@ -77,25 +77,30 @@ def completed_lubricant(given: Mapping[str, Any]) -> Lubricant:
         raise InputError(
             "; ".join(f"lubricant.{key} is missing{reason}; give for example {EXAMPLES[key]}" for key in missing)
         )
+    shear = known_shear or _default("limiting_shear", None)
     conductivity = _own(given, "thermal_conductivity") or _conductivity(oil)
-    is_line_used = line is not None and (viscosity is None or viscosity.is_pair or "name" in given)
-    slope = _slope(given, line if is_line_used else None, oil, reference)
     properties = {
         "viscosity": eta,
         "pressure_viscosity": alpha,
         "eyring_stress": stress,
-        "limiting_shear": known_shear or _default("limiting_shear", None),
+        "limiting_shear": shear,
         "density": density,
         "thermal_conductivity": conductivity,
     }
-    words = {key: given[key] for key in ("traction", "supply", "starvation_degree", "compressible") if key in given}
+    choices: dict[str, Any] = {"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"}
+    choices |= {key: given[key] for key in (*choices, "starvation_degree", "compressible") if key in given}
     return Lubricant(
-        **{name: each.value for name, each in properties.items()},
-        viscosity_temperature=slope,
+        viscosity=eta.value,
+        pressure_viscosity=alpha.value,
+        viscosity_temperature=_slope(given, line, oil, reference),
         reference_temperature=reference,
         temperature=temperature,
+        thermal_conductivity=conductivity.value,
+        density=density.value,
+        eyring_stress=stress.value,
+        limiting_shear=shear.value,
         origins=read_only({name: each.origin for name, each in properties.items()}),
-        **({"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"} | words),
+        **choices,
     )
 
 
@@ -145,15 +150,21 @@ def _given_line(given: Mapping[str, Any], oil: KnownOil) -> ViscosityLine | None
     viscosity: GivenViscosity | None = given.get("viscosity")
     if viscosity is None or not viscosity.is_pair:
         return None
-    temperatures, kinematic = [], []
-    for point in viscosity.points:
-        density = None if point.is_kinematic else _density(given, oil, point.temperature)
-        temperatures.append(point.temperature)
-        kinematic.append(point.value if density is None else point.value / density.value)
+    (first, first_nu), (second, second_nu) = ((p.temperature, _kinematic(given, oil, p)) for p in viscosity.points)
+    assert first is not None  # the reader refuses a pair without temperatures
+    assert second is not None
     try:
-        return viscosity_line(temperatures=(temperatures[0], temperatures[1]), viscosities=(kinematic[0], kinematic[1]))
+        return viscosity_line(temperatures=(first, second), viscosities=(first_nu, second_nu))
     except InputError as problem:
         raise InputError(f"lubricant.{problem}") from problem
+
+
+def _kinematic(given: Mapping[str, Any], oil: KnownOil, point: ViscosityPoint) -> float:
+    """m^2/s."""
+    if point.is_kinematic or point.temperature is None:
+        return point.value
+    density = _density(given, oil, point.temperature)
+    return point.value / (DEFAULTS["density"] if density is None else density.value)
 
 
 def _viscosity(

@@ -30,7 +30,7 @@ def surface_conflicts(document: dict, given: SurfaceTable) -> Iterator[str]:
         yield "surface.autocorrelation does not go with height_map, which has its own; leave it out"
     elif ways == ["rms_roughness"] and given.autocorrelation is None:
         yield (
-            "surface.autocorrelation is missing, it goes with rms_roughness; give for example "
+            "surface.autocorrelation is missing, which goes with rms_roughness; give for example "
             '{ kind = "gaussian", length = "60 um", spacing = "2 um" }, or Ra or finish, which assume one'
         )
     if given.asperities is not None and given.gap != "truncated":

@@ -75,7 +75,10 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (ROUGH + "boundary_friction = -0.1", ("surface.boundary_friction = -0.1", "0 to 5")),
     (ROUGH + 'gap = "flat"', ("surface.gap = 'flat'", "'elastic'", "'truncated'")),
     (ROUGH + 'asperities = "zhao_maietta_chang"', ("surface.asperities", 'gap = "truncated"', "leave it out")),
-    (ROUGH.partition("autocorrelation")[0], ("surface.autocorrelation is missing", "it goes with rms_roughness")),
+    (
+        ROUGH.partition("autocorrelation")[0],
+        ("surface.autocorrelation is missing", "goes with rms_roughness", '"60 um"'),
+    ),
     (ROUGH + f"height_map = {MAP}", ("surface", "exactly one of")),
     (PLAIN + f"[surface]\nheight_map = {MAP}", ("surface.height_map.path = 'a.npy'", "not a file")),
     (PLAIN + f"[surface]\nheight_map = {MAP}".replace("npy", "pkl"), ("path = 'a.pkl'", ".npy, .csv")),

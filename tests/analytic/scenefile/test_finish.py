@@ -1,0 +1,78 @@
+"""Surfaces by Ra and by finish."""
+
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+
+from analytic import catalog
+from analytic.scene import Surface
+from tests.analytic.scenefile.scene_texts import PLAIN, ROUGH, refusal, scene
+from tests.analytic.specimens import present
+
+
+def surface(text: str) -> Surface:
+    return present(scene(f"{PLAIN}[surface]\n{text}").surface)
+
+
+def test_ra_becomes_the_rms_of_gaussian_heights() -> None:
+    heights = np.random.default_rng(7).normal(scale=0.31, size=400_000)  # um
+    ra = float(np.mean(np.abs(heights)))
+    read = surface(f'Ra = "{ra!r} um"')
+    # A mean of 400 000 scatters by 0.76/sqrt(400 000) = 0.12 %; four times that.
+    assert read.rms_roughness == pytest.approx(np.std(heights) * 1e-6, rel=0.005)
+    assert read.origins["rms_roughness"].status == "given"
+    assert read.origins["autocorrelation"].status == "assumed"
+    assert read.ball_rms_roughness is None
+
+
+def test_a_given_autocorrelation_goes_with_ra_and_with_a_finish() -> None:
+    given = 'autocorrelation = { kind = "exponential", length = "33 um", spacing = "3 um" }'
+    for way in ('Ra = "0.07 um"', 'finish = "ground"'):
+        read = surface(f"{way}\n{given}")
+        assert (present(read.autocorrelation).length, present(read.autocorrelation).kind) == (33e-6, "exponential")
+        assert read.origins["autocorrelation"].status == "given"
+
+
+def test_a_finish_is_within_its_limits_and_says_that_it_is_assumed() -> None:
+    finishes = catalog.rows("finishes")
+    assert len(finishes) == 3
+    for name, row in finishes.items():
+        middle, low, high = (float(row[f"{column} [um]"]) for column in ("Ra", "low", "high"))
+        assert low < middle < high
+        read = surface(f'finish = "{name}"\nball_rms_roughness = "0.011 um"')
+        assert present(read.rms_roughness) / sqrt(pi / 2) == pytest.approx(middle * 1e-6, rel=1e-12)  # round-off
+        origin = read.origins["rms_roughness"]
+        assert origin.status == "assumed"
+        assert 0 < present(origin.uncertainty) < (high - low) * 1e-6
+        assert (read.ball_rms_roughness, read.origins["ball_rms_roughness"].status) == (0.011e-6, "given")
+
+
+def test_the_ball_of_a_finish_is_smoother_than_a_ground_race() -> None:
+    read = surface('finish = "ground and honed"')
+    assert 0 < present(read.ball_rms_roughness) < present(read.rms_roughness)
+    assert read.origins["ball_rms_roughness"].status == "assumed"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ('finish = "ground"\nRa = "0.1 um"', ("exactly one of", "Ra and finish")),
+        ('finish = "mirror"', ("surface.finish = 'mirror'", "ground, ground and honed, superfinished")),
+        ("Ra = 0.1", ("surface.Ra = 0.1", "no unit", '"0.1 um"')),
+        ('rms_roughness = "0.1 um"', ("surface.autocorrelation is missing", "Ra or finish")),
+        ("", ("exactly one of rms_roughness, Ra, finish and height_map",)),
+    ],
+)
+def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> None:
+    message = refusal(f"{PLAIN}[surface]\n{text}")
+    assert message.isprintable()
+    assert [word for word in words if word not in message] == [], message
+
+
+def test_declared_statistics_are_given() -> None:
+    origins = present(scene(ROUGH).surface).origins
+    assert {key: origin.status for key, origin in origins.items()} == {
+        "rms_roughness": "given",
+        "autocorrelation": "given",
+    }
