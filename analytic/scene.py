@@ -191,6 +191,16 @@ class Arrangement:
     offset: float | None = None  # axial distance that clamping closes, of the pair, m
     distance: float | None = None  # between the middles of both bearings, m; None: the bearing's width
 
+    def __post_init__(self) -> None:
+        said = [key for key in ("preload", "offset") if getattr(self, key) is not None]
+        if self.kind == "tandem" and said:
+            raise InputError(
+                f"arrangement in tandem has no {said[0]}: both bearings carry the same direction, and nothing presses "
+                "back; leave it out"
+            )
+        if self.kind != "tandem" and len(said) != 1:
+            raise InputError("arrangement needs one of preload and offset, for example preload = \"100 N\"")
+
 
 @dataclass(frozen=True, kw_only=True)
 class ContactAngle:

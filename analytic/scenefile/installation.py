@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+from analytic.errors import InputError
 from analytic.mounting.clearance import Mounting, mounted, mounting_faults
 from analytic.scene import Arrangement, Bearing, Clearances, Material
 from analytic.scenefile.fit import bearing_misfits
@@ -14,8 +15,11 @@ def installation_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
     angle = table.bearing.contact_angle
     if table.mounting is not None:
         yield from _mounting_faults(table.mounting, angle)
-    if table.arrangement is not None:
-        yield from _arrangement_faults(table.arrangement, angle)
+    if table.arrangement is not None and angle.rule == "given":
+        yield (
+            "bearing.contact_angle.rule",
+            'holds an angle that the loads of a pair change: use "solved", or leave out [arrangement]',
+        )
 
 
 def in_operation(bearing: Bearing, given: MountingTable) -> tuple[Bearing, Clearances | None, list[tuple[str, str]]]:
@@ -46,14 +50,19 @@ def _mounting(given: MountingTable) -> Mounting:
     return Mounting(**given.model_dump(exclude={*rings, *seats}), **temperatures, **materials)
 
 
-def arrangement_misfits(arrangement: Arrangement, bearing: Bearing) -> Iterator[tuple[str, str]]:
-    """(path of the key, problem) for a pair that has no place."""
-    width = bearing.width
-    if arrangement.distance is None:
-        if width is None:
-            yield "arrangement.distance", "is missing: give it, or bearing.width, which is the distance by default"
-    elif width is not None and arrangement.distance < width:
-        yield "arrangement.distance", f"must be at least bearing.width {width * 1e3:.6g} mm: the rings would overlap"
+def arranged(given: ArrangementTable, bearing: Bearing) -> tuple[Arrangement | None, list[tuple[str, str]]]:
+    """The pair of a table, and (path of the key, problem) for what is missing or cannot be."""
+    try:
+        arrangement = Arrangement(**given.model_dump())
+    except InputError as problem:
+        return None, [("arrangement", str(problem).removeprefix("arrangement "))]
+    width, distance = bearing.width, arrangement.distance
+    if distance is None and width is None:
+        return arrangement, [("arrangement.distance", "is missing: give it or bearing.width, which it is by default")]
+    if distance is not None and width is not None and distance < width:
+        least = f"bearing.width {width * 1e3:.6g} mm"
+        return arrangement, [("arrangement.distance", f"must be at least {least}, else the rings overlap")]
+    return arrangement, []
 
 
 def _mounting_faults(given: MountingTable, angle: ContactAngleTable) -> Iterator[tuple[str, str]]:
@@ -74,21 +83,3 @@ def _mounting_faults(given: MountingTable, angle: ContactAngleTable) -> Iterator
         yield f"mounting.{other}", f"is missing: {known[0]} alone does not say how much warmer one ring is"
     elif not known and given.ball_temperature is not None:
         yield "mounting.ball_temperature", "goes with inner_temperature and outer_temperature: give these too"
-
-
-def _arrangement_faults(given: ArrangementTable, angle: ContactAngleTable) -> Iterator[tuple[str, str]]:
-    said = [key for key in ("preload", "offset") if getattr(given, key) is not None]
-    if given.kind == "tandem" and said:
-        yield (
-            f"arrangement.{said[0]}",
-            'has nothing to press against: both bearings of kind = "tandem" carry the same direction; leave it out',
-        )
-    elif given.kind != "tandem" and not said:
-        yield "arrangement.preload", 'is missing; give it, for example "100 N", or offset instead'
-    elif len(said) == 2:
-        yield "arrangement.preload", "and offset say the same; leave one of them out"
-    if angle.rule == "given":
-        yield (
-            "bearing.contact_angle.rule",
-            'holds an angle that the loads of a pair change: use "solved", or leave out [arrangement]',
-        )

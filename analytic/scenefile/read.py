@@ -17,7 +17,6 @@ from analytic import catalog
 from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.errors import InputError
 from analytic.scene import (
-    Arrangement,
     Array,
     Autocorrelation,
     Bearing,
@@ -34,7 +33,7 @@ from analytic.scene import (
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
-from analytic.scenefile.installation import arrangement_misfits, in_operation, installation_faults
+from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import fault_at, fault_of
 from analytic.scenefile.tables import (
     CageTable,
@@ -194,13 +193,11 @@ def _scene(
         bearing = replace(bearing, other_candidate=bearing_of(others, own=own, row=row))
     angle = ContactAngle(**table.bearing.contact_angle.model_dump(exclude={"nominal"}))
     misfits = list(fit.bearing_misfits(bearing))
-    delivered, clearances, arrangement = bearing, None, None
+    delivered, clearances = bearing, None
     if table.mounting is not None and not misfits:
         bearing, clearances, problems = in_operation(bearing, table.mounting)
         misfits += problems
-    if table.arrangement is not None:
-        arrangement = Arrangement(**table.arrangement.model_dump())
-        misfits += arrangement_misfits(arrangement, bearing)
+    arrangement, unplaced = (None, []) if table.arrangement is None else arranged(table.arrangement, bearing)
     cage = None
     if not misfits:
         misfits += fit.angle_misfits(bearing, angle)
@@ -232,7 +229,7 @@ def _scene(
         calibration=table.calibration,
         warnings=(*(() if row is None else row.warnings), *fit.warnings(bearing, cage)),
     )
-    return scene, misfits
+    return scene, [*misfits, *unplaced]
 
 
 def _cage(given: CageTable, bearing: Bearing) -> Cage:

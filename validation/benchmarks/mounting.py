@@ -145,7 +145,7 @@ def solved_ratio(section: Section, *, wider: float = WIDER) -> float:
     return section.sign * 2 * float(moved[bottom])
 
 
-def grid(along: NDArray[np.float64], shares: NDArray[np.float64], radius) -> MeshQuad:  # noqa: ANN001
+def grid(along: NDArray[np.float64], shares: NDArray[np.float64], radius) -> MeshQuad:
     """Cells between lines along the axis and shares of the wall."""
     mesh = MeshQuad.init_tensor(along, shares)
     return MeshQuad(np.stack([mesh.p[0], radius(mesh.p[0], mesh.p[1])]), mesh.t)
@@ -158,7 +158,7 @@ def block(parts: list) -> coo_array:
 
 
 @BilinearForm
-def elastic(u, v, w):  # noqa: ANN001, ANN201
+def elastic(u, v, w):
     """Energy of strains about an axis, over 2 pi; x[0] is axial, x[1] radial."""
     shear = STEEL.youngs_modulus / (2 * (1 + STEEL.poisson_ratio))
     bulk = 2 * shear * STEEL.poisson_ratio / (1 - 2 * STEEL.poisson_ratio)
