@@ -33,6 +33,7 @@ SlidingMethod = Literal[
 ]
 Status = Literal["given", "printed", "derived", "assumed", "not known"]
 ClearanceGroup = Literal["C2", "CN", "C3", "C4", "C5"]
+ArrangementKind = Literal["O", "X", "tandem"]
 Grade = Literal["printed", "A", "B", "C", "D"]
 Sliding = Literal["auto"] | SlidingMethod
 
@@ -173,6 +174,44 @@ class Bearing:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Clearances:
+    """The diametral clearance of a bearing on its way into operation, m, and what its seats do; negative is preload."""
+
+    unmounted: float
+    mounted: float  # on its seats, at the temperature of mounting
+    operating: float  # on its seats, at the temperatures of operation
+    shaft_interference: float  # in operation, on the diameter, m; negative: the seat is loose
+    housing_interference: float
+    shaft_pressure: float  # in operation, Pa
+    housing_pressure: float
+    ball_load: float  # of every ball in operation before any other load, N; 0 with clearance left
+
+
+@dataclass(frozen=True, kw_only=True)
+class Arrangement:
+    """Two equal bearings on one rigid shaft, set against each other or side by side; give preload or offset, or none.
+
+    O: back to back, the lines of contact of the two bearings meet the shaft outside; X: face to face, inside; tandem:
+    both carry thrust in the same direction, without preload.
+    """
+
+    kind: ArrangementKind
+    preload: float | None = None  # axial force in the mounted pair at standstill, N
+    offset: float | None = None  # axial distance that clamping closes, of the pair, m
+    distance: float | None = None  # between the middles of both bearings, m; None: the bearing's width
+
+    def __post_init__(self) -> None:
+        said = [key for key in ("preload", "offset") if getattr(self, key) is not None]
+        if self.kind == "tandem" and said:
+            raise InputError(
+                f"arrangement in tandem has no {said[0]}: both bearings carry the same direction, and nothing presses "
+                "back; leave it out"
+            )
+        if self.kind != "tandem" and len(said) != 1:
+            raise InputError("arrangement needs one of preload and offset, for example preload = \"100 N\"")
+
+
+@dataclass(frozen=True, kw_only=True)
 class ContactAngle:
     """How the contact angle is determined.
 
@@ -289,6 +328,8 @@ class Scene:
     bearing: Bearing
     contact_angle: ContactAngle
     operation: Operation
+    clearances: Clearances | None = None  # on the way to `bearing`, which is in operation; None: no seats are given
+    arrangement: Arrangement | None = None  # of two such bearings, which share the loads; None: one bearing
     cage: Cage | None = None  # None: no cage term and no pocket contact
     lubricant: Lubricant | None = None  # None: unknown
     surface: Surface | None = None  # None: unknown

@@ -29,6 +29,7 @@ from analytic.scene import (
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
+from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import fault_at, fault_of
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.surface import surface_conflicts, surface_of
@@ -140,14 +141,18 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         yield fault_at(
             document, "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
         )
-    yield from (fault_at(document, key, problem) for key, problem in bearing_faults(table.bearing))
+    for faults in (bearing_faults(table.bearing), installation_faults(table)):
+        yield from (fault_at(document, key, problem) for key, problem in faults)
     lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list) and key != "down"}
     if len(set(lengths.values())) > 1:
         counts = " and ".join(f"operation.{key} has {count}" for key, count in lengths.items())
         yield f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
     loads = table.operation
-    if len(set(lengths.values())) <= 1 and any(
-        not any(point) for point in np.broadcast(loads.axial_load, loads.radial_load, loads.moment)
+    is_preloaded = table.arrangement is not None and table.arrangement.kind != "tandem"
+    if (
+        not is_preloaded
+        and len(set(lengths.values())) <= 1
+        and any(not any(point) for point in np.broadcast(loads.axial_load, loads.radial_load, loads.moment))
     ):
         problem = "leaves a point without any load; give thrust, 1e-15 N at least, or a radial load or a moment with it"
         yield fault_at(document, "operation.axial_load", problem)
@@ -180,11 +185,16 @@ def _scene(
         bearing = replace(bearing, other_candidate=bearing_of(others, own=own, row=row))
     angle = ContactAngle(**table.bearing.contact_angle.model_dump(exclude={"nominal"}))
     misfits = list(fit.bearing_misfits(bearing))
+    delivered, clearances = bearing, None
+    if table.mounting is not None and not misfits:
+        bearing, clearances, problems = in_operation(bearing, table.mounting)
+        misfits += problems
+    arrangement, unplaced = (None, []) if table.arrangement is None else arranged(table.arrangement, bearing)
     cage = None
     if not misfits:
         misfits += fit.angle_misfits(bearing, angle)
         if table.cage is not None:
-            cage = _cage(table.cage, bearing)
+            cage = _cage(table.cage, delivered)
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
             overlaps = table.cage.variant == AS_PRINTED
             misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
@@ -197,6 +207,8 @@ def _scene(
         tolerance=table.tolerance,
         bearing=bearing,
         contact_angle=angle,
+        clearances=clearances,
+        arrangement=arrangement,
         operation=_operation(table.operation),
         down=table.operation.down,
         cage=cage,
@@ -209,7 +221,7 @@ def _scene(
         calibration=table.calibration,
         warnings=(*(() if row is None else row.warnings), *fit.warnings(bearing, cage)),
     )
-    return scene, misfits
+    return scene, [*misfits, *unplaced]
 
 
 def _cage(given: CageTable, bearing: Bearing) -> Cage:

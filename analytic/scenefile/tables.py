@@ -10,7 +10,9 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 from pydantic.fields import FieldInfo
 
 from analytic import catalog
+from analytic.mounting.clearance import Mounting
 from analytic.scene import (
+    ArrangementKind,
     AsperityLaw,
     Cage,
     CageGravity,
@@ -117,6 +119,7 @@ Moment = Annotated[float, Dimension(unit="N m", low=-1e12, high=1e12, example='"
 ClearanceEntry = Annotated[float | ClearanceGroup, Clearance(unit="m", low=-1, high=1, example='"10 um"')]
 Conformity = Annotated[float, Dimension(unit="", low=0.5, high=5, example="0.52")]
 Width = Annotated[float, Dimension(unit="m", low=0, high=10, example='"2 mm"')]
+Interference = Annotated[float, Dimension(unit="m", low=-1e-2, high=1e-2, example='"12 um"')]  # on the diameter
 Speed = Annotated[float, Dimension(unit="rad/s", low=-1e6, high=1e6, example='"300 rpm"')]
 Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1 um"')]
 Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
@@ -200,6 +203,26 @@ class BearingTable(Table):
         default=ContactAngleTable(),
         description='give { rule = "solved" }, { nominal = "15 deg" } or { rule = "given", value = "0.18 rad" }',
     )
+
+
+class MountingTable(Table):
+    shaft_interference: Interference = 0.0
+    housing_interference: Interference = 0.0
+    shaft_bore: Annotated[float, Dimension(unit="m", low=0, high=10, example='"10 mm"')] = Mounting.shaft_bore
+    shaft_material: MaterialEntry = STEEL
+    housing_outside_diameter: Length | None = None  # without one the housing has no end
+    housing_material: MaterialEntry = STEEL
+    inner_temperature: Temperature | None = None  # of inner ring and shaft
+    outer_temperature: Temperature | None = None  # of outer ring and housing
+    ball_temperature: Temperature | None = None  # the mean of both by default
+    mounting_temperature: Temperature = Mounting.mounting_temperature
+
+
+class ArrangementTable(Table):
+    kind: ArrangementKind = Field(description='give "O" (back to back), "X" (face to face) or "tandem"')
+    preload: Force | None = None  # axial, of the mounted pair at standstill
+    offset: Gap | None = None  # axial distance that clamping closes, of the pair
+    distance: Length | None = None  # between the middles of both bearings
 
 
 class LandTable(Table):
@@ -352,6 +375,12 @@ class SceneTable(Table):
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
     bearing: BearingTable = Field(description='give a table [bearing] with catalog = "paper_6205" or every dimension')
     operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")
+    mounting: MountingTable | None = Field(
+        default=None, description="give a table [mounting] of seats and temperatures"
+    )
+    arrangement: ArrangementTable | None = Field(
+        default=None, description='give a table [arrangement] of kind = "O" and preload = "100 N", or leave it out'
+    )
     cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
     lubricant: LubricantTable | None = Field(
         default=None,

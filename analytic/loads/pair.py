@@ -1,0 +1,202 @@
+"""Two equal bearings on one rigid shaft: which load each of them takes.
+
+The bearings share the shaft's five displacements. Their outer rings stand in one rigid housing. With a preload, clamping
+has brought the inner rings (O) or the outer rings (X) nearer to each other by the offset, which stays as it is: shaft and
+spacers neither give way nor grow. In `O` and `X` the axial load presses on the first bearing and relieves the second one.
+The equilibrium is that of `analytic.loads.ring` with two rows of balls. A row's own frame has its z along the thrust that
+loads it. In `O` the first bearing stands on the side that the axial load comes from; the lines of contact then meet the
+axis outside the pair. Loads refer to the middle of the pair, halfway between the circles of the inner groove centres.
+The weight of the balls is left out here.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from analytic.contact.factors import ContactCorrection
+from analytic.contact.hertz import loaded_contact
+from analytic.errors import InputError, require_positive
+from analytic.loads.balls import LoadEffects, balls_between
+from analytic.loads.finite_geometry import corrections_of, thrust_correction
+from analytic.loads.ring_balance import LEAST_BALLS, RingState, Row, RowsOfBalls, refuse_beyond_groove, settled_ring
+from analytic.loads.thrust import play_and_free_angle, thrust_equilibrium
+from analytic.loads.turning import RuledTurning
+from analytic.scene import Arrangement, Array, Bearing, ContactAngle, Operation
+
+# Load of a ball on the inner race over that on the outer one, below which it hangs in the outer race by its centrifugal
+# force: it skids, and its bearing counts as unloaded.
+HANGING = 2e-3
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PairEquilibrium:
+    """Two bearings at n operating points; an axis of both bearings is in front. Loads are in each bearing's own frame."""
+
+    preload: float  # axial force between the bearings at standstill without other loads, N; 0 in tandem
+    offset: float  # axial distance that clamping has closed, m; 0 in tandem
+    distance: float  # between the middles of both bearings, m
+    displacement: Array  # (n,) of the shaft along the axial load, from its place without load (tandem: with play), m
+    stiffness: Array  # (n,) dF/dz of the pair at constant radial load and moment, with each contact's K held, N/m
+    axial_load: Array  # (2, n) N
+    radial_load: Array  # (2, n) N
+    moment: Array  # (2, n) about y, N m
+    ball_load: Array  # (2, n) of the heaviest ball on the race where it is larger, N
+    is_loaded: Array  # (2, n) bool: whether the inner ring presses on the balls
+
+
+@dataclass(frozen=True, kw_only=True)
+class PairContacts:
+    """How the contacts of a pair are computed."""
+
+    effects: LoadEffects
+    finite_geometry: bool = True  # whether Hertz's contacts are corrected for the finite geometry, at their loads
+    correction: ContactCorrection | None = None  # factors, one for all balls and points, in its place
+
+
+def pair_equilibrium(
+    bearing: Bearing,
+    contact_angle: ContactAngle,
+    arrangement: Arrangement,
+    operation: Operation,
+    contacts: PairContacts,
+) -> PairEquilibrium:
+    """The loads that each of two equal bearings takes.
+
+    contact_angle : rule "solved"
+    operation : of the pair, every array (n,); axial_load >= 0; radial load and moment act at the middle of the pair
+    Raises InputError for the rule "given", a distance that is not known, fewer than three balls under a radial load or
+    a moment, and balls that leave their grooves; ConvergenceError where the iteration stops short.
+    """
+    if contact_angle.rule == "given":
+        raise InputError('arrangement needs contact_angle.rule = "solved": the angles of a pair follow from its loads')
+    distance = bearing.width if arrangement.distance is None else arrangement.distance
+    if distance is None:
+        raise InputError("arrangement.distance is missing: give it, or bearing.width, which it is by default")
+    require_positive(**{"arrangement.distance": distance})
+    distributed = contacts.effects.load_distribution and not operation.is_thrust
+    if bearing.ball_count < LEAST_BALLS and distributed:
+        raise InputError(
+            f"ball_count = {bearing.ball_count} carries thrust alone: a radial load or a moment needs at least "
+            f"{LEAST_BALLS} balls"
+        )
+    pair = _Pair(bearing, contact_angle, arrangement, contacts, distance)
+    count, still = operation.axial_load.size, np.zeros(1)
+    mounted = None if arrangement.kind == "tandem" else pair.settled(np.zeros((1, 5)), still)
+    load = np.zeros((count, 5))
+    load[:, 0] = operation.axial_load
+    if distributed:
+        load[:, 1] = operation.radial_load
+        load[:, 4] = np.asarray(operation.moment) / pair.arm
+    state = pair.settled(load, operation.inner_speed)
+    refuse_beyond_groove(state.balls, operation.inner_speed)
+    axial, radial, moment = pair.loads(state)
+    rows = (count, 2, bearing.ball_count)
+    inner, outer = (each.reshape(rows).max(axis=-1).T for each in (state.balls.inner_load, state.balls.outer_load))
+    return PairEquilibrium(
+        preload=0.0 if mounted is None else float(pair.loads(mounted)[0][0, 0]),
+        offset=pair.closed,
+        distance=distance,
+        displacement=state.place[:, 0],
+        stiffness=_axial_stiffness(state, alone=bearing.ball_count < LEAST_BALLS),
+        axial_load=axial,
+        radial_load=radial if distributed else np.zeros_like(radial),
+        moment=moment if distributed else np.zeros_like(moment),
+        ball_load=np.maximum(inner, outer),
+        is_loaded=inner > HANGING * outer,
+    )
+
+
+class _Pair:
+    """The rows of a pair, and their equilibrium."""
+
+    def __init__(
+        self,
+        bearing: Bearing,
+        contact_angle: ContactAngle,
+        arrangement: Arrangement,
+        contacts: PairContacts,
+        distance: float,
+    ) -> None:
+        self.bearing, self.contacts = bearing, contacts
+        self.play, free = play_and_free_angle(bearing, contact_angle)
+        self.free_angle = free or 0.0
+        self.arm = bearing.inner.bottom_radius + bearing.inner.groove_radius
+        touching = float(np.sqrt(max(self.play, 0.0) * (2 * bearing.groove_centre_distance - self.play)))
+        if arrangement.kind == "tandem":
+            each, self.closed = 0.0, 0.0
+        elif arrangement.preload is not None:
+            require_positive(**{"arrangement.preload": arrangement.preload})
+            each = _displacement(bearing, contact_angle, arrangement.preload, contacts)
+            self.closed = 2 * (each - touching)
+        else:
+            assert arrangement.offset is not None, "Arrangement refuses it"
+            require_positive(**{"arrangement.offset": arrangement.offset})
+            self.closed = arrangement.offset
+            each = touching + self.closed / 2
+        first = distance / 2 if arrangement.kind == "X" else -distance / 2
+        second = Row(side=1 if arrangement.kind == "tandem" else -1, position=-first, offset=each)
+        self.rows = (Row(position=first, offset=each), second)
+
+    def settled(self, load: Array, speed: Array) -> RingState:
+        """The shaft under loads (n, 5), N, at speeds (n,), rad/s; with contacts corrected at the loads by Hertz."""
+        factors = self.contacts.correction or ContactCorrection()
+        state = self._with(factors, load, speed, place=None)
+        if self.contacts.correction is None and self.contacts.finite_geometry:
+            state = self._with(self._correction(state, speed), load, speed, place=state.place)
+        return state
+
+    def loads(self, state: RingState) -> Sequence[Array]:
+        """Axial load, radial load and moment of each bearing in its own frame, each (2, n)."""
+        force = state.balls.force + state.held.friction
+        radial, axial = np.moveaxis(force.reshape(len(force), 2, self.bearing.ball_count, 2), -1, 0)
+        cosine = np.cos(2 * np.pi * np.arange(self.bearing.ball_count) / self.bearing.ball_count)
+        return axial.sum(axis=-1).T, (radial @ cosine).T, -self.arm * (axial @ cosine).T
+
+    def _with(self, factors: ContactCorrection, load: Array, speed: Array, *, place: Array | None) -> RingState:
+        ring = RowsOfBalls(self.bearing, self.play, factors, self._turning(speed), rows=self.rows)
+        if place is None and self.rows[0].offset > 0:
+            place = np.zeros_like(load)
+        return settled_ring(ring, load, angle=self.free_angle, place=place)[0]
+
+    def _turning(self, speed: Array) -> RuledTurning:
+        effects = self.contacts.effects
+        return RuledTurning(
+            bearing=self.bearing,
+            inner_speed=speed,
+            centrifugal=effects.centrifugal,
+            gyroscopic=effects.gyroscopic,
+        )
+
+    def _correction(self, state: RingState, speed: Array) -> ContactCorrection:
+        balls, held = state.balls, state.held
+        loaded = balls_between(
+            self.bearing,
+            method="ring",
+            load=np.stack([balls.inner_load, balls.outer_load]),
+            angle=np.stack([balls.inner_angle, balls.outer_angle]),
+            contacts=(
+                loaded_contact(held.inner, load=balls.inner_load),
+                loaded_contact(held.outer, load=balls.outer_load),
+            ),
+            motion=self._turning(speed).motion(balls.inner_angle, balls.outer_angle),
+        )
+        return corrections_of(self.bearing, loaded).correction
+
+
+def _displacement(bearing: Bearing, contact_angle: ContactAngle, preload: float, contacts: PairContacts) -> float:
+    """Of one inner ring along its axis under a thrust at rest, from grooves in line, m."""
+    thrust, factors = np.array([preload]), contacts.correction
+    if factors is None and contacts.finite_geometry:
+        factors = thrust_correction(bearing, contact_angle, axial_load=thrust).correction
+    balls = thrust_equilibrium(bearing, contact_angle, axial_load=thrust, correction=factors)
+    return float((bearing.groove_centre_distance + balls.approach[0]) * np.sin(balls.contact_angle[0]))
+
+
+def _axial_stiffness(state: RingState, *, alone: bool) -> Array:
+    """(n,) N/m; alone : whether the balls hold the shaft along its axis alone"""
+    if alone:
+        return state.tangent[:, 0, 0]
+    along = np.zeros((len(state.place), 5, 1))
+    along[:, 0] = 1.0
+    return 1 / np.linalg.solve(state.tangent, along)[:, 0, 0]

@@ -1,0 +1,85 @@
+"""How the bearing of a scene is installed: on its seats, at its temperatures, and beside a second one."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from analytic.errors import InputError
+from analytic.mounting.clearance import Mounting, mounted, mounting_faults
+from analytic.scene import Arrangement, Bearing, Clearances, Material
+from analytic.scenefile.fit import bearing_misfits
+from analytic.scenefile.tables import ArrangementTable, ContactAngleTable, MountingTable, SceneTable
+
+
+def installation_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
+    """(path of the key, problem) for keys of mounting and arrangement in conflict with others."""
+    angle = table.bearing.contact_angle
+    if table.mounting is not None:
+        yield from _mounting_faults(table.mounting, angle)
+    if table.arrangement is not None and angle.rule == "given":
+        yield (
+            "bearing.contact_angle.rule",
+            'holds an angle that the loads of a pair change: use "solved", or leave out [arrangement]',
+        )
+
+
+def in_operation(bearing: Bearing, given: MountingTable) -> tuple[Bearing, Clearances | None, list[tuple[str, str]]]:
+    """The bearing on its seats, its clearances, and (path of the key, problem) for what cannot be.
+
+    given : without faults; rings without a temperature stay as they were mounted
+    """
+    mounting = _mounting(given)
+    problems = list(mounting_faults(bearing, mounting))
+    if problems:
+        return bearing, None, problems
+    warm, clearances = mounted(bearing, mounting)
+    if bearing.other_candidate is not None:
+        warm = replace(warm, other_candidate=mounted(bearing.other_candidate, mounting)[0])
+    misfits = bearing_misfits(warm)
+    return (
+        warm,
+        clearances,
+        [("mounting", f"leads to a bearing in operation whose {key} {why}") for key, why in misfits],
+    )
+
+
+def _mounting(given: MountingTable) -> Mounting:
+    rings, seats = ("inner_temperature", "outer_temperature"), ("shaft_material", "housing_material")
+    cold = given.mounting_temperature
+    temperatures = {key: cold if getattr(given, key) is None else getattr(given, key) for key in rings}
+    materials = {key: Material(**getattr(given, key).model_dump()) for key in seats}
+    return Mounting(**given.model_dump(exclude={*rings, *seats}), **temperatures, **materials)
+
+
+def arranged(given: ArrangementTable, bearing: Bearing) -> tuple[Arrangement | None, list[tuple[str, str]]]:
+    """The pair of a table, and (path of the key, problem) for what is missing or cannot be."""
+    try:
+        arrangement = Arrangement(**given.model_dump())
+    except InputError as problem:
+        return None, [("arrangement", str(problem).removeprefix("arrangement "))]
+    width, distance = bearing.width, arrangement.distance
+    if distance is None and width is None:
+        return arrangement, [("arrangement.distance", "is missing: give it or bearing.width, which it is by default")]
+    if distance is not None and width is not None and distance < width:
+        least = f"bearing.width {width * 1e3:.6g} mm"
+        return arrangement, [("arrangement.distance", f"must be at least {least}, else the rings overlap")]
+    return arrangement, []
+
+
+def _mounting_faults(given: MountingTable, angle: ContactAngleTable) -> Iterator[tuple[str, str]]:
+    if angle.free is not None:
+        yield (
+            "bearing.contact_angle.free",
+            "leaves the clearance open, which [mounting] changes: give contact_angle = { nominal = ... } or "
+            "bearing.clearance instead",
+        )
+    elif angle.rule == "given":
+        yield (
+            "bearing.contact_angle.rule",
+            'holds an angle that [mounting] would change: use "solved", or leave out [mounting]',
+        )
+    known = [key for key in ("inner_temperature", "outer_temperature") if getattr(given, key) is not None]
+    if len(known) == 1:
+        (other,) = {"inner_temperature", "outer_temperature"} - set(known)
+        yield f"mounting.{other}", f"is missing: {known[0]} alone does not say how much warmer one ring is"
+    elif not known and given.ball_temperature is not None:
+        yield "mounting.ball_temperature", "goes with inner_temperature and outer_temperature: give these too"
