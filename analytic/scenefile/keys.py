@@ -3,7 +3,7 @@
 A key is named by its path, `operation.axial_load`.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from types import UnionType
@@ -20,6 +20,7 @@ from analytic.scenefile.text import plain, shown
 
 Value = float | int | str | bool
 CATALOG = "bearing.catalog"
+OF_CATALOG = ("bearing", "cage")  # tables that the catalog fills
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -86,15 +87,34 @@ def fault_at(document: dict[str, Any], path: str, problem: str) -> str:
     return f"{path} {problem}" if value is None else f"{path} = {shown(value)} {problem}"
 
 
-def fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
-    """The same for an error that pydantic reports."""
+def faults_of(document: dict[str, Any], errors: Sequence[Mapping[str, Any]]) -> list[str]:
+    """The same for all errors that pydantic reports: unknown keys first, without the missing keys that they explain."""
+    unknown = [error for error in errors if error["type"] == "extra_forbidden"]
+    explained = {(*error["loc"][:-1], _meant(document, error)) for error in unknown}
+    without_catalog = tuple(CATALOG.split(".")) in explained
+
+    def follows(error: Mapping[str, Any]) -> bool:
+        place = error["loc"]
+        return error["type"] == "missing" and (place in explained or (without_catalog and place[0] in OF_CATALOG))
+
+    others = [error for error in errors if error["type"] != "extra_forbidden" and not follows(error)]
+    return [_fault_of(document, error) for error in (*unknown, *others)]
+
+
+def _meant(document: dict[str, Any], error: Mapping[str, Any]) -> str | None:
+    """The key that an unknown one is like."""
+    _, table, _ = _address(document, error["loc"])
+    return next(iter(get_close_matches(str(error["loc"][-1]), list(table.model_fields), n=1)), None)
+
+
+def _fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
     path, table, field = _address(document, error["loc"])
     if error["type"] == "missing":
         return f"{path} is missing; {_accepted(field)}"
     if error["type"] == "extra_forbidden":
-        known = list(table.model_fields)
-        near = get_close_matches(str(error["loc"][-1]), known, n=1)
-        problem = "is an unknown key; " + (f"did you mean {near[0]}?" if near else f"known: {', '.join(known)}")
+        meant = _meant(document, error)
+        known = f"did you mean {meant}?" if meant else f"known: {', '.join(table.model_fields)}"
+        problem = f"is an unknown key; {known}"
     elif error["type"] in ("value_error", "literal_error"):
         problem = _problem(error)
     else:  # the tables allow only one other error: not a table

@@ -29,7 +29,7 @@ from analytic.scene import (
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
-from analytic.scenefile.keys import fault_at, fault_of
+from analytic.scenefile.keys import fault_at, faults_of
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
@@ -92,7 +92,7 @@ def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) ->
         try:
             table = SceneTable.model_validate(document)
         except ValidationError as problem:
-            faults = [fault_of(document, error) for error in problem.errors(include_url=False)]
+            faults = faults_of(document, problem.errors(include_url=False))
         else:
             faults = list(_conflicts(document, table))
             if not faults:
@@ -149,7 +149,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
     if len(set(lengths.values())) <= 1 and any(
         not any(point) for point in np.broadcast(loads.axial_load, loads.radial_load, loads.moment)
     ):
-        problem = "leaves a point without any load; give thrust, 1e-15 N at least, or a radial load or a moment with it"
+        problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
         yield fault_at(document, "operation.axial_load", problem)
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"

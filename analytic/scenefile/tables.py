@@ -242,7 +242,7 @@ class CageTable(Table):
 
 
 class OperationTable(Table):
-    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = Field(description='give for example "1000 N"')
+    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = [0.0]
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
     radial_load: Annotated[list[Side], BeforeValidator(_series)] = [0.0]
     moment: Annotated[list[Moment], BeforeValidator(_series)] = [0.0]
@@ -351,7 +351,7 @@ class SceneTable(Table):
     )
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
     bearing: BearingTable = Field(description='give a table [bearing] with catalog = "paper_6205" or every dimension')
-    operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")
+    operation: OperationTable = Field(description="give a table [operation] with inner_speed and a load, axial_load for example")
     cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
     lubricant: LubricantTable | None = Field(
         default=None,

@@ -9,6 +9,9 @@ from typing import Any
 
 from analytic.errors import InputError
 
+# A value without quotes that is no number: a quantity or a word.
+BARE_VALUE = re.compile(r"""[=\[,]\s*((?:[+-]?[\d.]+(?:[eE][+-]?\d+)?\s*)?[^\W\d_°%][^"'=,\[\]{}#]*|[\d.]+\s*[°%])""")
+LONGEST_LINE = 200  # that is searched for a slip
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
@@ -47,7 +50,26 @@ def parse_text(text: str, *, origin: str) -> dict[str, Any]:
             reason = "nested too deep"
         elif "set_int_max_str_digits" in reason:
             reason = "a number of thousands of digits"
-        raise InputError(f"{origin}: not TOML: {reason}") from problem
+        raise InputError(f"{origin}: not TOML: {reason}{_remedy(text, reason)}") from problem
+
+
+def _remedy(text: str, reason: str) -> str:
+    """What to write instead, where the parser stopped at a line with a usual slip."""
+    place = re.search(r"\(at line (\d+), column \d+\)", reason)
+    if place is None:
+        return ""
+    line = text.split("\n")[int(place[1]) - 1].strip()[:LONGEST_LINE]
+    if reason.startswith("Cannot declare"):
+        return f"; {plain(line)} stands twice: put its keys into one table"
+    if reason.startswith("Cannot overwrite"):
+        return f"; {plain(line.partition('=')[0].strip())} stands twice: leave one of them out"
+    word = BARE_VALUE.search(line)
+    if word is None:
+        return ""
+    value = word[1].strip()
+    if value.lower() in ("true", "false"):
+        return f"; write {value.lower()} in small letters"
+    return f'; write the value in quotes: "{plain(value)}"'
 
 
 def shown(value: object) -> str:

@@ -1,0 +1,86 @@
+"""Units as people write them, against their definitions; and ranges in the units of the examples."""
+
+import math
+
+import pytest
+
+from analytic.scenefile.keys import scene_key
+from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.schema import paths
+from tests.analytic.specimens import present
+
+MINUTE, INCH, POUND = 2 * math.pi / 60, 0.0254, 0.45359237 * 9.80665  # rad/s, m, N: by definition
+KEYS = {
+    "speed": scene_key("operation.inner_speed"),
+    "length": scene_key("bearing.ball_diameter"),
+    "force": scene_key("operation.axial_load"),
+    "moment": scene_key("operation.moment"),
+    "pressure": scene_key("surface.hardness"),
+    "temperature": scene_key("lubricant.temperature"),
+}
+KINEMATIC = Dimension(unit="m^2/s", low=1e-7, high=0.1, example='"68 mm^2/s"')
+
+
+@pytest.mark.parametrize(
+    "unit", ["rpm", "RPM", "r/min", "1/min", "1 / min", "/min", "min-1", "min^-1", "min**-1", "min⁻¹", "rev/min", "U/min"]
+)
+def test_revolutions_per_minute(unit: str) -> None:
+    for written in (f"1251 {unit}", f"1251{unit}"):
+        if written != "12511/min" and written != "12511 / min":  # one number
+            assert KEYS["speed"].read(written) == pytest.approx(1251 * MINUTE, rel=1e-15)  # one rounding
+
+
+@pytest.mark.parametrize(
+    ("key", "written", "expected"),
+    [
+        ("length", "0.3 in", 0.3 * INCH),
+        ("length", "0.3 inch", 0.3 * INCH),
+        ("length", '0.3"', 0.3 * INCH),
+        ("length", "7 um", 7e-6),
+        ("length", "7 µm", 7e-6),  # the micro sign
+        ("length", "7 \N{GREEK SMALL LETTER MU}m", 7e-6),
+        ("length", "7 micron", 7e-6),
+        ("force", "1.7 kN", 1700.0),
+        ("force", "17 lbf", 17 * POUND),
+        ("moment", "17 lbf in", 17 * POUND * INCH),
+        ("moment", "17 N mm", 0.017),
+        ("moment", "17 N·mm", 0.017),
+        ("pressure", "17 psi", 17 * POUND / INCH**2),
+        ("pressure", "17 ksi", 17e3 * POUND / INCH**2),
+        ("pressure", "1700 N/mm2", 1.7e9),
+        ("pressure", "1700 N/mm²", 1.7e9),
+        ("temperature", "70 degC", 343.15),
+        ("temperature", "70 °C", 343.15),
+        ("temperature", "158 degF", 343.15),  # 158 = 70 * 9/5 + 32
+    ],
+)
+def test_units_of_engineers(key: str, written: str, expected: float) -> None:
+    assert KEYS[key].read(written) == pytest.approx(expected, rel=1e-15)  # one rounding
+
+
+@pytest.mark.parametrize("unit", ["cSt", "mm2/s", "mm^2/s", "mm²/s"])
+def test_kinematic_viscosity(unit: str) -> None:
+    assert KINEMATIC.read(f"68 {unit}") == pytest.approx(68e-6, rel=1e-15)  # one rounding
+
+
+@pytest.mark.parametrize("written", ["7 Pa-s2", "7 mm22", "7 mm2^2", "7 N2^3", "7 /", "7 1/", '7 ""', '7 " s', "7 min--1"])
+def test_the_grammar_stays_narrow(written: str) -> None:
+    for key in KEYS.values():
+        with pytest.raises(ValueError, match="is not a number and a unit|is not in a unit like"):
+            key.read(written)
+
+
+def test_every_example_is_within_its_range_and_names_the_unit_of_the_range() -> None:
+    dimensions = [key.dimension for key in map(scene_key, paths()) if key.dimension is not None]
+    assert len(dimensions) > 40
+    for dimension in dimensions:
+        written = dimension.example.strip('"')
+        value = dimension.read(written if '"' in dimension.example else float(written))
+        assert dimension.low <= value <= dimension.high
+        low, unit = present(dimension.accepted.split(" to ")[0].split()[-1]), dimension.shown_unit
+        ends = [
+            dimension.read(f"{end} {unit}" if unit else float(end))
+            for end in (low, dimension.accepted.split(" to ")[1].split()[0].rstrip(","))
+        ]
+        # Messages show six digits.
+        assert ends == pytest.approx([dimension.low, dimension.high], rel=1e-5)
