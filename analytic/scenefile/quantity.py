@@ -56,7 +56,9 @@ class Dimension:
     def accepted(self) -> str:
         """The end of every message: range, in the unit of the example, and example."""
         low, high = (_registry().Quantity(Decimal(repr(bound)), self.unit) for bound in (self.low, self.high))
-        shown = " to ".join(f"{float(bound.to(self.shown_unit or 'dimensionless').magnitude):g}" for bound in (low, high))
+        shown = " to ".join(
+            f"{float(bound.to(self.shown_unit or 'dimensionless').magnitude):g}" for bound in (low, high)
+        )
         return f"give {shown} {self.shown_unit}".strip() + f", for example {self.example}"
 
     @property

@@ -29,6 +29,7 @@ from analytic.scene import (
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
+from analytic.scenefile.find import find_scene
 from analytic.scenefile.keys import fault_at, faults_of
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.surface import surface_conflicts, surface_of
@@ -38,22 +39,21 @@ from analytic.scenefile.tables import (
     OperationTable,
     SceneTable,
 )
-from analytic.scenefile.text import parse_text, plain, read_text, shown
+from analytic.scenefile.text import parse_text, shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
 BALLS = ("ball_count", "ball_diameter")
 MOST_FAULTS = 5  # in one message; the others are counted
 
 
-def load_scene(path: str | os.PathLike[str]) -> Scene:
-    """The scene that a TOML file describes.
+def load_scene(scene: str | os.PathLike[str]) -> Scene:
+    """The scene that a TOML file describes; or a built-in scene, or a bearing of the catalog, by its name.
 
-    Raises InputError for a file that cannot be read, is too large or is not TOML, and for every key that is unknown,
-    missing, without its unit, out of range or in conflict with other keys.
+    Raises InputError for a name that is none of these, for a file that cannot be read, is too large or is not TOML, and
+    for every key that is unknown, missing, without its unit, out of range or in conflict with other keys.
     """
-    known = ", ".join(catalog.names("scenes"))
-    text = read_text(path, kind="scene", remedy=f"give the path of a scene file (built in: {known})")
-    return parse_scene(text, origin=plain(os.fspath(path)), folder=Path(path).parent)
+    found = find_scene(scene)
+    return parse_scene(found.text, origin=found.origin, folder=found.folder)
 
 
 def builtin_scene(name: str) -> Path:

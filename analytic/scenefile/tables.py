@@ -117,7 +117,8 @@ Moment = Annotated[float, Dimension(unit="N m", low=-1e12, high=1e12, example='"
 ClearanceEntry = Annotated[float | ClearanceGroup, Clearance(unit="m", low=-1, high=1, example='"10 um"')]
 Conformity = Annotated[float, Dimension(unit="", low=0.5, high=5, example="0.52")]
 Width = Annotated[float, Dimension(unit="m", low=0, high=10, example='"2 mm"')]
-Speed = Annotated[float, Dimension(unit="rad/s", low=-1e6, high=1e6, example='"300 rpm"')]
+FASTEST = 1e7 * math.pi / 30  # rad/s: 1e7 rpm
+Speed = Annotated[float, Dimension(unit="rad/s", low=-FASTEST, high=FASTEST, example='"300 rpm"')]
 Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1 um"')]
 Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
 Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
@@ -351,7 +352,9 @@ class SceneTable(Table):
     )
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
     bearing: BearingTable = Field(description='give a table [bearing] with catalog = "paper_6205" or every dimension')
-    operation: OperationTable = Field(description="give a table [operation] with inner_speed and a load, axial_load for example")
+    operation: OperationTable = Field(
+        description="give a table [operation] with inner_speed and a load, axial_load for example"
+    )
     cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
     lubricant: LubricantTable | None = Field(
         default=None,

@@ -8,15 +8,20 @@ import typer
 from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 
 BUILTIN = "paper_6205"
 TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
 LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
 GeometryName = Literal["real", "hertzian", "wall", "ring"]
 
-ScenePath = Annotated[
-    Path | None, typer.Argument(metavar="[SCENE]", help="Scene file, TOML; the built-in paper_6205 without it.")
+SceneName = Annotated[
+    str | None,
+    typer.Argument(
+        metavar="[SCENE]",
+        help="Scene file, TOML; or a bearing of the catalog, as 6206; the built-in paper_6205 without it.",
+        autocompletion=scene_names,
+    ),
 ]
 Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %"; the scene\'s without it.')]
 Accuracy = Annotated[
@@ -47,9 +52,9 @@ Geometry = Annotated[
 ]
 
 
-def read_scene(path: Path | None) -> Scene:
-    """The scene of a file, or the built-in one."""
-    return load_scene(builtin_scene(BUILTIN) if path is None else path)
+def read_scene(name: str | None) -> Scene:
+    """The scene of that name; the built-in one without a name."""
+    return load_scene(BUILTIN if name is None else name)
 
 
 def read_tolerance(given: str | None, scene: Scene) -> float:
