@@ -13,6 +13,7 @@ SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
 GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group
 WIDTH = 118  # characters of a line
+COLUMN = 41  # where comments begin
 
 OPERATION = """\
 inner_speed = "1000 rpm"                  # of the inner ring; ["500 rpm", "1000 rpm"] makes a series
@@ -86,10 +87,10 @@ def _play(bearing: CatalogBearing) -> str:
     """The line that says how far the rings are apart."""
     if bearing.nominal_angle is not None:
         angle = f'contact_angle = {{ nominal = "{math.degrees(bearing.nominal_angle):g} deg" }}'
-        return f"{angle:<41} # unloaded; the clearance follows from it\n"
+        return _line(angle, "unloaded; the clearance follows from it")
     own = bearing.clearance_group or "CN"
     spans = "; ".join(_span(bearing, group) for group in dict.fromkeys((own, *GROUPS)))
-    return f"{f'clearance = "{own}"':<41} # {spans}; or a length, unmounted\n"
+    return _line(f'clearance = "{own}"', f"{spans}; or a length, unmounted")
 
 
 def _span(bearing: CatalogBearing, group: str) -> str:
@@ -141,11 +142,12 @@ def _loads(bearing: CatalogBearing) -> str:
     radial = bearing.nominal_angle is None
     share = RADIAL_SHARE if radial else AXIAL_SHARE
     load = f'"{float(f"{share * bearing.static_load_rating:.2g}"):g} N"'
-    reason = f"# {share:g} C0: a light load"
-    lines = [("radial_load", load, reason), ("axial_load", '"0 N"', "")]
-    if not radial:
-        lines = [("axial_load", load, reason), ("radial_load", '"0 N"', "")]
-    return "".join(f"{f'{key} = {value}':<41} {words}".rstrip() + "\n" for key, value, words in lines)
+    loaded, other = ("radial_load", "axial_load") if radial else ("axial_load", "radial_load")
+    return _line(f"{loaded} = {load}", f"{share:g} C0: a light load") + f'{other} = "0 N"\n'
+
+
+def _line(setting: str, words: str) -> str:
+    return f"{setting:<{COLUMN}} # {words}\n"
 
 
 def _prose(text: str, *, bullet: str = "") -> str:
