@@ -107,12 +107,14 @@ def _dimensions(bearing: CatalogBearing) -> str:
         f"The dimensions inside, grade {bearing.grade}: take away the # in front of a key to give your own. "
         "+-: standard deviation."
     )
-    return _prose(intro) + "".join(
-        _prose(f"{_standing(bearing.origins[key], unit)}: {bearing.origins[key].source}", bullet="- ")
-        + ("" if value is None else f"#{key} = {value}\n")
-        for key, value, unit in _inside(bearing)
-        if key in bearing.origins
-    )
+    text, told = _prose(intro), ""
+    for key, value, unit in _inside(bearing):
+        origin = bearing.origins[key]
+        source = "from the same" if origin.source == told else origin.source
+        told = origin.source
+        text += _prose(f"{_standing(origin, unit)}: {source}", bullet="- ")
+        text += f"#{key} = {value}\n" if value is not None else f"#{key} is not known\n"
+    return text
 
 
 def _inside(bearing: CatalogBearing) -> Iterator[tuple[str, str | None, str]]:

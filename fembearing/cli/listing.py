@@ -111,7 +111,7 @@ def _number(key: str, head: str, factor: float, form: str = "g") -> Column:
 COLUMNS: dict[Topic, Sequence[Column]] = {
     "bearings": (
         _text("designation"),
-        ("type", lambda row: row["kind"].removesuffix(" contact")),
+        ("type", lambda row: row["kind"].split()[0]),
         _number("bore", "d", 1e3),
         _number("outside", "D", 1e3),
         _number("width", "B", 1e3),
@@ -138,7 +138,8 @@ def _print(columns: Sequence[Column], rows: Sequence[Row]) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
-    table = Table(*(head for head, _ in columns), box=SIMPLE_HEAD, pad_edge=False)
+    table = Table(*(head for head, _ in columns), box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    table.columns[0].no_wrap = True
     for row in rows:
         table.add_row(*(text_of(row) for _, text_of in columns))
     out.print(table, markup=False)
