@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 Topic = Literal["bearings", "materials", "scenes", "effects"]
 Row = dict[str, Any]  # SI
+NARROW = 6  # columns; more stand close together, to fit a screen of 80 characters
 
 
 def listing(
@@ -138,7 +139,8 @@ def _print(columns: Sequence[Column], rows: Sequence[Row]) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
-    table = Table(*(head for head, _ in columns), box=SIMPLE_HEAD, padding=(0, 1, 0, 0))
+    gap = 0 if len(columns) > NARROW else 1  # beside the blank between columns
+    table = Table(*(head for head, _ in columns), box=SIMPLE_HEAD, padding=(0, gap, 0, 0))
     table.columns[0].no_wrap = True
     for row in rows:
         table.add_row(*(text_of(row) for _, text_of in columns))
