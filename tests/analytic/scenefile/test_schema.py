@@ -95,7 +95,7 @@ def test_a_grid_is_valid_and_its_mistakes_are_marked() -> None:
     assert blocks
     for text in blocks:
         assert complaints(tomllib.loads(text), grid.FILE) == []
-    quoted = {"axes": {"operation.axial_load": ["1 N"], "conformity": [0.51, 0.53], "pair": ["inner"]}}
+    quoted = {"axes": {"operation.axial_load": ["1 N"], "bearing.conformity": [0.51, 0.53], "pair": ["inner"]}}
     assert complaints(SWEEP | quoted | {"scene": {"operation": {}}}, grid.FILE) == []
     for wrong in (
         {"what": "heat"},
