@@ -37,7 +37,7 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> SceneT
             return SceneText(text=scene_text(given), origin=f"scene of {given}", folder=folder)
         except InputError as problem:
             if os.path.basename(given) == given:
-                raise InputError(f"{problem}; nor is it a scene file or a built-in scene ({known})") from None
+                raise InputError(f"{problem} (no scene file has this name either, nor a scene {known})") from None
     text = read_text(path, kind="scene", remedy=f"give the path of a scene file ({known}), or a bearing as 6206")
     return SceneText(text=text, origin=plain(os.fspath(path)), folder=path.parent)
 

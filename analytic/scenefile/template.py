@@ -17,7 +17,7 @@ COLUMN = 41  # where comments begin
 
 OPERATION = """\
 inner_speed = "1000 rpm"                  # of the inner ring; ["500 rpm", "1000 rpm"] makes a series
-down = [1, 0, 0]                          # gravity points along the radial load: a horizontal shaft; [0, 0, 1]: along it
+down = [1, 0, 0]                          # gravity points along the radial load, the shaft lies; [0, 0, 1]: it stands
 #moment = "0 N m"                         # that tilts the rings
 """
 REST = """\
