@@ -161,7 +161,8 @@ def _unit(text: str) -> pint.Unit | None:
         if token in "/*·1":
             inverse = token == "/"
             continue
-        name, power = re.fullmatch(r"(.*?)[*^]*(-?\d)?", token, re.ASCII).groups()
+        name = token.rstrip("^*-0123456789")
+        power = token[len(name) :].lstrip("^*")
         try:
             factor = _registry().Unit("percent" if name == "%" else name)
         except (pint.PintError, AttributeError, TypeError, ValueError):

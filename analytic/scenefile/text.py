@@ -9,8 +9,10 @@ from typing import Any
 
 from analytic.errors import InputError
 
-# A value without quotes that is no number: a quantity or a word.
-BARE_VALUE = re.compile(r"""[=\[,]\s*((?:[+-]?[\d.]+(?:[eE][+-]?\d+)?\s*)?[^\W\d_°%][^"'=,\[\]{}#]*|[\d.]+\s*[°%])""")
+# A value without quotes that has a letter or a sign of a unit in it: a quantity or a word.
+BARE_VALUE = re.compile(r"""[=\[,]\s*([^\s"'=,\[\]{}#][^"'=,\[\]{}#]*)""")
+IN_WORDS = re.compile(r"[^\W\d_]|[°%]")
+CURLED = re.compile("[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}]")
 LONGEST_LINE = 200  # that is searched for a slip
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
@@ -63,10 +65,13 @@ def _remedy(text: str, reason: str) -> str:
         return f"; {plain(line)} stands twice: put its keys into one table"
     if reason.startswith("Cannot overwrite"):
         return f"; {plain(line.partition('=')[0].strip())} stands twice: leave one of them out"
-    word = BARE_VALUE.search(line)
-    if word is None:
+    if reason.startswith("Illegal character '\\n'"):
+        return "; close the quotes"
+    if CURLED.search(line):
+        return '; write straight quotes, "'
+    value = next((found.strip() for found in BARE_VALUE.findall(line) if IN_WORDS.search(found)), None)
+    if value is None:
         return ""
-    value = word[1].strip()
     if value.lower() in ("true", "false"):
         return f"; write {value.lower()} in small letters"
     return f'; write the value in quotes: "{plain(value)}"'
