@@ -15,6 +15,7 @@ from analytic import catalog
 from analytic.scenefile.keys import accepted
 from analytic.scenefile.quantity import NUMBER, Dimension
 from analytic.scenefile.tables import BearingTable, CageTable, GrooveTable, MaterialTable, SceneTable, Table
+from analytic.scenefile.viscosity import Viscosity
 
 FILE = Path(__file__).with_name("scene.schema.json")
 DIALECT = "http://json-schema.org/draft-07/schema#"  # that editors of TOML know
@@ -53,12 +54,16 @@ def _value(kind: Any, whole: bool) -> Schema:
     origin, parts = get_origin(kind), get_args(kind)
     if origin is Annotated:
         for note in kind.__metadata__:
+            if isinstance(note, Viscosity):
+                one = _quantity(note)
+                return _one_of([one, {"type": "array", "items": one, "minItems": 2, "maxItems": 2}])
             if isinstance(note, Dimension):
                 words = [part for part in get_args(parts[0]) if get_origin(part) is Literal]
                 return _one_of([_quantity(note), *(_value(part, whole) for part in words)])
         inside = _value(parts[0], whole)
         by_name = parts[0] is MaterialTable and any(isinstance(note, BeforeValidator) for note in kind.__metadata__)
-        return {"anyOf": [{"enum": list(catalog.names("materials"))}, inside]} if by_name else inside
+        names = [{"enum": list(catalog.names("materials"))}, {"type": "string"}]  # each has other spellings too
+        return _one_of([*names, inside]) if by_name else inside
     if origin in (Union, UnionType):
         return _one_of([_value(part, whole) for part in parts if part is not NoneType])
     if origin is list:

@@ -21,16 +21,13 @@ down = [1, 0, 0]                          # gravity points along the radial load
 #moment = "0 N m"                         # that tilts the rings
 """
 REST = """\
-[lubricant]                               # ISO VG 68, a mineral oil
-viscosity = "0.060 Pa s"                  # at 40 degC; the slope over temperature is typical of mineral oils
-pressure_viscosity = "2e-8 1/Pa"          # typical of mineral oils
-eyring_stress = "5 MPa"                   # typical
+[lubricant]
+name = "ISO VG 68"                        # a mineral oil; `fembearing list oils` shows all
 temperature = "60 degC"                   # where the oil enters the contacts
 #supply = "grease"                        # "oil_bath", "oil_spot" or "grease"
 
-[surface]                                 # ground and honed races
-rms_roughness = "0.06 um"                 # of each of the two surfaces; assumed
-autocorrelation = { kind = "gaussian", length = "60 um", spacing = "2 um" }
+[surface]
+finish = "ground and honed"               # or Ra = "0.05 um", of each of the two surfaces
 
 [friction]
 hysteresis_loss = 0.007                   # assumed: bearing steel has about 0.004 to 0.01

@@ -13,7 +13,7 @@ from fembearing.cli.options import AsJson
 if TYPE_CHECKING:
     from analytic.catalog.bearing_rows import CatalogBearing
 
-Topic = Literal["bearings", "materials", "scenes", "effects"]
+Topic = Literal["bearings", "oils", "materials", "scenes", "effects"]
 Row = dict[str, Any]  # SI
 NARROW = 6  # columns; more stand close together, to fit a screen of 80 characters
 
@@ -23,9 +23,10 @@ def listing(
     beginning: Annotated[str, typer.Argument(metavar="[FILTER]", help="Only names that begin so, as 62.")] = "",
     as_json: AsJson = False,
 ) -> None:
-    """List what a scene may name: bearings of the catalogue, materials, built-in scenes, effects."""
+    """List what a scene may name: bearings of the catalogue, oils, materials, built-in scenes, effects."""
     rows_of: dict[Topic, Callable[[Callable[[str], bool]], list[Row]]] = {
         "bearings": _bearings,
+        "oils": _oils,
         "materials": _materials,
         "scenes": _scenes,
         "effects": _effects,
@@ -65,6 +66,27 @@ def _bearing(bearing: "CatalogBearing") -> Row:
         "grade": bearing.grade,
         "maker": bearing.maker,
     }
+
+
+def _oils(shown: Callable[[str], bool]) -> list[Row]:
+    from analytic import catalog
+
+    return [
+        {
+            "oil": name,
+            "kind": row["kind"],
+            "base_oil": row["base oil"],
+            "kinematic_viscosity_40": _si(row["viscosity_40 [mm^2/s]"]),
+            "kinematic_viscosity_100": _si(row["viscosity_100 [mm^2/s]"]),
+        }
+        for name, row in catalog.rows("oils").items()
+        if shown(name)
+    ]
+
+
+def _si(viscosity: str) -> float | None:
+    """m^2/s of a viscosity in mm^2/s; None: not known."""
+    return float(viscosity) * 1e-6 if viscosity else None
 
 
 def _materials(shown: Callable[[str], bool]) -> list[Row]:
@@ -122,6 +144,13 @@ COLUMNS: dict[Topic, Sequence[Column]] = {
         _number("dynamic_load_rating", "C", 1e-3, ".4g"),
         _number("static_load_rating", "C0, kN", 1e-3, ".4g"),
         _text("grade"),
+    ),
+    "oils": (
+        _text("oil"),
+        _text("kind"),
+        _text("base_oil"),
+        _number("kinematic_viscosity_40", "40 degC, mm2/s", 1e6),
+        _number("kinematic_viscosity_100", "100 degC", 1e6),
     ),
     "materials": (
         _text("material"),

@@ -81,7 +81,7 @@ def test_names_for_completion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     assert bearing_names_like("gmn s") == [name for name in bearing_names() if name.startswith("GMN S")] != []
 
 
-@pytest.mark.parametrize("topic", ["bearings", "materials", "scenes", "effects"])
+@pytest.mark.parametrize("topic", ["bearings", "oils", "materials", "scenes", "effects"])
 def test_a_list_fits_the_screen(command, topic: str) -> None:
     told = command("list", topic)
     assert (told.status, told.err) == (0, "")
@@ -94,6 +94,7 @@ def test_lists_are_whole(command) -> None:
         return [row[key] for row in json.loads(command("list", topic, "--json").out)[topic]]
 
     assert names("bearings", "designation") == list(bearing_names())
+    assert names("oils", "oil") == list(catalog.oil_names())
     assert names("materials", "material") == list(catalog.names("materials"))
     assert names("scenes", "scene") == list(catalog.names("scenes"))
     assert names("effects", "effect") == [entry.name for entry in TABLE]

@@ -79,8 +79,8 @@ def test_every_example_is_within_its_range_and_names_the_unit_of_the_range() -> 
     dimensions = [key.dimension for key in map(scene_key, paths()) if key.dimension is not None]
     assert len(dimensions) > 40
     for dimension in dimensions:
-        written = dimension.example.strip('"')
-        value = dimension.read(written if '"' in dimension.example else float(written))
+        quoted = re.match('"([^"]*)"', dimension.example)
+        value = dimension.read(quoted[1] if quoted else float(dimension.example))
         assert dimension.low <= value <= dimension.high
         unbounded, unit = replace(dimension, low=-math.inf, high=math.inf), dimension.shown_unit
         ends = re.match(r"give (\S+) to (\S+) ?", dimension.accepted)

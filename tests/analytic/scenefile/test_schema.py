@@ -28,6 +28,11 @@ SCENES = [
 SWEEP = {"scene": "my.toml", "axes": {"operation": {"axial_load": ["1 N", "2 N"]}}}
 
 
+TWO_VISCOSITIES = (
+    PLAIN + '[lubricant]\nbase_oil = "mineral"\nviscosity = ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]\n'
+)
+
+
 def text_of(content: dict[str, Any]) -> str:
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
@@ -50,7 +55,9 @@ def test_scenes_of_the_project_are_valid(scene: Path) -> None:
     assert complaints(tomllib.loads(scene.read_text("utf-8"))) == []
 
 
-@pytest.mark.parametrize("text", [PLAIN, INLINE, OILED, changed('"100 rpm"', '"100 1/min"'), changed('"2 %"', "0.02")])
+@pytest.mark.parametrize(
+    "text", [PLAIN, INLINE, OILED, TWO_VISCOSITIES, changed('"100 rpm"', '"100 1/min"'), changed('"2 %"', "0.02")]
+)
 def test_what_the_reader_takes_is_valid(text: str) -> None:
     assert complaints(tomllib.loads(text)) == []
 
