@@ -208,7 +208,7 @@ class Arrangement:
                 "back; leave it out"
             )
         if self.kind != "tandem" and len(said) != 1:
-            raise InputError("arrangement needs one of preload and offset, for example preload = \"100 N\"")
+            raise InputError('arrangement needs one of preload and offset, for example preload = "100 N"')
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,7 @@ The weight of the balls is left out here.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 

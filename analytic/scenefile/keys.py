@@ -3,7 +3,7 @@
 A key is named by its path, `operation.axial_load`.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from types import UnionType
@@ -20,6 +20,8 @@ from analytic.scenefile.text import plain, shown
 
 Value = float | int | str | bool
 CATALOG = "bearing.catalog"
+NOTHING = "leave it out"  # where a key is not known
+OF_CATALOG = ("bearing", "cage")  # tables that the catalog fills
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -86,19 +88,38 @@ def fault_at(document: dict[str, Any], path: str, problem: str) -> str:
     return f"{path} {problem}" if value is None else f"{path} = {shown(value)} {problem}"
 
 
-def fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
-    """The same for an error that pydantic reports."""
+def faults_of(document: dict[str, Any], errors: Sequence[Mapping[str, Any]]) -> list[str]:
+    """The same for all errors that pydantic reports: unknown keys first, without the missing keys that they explain."""
+    unknown = [error for error in errors if error["type"] == "extra_forbidden"]
+    explained = {(*error["loc"][:-1], _meant(document, error)) for error in unknown}
+    without_catalog = tuple(CATALOG.split(".")) in explained
+
+    def follows(error: Mapping[str, Any]) -> bool:
+        place = error["loc"]
+        return error["type"] == "missing" and (place in explained or (without_catalog and place[0] in OF_CATALOG))
+
+    others = [error for error in errors if error["type"] != "extra_forbidden" and not follows(error)]
+    return [_fault_of(document, error) for error in (*unknown, *others)]
+
+
+def _meant(document: dict[str, Any], error: Mapping[str, Any]) -> str | None:
+    """The key that an unknown one is like."""
+    _, table, _ = _address(document, error["loc"])
+    return next(iter(get_close_matches(str(error["loc"][-1]), list(table.model_fields), n=1)), None)
+
+
+def _fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
     path, table, field = _address(document, error["loc"])
     if error["type"] == "missing":
-        return f"{path} is missing; {_accepted(field)}"
+        return f"{path} is missing; {accepted(field) or NOTHING}"
     if error["type"] == "extra_forbidden":
-        known = list(table.model_fields)
-        near = get_close_matches(str(error["loc"][-1]), known, n=1)
-        problem = "is an unknown key; " + (f"did you mean {near[0]}?" if near else f"known: {', '.join(known)}")
+        meant = _meant(document, error)
+        known = f"did you mean {meant}?" if meant else f"known: {', '.join(table.model_fields)}"
+        problem = f"is an unknown key; {known}"
     elif error["type"] in ("value_error", "literal_error"):
         problem = _problem(error)
     else:  # the tables allow only one other error: not a table
-        problem = f"is not a table; {_accepted(field)}"
+        problem = f"is not a table; {accepted(field) or NOTHING}"
     return f"{path} = {shown(error['input'])} {problem}"
 
 
@@ -123,30 +144,30 @@ def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple
     return path, table, field
 
 
-def _accepted(field: FieldInfo | None) -> str:
-    """What the field takes, in words."""
-    for note in field.metadata if field else ():
-        if isinstance(note, Dimension):
-            return note.accepted
-    return (field.description if field else None) or "leave it out"
+def accepted(field: FieldInfo | None) -> str | None:
+    """What the field takes, in words; None: anything of its kind."""
+    if field is None or field.description:
+        return field and field.description
+    dimension = next(_dimensions(field.rebuild_annotation()), None)
+    return dimension and dimension.accepted
 
 
 def _hint(path: str) -> str:
-    known = list(_paths(SceneTable))
+    known = list(paths())
     last = path.rpartition(".")[2]
     near = [name for name in known if name.rpartition(".")[2] == last] or get_close_matches(path, known, n=2)
     near = near or [name for name in known if name.rpartition(".")[2].endswith(last)]
     return f"; did you mean {' or '.join(near[:4])}?" if near else "; give its whole path, as operation.axial_load"
 
 
-def _paths(table: type[Table], before: str = "") -> Iterator[str]:
+def paths(table: type[Table] = SceneTable, before: str = "") -> Iterator[str]:
     """The paths of all keys that take a value."""
     for name, field in table.model_fields.items():
         inside = table_of(field)
         if inside is None or field.metadata:
             yield before + name
         if inside is not None:
-            yield from _paths(inside, f"{before}{name}.")
+            yield from paths(inside, f"{before}{name}.")
 
 
 def _dimensions(kind: Any) -> Iterator[Dimension]:

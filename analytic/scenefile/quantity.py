@@ -2,7 +2,7 @@
 
 A quantity is a number and a unit; the unit is a product of names with one-digit powers. Nothing else reaches pint,
 which would evaluate any expression. Degrees and revolutions are angles, and a radian is not a pure number: `"100 Hz"`
-is not an angular speed.
+is not an angular speed. For a speed, `"1/min"` and the like are revolutions per minute.
 """
 
 import re
@@ -16,10 +16,31 @@ import pint
 from pydantic_core import CoreSchema, core_schema
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
-FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)-?\d)?"
-UNIT = rf"(?:1 */ *)?{FACTOR}(?: *[*/·] *{FACTOR}| +{FACTOR})*"
-QUANTITY = re.compile(rf" *({NUMBER}) *({UNIT}) *", re.ASCII)
+FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)?-?\d)?"
+UNIT = rf"(?:1? */ *)?{FACTOR}(?: *[*/·] *{FACTOR}| +{FACTOR})*"
+QUANTITY = re.compile(rf" *({NUMBER}) *({UNIT}|\") *", re.ASCII)
 LONGEST = 80  # characters; limits the time of a match
+RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3"}
+
+# Units without their spaces, as people write them; pint does not know them or means something else.
+SPELLINGS = {'"': "inch", "kp": "kgf"}
+SPEEDS = dict.fromkeys(("RPM", "Rpm", "r/min", "rev/min", "U/min", "1/min", "/min", "min-1", "min^-1"), "rpm")
+# Units that are not what people mean by them: what is meant, and why it must be written so.
+MISTAKEN = {
+    "C": ("degC", "C is coulomb"),
+    "F": ("degF", "F is farad"),
+    "Hz": ("rpm", "Hz may count turns or radians"),
+    "1/s": ("rpm", "1/s may count turns or radians"),
+    "s-1": ("rpm", "s-1 may count turns or radians"),
+    "kg": ("kgf", "kg is a mass"),
+    "lb": ("lbf", "lb is a mass"),
+    "lbs": ("lbf", "lbs is a mass"),
+    "Nm": ("N m", "units stand apart"),
+    "Nmm": ("N mm", "units stand apart"),
+    "kNm": ("kN m", "units stand apart"),
+    "Pas": ("Pa s", "units stand apart"),
+    "mPas": ("mPa s", "units stand apart"),
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,13 +54,23 @@ class Dimension:
 
     @property
     def accepted(self) -> str:
-        """The end of every message: range and example."""
-        bounds = f"{self.low:g} to {self.high:g} {self.unit}".strip()
-        return f"give {bounds}, for example {self.example}"
+        """The end of every message: range, in the unit of the example, and example."""
+        low, high = (_registry().Quantity(Decimal(repr(bound)), self.unit) for bound in (self.low, self.high))
+        shown = " to ".join(
+            f"{float(bound.to(self.shown_unit or 'dimensionless').magnitude):g}" for bound in (low, high)
+        )
+        return f"give {shown} {self.shown_unit}".strip() + f", for example {self.example}"
+
+    @property
+    def shown_unit(self) -> str:
+        """The unit of the example, in which messages tell the range; "" for a pure number."""
+        quoted = re.match(r'"([^"]*)"', self.example)
+        match = QUANTITY.fullmatch(quoted[1]) if quoted else None
+        return match[2] if match else ""
 
     @property
     def _kind(self) -> str:
-        return f"in a unit like {self.unit}" if self.unit else "a pure number"
+        return f"in a unit like {self.shown_unit}" if self.unit else "a pure number"
 
     def __get_pydantic_core_schema__(self, _source: object, _handler: object) -> CoreSchema:
         """Makes `Annotated[float, Dimension(...)]` a field of a table."""
@@ -71,19 +102,35 @@ class Dimension:
                 return float(given)
             except OverflowError:
                 raise ValueError(f"is too large; {self.accepted}") from None
-        match = QUANTITY.fullmatch(given) if len(given) <= LONGEST else None
+        match = QUANTITY.fullmatch(_plain_powers(given)) if len(given) <= LONGEST else None
         if match is None:
             raise ValueError(f"is not a number and a unit{self._hint(given)}; {self.accepted}")
-        number, unit = Decimal(match[1]), _unit(match[2])
+        number, unit = Decimal(match[1]), self._unit(match[2])
+        remedy = self._remedy(match[2])
         if unit is None:
-            raise ValueError(f"has the unknown unit {match[2]!r}; {self.accepted}")
-        wanted = _unit(self.unit) if self.unit else _registry().Unit("percent")
-        if wanted is None or _roots(unit) != _roots(wanted):
-            raise ValueError(f"is not {self._kind}; {self.accepted}")
+            raise ValueError(f"has the unknown unit {match[2]!r}{remedy}; {self.accepted}")
+        if not self._fits(unit):
+            raise ValueError(f"is not {self._kind}{remedy}; {self.accepted}")
         try:
             return float(_registry().Quantity(number, unit).to(self.unit or "dimensionless").magnitude)
         except (pint.PintError, ArithmeticError):
-            raise ValueError(f"is not {self._kind}; {self.accepted}") from None
+            raise ValueError(f"is not {self._kind}{remedy}; {self.accepted}") from None
+
+    def _unit(self, written: str) -> pint.Unit | None:
+        """The unit that is written; None if a name in it is unknown."""
+        compact = written.replace(" ", "").replace("**", "^")
+        spellings = SPELLINGS | SPEEDS if self.unit == "rad/s" else SPELLINGS
+        return _unit(spellings.get(compact, written))
+
+    def _fits(self, unit: pint.Unit) -> bool:
+        wanted = _unit(self.unit) if self.unit else _registry().Unit("percent")
+        return wanted is not None and _roots(unit) == _roots(wanted)
+
+    def _remedy(self, written: str) -> str:
+        """What to write in place of a unit that is often mistaken for one of this dimension."""
+        meant, reason = MISTAKEN.get(written.replace(" ", ""), ("", ""))
+        unit = _unit(meant) if meant else None
+        return f" ({reason}: write {meant})" if unit is not None and self._fits(unit) else ""
 
     def _hint(self, given: str) -> str:
         if re.fullmatch(rf"\s*{NUMBER}\s*", given[:LONGEST]):
@@ -91,6 +138,12 @@ class Dimension:
         if re.match(r"\s*[+-]?\d+,\d", given[:LONGEST]):
             return " (write a decimal point)"
         return ""
+
+
+def _plain_powers(text: str) -> str:
+    for raised, plain in RAISED.items():
+        text = text.replace(raised, plain)
+    return text
 
 
 @cache
@@ -108,7 +161,8 @@ def _unit(text: str) -> pint.Unit | None:
         if token in "/*·1":
             inverse = token == "/"
             continue
-        name, _, power = token.replace("**", "^").partition("^")
+        name = token.rstrip("^*-0123456789")
+        power = token[len(name) :].lstrip("^*")
         try:
             factor = _registry().Unit("percent" if name == "%" else name)
         except (pint.PintError, AttributeError, TypeError, ValueError):

@@ -29,8 +29,9 @@ from analytic.scene import (
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
+from analytic.scenefile.find import find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
-from analytic.scenefile.keys import fault_at, fault_of
+from analytic.scenefile.keys import fault_at, faults_of
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
@@ -39,22 +40,21 @@ from analytic.scenefile.tables import (
     OperationTable,
     SceneTable,
 )
-from analytic.scenefile.text import parse_text, plain, read_text, shown
+from analytic.scenefile.text import parse_text, shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
 BALLS = ("ball_count", "ball_diameter")
 MOST_FAULTS = 5  # in one message; the others are counted
 
 
-def load_scene(path: str | os.PathLike[str]) -> Scene:
-    """The scene that a TOML file describes.
+def load_scene(scene: str | os.PathLike[str]) -> Scene:
+    """The scene that a TOML file describes; or a built-in scene, or a bearing of the catalog, by its name.
 
-    Raises InputError for a file that cannot be read, is too large or is not TOML, and for every key that is unknown,
-    missing, without its unit, out of range or in conflict with other keys.
+    Raises InputError for a name that is none of these, for a file that cannot be read, is too large or is not TOML, and
+    for every key that is unknown, missing, without its unit, out of range or in conflict with other keys.
     """
-    known = ", ".join(catalog.names("scenes"))
-    text = read_text(path, kind="scene", remedy=f"give the path of a scene file (built in: {known})")
-    return parse_scene(text, origin=plain(os.fspath(path)), folder=Path(path).parent)
+    found = find_scene(scene)
+    return parse_scene(found.text, origin=found.origin, folder=found.folder)
 
 
 def builtin_scene(name: str) -> Path:
@@ -93,7 +93,7 @@ def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) ->
         try:
             table = SceneTable.model_validate(document)
         except ValidationError as problem:
-            faults = [fault_of(document, error) for error in problem.errors(include_url=False)]
+            faults = faults_of(document, problem.errors(include_url=False))
         else:
             faults = list(_conflicts(document, table))
             if not faults:
@@ -154,7 +154,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         and len(set(lengths.values())) <= 1
         and any(not any(point) for point in np.broadcast(loads.axial_load, loads.radial_load, loads.moment))
     ):
-        problem = "leaves a point without any load; give thrust, 1e-15 N at least, or a radial load or a moment with it"
+        problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
         yield fault_at(document, "operation.axial_load", problem)
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"

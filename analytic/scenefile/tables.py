@@ -120,7 +120,8 @@ ClearanceEntry = Annotated[float | ClearanceGroup, Clearance(unit="m", low=-1, h
 Conformity = Annotated[float, Dimension(unit="", low=0.5, high=5, example="0.52")]
 Width = Annotated[float, Dimension(unit="m", low=0, high=10, example='"2 mm"')]
 Interference = Annotated[float, Dimension(unit="m", low=-1e-2, high=1e-2, example='"12 um"')]  # on the diameter
-Speed = Annotated[float, Dimension(unit="rad/s", low=-1e6, high=1e6, example='"300 rpm"')]
+FASTEST = 1e7 * math.pi / 30  # rad/s: 1e7 rpm
+Speed = Annotated[float, Dimension(unit="rad/s", low=-FASTEST, high=FASTEST, example='"300 rpm"')]
 Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1 um"')]
 Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
 Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
@@ -265,7 +266,7 @@ class CageTable(Table):
 
 
 class OperationTable(Table):
-    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = Field(description='give for example "1000 N"')
+    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = [0.0]
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
     radial_load: Annotated[list[Side], BeforeValidator(_series)] = [0.0]
     moment: Annotated[list[Moment], BeforeValidator(_series)] = [0.0]
@@ -374,7 +375,9 @@ class SceneTable(Table):
     )
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
     bearing: BearingTable = Field(description='give a table [bearing] with catalog = "paper_6205" or every dimension')
-    operation: OperationTable = Field(description="give a table [operation] with axial_load and inner_speed")
+    operation: OperationTable = Field(
+        description="give a table [operation] with inner_speed and a load, axial_load for example"
+    )
     mounting: MountingTable | None = Field(
         default=None, description="give a table [mounting] of seats and temperatures"
     )

@@ -9,6 +9,11 @@ from typing import Any
 
 from analytic.errors import InputError
 
+# A value without quotes that has a letter or a sign of a unit in it: a quantity or a word.
+BARE_VALUE = re.compile(r"""[=\[,]\s*([^\s"'=,\[\]{}#][^"'=,\[\]{}#]*)""")
+IN_WORDS = re.compile(r"[^\W\d_]|[°%]")
+CURLED = re.compile("[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}]")
+LONGEST_LINE = 200  # that is searched for a slip
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
 LONG_KEY = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){16}""", re.ASCII)
@@ -47,7 +52,29 @@ def parse_text(text: str, *, origin: str) -> dict[str, Any]:
             reason = "nested too deep"
         elif "set_int_max_str_digits" in reason:
             reason = "a number of thousands of digits"
-        raise InputError(f"{origin}: not TOML: {reason}") from problem
+        raise InputError(f"{origin}: not TOML: {reason}{_remedy(text, reason)}") from problem
+
+
+def _remedy(text: str, reason: str) -> str:
+    """What to write instead, where the parser stopped at a line with a usual slip."""
+    place = re.search(r"\(at line (\d+), column \d+\)", reason)
+    if place is None:
+        return ""
+    line = text.split("\n")[int(place[1]) - 1].strip()[:LONGEST_LINE]
+    if reason.startswith("Cannot declare"):
+        return f"; {plain(line)} stands twice: put its keys into one table"
+    if reason.startswith("Cannot overwrite"):
+        return f"; {plain(line.partition('=')[0].strip())} stands twice: leave one of them out"
+    if reason.startswith("Illegal character '\\n'"):
+        return "; close the quotes"
+    if CURLED.search(line):
+        return '; write straight quotes, "'
+    value = next((found.strip() for found in BARE_VALUE.findall(line) if IN_WORDS.search(found)), None)
+    if value is None:
+        return ""
+    if value.lower() in ("true", "false"):
+        return f"; write {value.lower()} in small letters"
+    return f'; write the value in quotes: "{plain(value)}"'
 
 
 def shown(value: object) -> str:

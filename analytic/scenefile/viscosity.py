@@ -1,6 +1,5 @@
 """Viscosities as a scene gives them: dynamic or kinematic, one, or two at two temperatures."""
 
-import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -65,10 +64,10 @@ class Viscosity(Dimension):
 
 
 def _kinematic(given: Any) -> float | None:
-    """The kinematic viscosity in m^2/s; None for what is none. mm2/s and mm²/s are known too."""
+    """The kinematic viscosity in m^2/s; None for what is none."""
     if not isinstance(given, str):
         return None
     try:
-        return KINEMATIC.read(re.sub(r"mm[2²]", "mm^2", given))
+        return KINEMATIC.read(given)
     except ValueError:
         return None

@@ -8,6 +8,8 @@ The commands import the solver and the pictures when they run, so that `--help` 
 
 import signal
 import sys
+from importlib.metadata import version
+from typing import Annotated
 
 import typer
 from typer.exceptions import Abort, TyperException
@@ -25,6 +27,8 @@ from fembearing.cli.console import (
 )
 from fembearing.cli.contact import contact
 from fembearing.cli.cost import cost
+from fembearing.cli.init import init
+from fembearing.cli.listing import listing
 from fembearing.cli.mesh import mesh
 from fembearing.cli.report import report
 from fembearing.cli.sweep import sweep
@@ -39,15 +43,29 @@ EXAMPLES = {
     sweep: "sweep map.toml --out map-of-my-bearing",
     report: "report report-of-my-bearing/report.json --out for-my-customer.html",
     mesh: "mesh --pair inner --level 2 --out meshes-of-the-inner-race",
+    init: "init 6206 --out my-bearing.toml",
+    listing: "list bearings 62",
 }
 
-app = typer.Typer(no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False)
+app = typer.Typer(
+    no_args_is_help=True, pretty_exceptions_enable=False, context_settings={"help_option_names": ["-h", "--help"]}
+)
 for command, example in EXAMPLES.items():
-    app.command(epilog=f"Example: fembearing {example}")(command)
+    app.command(example.split()[0], epilog=f"Example: fembearing {example}")(command)
+
+
+def print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"fembearing {version('fembearing')}")
+        raise typer.Exit
 
 
 @app.callback()
-def about() -> None:
+def about(
+    _version: Annotated[
+        bool, typer.Option("--version", is_eager=True, callback=print_version, help="Show the version and end.")
+    ] = False,
+) -> None:
     """Friction and contact of a ball bearing: closed forms, checked by finite elements."""
 
 

@@ -15,7 +15,7 @@ from fembearing.cli.options import (
     Geometry,
     GeometryName,
     Loads,
-    ScenePath,
+    SceneName,
     read_option,
     read_scene,
     read_tolerance,
@@ -23,7 +23,7 @@ from fembearing.cli.options import (
 
 
 def contact(
-    scene: ScenePath = None,
+    scene: SceneName = None,
     pair: Annotated[Pair, typer.Option(help="Which contact.")] = "inner",
     load: Loads = None,
     geometry: Geometry = "real",

@@ -3,11 +3,11 @@
 from contextlib import nullcontext
 
 from fembearing.cli.console import out, print_json, print_warnings, shown_progress
-from fembearing.cli.options import AsJson, Folder, ScenePath, Tolerance, read_scene, read_tolerance
+from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance
 
 
 def cost(
-    scene: ScenePath = None,
+    scene: SceneName = None,
     tolerance: Tolerance = None,
     folder: Folder = None,
     as_json: AsJson = False,

@@ -10,7 +10,7 @@ import typer
 from analytic.errors import InputError
 from analytic.scene import Pair
 from fembearing.cli.console import out, print_json, print_warnings
-from fembearing.cli.options import LOAD, AsJson, Geometry, Load, ScenePath, read_option, read_scene
+from fembearing.cli.options import LOAD, AsJson, Geometry, Load, SceneName, read_option, read_scene
 
 if TYPE_CHECKING:
     from fembearing.mesh.bodies import BodyMesh
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 def mesh(
     folder: Annotated[Path, typer.Option("--out", help="Folder for the .vtu files; made if it is missing.")],
-    scene: ScenePath = None,
+    scene: SceneName = None,
     pair: Annotated[Pair, typer.Option(help="Which contact.")] = "inner",
     geometry: Geometry = "real",
     level: Annotated[int | None, typer.Option(help="Level of the recipe; its finest without it.")] = None,

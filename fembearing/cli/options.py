@@ -5,18 +5,40 @@ from typing import Annotated, Literal
 
 import typer
 
+from analytic import catalog
 from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 
 BUILTIN = "paper_6205"
 TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
 LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
 GeometryName = Literal["real", "hertzian", "wall", "ring"]
 
-ScenePath = Annotated[
-    Path | None, typer.Argument(metavar="[SCENE]", help="Scene file, TOML; the built-in paper_6205 without it.")
+
+def bearing_names_like(incomplete: str) -> list[str]:
+    """Designations of the catalogue that begin so, for the completion of a shell."""
+    from analytic.catalog.bearing_rows import bearing_names
+
+    return [name for name in bearing_names() if name.casefold().startswith(incomplete.casefold())]
+
+
+def scene_names_like(incomplete: str) -> list[str]:
+    """Scene files, folders, built-in scenes and bearings that begin so, for the completion of a shell."""
+    found = [path for path in sorted(Path().glob(f"{incomplete}*")) if path.is_dir() or path.suffix == ".toml"]
+    files = [f"{path}/" if path.is_dir() else str(path) for path in found]
+    builtin = [name for name in catalog.names("scenes") if name.startswith(incomplete)]
+    return [*files, *builtin, *bearing_names_like(incomplete)]
+
+
+SceneName = Annotated[
+    str | None,
+    typer.Argument(
+        metavar="[SCENE]",
+        help="Scene file, TOML; or a bearing of the catalog, as 6206; the built-in paper_6205 without it.",
+        autocompletion=scene_names_like,
+    ),
 ]
 Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %"; the scene\'s without it.')]
 Accuracy = Annotated[
@@ -47,9 +69,9 @@ Geometry = Annotated[
 ]
 
 
-def read_scene(path: Path | None) -> Scene:
-    """The scene of a file, or the built-in one."""
-    return load_scene(builtin_scene(BUILTIN) if path is None else path)
+def read_scene(name: str | None) -> Scene:
+    """The scene of that name; the built-in one without a name."""
+    return load_scene(BUILTIN if name is None else name)
 
 
 def read_tolerance(given: str | None, scene: Scene) -> float:

@@ -5,11 +5,11 @@ from dataclasses import replace
 import typer
 
 from fembearing.cli.console import DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
-from fembearing.cli.options import AsJson, Folder, ScenePath, Tolerance, read_scene, read_tolerance
+from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance
 
 
 def torque(
-    scene: ScenePath = None,
+    scene: SceneName = None,
     tolerance: Tolerance = None,
     folder: Folder = None,
     as_json: AsJson = False,

@@ -5,13 +5,13 @@ from typing import Annotated
 import typer
 
 from fembearing.cli.console import CHECK_FAILED, DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
-from fembearing.cli.options import AsJson, Folder, ScenePath, Tolerance, read_scene, read_tolerance
+from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance
 
 STATUS = {"pass": DONE, "fail": CHECK_FAILED, "outside validity": CHECK_FAILED, "undecided": NOT_SOLVED}
 
 
 def validate(
-    scene: ScenePath = None,
+    scene: SceneName = None,
     tolerance: Tolerance = None,
     folder: Folder = None,
     hard: Annotated[bool, typer.Option("--hard", help="Run the table of hard cases too.")] = False,

@@ -1,7 +1,7 @@
 """The grid of a sweep: a TOML file with a scene and the axes whose product is computed.
 
     what = "torque"           # or "contact", by finite elements
-    scene = "bearing.toml"    # path from the folder of the grid file, name of a built-in scene, or a table
+    scene = "bearing.toml"    # path from the folder of the grid file, a built-in scene, a bearing, or a table
     [axes]                    # keys of the scene, and keys of sweeps: pair, ball_load, geometry
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
     operation.inner_speed = ["100 rpm", "300 rpm"]
@@ -19,9 +19,9 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from analytic import catalog
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
+from analytic.scenefile.find import find_scene
 from analytic.scenefile.keys import Value, scene_key, with_key
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.read import scene_of
@@ -274,12 +274,10 @@ def _document(given: object, folder: Path) -> tuple[dict[str, Any], Path]:
     """The scene as a table, and the base folder of its relative paths."""
     if isinstance(given, dict):
         return given, folder
-    builtin = catalog.names("scenes")
     if not isinstance(given, str) or not given:
-        raise InputError(f"scene is missing; give its path, one of {', '.join(builtin)}, or a table [scene]")
-    path = catalog.path("scenes", given) if given in builtin else folder / given
-    text = read_text(path, kind="scene", remedy=f"give the path of a scene file (built in: {', '.join(builtin)})")
-    return parse_text(text, origin=plain(str(path))), path.parent
+        raise InputError("scene is missing; give its path, a bearing of the catalog, or a table [scene]")
+    found = find_scene(given, folder=folder)
+    return parse_text(found.text, origin=found.origin), found.folder
 
 
 def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None:

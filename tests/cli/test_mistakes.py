@@ -13,7 +13,7 @@ from tests.analytic.scenefile.scene_texts import MINE
     ("arguments", "words"),
     [
         (["validate", "nowhere.toml"], ["nowhere.toml"]),
-        (["validate", "scene.toml", "--tolerance", "-1 %"], ["--tolerance", "-1 %", "1e-06"]),
+        (["validate", "scene.toml", "--tolerance", "-1 %"], ["--tolerance", "-1 %", "0.0001 to 100 %"]),
         (["contact", "--load", "620"], ["--load", "620", "N"]),
         (["contact", "--load", "nan N"], ["--load", "nan N"]),
         (["contact", "--load", "3 mm"], ["--load", "3 mm", "N"]),

@@ -46,20 +46,39 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed('"700 N"', '["5 N", "6 N", 7]'), ("operation.axial_load[2] = 7", "no unit")),
     (changed('"700 N"', '["5 N", "6 N", "7 N"]'), ("axial_load has 3", "inner_speed has 2", "equal lengths")),
     (changed('"100 rpm"', '"100 Hz"'), ("operation.inner_speed[0] = '100 Hz'", '"300 rpm"')),
-    (changed('"2 %"', "2"), ("tolerance = 2 ", "out of range", '"5 %"')),
+    (changed('"100 rpm"', '"100 Hz"'), ("Hz may count turns or radians: write rpm", "-1e+07 to 1e+07 rpm")),
+    (changed('"100 rpm"', '"100 s-1"'), ("s-1 may count turns or radians: write rpm",)),
+    (changed('"700 N"', '"70 kg"'), ("operation.axial_load = '70 kg'", "kg is a mass: write kgf")),
+    (changed('"700 N"', '"7 min-1"'), ("operation.axial_load = '7 min-1'", "unit like N")),
+    (changed('"700 N"', '"10² N"'), ("operation.axial_load = '10² N'", "not a number and a unit")),
+    (changed('"700 N"', '"700 N"\nmoment = "3 Nmm"'), ("operation.moment = '3 Nmm'", "units stand apart: write N mm")),
+    (changed('axial_load = "700 N"', ""), ("operation.axial_load leaves a point without any load", '"1000 N"')),
+    (changed('"700 N"', "700 N"), ("not TOML", "line 7", 'in quotes: "700 N"')),
+    (changed('["100 rpm", "30 deg/s"]', "[100 rpm, 30 deg/s]"), ("not TOML", "line 8", 'in quotes: "100 rpm"')),
+    (changed('"2 %"', "2 %"), ("not TOML", "line 2", 'in quotes: "2 %"')),
+    (changed('"700 N"', "70 °C"), ("not TOML", "line 7", 'in quotes: "70 °C"')),
+    (changed('"700 N"', '"700 N'), ("not TOML", "line 7", "close the quotes")),
+    (changed('"700 N"', "“700 N”"), ("not TOML", "line 7", "write straight quotes")),
+    (changed('"paper_6205"', "6206-2RS"), ("not TOML", "line 4", 'in quotes: "6206-2RS"')),
+    (changed('"solved"', "solved"), ("not TOML", "line 5", 'in quotes: "solved"')),
+    (OIL + "compressible = True", ("not TOML", "line 14", "write true in small letters")),
+    (changed('"700 N"', '"700 N"\naxial_load = "800 N"'), ("not TOML", "line 8", "axial_load stands twice: leave one")),
+    (PLAIN + '[operation]\naxial_load = "800 N"', ("not TOML", "line 9", "[operation] stands twice", "one table")),
+    (changed('"2 %"', "2"), ("tolerance = 2 ", "0.0001 to 100 %", '"5 %"')),
     (changed('"2 %"', "nan"), ("tolerance = nan", "finite")),
     (changed('"2 %"', '"0.02"'), ("tolerance = '0.02'", "no quotes")),
     (changed('"2 %"', "0x" + "f" * 6000), ("tolerance", "thousands of digits", "too large")),
     (changed('name = "a series"', ""), ("name is missing", "give a name")),
     (changed('name = "a series"', 'name = "two\\nlines"'), ("name = 'two\\nlines'", "printable")),
     (changed('name = "a series"', 'name = "a"\n"odd\\nkey" = 5'), ("'odd\\nkey' = 5", "unknown key")),
-    (changed("tolerance", "tolerence"), ("tolerance is missing", "tolerence = '2 %'", "did you mean tolerance?")),
+    (changed("tolerance", "tolerence"), (" tolerence = '2 %'", "did you mean tolerance?")),
     (PLAIN + '[weather]\nviscosity = "0.06 Pa s"', ("weather", "unknown key", "known: name")),
     (OIL.replace('"2e-8 1/Pa"', "2e-8"), ("lubricant.pressure_viscosity = 2e-08", "no unit", '"2e-8 1/Pa"')),
     (OIL.replace('"2e-8 1/Pa"', '"2e-8 Pa"'), ("lubricant.pressure_viscosity = '2e-8 Pa'", "in a unit like 1/Pa")),
-    (OIL.replace('"60 mPa s"', '"68 mm^2/s"'), ("lubricant.viscosity = '68 mm^2/s'", "Pa*s", '"0.06 Pa s"')),
+    (OIL.replace('"60 mPa s"', '"68 mm^2/s"'), ("lubricant.viscosity = '68 mm^2/s'", "Pa s", '"0.06 Pa s"')),
     (OIL.replace("eyring_sinh", "newtonian"), ("lubricant.traction = 'newtonian'", "eyring_sinh", "eyring_constant")),
-    (OIL + 'temperature = "-80 degC"', ("lubricant.temperature = '-80 degC'", "200 to 600 K", '"40 degC"')),
+    (OIL + 'temperature = "-80 degC"', ("lubricant.temperature = '-80 degC'", "-73.15 to 326.85 degC", '"40 degC"')),
+    (OIL + 'temperature = "70 C"', ("lubricant.temperature = '70 C'", "C is coulomb: write degC", '"40 degC"')),
     (OIL + 'compressible = "yes"', ("lubricant.compressible = 'yes'", "neither true nor false")),
     (OIL + "compressible = 1", ("lubricant.compressible = 1", "neither true nor false")),
     (OIL + "limiting_shear = 1.2", ("lubricant.limiting_shear = 1.2", "0 to 1")),
@@ -95,6 +114,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed(BEARING, 'catalog = "../scenes/6205"'), ("bearing.catalog: bearing '../scenes/6205'", "nearest: ")),
     (changed(BEARING, "catalog = [[6205]]"), ("bearing.catalog: [[6205]]", 'in quotes, for example "6206"')),
     (changed(BEARING, ""), ("bearing.ball_count is missing", 'catalog = "6206"', "bearing.ball_diameter is missing")),
+    (changed("catalog", "catalogue"), (": bearing.catalogue = 'paper_6205' is an unknown key; did you mean catalog?",)),
     (with_bearing("inner = 7"), ("bearing.inner = 7", "not a table", "bottom_radius")),
     (with_bearing("ball_count = 9.0"), ("bearing.ball_count = 9.0", "whole number")),
     (with_bearing("ball_count = 17"), ("bearing.ball_count = 17", "at most 15 fit")),
@@ -183,6 +203,15 @@ def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> No
     assert len(message) < 1500
     missing = [word for word in words if word not in message]
     assert not missing, message
+
+
+def test_a_misspelt_key_explains_the_keys_that_are_missing_without_it() -> None:
+    for text in (changed("catalog", "catalogue", CAGE), changed("tolerance", "tolerence")):
+        message = refusal(text)
+        assert "did you mean" in message
+        assert "is missing" not in message
+    both = refusal(changed("tolerance", "tolerence", changed('name = "a series"', "")))
+    assert both.index("tolerence") < both.index("name is missing")  # another key is missing for itself
 
 
 def test_several_mistakes_are_reported_together() -> None:

@@ -1,0 +1,46 @@
+"""Which scene a name means: a file, a scene that ships with the package, or a bearing of the catalogue."""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from analytic import catalog
+from analytic.errors import InputError
+from analytic.scenefile.template import scene_text
+from analytic.scenefile.text import plain, read_text
+
+LONGEST_NAME = 60  # characters of a designation
+
+
+@dataclass(frozen=True, kw_only=True)
+class SceneText:
+    """The text of a scene, before it is read."""
+
+    text: str
+    origin: str  # names the text in messages
+    folder: Path  # that the paths in the text start from
+
+
+def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> SceneText:
+    """The scene that a name means; folder : that a relative path starts from.
+
+    A file that exists comes first, then a built-in scene, then a bearing of the catalogue, whose scene is the one that
+    `fembearing init` writes. A name that ends with .toml is a file. Raises InputError for a name that is none of these.
+    """
+    given = os.fspath(name)
+    path, builtin = folder / given, catalog.names("scenes")
+    known = f"built in: {', '.join(builtin)}"
+    if given in builtin and not os.path.isfile(path):
+        path = catalog.path("scenes", given)
+    elif not os.path.isfile(path) and _may_be_a_bearing(given):
+        try:
+            return SceneText(text=scene_text(given), origin=f"scene of {given}", folder=folder)
+        except InputError as problem:
+            if os.path.basename(given) == given:
+                raise InputError(f"{problem} (no scene file has this name either, nor a scene {known})") from None
+    text = read_text(path, kind="scene", remedy=f"give the path of a scene file ({known}), or a bearing as 6206")
+    return SceneText(text=text, origin=plain(os.fspath(path)), folder=path.parent)
+
+
+def _may_be_a_bearing(name: str) -> bool:
+    return 0 < len(name) <= LONGEST_NAME and name.isprintable() and not name.lower().endswith(".toml")

@@ -1,0 +1,155 @@
+"""The scene of a bearing of the catalogue, as a file to edit: `fembearing init` writes it."""
+
+import json
+import math
+import textwrap
+from collections.abc import Iterator
+
+from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
+from analytic.errors import InputError
+from analytic.scene import Origin
+
+SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
+RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
+GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group
+WIDTH = 118  # characters of a line
+COLUMN = 41  # where comments begin
+
+OPERATION = """\
+inner_speed = "1000 rpm"                  # of the inner ring; ["500 rpm", "1000 rpm"] makes a series
+down = [1, 0, 0]                          # gravity points along the radial load, the shaft lies; [0, 0, 1]: it stands
+#moment = "0 N m"                         # that tilts the rings
+"""
+REST = """\
+[lubricant]
+name = "ISO VG 68"                        # a mineral oil; `fembearing list oils` shows all
+temperature = "60 degC"                   # where the oil enters the contacts
+#supply = "grease"                        # "oil_bath", "oil_spot" or "grease"
+
+[surface]
+finish = "ground and honed"               # or Ra = "0.05 um", of each of the two surfaces
+
+[friction]
+hysteresis_loss = 0.007                   # assumed: bearing steel has about 0.004 to 0.01
+
+# Tables to add: take away the # in front of each line.
+
+#[cage]                                   # without it the cage has no share
+#pocket_clearance = "0.2 mm"
+#wall_thickness = "1 mm"
+#mass = "10 g"
+#material = "steel"                       # or "peek"
+
+#[losses]                                 # torque that you know and that is added
+#seals = "5 N mm"                         # of both seals together
+#drag = "2 N mm"                          # of the oil that balls and cage move
+
+#[effects]                                # "auto" decides by the tolerance; or "on", "off"
+#creep = "auto"
+#rolling = "auto"
+"""
+
+
+def scene_text(designation: str) -> str:
+    """The scene of a bearing under a light load, in TOML with comments; it runs as it is.
+
+    Raises InputError for a designation that the catalogue does not have.
+    """
+    bearing = find_bearing(designation)
+    name = json.dumps(designation, ensure_ascii=False)
+    head = (
+        f"#:schema {SCHEMA_NAME}\n"
+        f"{_prose(_headline(bearing))}"
+        f"name = {name}\n"
+        'tolerance = "5 %"                         # of the torque, and the limit for the verdicts on Hertz\n'
+    )
+    warnings = "".join(_prose(f"Note: {warning}") for warning in bearing.warnings)
+    return "\n".join(
+        (
+            head,
+            f"[bearing]\ncatalog = {name}\n{warnings}{_play(bearing)}{_dimensions(bearing)}",
+            f"[operation]\n{_loads(bearing)}{OPERATION}",
+            REST,
+        )
+    )
+
+
+def _headline(bearing: CatalogBearing) -> str:
+    sizes = " x ".join(f"{1e3 * size:g}" for size in (bearing.bore, bearing.outside, bearing.width))
+    ratings = f"C {bearing.dynamic_load_rating / 1e3:g} kN, C0 {bearing.static_load_rating / 1e3:g} kN"
+    seals = f" Seals: {bearing.seals}." if bearing.seals else ""
+    return f"{bearing.designation}, {bearing.kind} ball bearing, {sizes} mm, {ratings} ({bearing.maker}).{seals}"
+
+
+def _play(bearing: CatalogBearing) -> str:
+    """The line that says how far the rings are apart."""
+    if bearing.nominal_angle is not None:
+        angle = f'contact_angle = {{ nominal = "{math.degrees(bearing.nominal_angle):g} deg" }}'
+        return _line(angle, "unloaded; the clearance follows from it")
+    own = bearing.clearance_group or "CN"
+    spans = "; ".join(_span(bearing, group) for group in dict.fromkeys((own, *GROUPS)))
+    return _line(f'clearance = "{own}"', f"{spans}; or a length, unmounted")
+
+
+def _span(bearing: CatalogBearing, group: str) -> str:
+    try:
+        low, high = (1e6 * end for end in clearance_group(bearing.bore, group))
+    except InputError:
+        return f"{group}: not known for this bore"
+    return f"{group}: {low:g} to {high:g} um"
+
+
+def _dimensions(bearing: CatalogBearing) -> str:
+    """The dimensions inside, each as a comment that may become a key."""
+    intro = (
+        f"The dimensions inside, grade {bearing.grade}: take away the # in front of a key to give your own. "
+        "+-: standard deviation."
+    )
+    text, told = _prose(intro), ""
+    for key, value, unit in _inside(bearing):
+        origin = bearing.origins[key]
+        source = "from the same" if origin.source == told else origin.source
+        told = origin.source
+        text += _prose(f"{_standing(origin, unit)}: {source}", bullet="- ")
+        text += f"#{key} = {value}\n" if value is not None else f"#{key} is not known\n"
+    return text
+
+
+def _inside(bearing: CatalogBearing) -> Iterator[tuple[str, str | None, str]]:
+    """(key, value as in a scene file, unit) of each dimension."""
+    yield "ball_count", str(bearing.ball_count), ""
+    yield "ball_diameter", _millimetres(bearing.ball_diameter), "mm"
+    yield "pitch_diameter", _millimetres(bearing.pitch_diameter), "mm"
+    for ring, conformity, half_width in zip(
+        ("inner", "outer"), bearing.conformity, bearing.shoulder_half_width, strict=True
+    ):
+        yield f"{ring}.conformity", f"{conformity:g}", ""
+        yield f"{ring}.shoulder_half_width", _millimetres(half_width), "mm"
+
+
+def _millimetres(length: float | None) -> str | None:
+    return None if length is None else f'"{1e3 * length:.7g} mm"'
+
+
+def _standing(origin: Origin, unit: str) -> str:
+    """Status and uncertainty of a dimension."""
+    if not origin.uncertainty:
+        return origin.status
+    return f"{origin.status}, +- {origin.uncertainty * (1e3 if unit else 1):.2g} {unit}".rstrip()
+
+
+def _loads(bearing: CatalogBearing) -> str:
+    radial = bearing.nominal_angle is None
+    share = RADIAL_SHARE if radial else AXIAL_SHARE
+    load = f'"{float(f"{share * bearing.static_load_rating:.2g}"):g} N"'
+    loaded, other = ("radial_load", "axial_load") if radial else ("axial_load", "radial_load")
+    return _line(f"{loaded} = {load}", f"{share:g} C0: a light load") + f'{other} = "0 N"\n'
+
+
+def _line(setting: str, words: str) -> str:
+    return f"{setting:<{COLUMN}} # {words}\n"
+
+
+def _prose(text: str, *, bullet: str = "") -> str:
+    lines = textwrap.wrap(bullet + text, WIDTH - 2, subsequent_indent=" " * len(bullet), break_on_hyphens=False)
+    return "".join(f"# {line}\n" for line in lines)

@@ -1,0 +1,49 @@
+"""`fembearing init`."""
+
+import re
+import shlex
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from analytic.errors import InputError
+from fembearing.cli.console import out
+from fembearing.cli.options import bearing_names_like
+
+
+def init(
+    designation: Annotated[
+        str,
+        typer.Argument(
+            metavar="DESIGNATION",
+            help="Bearing of the catalogue, as 6206, 7208B or 6305-2RS/C3.",
+            autocompletion=bearing_names_like,
+        ),
+    ],
+    file: Annotated[
+        Path | None, typer.Option("--out", help="The scene file; DESIGNATION.toml in this folder without it.")
+    ] = None,
+) -> None:
+    """Write the scene of a bearing of the catalogue, ready to run and to edit. No file is replaced."""
+    from analytic.scenefile.schema import FILE as SCHEMA
+    from analytic.scenefile.template import SCHEMA_NAME, scene_text
+
+    text = scene_text(designation)
+    path = Path(re.sub(r"[^\w.+-]+", "-", designation.strip()) + ".toml") if file is None else file
+    _write_new(path, text)
+    schema = path.with_name(SCHEMA_NAME)
+    if not schema.exists():
+        _write_new(schema, SCHEMA.read_text("utf-8"))
+    out.print(f"written: {path}; an editor completes its keys by {schema}", soft_wrap=True, markup=False)
+    out.print(f"next: fembearing torque {shlex.quote(str(path))}", soft_wrap=True, markup=False)
+
+
+def _write_new(path: Path, text: str) -> None:
+    try:
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text)
+    except FileExistsError:
+        raise InputError(f"{path} exists already; give another name with --out, or remove it") from None
+    except OSError as problem:
+        raise InputError(f"--out {str(path)!r}: {problem.strerror}; give a file in a folder that exists") from problem

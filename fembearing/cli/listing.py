@@ -1,0 +1,176 @@
+"""`fembearing list`: what scene files may name."""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
+
+import typer
+
+from analytic.errors import InputError
+from fembearing.cli.console import out, print_json
+from fembearing.cli.options import AsJson
+
+if TYPE_CHECKING:
+    from analytic.catalog.bearing_rows import CatalogBearing
+
+Topic = Literal["bearings", "oils", "materials", "scenes", "effects"]
+Row = dict[str, Any]  # SI
+NARROW = 6  # columns; more stand close together, to fit a screen of 80 characters
+
+
+def listing(
+    topic: Annotated[Topic, typer.Argument(metavar="TOPIC", help=f"One of {', '.join(get_args(Topic))}.")],
+    beginning: Annotated[str, typer.Argument(metavar="[FILTER]", help="Only names that begin so, as 62.")] = "",
+    as_json: AsJson = False,
+) -> None:
+    """List what a scene may name: bearings of the catalogue, oils, materials, built-in scenes, effects."""
+    rows_of: dict[Topic, Callable[[Callable[[str], bool]], list[Row]]] = {
+        "bearings": _bearings,
+        "oils": _oils,
+        "materials": _materials,
+        "scenes": _scenes,
+        "effects": _effects,
+    }
+    wanted = _plain(beginning)
+    rows = rows_of[topic](lambda name: _plain(name).startswith(wanted))
+    if not rows:
+        raise InputError(f"none of the {topic} begins with {beginning!r}; `fembearing list {topic}` shows all")
+    if as_json:
+        print_json({topic: rows})
+    else:
+        _print(COLUMNS[topic], rows)
+
+
+def _plain(name: str) -> str:
+    return "".join(name.split()).casefold()
+
+
+def _bearings(shown: Callable[[str], bool]) -> list[Row]:
+    from analytic.catalog.bearing_rows import bearing_names, find_bearing
+
+    return [_bearing(find_bearing(name)) for name in bearing_names() if shown(name)]
+
+
+def _bearing(bearing: "CatalogBearing") -> Row:
+    return {
+        "designation": bearing.designation,
+        "kind": bearing.kind,
+        "bore": bearing.bore,
+        "outside": bearing.outside,
+        "width": bearing.width,
+        "ball_count": bearing.ball_count,
+        "ball_diameter": bearing.ball_diameter,
+        "nominal_angle": bearing.nominal_angle,
+        "dynamic_load_rating": bearing.dynamic_load_rating,
+        "static_load_rating": bearing.static_load_rating,
+        "grade": bearing.grade,
+        "maker": bearing.maker,
+    }
+
+
+def _oils(shown: Callable[[str], bool]) -> list[Row]:
+    from analytic import catalog
+
+    return [
+        {
+            "oil": name,
+            "kind": row["kind"],
+            "base_oil": row["base oil"],
+            "kinematic_viscosity_40": _si(row["viscosity_40 [mm^2/s]"]),
+            "kinematic_viscosity_100": _si(row["viscosity_100 [mm^2/s]"]),
+        }
+        for name, row in catalog.rows("oils").items()
+        if shown(name)
+    ]
+
+
+def _si(viscosity: str) -> float | None:
+    """m^2/s of a viscosity in mm^2/s; None: not known."""
+    return float(viscosity) * 1e-6 if viscosity else None
+
+
+def _materials(shown: Callable[[str], bool]) -> list[Row]:
+    from analytic import catalog
+
+    return [{"material": name} | catalog.entry("materials", name) for name in catalog.names("materials") if shown(name)]
+
+
+def _scenes(shown: Callable[[str], bool]) -> list[Row]:
+    from analytic import catalog
+
+    return [
+        {"scene": name, "title": catalog.entry("scenes", name)["name"]}
+        for name in catalog.names("scenes")
+        if shown(name)
+    ]
+
+
+def _effects(shown: Callable[[str], bool]) -> list[Row]:
+    from analytic.effects.table import TABLE
+
+    return [
+        {
+            "effect": entry.name,
+            "meaning": entry.meaning,
+            "kind": entry.kind,
+            "needs": entry.needs.keys.replace("`", "") if entry.needs is not None else None,
+        }
+        for entry in TABLE
+        if shown(entry.name)
+    ]
+
+
+Column = tuple[str, Callable[[Row], str]]
+
+
+def _text(key: str, head: str = "") -> Column:
+    return head or key.replace("_", " "), lambda row: "" if row.get(key) is None else str(row[key])
+
+
+def _number(key: str, head: str, factor: float, form: str = "g") -> Column:
+    return head, lambda row: "" if row[key] is None else f"{row[key] * factor:{form}}"
+
+
+COLUMNS: dict[Topic, Sequence[Column]] = {
+    "bearings": (
+        _text("designation"),
+        ("type", lambda row: row["kind"].split()[0]),
+        _number("bore", "d", 1e3),
+        _number("outside", "D", 1e3),
+        _number("width", "B", 1e3),
+        _text("ball_count", "Z"),
+        _number("ball_diameter", "Dw, mm", 1e3, ".5g"),
+        _number("nominal_angle", "deg", math.degrees(1), ".3g"),
+        _number("dynamic_load_rating", "C", 1e-3, ".4g"),
+        _number("static_load_rating", "C0, kN", 1e-3, ".4g"),
+        _text("grade"),
+    ),
+    "oils": (
+        _text("oil"),
+        _text("kind"),
+        _text("base_oil"),
+        _number("kinematic_viscosity_40", "40 degC, mm2/s", 1e6),
+        _number("kinematic_viscosity_100", "100 degC", 1e6),
+    ),
+    "materials": (
+        _text("material"),
+        _text("youngs_modulus", "E"),
+        _text("poisson_ratio", "nu"),
+        _text("density"),
+        _text("hardness"),
+    ),
+    "scenes": (_text("scene"), _text("title")),
+    "effects": (_text("effect"), _text("meaning"), _text("needs")),
+}
+
+
+def _print(columns: Sequence[Column], rows: Sequence[Row]) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    gap = 0 if len(columns) > NARROW else 1  # beside the blank between columns
+    table = Table(*(head for head, _ in columns), box=SIMPLE_HEAD, padding=(0, gap, 0, 0))
+    table.columns[0].no_wrap = True
+    for row in rows:
+        table.add_row(*(text_of(row) for _, text_of in columns))
+    out.print(table, markup=False)

@@ -1,0 +1,89 @@
+"""Units as people write them, against their definitions; and ranges in the units of the examples."""
+
+import math
+import re
+from dataclasses import replace
+
+import pytest
+
+from analytic.scenefile.keys import paths, scene_key
+from analytic.scenefile.quantity import Dimension
+
+MINUTE, INCH, POUND = 2 * math.pi / 60, 0.0254, 0.45359237 * 9.80665  # rad/s, m, N: by definition
+KEYS = {
+    "speed": scene_key("operation.inner_speed"),
+    "length": scene_key("bearing.ball_diameter"),
+    "force": scene_key("operation.axial_load"),
+    "moment": scene_key("operation.moment"),
+    "pressure": scene_key("surface.hardness"),
+    "temperature": scene_key("lubricant.temperature"),
+}
+KINEMATIC = Dimension(unit="m^2/s", low=1e-7, high=0.1, example='"68 mm^2/s"')
+
+
+@pytest.mark.parametrize(
+    "unit",
+    ["rpm", "RPM", "r/min", "1/min", "1 / min", "/min", "min-1", "min^-1", "min**-1", "min⁻¹", "rev/min", "U/min"],
+)
+def test_revolutions_per_minute(unit: str) -> None:
+    assert KEYS["speed"].read(f"1251 {unit}") == pytest.approx(1251 * MINUTE, rel=1e-15)  # one rounding
+
+
+def test_a_number_is_read_to_its_end() -> None:
+    assert KEYS["speed"].read("12511/min") == pytest.approx(12511 * MINUTE, rel=1e-15)  # not 1251 and 1/min
+
+
+@pytest.mark.parametrize(
+    ("key", "written", "expected"),
+    [
+        ("length", "0.3 in", 0.3 * INCH),
+        ("length", "0.3 inch", 0.3 * INCH),
+        ("length", '0.3"', 0.3 * INCH),
+        ("length", "70 um", 70e-6),
+        ("length", "70 µm", 70e-6),  # the micro sign
+        ("length", "70 \N{GREEK SMALL LETTER MU}m", 70e-6),
+        ("length", "70 micron", 70e-6),
+        ("force", "1.7 kN", 1700.0),
+        ("force", "17 lbf", 17 * POUND),
+        ("moment", "17 lbf in", 17 * POUND * INCH),
+        ("moment", "17 N mm", 0.017),
+        ("moment", "17 N·mm", 0.017),
+        ("pressure", "17 psi", 17 * POUND / INCH**2),
+        ("pressure", "17 ksi", 17e3 * POUND / INCH**2),
+        ("pressure", "1700 N/mm2", 1.7e9),
+        ("pressure", "1700 N/mm²", 1.7e9),
+        ("temperature", "70 degC", 343.15),
+        ("temperature", "70 °C", 343.15),
+        ("temperature", "158 degF", 343.15),  # 158 = 70 * 9/5 + 32
+    ],
+)
+def test_units_of_engineers(key: str, written: str, expected: float) -> None:
+    assert KEYS[key].read(written) == pytest.approx(expected, rel=1e-15)  # one rounding
+
+
+@pytest.mark.parametrize("unit", ["cSt", "mm2/s", "mm^2/s", "mm²/s"])
+def test_kinematic_viscosity(unit: str) -> None:
+    assert KINEMATIC.read(f"68 {unit}") == pytest.approx(68e-6, rel=1e-15)  # one rounding
+
+
+@pytest.mark.parametrize(
+    "written", ["7 Pa-s2", "7 mm22", "7 mm2^2", "7 N2^3", "7 /", "7 1/", '7 ""', '7 " s', "7 min--1"]
+)
+def test_the_grammar_stays_narrow(written: str) -> None:
+    for key in KEYS.values():
+        with pytest.raises(ValueError, match=r"is not a number and a unit|is not in a unit like"):
+            key.read(written)
+
+
+def test_every_example_is_within_its_range_and_names_the_unit_of_the_range() -> None:
+    dimensions = [key.dimension for key in map(scene_key, paths()) if key.dimension is not None]
+    assert len(dimensions) > 40
+    for dimension in dimensions:
+        quoted = re.match('"([^"]*)"', dimension.example)
+        value = dimension.read(quoted[1] if quoted else float(dimension.example))
+        assert dimension.low <= value <= dimension.high
+        unbounded, unit = replace(dimension, low=-math.inf, high=math.inf), dimension.shown_unit
+        ends = re.match(r"give (\S+) to (\S+) ?", dimension.accepted)
+        assert ends, dimension.accepted
+        told = [unbounded.read(f"{end} {unit}" if unit else float(end.rstrip(","))) for end in ends.groups()]
+        assert told == pytest.approx([dimension.low, dimension.high], rel=1e-5)  # messages show six digits

@@ -1,0 +1,104 @@
+"""The scene of a bearing of the catalogue: it reads, it runs, and its comments are what the catalogue has."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic import friction_torque
+from analytic.catalog.bearing_rows import clearance_group, find_bearing
+from analytic.errors import InputError
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scenefile.template import scene_text
+
+DESIGNATIONS = ("6206", "6305-2RS/C3", "SKF 6305", "7208B")
+
+
+def with_every_dimension(text: str) -> str:
+    """The text with the comments of [bearing] that are keys made keys."""
+    bearing, mark, rest = text.partition("[operation]")
+    found, count = re.subn(r"(?m)^#(\w[\w.]* = )", r"\1", bearing)
+    assert count == 7, bearing
+    return found + mark + rest
+
+
+@pytest.mark.parametrize("designation", DESIGNATIONS)
+def test_the_dimensions_in_comments_are_those_of_the_catalogue(designation: str) -> None:
+    text, row = scene_text(designation), find_bearing(designation)
+    scene = parse_scene(text, origin="here")
+    told = parse_scene(with_every_dimension(text), origin="here")
+    assert told.bearing.ball_count == row.ball_count
+    for read in (scene.bearing, told.bearing):  # comments round to seven digits
+        np.testing.assert_allclose(read.ball_diameter, row.ball_diameter, rtol=1e-6)
+        np.testing.assert_allclose(read.pitch_diameter, row.pitch_diameter, rtol=1e-6)
+        for ring, conformity, half in zip(
+            (read.inner, read.outer), row.conformity, row.shoulder_half_width, strict=True
+        ):
+            np.testing.assert_allclose(ring.groove_radius, conformity * row.ball_diameter, rtol=1e-6)
+            np.testing.assert_allclose(np.array(ring.shoulder_half_width, float), np.array(half, float), rtol=1e-6)
+        np.testing.assert_allclose(
+            read.diametral_clearance, scene.bearing.diametral_clearance, rtol=1e-4
+        )  # a difference
+    assert told.bearing.origins["ball_diameter"].status == "given"
+    assert scene.bearing.origins["ball_diameter"].status in ("derived", "printed")
+
+
+def test_the_suffix_of_clearance_is_in_the_scene_and_its_span_in_the_comment() -> None:
+    low, high = clearance_group(25e-3, "C3")
+    scene = load_scene("6305-2RS/C3")
+    np.testing.assert_allclose(scene.bearing.diametral_clearance, (low + high) / 2, rtol=1e-9)  # a difference of radii
+    (line,) = [line for line in scene_text("6305-2RS/C3").splitlines() if line.startswith("clearance")]
+    assert line.startswith('clearance = "C3" ')
+    assert f"C3: {low * 1e6:g} to {high * 1e6:g} um; CN: " in line
+
+
+def test_the_load_is_light_and_of_the_kind_that_the_bearing_carries() -> None:
+    groove, angular = load_scene("6206"), load_scene("7208B")
+    np.testing.assert_allclose(groove.operation.radial_load / find_bearing("6206").static_load_rating, 0.05, rtol=0.05)
+    np.testing.assert_allclose(angular.operation.axial_load / find_bearing("7208B").static_load_rating, 0.02, rtol=0.05)
+    assert groove.operation.axial_load == angular.operation.radial_load == 0.0
+
+
+@pytest.mark.parametrize("designation", ["6206", "7208B"])
+def test_the_scene_runs_within_its_tolerance(designation: str) -> None:
+    scene = load_scene(designation)
+    result = friction_torque(scene)
+    assert np.all(result.torque.total > 0)
+    assert np.all(result.numerical_uncertainty <= scene.tolerance)
+
+
+def test_lines_are_short_and_the_first_names_the_schema() -> None:
+    for designation in DESIGNATIONS:
+        lines = scene_text(designation).splitlines()
+        assert lines[0] == "#:schema fembearing-scene.schema.json"
+        assert max(map(len, lines)) <= 120
+
+
+def test_a_file_comes_before_a_scene_of_that_name_and_before_a_bearing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert load_scene("6206").name == "6206"
+    assert load_scene("paper_6205").name.endswith("1000 N thrust")
+    for name in ("6206", "paper_6205"):
+        (tmp_path / name).write_text(scene_text("6208").replace('name = "6208"', f'name = "file {name}"'), "utf-8")
+        assert load_scene(name).name == f"file {name}"
+    (tmp_path / "6208").mkdir()  # a folder is no scene
+    assert load_scene("6208").name == "6208"
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("6206.toml", ("No such file", "paper_6205", "6206")),
+        ("6299", ("6299", "nearest: ", "no scene file")),
+        ("no/scene", ("no/scene: No such file",)),
+        ("x" * 300, ("give the path of a scene file",)),
+    ],
+)
+def test_a_name_that_is_nothing_is_refused(name: str, words: tuple[str, ...]) -> None:
+    with pytest.raises(InputError) as problem:
+        load_scene(name)
+    assert str(problem.value).isprintable()
+    assert all(word in str(problem.value) for word in words), problem.value

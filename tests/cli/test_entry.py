@@ -1,0 +1,160 @@
+"""The way in: version, help, completion, lists, and the scene of a bearing of the catalogue."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from importlib.metadata import version
+from pathlib import Path
+
+import pytest
+from jsonschema import Draft7Validator
+
+from analytic import catalog
+from analytic.catalog.bearing_rows import bearing_names, find_bearing
+from analytic.effects.table import TABLE
+from fembearing import cli
+from fembearing.cli.options import bearing_names_like, scene_names_like
+
+COMMANDS = ("validate", "torque", "contact", "cost", "sweep", "report", "mesh", "init", "list")
+
+
+def test_the_version_is_that_of_the_package(command) -> None:
+    assert command("--version") == (0, f"fembearing {version('fembearing')}\n", "")
+
+
+def test_h_is_help_everywhere(command) -> None:
+    assert command("-h").out == command("--help").out != ""
+    for name in COMMANDS:
+        short = command(name, "-h")
+        assert short == command(name, "--help")
+        assert short.status == 0
+        assert f"Example: fembearing {name} " in short.out
+
+
+@pytest.mark.parametrize("option", ["--version", "--help"])
+def test_version_and_help_load_nothing_heavy(option: str) -> None:
+    show = (
+        "import sys; from fembearing import cli; sys.argv = ['fembearing', sys.argv[1]]\n"
+        "try: cli.main()\n"
+        "finally: print(*{name.partition('.')[0] for name in sys.modules})"
+    )
+    told = subprocess.run([sys.executable, "-c", show, option], capture_output=True, text=True, check=True).stdout
+    loaded = told.splitlines()[-1].split()
+    assert "typer" in loaded
+    assert not {"numba", "skfem", "meshio", "pyvista", "vtkmodules", "matplotlib", "netCDF4"} & set(loaded)
+
+
+def test_a_shell_completes_commands_topics_and_scenes(tmp_path: Path) -> None:
+    (tmp_path / "62-mine.toml").touch()
+    (tmp_path / "62.txt").touch()
+
+    def completed(words: str) -> list[str]:
+        line = {"_FEMBEARING_COMPLETE": "complete_bash", "COMP_WORDS": words, "COMP_CWORD": str(words.count(" "))}
+        run = "import sys; sys.argv = ['fembearing']; from fembearing.cli import main; main()"
+        path = os.pathsep.join([str(Path(cli.__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
+        environment = {**os.environ, **line, "PYTHONPATH": path}
+        done = subprocess.run(
+            [sys.executable, "-c", run], env=environment, cwd=tmp_path, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+        return done.stdout.split()
+
+    assert completed("fembearing to") == ["torque"]
+    assert completed("fembearing list ma") == ["materials"]
+    assert completed("fembearing contact --pair ou") == ["outer"]
+    found = completed("fembearing torque 62")
+    assert {"62-mine.toml", "6206"} <= set(found)
+    assert "62.txt" not in found
+    assert completed("fembearing init 7208BEP") == []
+    assert "7208A5" in completed("fembearing init 7208")
+
+
+def test_names_for_completion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "part").mkdir()
+    (tmp_path / "part" / "own.toml").touch()
+    assert scene_names_like("pa") == ["part/", "paper_6205"]
+    assert scene_names_like("part/") == ["part/own.toml"]
+    assert bearing_names_like("gmn s") == [name for name in bearing_names() if name.startswith("GMN S")] != []
+
+
+@pytest.mark.parametrize("topic", ["bearings", "oils", "materials", "scenes", "effects"])
+def test_a_list_fits_the_screen(command, topic: str) -> None:
+    told = command("list", topic)
+    assert (told.status, told.err) == (0, "")
+    assert max(map(len, told.out.splitlines())) <= 80
+    assert "\N{HORIZONTAL ELLIPSIS}" not in told.out
+
+
+def test_lists_are_whole(command) -> None:
+    def names(topic: str, key: str) -> list[str]:
+        return [row[key] for row in json.loads(command("list", topic, "--json").out)[topic]]
+
+    assert names("bearings", "designation") == list(bearing_names())
+    assert names("oils", "oil") == list(catalog.oil_names())
+    assert names("materials", "material") == list(catalog.names("materials"))
+    assert names("scenes", "scene") == list(catalog.names("scenes"))
+    assert names("effects", "effect") == [entry.name for entry in TABLE]
+
+
+def test_a_bearing_in_the_list(command) -> None:
+    bearing = find_bearing("7208B")
+    (row,) = json.loads(command("list", "bearings", "7208 b", "--json").out)["bearings"]
+    for key in ("bore", "ball_count", "ball_diameter", "nominal_angle", "static_load_rating", "grade"):
+        assert row[key] == getattr(bearing, key)
+    line = next(line for line in command("list", "bearings", "7208b").out.splitlines() if "7208 B" in line)
+    assert (
+        re.sub(" +", " ", line)
+        .strip()
+        .endswith(f"40 80 18 {bearing.ball_count} {1e3 * bearing.ball_diameter:g} 40 34.5 24 {bearing.grade}")
+    )  # d, D, B, Z, Dw, angle, C, C0: the maker prints 40 x 80 x 18 mm, 34.5 and 24 kN
+
+
+def test_init_writes_a_scene_and_its_schema(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    told = command("init", "6305-2RS/C3")
+    assert told.status == 0
+    assert told.out.splitlines()[-1] == "next: fembearing torque 6305-2RS-C3.toml"
+    text = (tmp_path / "6305-2RS-C3.toml").read_text("utf-8")
+    directive = re.match(r"#:schema (\S+)\n", text)
+    assert directive
+    schema = json.loads((tmp_path / directive[1]).read_text("utf-8"))
+    assert list(Draft7Validator(schema).iter_errors(tomllib.loads(text))) == []
+
+
+def test_init_replaces_nothing(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "fembearing-scene.schema.json").write_text("{}")
+    (tmp_path / "mine.toml").write_text("mine")
+    refused = command("init", "6206", "--out", "mine.toml")
+    assert (refused.status, refused.out) == (2, "")
+    assert refused.err == "fembearing: mine.toml exists already; give another name with --out, or remove it\n"
+    assert (tmp_path / "mine.toml").read_text() == "mine"
+    assert command("init", "6206", "--out", "other name.toml").out.splitlines()[-1].endswith("torque 'other name.toml'")
+    assert (tmp_path / "fembearing-scene.schema.json").read_text() == "{}"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["init", "6299"], ["6299", "nearest: "]),
+        (["init", "7208"], ["7208", "contact angle", "7208A5"]),
+        (["init", "6206", "--out", "no/6206.toml"], ["no/6206.toml", "folder that exists"]),
+        (["list", "bearings", "xx"], ["bearings", "'xx'", "fembearing list bearings"]),
+        (["list", "balls"], ["balls", "bearings"]),
+        (["torque", "6299"], ["6299", "nearest: ", "paper_6205"]),
+        (["torque", "6206.toml"], ["6206.toml", "No such file", "paper_6205", "6206"]),
+        (["torque", "no/scene"], ["no/scene", "No such file"]),
+    ],
+)
+def test_a_mistake_gets_one_line(
+    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], words: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = command(*arguments)
+    assert (result.status, result.out, result.err.count("\n")) == (2, "", 1)
+    assert all(word in result.err for word in words), result.err
+    assert list(tmp_path.iterdir()) == []
