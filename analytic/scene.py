@@ -323,11 +323,11 @@ class Operation:
 class Scene:
     """A bearing, its operating points, and the accuracy of the result."""
 
-    name: str
-    tolerance: float  # relative
     bearing: Bearing
-    contact_angle: ContactAngle
     operation: Operation
+    name: str = "scene"
+    tolerance: float = 0.05  # of the torque, relative
+    contact_angle: ContactAngle = ContactAngle(rule="solved")
     clearances: Clearances | None = None  # on the way to `bearing`, which is in operation; None: no seats are given
     arrangement: Arrangement | None = None  # of two such bearings, which share the loads; None: one bearing
     cage: Cage | None = None  # None: no cage term and no pocket contact
