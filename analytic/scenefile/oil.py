@@ -126,7 +126,7 @@ def _refuse_conflicts(given: Mapping[str, Any]) -> None:
     if viscosity is not None and viscosity.is_kinematic and not is_density_known:
         raise InputError(
             f"lubricant.viscosity = {viscosity.text} is kinematic, so lubricant.density is missing; give for example "
-            '"870 kg/m^3" (or base_oil = "mineral"), or a viscosity in Pa*s, for example "0.06 Pa s"'
+            '"870 kg/m^3" (or base_oil = "mineral"), or a viscosity in Pa s, for example "0.06 Pa s"'
         )
 
 

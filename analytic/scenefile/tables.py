@@ -32,7 +32,7 @@ from analytic.scene import (
 )
 from analytic.scenefile.material import material_entry
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.viscosity import GivenViscosity, Viscosity
+from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity
 
 
 def _text(given: object) -> str:
@@ -78,18 +78,16 @@ def _direction(given: object) -> tuple[float, float, float]:
     return x, y, z
 
 
-def _finish(given: object) -> object:
-    known = catalog.rows("finishes")
-    if given not in tuple(known):
-        raise ValueError(f"is not a finish; give one of {', '.join(known)}, or Ra or rms_roughness instead")
-    return given
+def _row_of(table: Literal["base_oils", "finishes"], *, thing: str) -> BeforeValidator:
+    """Accepts the name of a row of this table of the catalog."""
 
+    def read(given: object) -> object:
+        known = catalog.rows(table)
+        if given not in tuple(known):
+            raise ValueError(f"is not a {thing}; give one of {', '.join(known)}")
+        return given
 
-def _base_oil(given: object) -> object:
-    known = catalog.rows("base_oils")
-    if given not in tuple(known):
-        raise ValueError(f"is not a base oil; give one of {', '.join(known)}")
-    return given
+    return BeforeValidator(read)
 
 
 class Clearance(Dimension):
@@ -277,19 +275,10 @@ class LubricantTable(Table):
     """What is left out follows from the name, the viscosities or the base oil: see `analytic.scenefile.oil`."""
 
     name: Text | None = None  # of an oil or grease of the catalog
-    base_oil: Annotated[str, BeforeValidator(_base_oil)] | None = None  # where the oil has no name of the catalog
-    viscosity: (
-        Annotated[
-            GivenViscosity,
-            Viscosity(
-                unit="Pa*s",
-                low=1e-4,
-                high=1e4,
-                example='"0.06 Pa s", or two at two temperatures, ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]',
-            ),
-        ]
-        | None
-    ) = None
+    base_oil: Annotated[str, _row_of("base_oils", thing="base oil")] | None = (
+        None  # where the oil has no name of the catalog
+    )
+    viscosity: Annotated[GivenViscosity, OIL_VISCOSITY] | None = None
     pressure_viscosity: Annotated[float, Dimension(unit="1/Pa", low=0, high=1e-7, example='"2e-8 1/Pa"')] | None = None
     eyring_stress: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e9, example='"5 MPa"')] | None = None
     traction: Traction = "eyring_sinh"
@@ -323,7 +312,7 @@ class HeightMapTable(Table):
 class SurfaceTable(Table):
     rms_roughness: Roughness | None = None  # of each surface
     Ra: Roughness | None = None  # of each surface, instead
-    finish: Annotated[str, BeforeValidator(_finish)] | None = None  # of the race, instead
+    finish: Annotated[str, _row_of("finishes", thing="finish")] | None = None  # of the race, instead
     ball_rms_roughness: Roughness | None = None  # if it differs from that of the race
     autocorrelation: AutocorrelationTable | None = Field(
         default=None, description='give { kind = "gaussian", length = "60 um", spacing = "2 um" }'

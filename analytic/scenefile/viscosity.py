@@ -63,6 +63,14 @@ class Viscosity(Dimension):
         )
 
 
+OIL_VISCOSITY = Viscosity(
+    unit="Pa*s",
+    low=1e-4,
+    high=1e4,
+    example='"0.06 Pa s", or two at two temperatures, ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]',
+)
+
+
 def _kinematic(given: Any) -> float | None:
     """The kinematic viscosity in m^2/s; None for what is none."""
     if not isinstance(given, str):

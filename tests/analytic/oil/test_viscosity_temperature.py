@@ -68,8 +68,8 @@ def test_measured_oils_follow_the_line_to_a_third_temperature() -> None:
         abs(line(((30.0, thick / 0.87), (100.0, thin / 0.87))).kinematic_viscosity(333.15) / (middle / 0.87 * MM2) - 1)
         for thick, middle, thin in MEASURED
     )
-    # The density of 870 kg/m3 hardly matters between the points. Viscosities are printed to two or three digits, which is
-    # 1 to 2 %. The first oil departs by 11 %: no straight line goes through its three prints.
+    # The density of 870 kg/m3 hardly matters between the points. Viscosities are printed to two or three digits, 1 to
+    # 2 % of them. The first oil departs by 11 %: no straight line goes through its three prints.
     assert errors[len(errors) // 2] < 0.025
     assert errors[-2] < 0.07
     assert errors[-1] < 0.12

@@ -22,7 +22,7 @@ def test_ra_becomes_the_rms_of_gaussian_heights() -> None:
     # A mean of 400 000 scatters by 0.76/sqrt(400 000) = 0.12 %; four times that.
     assert read.rms_roughness == pytest.approx(np.std(heights) * 1e-6, rel=0.005)
     assert read.origins["rms_roughness"].status == "given"
-    assert read.origins["autocorrelation"].status == "assumed"
+    assert read.origins["autocorrelation.length"].status == "assumed"
     assert read.ball_rms_roughness is None
 
 
@@ -31,7 +31,7 @@ def test_a_given_autocorrelation_goes_with_ra_and_with_a_finish() -> None:
     for way in ('Ra = "0.07 um"', 'finish = "ground"'):
         read = surface(f"{way}\n{given}")
         assert (present(read.autocorrelation).length, present(read.autocorrelation).kind) == (33e-6, "exponential")
-        assert read.origins["autocorrelation"].status == "given"
+        assert read.origins["autocorrelation.length"].status == "given"
 
 
 def test_a_finish_is_within_its_limits_and_says_that_it_is_assumed() -> None:
@@ -74,5 +74,5 @@ def test_declared_statistics_are_given() -> None:
     origins = present(scene(ROUGH).surface).origins
     assert {key: origin.status for key, origin in origins.items()} == {
         "rms_roughness": "given",
-        "autocorrelation": "given",
+        "autocorrelation.length": "given",
     }

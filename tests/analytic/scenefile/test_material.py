@@ -8,7 +8,7 @@ from analytic.errors import InputError
 from analytic.scene import Material
 from tests.analytic.scenefile.scene_texts import changed, refusal, scene
 
-BEARING = 'catalog = "6205"'
+BEARING = 'catalog = "paper_6205"'
 
 
 def ball(material: str) -> Material:
