@@ -202,8 +202,8 @@ MESSAGES = [
     ('viscosity = "46 cSt at 40 degC"', ("lubricant.viscosity = '46 cSt at 40 degC'", "needs a second one")),
     ('viscosity = ["46 cSt at 40 degC", "6.8 cSt"]', ("lubricant.viscosity", "has no temperature", "at 100 degC")),
     ('viscosity = ["46 cSt at 40 degC"]', ("lubricant.viscosity", "not one viscosity or two")),
-    ('viscosity = ["46 cSt at 40 s", "6.8 cSt at 100 degC"]', ("lubricant.viscosity", "unit like K")),
-    ('viscosity = "46 mm^2"', ("lubricant.viscosity = '46 mm^2'", "Pa*s")),
+    ('viscosity = ["46 cSt at 40 s", "6.8 cSt at 100 degC"]', ("lubricant.viscosity", "unit like degC")),
+    ('viscosity = "46 mm^2"', ("lubricant.viscosity = '46 mm^2'", "Pa s")),
     ('viscosity = "0 cSt"\ndensity = "1 g/cm^3"', ("lubricant.viscosity = '0 cSt'",)),
     (
         'viscosity = ["46 cSt at 40 degC", "68 cSt at 100 degC"]\nbase_oil = "PAO"',
