@@ -34,6 +34,12 @@ hysteresis_loss = 0.007                   # assumed: bearing steel has about 0.0
 
 # Tables to add: take away the # in front of each line.
 
+#[mounting]                               # what seats and temperatures take from the clearance
+#shaft_interference = "5 um"              # on the diameter
+#housing_interference = "0 um"
+#inner_temperature = "65 degC"            # of inner ring and shaft
+#outer_temperature = "60 degC"
+
 #[cage]                                   # without it the cage has no share
 #pocket_clearance = "0.2 mm"
 #wall_thickness = "1 mm"

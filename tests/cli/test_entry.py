@@ -78,7 +78,7 @@ def test_names_for_completion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     (tmp_path / "part" / "own.toml").touch()
     assert scene_names_like("pa") == ["part/", "paper_6205"]
     assert scene_names_like("part/") == ["part/own.toml"]
-    assert bearing_names_like("gmn s") == [name for name in bearing_names() if name.startswith("GMN S")] != []
+    assert bearing_names_like("Gmn s") == [name for name in bearing_names() if name.startswith("GMN S")] != []
 
 
 @pytest.mark.parametrize("topic", ["bearings", "oils", "materials", "scenes", "effects"])

@@ -72,7 +72,7 @@ def test_failed_points_end_with_status_3_and_their_reasons(
     sweep: Callable[..., Any], grid_file: Write, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("fembearing.report.figures.sweep_maps.write_maps", lambda *_: None)  # which other tests check
-    status, told, complaint = sweep(grid_file("conformity = [0.52, 0.5]\n" + AXES))
+    status, told, complaint = sweep(grid_file("bearing.conformity = [0.52, 0.5]\n" + AXES))
     assert (status, complaint) == (3, "")
     assert "24 points: 24 computed, 0 from before, 12 failed" in told
     assert told.count("failed: ") == 1

@@ -75,6 +75,13 @@ def test_the_grammar_stays_narrow(written: str) -> None:
             key.read(written)
 
 
+def test_a_unit_is_called_mistaken_only_where_another_is_meant() -> None:
+    with pytest.raises(ValueError, match="C is coulomb: write degC"):
+        KEYS["temperature"].read("70 C")
+    with pytest.raises(ValueError, match=r"^is not in a unit like GPa; give "):
+        KEYS["pressure"].read("70 C")
+
+
 def test_every_example_is_within_its_range_and_names_the_unit_of_the_range() -> None:
     dimensions = [key.dimension for key in map(scene_key, paths()) if key.dimension is not None]
     assert len(dimensions) > 40

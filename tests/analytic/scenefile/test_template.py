@@ -60,6 +60,15 @@ def test_the_load_is_light_and_of_the_kind_that_the_bearing_carries() -> None:
     assert groove.operation.axial_load == angular.operation.radial_load == 0.0
 
 
+def test_every_table_in_comments_is_read() -> None:
+    text, count = re.subn(r"(?m)^#(\[?\w)", r"\1", scene_text("6206"))
+    assert count > 20
+    scene = parse_scene(text, origin="here")
+    assert scene.cage is not None
+    assert scene.losses.seals == pytest.approx(5e-3, rel=1e-12)  # one rounding
+    assert set(scene.effects.values()) == {"auto"}
+
+
 @pytest.mark.parametrize("designation", ["6206", "7208B"])
 def test_the_scene_runs_within_its_tolerance(designation: str) -> None:
     scene = load_scene(designation)
