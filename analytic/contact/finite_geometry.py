@@ -6,6 +6,8 @@ linear elasticity the ratio of each quantity to Hertz's depends only on the rati
     1 + sum of coefficient * (product of powers of the bases below)
 with the coefficients of catalog/corrections/finite_geometry.toml, whose head says how they were obtained. Every term
 vanishes with the size of the contact, so a small contact is Hertz's.
+Each shoulder acts by itself, to 1e-5 (validation/correction/sides.py): the fit is taken at each side, with its shoulder
+and the slope of its land, and averaged.
 The terms of first order follow theory. Take a body of modulus E, Poisson ratio nu and curvature 1/R under the load Q.
 Its approach to a plane far away differs from that of a half space by Q/(E R) times a number, and is larger by
 -(1 - 2 nu)^2 (1 + nu) Q ln(b/R)/(2 pi E R). The reason: on a curved surface Boussinesq's radial stress
@@ -31,7 +33,7 @@ from analytic.scene import Array, Bearing, Contact, Material
 OFF_SHOULDER = 1.15  # least distance from a fitted contact's centre to the shoulder, in Hertz's semi-axes b
 # Beyond its range the fit's change of Hertz is held at the border, and follows a power of b/r beyond the largest size,
 # for as far as finite elements confirm it (the set `beyond` of validation/correction/solves.csv: shoulders down to the
-# edge of the contact, or 0.15 r; sizes to 0.49). These lengths are a step of `beyond_range`; over the second it fades.
+# edge of the contact; sizes to 0.49). These lengths are a step of `beyond_range`; over the second it fades.
 STEP = {
     "conformity": 0.0025,
     "rolling_curvature": 0.12,
@@ -39,7 +41,8 @@ STEP = {
     "ball_poisson_ratio": 0.1,
     "race_poisson_ratio": 0.1,
     "ball_share": 0.01,
-    "shoulder": 0.28,
+    "shoulder": 0.05,
+    "contact_angle": 0.1,
 }
 STEP_TO_SHOULDER = 0.15  # of the shoulder's distance over b, likewise
 SIZE_POWER = {"semi_axis_rolling": 2, "semi_axis_transverse": 2, "peak_pressure": 2, "approach": 1}  # the leading ones
@@ -47,7 +50,8 @@ SIZE_POWER = {"semi_axis_rolling": 2, "semi_axis_transverse": 2, "peak_pressure"
 HELD, FADED = 0.1, 1.4
 SMALL = 0.1  # b/r below which the uncertainty falls in proportion to b/r, as the factors do: a point contact is Hertz's
 BASES = (  # of `shape_bases`
-    *("size", "axis_ratio", "relative_load", "rolling_curvature", "openness", "shoulder_curvature", "log_drift"),
+    *("size", "axis_ratio", "relative_load", "rolling_curvature", "openness", "log_drift"),
+    *("shoulder_curvature", "land_slope"),
     *("ball_share", "race_share", "ball_drift", "race_drift", "ball_bulk", "race_bulk"),
 )
 MOST_POWER = 4  # highest power of a base in a term
@@ -65,9 +69,9 @@ class ContactShape:
     ball_poisson_ratio: ArrayLike
     race_poisson_ratio: ArrayLike
     ball_share: ArrayLike  # share of the ball in the compliance 1/E*
-    shoulder: (
-        ArrayLike  # distance of the nearer shoulder from the contact's centre, over r; both sides alike in the fit
-    )
+    shoulder: ArrayLike  # distance of the shoulder that the contact has moved towards from its centre, over r
+    far_shoulder: ArrayLike | None = None  # likewise of the other shoulder; None: as `shoulder`
+    contact_angle: ArrayLike = 0.0  # rad: the lands beyond the shoulders are parallel to the axis of the bearing
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -106,14 +110,14 @@ class RaceCorrections:
 def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     """Semi-axes, peak pressure and approach of the true shape over Hertz's, with their uncertainty.
 
-    The range of each ratio is that of the file, and the shoulder is at least 1.15 Hertz semi-axes b away. Smaller sizes
-    are accepted too: there the correction fades to 1. Outside the range the change of Hertz is that at the border,
-    times b/r (approach) or (b/r)^2 over that there, and its uncertainty grows. Two steps of `beyond_range` away the
-    factors are 1, and the uncertainty holds all of that change. The warnings say which ratios lie outside.
+    The range of each ratio is that of the file, and both shoulders are at least 1.15 Hertz semi-axes b away. Smaller
+    sizes are accepted too: there the correction fades to 1. Outside the range the change of Hertz is that at the
+    border, times b/r (approach) or (b/r)^2 over that there, and its uncertainty grows. Two steps of `beyond_range` away
+    the factors are 1, and the uncertainty holds all of that change. The warnings say which ratios lie outside.
     """
     fit = stored_fit()
     values, beyond = _broadcast(shape), beyond_range(shape)
-    held, grown = _held(values, fit["range"])
+    held, grown = _held(values)
     powers = _powers(shape_bases(held))
     applied = np.clip(2 - beyond, 0.0, 1.0)
     growth = HELD * np.minimum(beyond, 1.0) + FADED * (1 - applied)
@@ -130,7 +134,7 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
         uncertainty=MappingProxyType(uncertainty),
         covered=beyond == 0,
         applied=applied,
-        warnings=tuple(_outside(values, fit["range"], applied)),
+        warnings=tuple(_outside(values, applied)),
     )
 
 
@@ -169,11 +173,12 @@ def beyond_range(shape: ContactShape) -> Array:
 
     0 without load, where nothing is to be corrected.
     """
-    values, limits = _broadcast(shape), stored_fit()["range"]
-    beyond = np.maximum(OFF_SHOULDER - values["shoulder"] / np.maximum(values["size"], TINIEST), 0.0) / STEP_TO_SHOULDER
-    for name, (low, high) in limits.items():
-        outside = np.maximum((0.0 if name == "size" else low) - values[name], values[name] - high)
-        beyond = np.maximum(beyond, outside / STEP[name])
+    values = _broadcast(shape)
+    nearer = np.minimum(values["shoulder"], values["far_shoulder"])
+    beyond = np.maximum(OFF_SHOULDER - nearer / np.maximum(values["size"], TINIEST), 0.0) / STEP_TO_SHOULDER
+    for name, (low, high) in _limits().items():
+        outside = np.maximum(low - values[name], values[name] - high)
+        beyond = np.maximum(beyond, outside / STEP[name.removeprefix("far_")])
     return np.where(values["size"] > 0, beyond, 0.0)
 
 
@@ -183,12 +188,14 @@ def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_l
     contact_angle (al, rad, in [-pi/2, pi/2], see `shoulder_distances`) and ball_load (Q, N, >= 0) broadcast.
     """
     groove, radius = bearing.inner if race == "inner" else bearing.outer, bearing.ball_radius
+    shoulder, far_shoulder = shoulder_distances(bearing, race, contact_angle=contact_angle)
     rolling, _ = race_curvatures(bearing, race, contact_angle=np.abs(contact_angle))
     return _shape(
         radius=radius,
         groove_radius=groove.groove_radius,
         rolling_curvature=radius * rolling - 1,
-        shoulder=np.minimum(*shoulder_distances(bearing, race, contact_angle=contact_angle)),
+        shoulders=(shoulder, far_shoulder),
+        contact_angle=np.abs(contact_angle),
         load=ball_load,
         ball=bearing.ball_material,
         race=groove.material,
@@ -201,7 +208,8 @@ def contact_shape(contact: Contact) -> ContactShape:
         radius=contact.ball_radius,
         groove_radius=contact.groove_radius,
         rolling_curvature=contact.ball_radius / contact.rolling_radius,
-        shoulder=contact.nearer_shoulder,
+        shoulders=(contact.shoulder, contact.far_shoulder),
+        contact_angle=contact.contact_angle,
         load=contact.load,
         ball=contact.ball_material,
         race=contact.race_material,
@@ -217,7 +225,9 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
     ball_drift, race_drift : s (1 - 2 nu)/(1 - nu): how far a load draws the surface towards itself
     ball_bulk, race_bulk : s/(1 - nu^2): E*/E
     log_drift : sum over both bodies of s (1 - 2 nu)^2/(1 - nu) R_ball/R, with 1/R the mean curvature, times ln(b/r)
-    rolling_curvature : r/R;  openness : 1 - r/r_g;  shoulder_curvature : r over the shoulder's distance
+    rolling_curvature : r/R;  openness : 1 - r/r_g
+    shoulder_curvature : (2, ...) r over the distance of each shoulder
+    land_slope : (2, ...) rise of each land towards the ball over the tangent plane: -tan(al), tan(al)
     """
     values = _broadcast(shape)
     size, rolling = values["size"], values["rolling_curvature"]
@@ -235,7 +245,8 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
         "relative_load": size / (unit.semi_axis_y * unit.approach),
         "rolling_curvature": rolling,
         "openness": openness,
-        "shoulder_curvature": 1 / values["shoulder"],
+        "shoulder_curvature": 1 / np.stack([values["shoulder"], values["far_shoulder"]]),
+        "land_slope": np.stack([-np.tan(values["contact_angle"]), np.tan(values["contact_angle"])]),
         "log_drift": logarithm * log_size,
         **{f"{body}_share": shares[body] for body in shares},
         **{f"{body}_drift": drift[body] for body in shares},
@@ -250,8 +261,8 @@ def stored_fit() -> dict[str, Any]:
 
 
 def _powers(bases: Mapping[str, Array]) -> Array:
-    """Every base to the powers 0 to MOST_POWER, from which the terms choose: (bases times powers, *shape)."""
-    stacked = np.stack([bases[name] for name in BASES])
+    """Every base at both sides to the powers 0 to MOST_POWER, which the terms choose: (bases times powers, 2, ...)."""
+    stacked = np.stack(np.broadcast_arrays(*(bases[name] for name in BASES)))
     return np.stack([stacked**power for power in range(MOST_POWER + 1)], axis=1).reshape(-1, *stacked.shape[1:])
 
 
@@ -268,23 +279,30 @@ def _terms(name: str) -> tuple[Array, NDArray[np.intp]]:
 
 
 def _change(name: str, powers: Array) -> Array:
-    """Sum of coefficient * (product of powers of bases), for every shape."""
+    """Sum of coefficient * (product of powers of bases), averaged over the sides, for every shape."""
     coefficients, indices = _terms(name)
     products = powers[indices[0]]
     for factor in indices[1:]:
         products = products * powers[factor]
-    return np.tensordot(coefficients, products, axes=1)
+    return np.tensordot(coefficients, products, axes=1).mean(axis=0)
 
 
-def _held(values: Mapping[str, Array], limits: Mapping[str, Any]) -> tuple[ContactShape, Array]:
+def _limits() -> dict[str, tuple[float, float]]:
+    """Least and greatest value of each ratio; a small contact is Hertz's, and both shoulders share one range."""
+    limits = {name: (low, high) for name, (low, high) in stored_fit()["range"].items()}
+    return limits | {"size": (0.0, limits["size"][1]), "far_shoulder": limits["shoulder"]}
+
+
+def _held(values: Mapping[str, Array]) -> tuple[ContactShape, Array]:
     """The nearest shape within the range, and how much larger the contact is than there."""
-    held = {name: np.clip(values[name], 0.0 if name == "size" else low, high) for name, (low, high) in limits.items()}
-    held["shoulder"] = np.maximum(held["shoulder"], OFF_SHOULDER * held["size"])
+    held = {name: np.clip(values[name], low, high) for name, (low, high) in _limits().items()}
+    for name in ("shoulder", "far_shoulder"):
+        held[name] = np.maximum(held[name], OFF_SHOULDER * held["size"])
     grown = np.divide(values["size"], held["size"], out=np.ones_like(held["size"]), where=held["size"] > 0)
     return ContactShape(**held), grown
 
 
-def _outside(values: Mapping[str, Array], limits: Mapping[str, Any], applied: Array) -> Iterator[str]:
+def _outside(values: Mapping[str, Array], applied: Array) -> Iterator[str]:
     """Which ratios lie outside the range, and what the correction does there."""
 
     def done(least: float) -> str:
@@ -293,14 +311,14 @@ def _outside(values: Mapping[str, Array], limits: Mapping[str, Any], applied: Ar
         return "the correction is not applied" if least == 0 else f"{least:.2g} of the correction is applied"
 
     loaded = values["size"] > 0
-    for name, (low, high) in limits.items():
-        value, low = values[name], 0.0 if name == "size" else low
+    for name, (low, high) in _limits().items():
+        value = values[name]
         outside = ~((value >= low) & (value <= high)) & loaded
         if outside.any():
             farthest = value[outside][np.argmax(np.abs(value[outside] - (low + high) / 2))]
             least = applied[value == farthest].min()
             yield f"{name} {farthest:.4g} is outside {low:g} to {high:g} of the fit: {done(least)}"
-    near = values["shoulder"] < OFF_SHOULDER * values["size"]
+    near = np.minimum(values["shoulder"], values["far_shoulder"]) < OFF_SHOULDER * values["size"]
     if near.any():
         yield (
             f"the contact comes nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, and the fit does not: "
@@ -313,7 +331,8 @@ def _shape(
     radius: float,
     groove_radius: float,
     rolling_curvature: ArrayLike,
-    shoulder: ArrayLike,
+    shoulders: tuple[ArrayLike, ArrayLike],
+    contact_angle: ArrayLike,
     load: ArrayLike,
     ball: Material,
     race: Material,
@@ -332,11 +351,15 @@ def _shape(
         ball_poisson_ratio=ball.poisson_ratio,
         race_poisson_ratio=race.poisson_ratio,
         ball_share=modulus * (1 - ball.poisson_ratio**2) / ball.youngs_modulus,
-        shoulder=np.asarray(shoulder) / radius,
+        shoulder=np.asarray(shoulders[0]) / radius,
+        far_shoulder=np.asarray(shoulders[1]) / radius,
+        contact_angle=contact_angle,
     )
 
 
 def _broadcast(shape: ContactShape) -> dict[str, Array]:
     names = [field.name for field in fields(shape)]
+    if shape.far_shoulder is None:
+        shape = replace(shape, far_shoulder=shape.shoulder)
     values = np.broadcast_arrays(*(np.asarray(getattr(shape, name), dtype=np.float64) for name in names))
     return dict(zip(names, values, strict=True))

@@ -67,11 +67,12 @@ def checked_loads(loads: ArrayLike) -> Array:
 
 
 def on_level(
-    series: Sequence[MeshSolution], *, recipe: Recipe, level: int, extended: bool = False
+    series: Sequence[MeshSolution], *, recipe: Recipe, level: int, extended: bool = False, whole: bool = False
 ) -> tuple[MeshSolution, ...]:
     """The loads of a solved series on another level, each on a mesh for the same ellipse as in `series`.
 
     extended : add cells around a block, to measure the effect of its far boundary
+    whole : mesh both sides of y = 0 as they are
     Raises InputError and ConvergenceError as `solve_series`.
     """
     meshes: dict[CondensedPair, CondensedPair] = {}
@@ -83,7 +84,8 @@ def on_level(
                 level=level,
                 semi_axes=part.pair.semi_axes,
                 extended=extended,
-                upper=part.upper if level == part.level else None,
+                whole=whole,
+                upper=part.upper if level == part.level and not whole else None,
             )
     return tuple(pressed(meshes[part.bodies], load=part.contact.load, expected=part.semi_axes) for part in series)
 

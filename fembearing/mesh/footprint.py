@@ -1,7 +1,8 @@
 """The expected contact, which the mesh follows: an ellipse, cut off at a shoulder of the groove.
 
-The contact is symmetric if the ellipse ends before the nearer shoulder: a quarter of it is meshed. A longer ellipse is
-cut off on that side alone, unless the contact angle is zero: half of it is meshed, y < 0 and y > 0.
+Where the ellipse ends before the nearer shoulder, a quarter of it is meshed by default, with that shoulder on both
+sides. A longer ellipse is cut off where it reaches a shoulder: half of it is meshed, y < 0 and y > 0, unless both
+shoulders are equally near.
 """
 
 import math
@@ -71,6 +72,12 @@ def shoulders_of(contact: Contact) -> tuple[float, float]:
     return contact.far_shoulder, contact.shoulder
 
 
+def is_symmetric(contact: Contact) -> bool:
+    """Whether both sides of y = 0 are mirror images: at a contact angle they are not even with equal shoulders."""
+    return contact.shoulder == contact.far_shoulder and contact.contact_angle == 0
+
+
 def evened(contact: Contact) -> Contact:
-    """The contact that a quarter stands for: with the nearer shoulder on both sides."""
-    return replace(contact, shoulder=contact.nearer_shoulder, far_shoulder=contact.nearer_shoulder)
+    """The contact that a quarter stands for: the nearer shoulder on both sides, and lands parallel to the tangent."""
+    nearer = contact.nearer_shoulder
+    return replace(contact, shoulder=nearer, far_shoulder=nearer, contact_angle=0.0)

@@ -41,17 +41,28 @@ class PairMesh:
 
 
 def pair_mesh(
-    contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool = False
+    contact: Contact,
+    *,
+    recipe: Recipe,
+    level: int,
+    semi_axes: tuple[float, float],
+    extended: bool = False,
+    whole: bool = False,
 ) -> PairMesh:
     """Mesh both bodies of a contact on one level of a recipe.
 
     semi_axes : expected semi-axes, rolling and transverse, m; they size the mesh
     extended : add rings and layers of cells to a block, which is then up to twice as large; the other cells stay where
         they are, so that the difference is the effect of the far boundary and little else
+    whole : mesh both sides of y = 0 of a contact of true shape, each with its own shoulder and land; else a quarter
+        stands for it where no shoulder cuts it off, see `evened`
     Raises InputError if the bodies cannot be meshed at that size.
     """
+    footprint = footprint_of(contact, semi_axes)
+    if whole:
+        footprint = replace(footprint, half=True)
     make = _half_spaces if recipe.geometry == "hertzian" else _ball_on_race
-    pair = make(contact, recipe, level, semi_axes, extended)
+    pair = make(contact if footprint.half else evened(contact), recipe, level, footprint, extended)
     for body in (pair.upper, pair.lower):
         quality = mesh_quality(body.mesh)
         if not quality.valid:
@@ -64,11 +75,9 @@ def pair_mesh(
     return pair
 
 
-def _half_spaces(
-    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool
-) -> PairMesh:
+def _half_spaces(contact: Contact, recipe: Recipe, level: int, footprint: Footprint, extended: bool) -> PairMesh:
     """Two half spaces; no node beyond a shoulder can touch."""
-    footprint = footprint_of(contact, semi_axes)
+    semi_axes = footprint.semi_axes
     reach = recipe.domain.extent * max(semi_axes)
     further = FURTHER * reach if extended else None
     block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach, further=further)
@@ -86,10 +95,8 @@ def _half_spaces(
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, footprint=footprint)
 
 
-def _ball_on_race(
-    contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[float, float], extended: bool
-) -> PairMesh:
-    radius = contact.ball_radius
+def _ball_on_race(contact: Contact, recipe: Recipe, level: int, footprint: Footprint, extended: bool) -> PairMesh:
+    radius, semi_axes = contact.ball_radius, footprint.semi_axes
     widest = WIDEST_CONTACT * radius / recipe.patch.margin_size
     if max(semi_axes) > widest:
         raise InputError(
@@ -97,9 +104,6 @@ def _ball_on_race(
             f"for a ball of radius {radius:.3g} m: the mesh holds up to {widest:.3g} m. Lower the load, or raise "
             "groove_radius or youngs_modulus"
         )
-    footprint = footprint_of(contact, semi_axes)
-    if not footprint.half:
-        contact = evened(contact)
     upper = ball_octant(contact, recipe, level, footprint)
     touching = upper.mesh.doflocs[:, upper.touching]
     normal = touching / radius - np.array([[0.0], [0.0], [1.0]])

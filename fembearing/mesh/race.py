@@ -10,6 +10,7 @@ from fembearing.mesh.patch import contact_zone, patch_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
+NEWTON = 8  # rounds; five reach round-off at 40 degrees
 STEEPEST = 1.2  # rad, profile angle up to which a groove is meshed as a height over the tangent plane
 LEAST_FURTHER = 1.5  # smallest size of an extended block over its own, where the ring limits it
 WIDEST_BLOCK = 0.7  # over the rolling radius; beyond, the surface of an inner ring is too steep
@@ -36,16 +37,39 @@ def race_block(contact: Contact, recipe: Recipe, level: int, footprint: Footprin
 def race_height(contact: Contact, x: Array, y: Array) -> Array:
     """z of the race's surface over the tangent plane, m: a torus, and the land beyond each shoulder.
 
-    The height of the profile, r_g - sqrt(r_g^2 - y^2), is added to the radius of an inner ring and subtracted from that
-    of an outer ring; the axis of the ring is parallel to y.
+    The axis of the ring is tilted by the contact angle against y, and the lands are cylinders about it. Where the tilt
+    is zero, the height of the profile, r_g - sqrt(r_g^2 - y^2), is added to the radius of an inner ring and subtracted
+    from that of an outer ring.
     """
-    highest = contact.groove_radius * np.sin(STEEPEST)
-    inside = np.clip(y, -min(contact.far_shoulder, highest), min(contact.shoulder, highest))
-    rise = inside**2 / (contact.groove_radius + np.sqrt(contact.groove_radius**2 - inside**2))
-    side, radius = np.sign(contact.rolling_radius), abs(contact.rolling_radius)
+    groove, side, radius = contact.groove_radius, np.sign(contact.rolling_radius), abs(contact.rolling_radius)
+    steepest = groove * np.sin(STEEPEST)
+    low, high = -min(contact.far_shoulder, steepest), min(contact.shoulder, steepest)
+    rise = _profile(groove, np.clip(y, low, high))
     # Square of the ring's radius at y, minus x^2, minus the square of its radius at the bottom of the groove.
     out = (side * 2 * radius + rise) * rise - x**2
-    return side * out / (np.sqrt(radius**2 + out) + radius)
+    height = side * out / (np.sqrt(radius**2 + out) + radius)
+    if contact.contact_angle == 0:
+        return height
+    sine, cosine = np.sin(contact.contact_angle), np.cos(contact.contact_angle)
+    bottom = radius * cosine - side * groove * (1 - cosine)  # from the ring's axis to the bottom of the groove
+    # Axial places of the shoulders: their distances are measured along the tangent plane.
+    first, last = (distance * cosine + np.sqrt(groove**2 - distance**2) * sine for distance in (low, high))
+    for _ in range(NEWTON):  # the surface in the frame of the ring, whose origin is the bottom of the groove
+        over = groove * (1 - cosine) + y * sine + height * cosine
+        axial = groove * sine + y * cosine - height * sine
+        inside = np.clip(axial, first, last)
+        from_axis = np.hypot(bottom + side * over, x)
+        # Radius over that of the bottom, as a sagitta, less the profile's
+        left = side * ((side * 2 * bottom + over) * over + x**2) / (from_axis + bottom) - _profile(groove, inside)
+        slope = (bottom + side * over) / from_axis * cosine
+        slope = slope + np.where(axial == inside, axial / np.sqrt(groove**2 - inside**2) * sine, 0.0)
+        height = height - left / slope
+    return height
+
+
+def _profile(groove: float, axial: Array) -> Array:
+    """Height of a groove's profile over its bottom, m."""
+    return axial**2 / (groove + np.sqrt(groove**2 - axial**2))
 
 
 def distance_to_race(contact: Contact, normal: Array) -> Array:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
-from solve import BOX, HERE, QUANTITIES, read_rows
+from solve import BOX, HERE, QUANTITIES, RANGE, read_rows
 
 from analytic import catalog
 from analytic.contact.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, shape_bases
@@ -33,11 +33,11 @@ out = Console(width=120)
 
 
 def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
-    """The product of the bases named in `powers`, each to its power."""
-    product = np.ones_like(bases["size"])
+    """The product of the bases named in `powers`, each to its power, averaged over both sides."""
+    product = np.ones((2, *bases["size"].shape))
     for name, power in powers.items():
         product = product * bases[name] ** power
-    return product
+    return product.mean(axis=0)
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,8 @@ class Fit:
 
 
 def main() -> None:
-    fitted, held_out, bearings = (solves_of(group) for group in ("fit", "held out", "bearing"))
+    fitted = solves_of("fit", "shoulders")
+    held_out, bearings = solves_of("held out", "shoulders held out"), solves_of("bearing")
     fits = {name: fit_of(fitted, name) for name in QUANTITIES}
     STORED.parent.mkdir(exist_ok=True)
     STORED.write_text("\n".join(toml(fits, fitted, held_out, bearings)) + "\n", "utf-8")
@@ -82,10 +83,10 @@ def main() -> None:
     out.print(table)
 
 
-def solves_of(group: str) -> Solves:
-    """The converged solves of a set; those that lie in the box, but for the set `beyond`."""
-    rows = [row for row in read_rows() if row["set"] == group and not row["trouble"]]
-    if group != "beyond":
+def solves_of(*groups: str) -> Solves:
+    """The converged solves of some sets; those that lie in the box, but for the set `beyond`."""
+    rows = [row for row in read_rows() if row["set"] in groups and not row["trouble"]]
+    if "beyond" not in groups:
         rows = [row for row in rows if float(row["size"]) <= BOX["size"][1]]
         rows = [row for row in rows if float(row["shoulder"]) >= OFF_SHOULDER * float(row["size"])]
 
@@ -93,7 +94,7 @@ def solves_of(group: str) -> Solves:
         return np.array([float(row[name]) for row in rows])
 
     return Solves(
-        shape=ContactShape(**{name: column(name) for name in BOX}),
+        shape=ContactShape(**{name: column(name) for name in (*BOX, "far_shoulder", "contact_angle")}),
         ratio={name: column(name) for name in QUANTITIES},
         uncertainty={name: column(f"{name}_uncertainty") for name in QUANTITIES},
         name=[row["name"] for row in rows],
@@ -124,7 +125,12 @@ def candidates() -> Iterator[Powers]:
     for size, power, curvature, part in product((2, 3, 4), range(3), curvatures, elastic):
         yield {"size": size} | curvature | ({"axis_ratio": power} if power else {}) | part
     for size in (2, 3, 4):
-        yield {"size": size, "shoulder_curvature": size, "race_share": 1}
+        for shoulder in range(1, size + 1):
+            yield {"size": size, "shoulder_curvature": shoulder, "race_share": 1}
+            for slope in (1, 2):
+                yield {"size": size, "shoulder_curvature": shoulder, "land_slope": slope, "race_share": 1}
+    for kind, shoulder, slope in product(("share", "drift", "bulk"), (1, 2), (1, 2)):
+        yield {"relative_load": 1, f"race_{kind}": 1, "shoulder_curvature": shoulder, "land_slope": slope}
 
 
 def fit_of(solves: Solves, quantity: str) -> Fit:
@@ -198,7 +204,7 @@ def toml(fits: dict[str, Fit], fitted: Solves, held_out: Solves, bearings: Solve
     yield f"solves = {{ fit = {size_of(fitted)}, held_out = {size_of(held_out)}, bearing = {size_of(bearings)} }}"
     yield ""
     yield "[range]"
-    for name, (low, high) in BOX.items():
+    for name, (low, high) in RANGE.items():
         yield f"{name} = [{low:g}, {high:g}]"
     for name, fit in fits.items():
         yield ""

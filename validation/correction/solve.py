@@ -1,9 +1,11 @@
 """Solves for the correction of Hertz for finite geometry: python validation/correction/solve.py
 
 Solves contacts of true shape by finite elements and stores each quantity over Hertz's, with its uncertainty, in
-solves.csv for fit.py. There are four sets: `fit`, a Sobol sequence over the box below; `held out`, random contacts of
-that box; `bearing`, both races of the bearings in bearings.toml under random loads; `beyond`, steel contacts outside
-the box, with shoulders nearer than it allows. The fit uses the first set only.
+solves.csv for fit.py. Four sets have equal shoulders at zero contact angle: `fit`, a Sobol sequence over the box below;
+`held out`, random contacts of that box; `bearing`, both races of the bearings in bearings.toml under random loads;
+`beyond`, steel contacts outside the box, with shoulders nearer than it allows. Two sets have unequal shoulders, down to
+1.15 semi-axes, at contact angles up to 40 degrees: `shoulders`, a Sobol sequence, and `shoulders held out`, steel
+contacts of both races under the loads of catalogues. The fit uses `fit` and `shoulders`.
 
 `analytic.contact.finite_geometry.ContactShape` describes a contact; in elasticity nothing else matters. The rolling
 curvatures are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (the heavy series 64), r/R is
@@ -52,13 +54,22 @@ BOX = {  # least and greatest value
     "ball_share": (0.01, 0.99),  # share of the ball in the compliance 1/E*
     "shoulder": (0.42, 0.9),  # distance from the contact's centre over r
 }
+SIDES = {  # of the sets with unequal shoulders, in place of `shoulder` above
+    "shoulder": (0.1, 0.9),
+    "far_shoulder": (0.1, 1.05),
+    "contact_angle": (0.0, 0.7),  # rad: the lands are parallel to the axis of the bearing
+}
+# Of the fit; both shoulders share one range, up to r_g/r. From 0.93 r_g on, where the profile has turned by 1.2 rad,
+# the mesh ends the groove anyway.
+RANGE = BOX | {"shoulder": (0.1, 2 * BOX["conformity"][1]), "contact_angle": SIDES["contact_angle"]}
 QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 COLUMNS = [
-    *("set", "number", "name", *BOX, *QUANTITIES),
+    *("set", "number", "name", *BOX, "far_shoulder", "contact_angle", *QUANTITIES),
     *(f"{name}_uncertainty" for name in QUANTITIES),
     *("level", "solver", "date", "trouble"),
 ]
 PRESSURES = (0.007, 0.028)  # p0/E* in the bearings: 0.8 to 3.2 GPa on steel
+CATALOGUE = (0.01, 0.0217)  # p0/E* on steel at 0.02 to 0.2 C0, where 4.2 GPa are reached at C0: 1.1 to 2.5 GPa
 # Parts of fembearing on which a solve depends
 SOLVER = ("fem", "mesh", "compare/contact/mesh_refinement.py", "compare/contact/grid_convergence.py")
 MATERIALS = {  # E, nu; typical values
@@ -75,6 +86,8 @@ def main(
     held_out: Annotated[int, typer.Option(help="Contacts of the set `held out`.")] = 48,
     bearings: Annotated[bool, typer.Option(help="Solve the set `bearing` as well.")] = True,
     beyond: Annotated[int, typer.Option(help="Contacts of the set `beyond`.")] = 36,
+    shoulders: Annotated[int, typer.Option(help="Contacts of the set `shoulders`.")] = 96,
+    shoulders_held_out: Annotated[int, typer.Option(help="Contacts of the set `shoulders held out`.")] = 48,
 ) -> None:
     rows = read_rows()
     done = {(row["set"], row["number"]) for row in rows}
@@ -83,6 +96,8 @@ def main(
         *drawn("held out", held_out),
         *(of_bearings() if bearings else ()),
         *with_near_shoulders(beyond),
+        *with_unequal_shoulders(shoulders),
+        *under_catalogue_loads(shoulders_held_out),
     ]
     origin = {"solver": solver_commit(), "date": datetime.now(UTC).date().isoformat()}
     ahead = [each for each in wanted if (each[0], str(each[1])) not in done]
@@ -154,6 +169,48 @@ def with_near_shoulders(count: int) -> Iterator[tuple[str, int, str, dict[str, f
         yield "beyond", number, "", shape | steel
 
 
+def with_unequal_shoulders(count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
+    """Shapes of the box with two shoulders and a contact angle; the shoulders are spread evenly in their logarithm."""
+    names = [*BOX, "far_shoulder", "contact_angle"]
+    units = qmc.Sobol(len(names), rng=np.random.default_rng(SEED + 4)).random_base2(
+        int(np.ceil(np.log2(max(count, 1))))
+    )
+    for number, unit in enumerate(units[:count]):
+        share = dict(zip(names, unit, strict=True))
+        shape = {name: low + share[name] * (high - low) for name, (low, high) in (BOX | SIDES).items()}
+        yield "shoulders", number, "", shape | placed_shoulders(shape["size"], share)
+
+
+def placed_shoulders(size: float, share: dict[str, float]) -> dict[str, float]:
+    """Both shoulders from 1.15 semi-axes on, at a share of the logarithm of their range."""
+    placed = {}
+    for name in ("shoulder", "far_shoulder"):
+        low, high = max(SIDES[name][0], OFF_SHOULDER * size), SIDES[name][1]
+        placed[name] = float(low * (high / low) ** share[name])
+    return placed
+
+
+def under_catalogue_loads(count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
+    """Random steel contacts of both races in turn, with conformities and loads of catalogue bearings."""
+    rng = np.random.default_rng(SEED + 5)
+    for number in range(count):
+        angle, sign = rng.uniform(*SIDES["contact_angle"]), (1, -1)[number % 2]
+        gamma = rng.uniform(0.1, 0.3) * np.cos(angle)
+        shape = {
+            "conformity": rng.uniform(0.515, 0.535),
+            "rolling_curvature": sign * gamma / (1 - sign * gamma),
+            "size": 0.1,
+            "ball_poisson_ratio": 0.3,
+            "race_poisson_ratio": 0.3,
+            "ball_share": 0.5,
+            "shoulder": 0.5,
+            "contact_angle": angle,
+        }
+        shape["size"] *= rng.uniform(*CATALOGUE) * MODULUS / hertz_quantities(contact_of_shape(shape)).peak_pressure
+        share = {name: rng.random() for name in ("shoulder", "far_shoulder")}
+        yield "shoulders held out", number, "", shape | placed_shoulders(shape["size"], share)
+
+
 def contact_of_shape(shape: dict[str, float]) -> Contact:
     """A contact with the ratios of `shape`; its load gives Hertz's b/r the value `size`."""
     bodies = []
@@ -169,8 +226,8 @@ def contact_of_shape(shape: dict[str, float]) -> Contact:
         groove_radius=2 * RADIUS * shape["conformity"],
         rolling_radius=RADIUS / curvature,
         shoulder=RADIUS * shape["shoulder"],
-        far_shoulder=RADIUS * shape["shoulder"],
-        contact_angle=0.0,  # acts by the rolling radius and by the shoulders alone
+        far_shoulder=RADIUS * shape.get("far_shoulder", shape["shoulder"]),
+        contact_angle=shape.get("contact_angle", 0.0),
         load=1.0,
         ball_material=bodies[0],
         race_material=bodies[1],
@@ -204,7 +261,11 @@ def read_rows() -> list[Row]:
     if not SOLVES.exists():
         return []
     lines = (line for line in SOLVES.read_text("utf-8").splitlines() if not line.startswith("#"))
-    return list(csv.DictReader(lines))
+    return [
+        row
+        | {"far_shoulder": row.get("far_shoulder") or row["shoulder"], "contact_angle": row.get("contact_angle") or "0"}
+        for row in csv.DictReader(lines)
+    ]
 
 
 def write_rows(rows: list[Row]) -> None:
@@ -222,6 +283,7 @@ def provenance() -> Iterator[str]:
     yield "Contacts of ball and race: finite elements over Hertz, and relative half-widths of their 95 % intervals"
     yield "generator: python validation/correction/solve.py"
     yield f"seeds: {SEED} (fit, scrambled Sobol), {SEED + 1} (held out), {SEED + 2} (bearing), {SEED + 3} (beyond)"
+    yield f"seeds of shoulders: {SEED + 4} (shoulders, scrambled Sobol), {SEED + 5} (shoulders held out)"
     yield f"mesh: recipe race, levels {', '.join(map(str, LEVELS))}, extrapolated"
     versions = (f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy", "scikit-fem"))
     yield f"versions: {', '.join(versions)}"

@@ -189,6 +189,7 @@ class ContactSolution:
                     "richardson": part.richardson,
                     "mesh": part.mesh,
                     "beyond": part.beyond,
+                    "sides": part.sides,
                     "domain": part.domain,
                 }
                 for name, part in self.estimates.items()

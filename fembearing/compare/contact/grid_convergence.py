@@ -35,7 +35,8 @@ class Estimate:
     settled: bool = True  # whether the meshes converge
     index: float | None = None  # Roache's grid-convergence index, relative: shown with `mesh`, part of no interval
     beyond: float = 0.0  # share by which an infinite meshed region would raise the value
-    domain: float = 0.0  # from the size of the meshed region
+    sides: float = 0.0  # share by which the true shoulders and lands raise the value, where a symmetric part is meshed
+    domain: float = 0.0  # from the size of the meshed region and from the sides
 
     @property
     def limit(self) -> float:
@@ -44,8 +45,8 @@ class Estimate:
 
     @property
     def value(self) -> float:
-        """The value for vanishing cells and an infinite region."""
-        return self.limit * (1 + self.beyond)
+        """The value for vanishing cells, an infinite region and the true sides."""
+        return self.limit * (1 + self.beyond) * (1 + self.sides)
 
     @property
     def spread(self) -> float:

@@ -109,6 +109,7 @@ class Study(Table):
     richardson: Positive | None
     mesh: float
     beyond: float
+    sides: float = 0.0
     domain: float
 
 
