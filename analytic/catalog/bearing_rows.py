@@ -232,7 +232,7 @@ def _warnings(found: Designation, row: Row) -> Iterator[str]:
     if row["grade"] == "B":
         yield f"{name}: balls {_balls(row)} follow from one maker's ratings alone; about 85 % of such are right"
     elif row["grade"] == "C":
-        yield f"{name}: balls {_balls(row)} follow from the ratings weakly; compute {_second(row)} too"
+        yield f"{name}: balls {_balls(row)} follow from the ratings weakly; compare {_second(row).rstrip(',')}"
     if row["remark"]:
         yield f"{name}: {row['remark']}"
     design = row["designation"].removeprefix(row["designation"][:6])

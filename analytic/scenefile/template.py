@@ -4,6 +4,7 @@ import json
 import math
 import textwrap
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
 from analytic.errors import InputError
@@ -16,14 +17,10 @@ WIDTH = 118  # characters of a line
 COLUMN = 41  # where comments begin
 
 OPERATION = """\
-inner_speed = "1000 rpm"                  # of the inner ring; ["500 rpm", "1000 rpm"] makes a series
 down = [1, 0, 0]                          # gravity points along the radial load, the shaft lies; [0, 0, 1]: it stands
 #moment = "0 N m"                         # that tilts the rings
 """
 REST = """\
-[lubricant]
-name = "ISO VG 68"                        # a mineral oil; `fembearing list oils` shows all
-temperature = "60 degC"                   # where the oil enters the contacts
 #supply = "grease"                        # "oil_bath", "oil_spot" or "grease"
 
 [surface]
@@ -56,13 +53,24 @@ hysteresis_loss = 0.007                   # assumed: bearing steel has about 0.0
 """
 
 
-def scene_text(designation: str) -> str:
-    """The scene of a bearing under a light load, in TOML with comments; it runs as it is.
+@dataclass(frozen=True, kw_only=True)
+class Choice:
+    """What a written scene gives beside its bearing; as in a scene file."""
 
-    Raises InputError for a designation that the catalogue does not have.
+    axial_load: str | None = None  # None of both loads: a light load that suits the bearing
+    radial_load: str | None = None
+    inner_speed: str = "1000 rpm"
+    oil: str = "ISO VG 68"
+    temperature: str = "60 degC"
+
+
+def scene_text(designation: str, choice: Choice = Choice()) -> str:
+    """The scene of a bearing, in TOML with comments; it runs as it is.
+
+    Raises InputError for a designation that the catalogue does not have. The texts of the choice are not checked.
     """
     bearing = find_bearing(designation)
-    name = json.dumps(designation, ensure_ascii=False)
+    name = _quoted(designation)
     head = (
         f"#:schema {SCHEMA_NAME}\n"
         f"{_prose(_headline(bearing))}"
@@ -74,8 +82,8 @@ def scene_text(designation: str) -> str:
         (
             head,
             f"[bearing]\ncatalog = {name}\n{warnings}{_play(bearing)}{_dimensions(bearing)}",
-            f"[operation]\n{_loads(bearing)}{OPERATION}",
-            REST,
+            f"[operation]\n{_operation(bearing, choice)}{OPERATION}",
+            f"[lubricant]\n{_oil(choice)}{REST}",
         )
     )
 
@@ -144,12 +152,32 @@ def _standing(origin: Origin, unit: str) -> str:
     return f"{origin.status}, +- {origin.uncertainty * (1e3 if unit else 1):.2g} {unit}".rstrip()
 
 
-def _loads(bearing: CatalogBearing) -> str:
-    radial = bearing.nominal_angle is None
-    share = RADIAL_SHARE if radial else AXIAL_SHARE
-    load = f'"{float(f"{share * bearing.static_load_rating:.2g}"):g} N"'
-    loaded, other = ("radial_load", "axial_load") if radial else ("axial_load", "radial_load")
-    return _line(f"{loaded} = {load}", f"{share:g} C0: a light load") + f'{other} = "0 N"\n'
+def _operation(bearing: CatalogBearing, choice: Choice) -> str:
+    """Loads and speed."""
+    radial, axial, words = choice.radial_load or "0 N", choice.axial_load or "0 N", "along x, across the shaft"
+    if choice.radial_load is None and choice.axial_load is None:
+        share = RADIAL_SHARE if bearing.nominal_angle is None else AXIAL_SHARE
+        load = f"{float(f'{share * bearing.static_load_rating:.2g}'):g} N"
+        radial, axial = (load, axial) if bearing.nominal_angle is None else (radial, load)
+        words = f"{'0' if radial == '0 N' else f'{share:g} C0, a light load'}; along x, across the shaft"
+    return (
+        _line(f"radial_load = {_quoted(radial)}", words)
+        + _line(f"axial_load = {_quoted(axial)}", "along the shaft, at least 0")
+        + _line(
+            f"inner_speed = {_quoted(choice.inner_speed)}",
+            'of the inner ring; ["500 rpm", "1000 rpm"] makes a series',
+        )
+    )
+
+
+def _oil(choice: Choice) -> str:
+    return _line(f"name = {_quoted(choice.oil)}", "`fembearing list oils` shows all") + _line(
+        f"temperature = {_quoted(choice.temperature)}", "where the oil enters the contacts"
+    )
+
+
+def _quoted(text: str) -> str:
+    return json.dumps(text, ensure_ascii=False)
 
 
 def _line(setting: str, words: str) -> str:

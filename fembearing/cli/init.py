@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from analytic.errors import InputError
+from analytic.scenefile.template import SCHEMA_NAME, Choice, scene_text
 from fembearing.cli.console import out
 from fembearing.cli.options import bearing_names_like
 
@@ -21,15 +22,24 @@ def init(
             autocompletion=bearing_names_like,
         ),
     ],
+    axial_load: Annotated[str | None, typer.Option(help='For example "500 N".')] = None,
+    radial_load: Annotated[
+        str | None, typer.Option(help='For example "5 kN"; a light load that suits the bearing without both.')
+    ] = None,
+    speed: Annotated[str, typer.Option(help="Of the inner ring.")] = Choice.inner_speed,
+    oil: Annotated[str, typer.Option(help="Name of the oil: `fembearing list oils`.")] = Choice.oil,
+    temperature: Annotated[str, typer.Option(help="Of the oil.")] = Choice.temperature,
     file: Annotated[
         Path | None, typer.Option("--out", help="The scene file; DESIGNATION.toml in this folder without it.")
     ] = None,
 ) -> None:
     """Write the scene of a bearing of the catalogue, ready to run and to edit. No file is replaced."""
+    from analytic.scenefile.read import parse_scene
     from analytic.scenefile.schema import FILE as SCHEMA
-    from analytic.scenefile.template import SCHEMA_NAME, scene_text
 
-    text = scene_text(designation)
+    choice = Choice(axial_load=axial_load, radial_load=radial_load, inner_speed=speed, oil=oil, temperature=temperature)
+    text = scene_text(designation, choice)
+    parse_scene(text, origin="init")  # so that a scene with a mistake in it is not written
     path = Path(re.sub(r"[^\w.+-]+", "-", designation.strip()) + ".toml") if file is None else file
     _write_new(path, text)
     schema = path.with_name(SCHEMA_NAME)
