@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from analytic.scene import Bearing, Groove, Lubricant, Origin, Scene, Surface
+from analytic.scene import Bearing, Clearances, Groove, Lubricant, Origin, Scene, Surface
 
 UNITS = {
     **dict.fromkeys(("ball_count", "conformity", "limiting_shear", "boundary_friction"), "1"),
@@ -30,17 +30,17 @@ def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
     """The inputs of bearing, oil and surface that have an origin, in the order of the scene file."""
     tables = (("bearing", scene.bearing), ("lubricant", scene.lubricant), ("surface", scene.surface))
     return tuple(
-        StatedInput(key=f"{name}.{key}", value=_value(table, key), unit=_unit(key), origin=origin)
+        StatedInput(key=f"{name}.{key}", value=_value(table, key, scene.clearances), unit=_unit(key), origin=origin)
         for name, table in tables
         if table is not None
         for key, origin in table.origins.items()
     )
 
 
-def _value(table: Bearing | Lubricant | Surface, key: str) -> float | None:
-    """The value of a key, SI."""
+def _value(table: Bearing | Lubricant | Surface, key: str, clearances: Clearances | None) -> float | None:
+    """The value of a key, SI; the clearance is that before mounting."""
     if isinstance(table, Bearing) and key == "clearance":
-        return table.diametral_clearance
+        return table.diametral_clearance if clearances is None else clearances.unmounted
     part = table
     *path, last = key.split(".")
     for name in path:

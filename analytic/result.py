@@ -6,11 +6,13 @@ from html import escape
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.cage.torque import CAGE_KEYS, CagePart
 from analytic.effects.ledger import Effect
 from analytic.effects.table import CHOSEN, DECLARED
-from analytic.scene import Array, Scene, Sliding
+from analytic.loads.pair import PairEquilibrium
+from analytic.scene import ArrangementKind, Array, Clearances, Scene, Sliding
 
 POINT = "point"  # the dimension of a dataset
 MOST_ROWS = 12  # of the table in a notebook
@@ -119,8 +121,44 @@ class LoadedContact:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class PairPart:
+    """What each bearing of a pair does at the n operating points of the pair."""
+
+    kind: ArrangementKind
+    equilibrium: PairEquilibrium
+    bearings: "tuple[FrictionTorque | None, FrictionTorque | None]"  # at `points`, in its own frame; None: nowhere
+    points: tuple[NDArray[np.intp], NDArray[np.intp]]  # the operating points at which each inner ring presses
+    total: Array  # (2, n) torque of each bearing, N m
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain types, SI; loads in each bearing's own frame."""
+        shared = ("preload", "offset", "distance")
+        return {
+            "kind": self.kind,
+            **{name: getattr(self.equilibrium, name) for name in shared},
+            "points": [self._point(index) for index in range(self.total.shape[1])],
+        }
+
+    def _point(self, index: int) -> dict[str, Any]:
+        found = self.equilibrium
+        loads = ("axial_load", "radial_load", "moment", "ball_load")
+        return {
+            **{name: float(getattr(found, name)[index]) for name in ("displacement", "tilt", "stiffness")},
+            "bearings": [
+                {name: float(getattr(found, name)[bearing, index]) for name in loads}
+                | {name: bool(getattr(found, name)[bearing, index]) for name in ("is_pressed", "is_relieved")}
+                | {"torque": float(self.total[bearing, index])}
+                for bearing in range(2)
+            ],
+        }
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class FrictionTorque:
-    """The friction torque at every operating point of a scene; arrays have the shape (n,)."""
+    """The friction torque at every operating point of a scene; arrays have the shape (n,).
+
+    Of a pair of bearings the parts are sums over both, and what belongs to one ball is that of the pair's heaviest.
+    """
 
     inner_speed: Array  # rad/s
     axial_load: Array  # N
@@ -148,6 +186,12 @@ class FrictionTorque:
     model_parts: Mapping[str, Array] | None = None  # of it, likewise, by the formula that is varied
     unknown: tuple[str, ...] = ()  # why the numerical uncertainty is not known; empty: it is
     gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
+    clearances: Clearances | None = None  # how the bearing came to its clearance; None: its seats are not given
+    pair: PairPart | None = None  # each bearing by itself; None: there is one
+
+    def at(self, points: NDArray[np.intp]) -> "FrictionTorque":
+        """The torque at some operating points; effects, warnings and what else belongs to the whole series stay."""
+        return replace(self, **{name: _rows(value, points) for name, value in vars(self).items() if name != "pair"})
 
     def settled(self, scene: Scene) -> Scene:
         """The scene with every effect and method fixed as it was decided here, so that a change of it keeps them."""
@@ -163,6 +207,8 @@ class FrictionTorque:
         return {
             "points": [self._point(index) for index in range(self.inner_speed.size)],
             "gap_roughness": self.gap_roughness,
+            "clearances": None if self.clearances is None else asdict(self.clearances),
+            "pair": None if self.pair is None else self.pair.to_json(),
             "effects": self.effects_to_json(),
             "warnings": list(self.warnings),
             "unknown": list(self.unknown),
@@ -275,6 +321,17 @@ class FrictionTorque:
             },
             "cage": dict.fromkeys(CAGE_KEYS) if self.cage is None else self.cage.at(index),
         }
+
+
+def _rows(value: Any, points: NDArray[np.intp]) -> Any:
+    """The rows of arrays of one row for each operating point, also within groups; all else as it is."""
+    if isinstance(value, np.ndarray):
+        return value[points]
+    if isinstance(value, CagePart):
+        return value.of_points(points)
+    if isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
+        return replace(value, **{name: _rows(part, points) for name, part in vars(value).items()})
+    return value
 
 
 def html_table(head: list[str], rows: list[list[str]], caption: str) -> str:

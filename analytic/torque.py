@@ -27,6 +27,7 @@ from analytic.errors import FembearingError, InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.inlets import Inlets, starvation_source
 from analytic.oil.variation import NOMINAL, Variation
+from analytic.pair import pair_in_series, pair_torque
 from analytic.races import BY_SLIP, RaceTorque, race_torque
 from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.scene import Array, Decision, Scene
@@ -57,11 +58,16 @@ def friction_torque(
     With microslip "as_printed" the moments of [Paper] replace the derived ones, at the same spin and coefficients.
     The scene's tolerance decides which effects are computed, and how (`analytic.effects`, `analytic.sliding.methods`);
     the result lists them all, with the numerical uncertainty that remains.
+    A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
     Raises InputError if the scene gives neither or both of coefficient and surface, demands an effect that lacks its
     input, or loads the balls beyond a shoulder.
     """
     started = perf_counter()
     _require_friction(scene)
+    if scene.arrangement is not None:
+        both = pair_in_series(scene, scene.arrangement, correction)
+        result = pair_torque(scene, both, friction_torque(both.scene, correction=correction, variation=variation))
+        return replace(result, seconds=perf_counter() - started)
     operation = scene.operation.as_series()
     speed = operation.inner_speed
     ledger = Ledger(scene, speed.size)
@@ -107,6 +113,7 @@ def friction_torque(
         outer=_loaded(balls, 1, at),
         effects=ledger.effects(parts, total),
         sliding="auto" if sliding is None else sliding.method,
+        clearances=scene.clearances,
         gap_roughness=None if oiled is None else oiled.roughness.rms_roughness,
         warnings=tuple(
             torque_warnings(ledger, limits=limits.warnings, oiled=oiled, mixed=mixed, resistance=races.resistance)

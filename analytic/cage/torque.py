@@ -70,6 +70,12 @@ class CagePart:
         ends = [((0.0, 0.0),) * 2 if m is None else (m.torque_interval, m.race_excess_interval) for m in self.motion]
         return np.array([sum(high - low for low, high in each) / 2 for each in ends])
 
+    def of_points(self, points: NDArray[np.intp]) -> "CagePart":
+        """The same at some operating points."""
+        kept = {name: value[points] for name, value in vars(self).items() if isinstance(value, np.ndarray)}
+        series = ("driven", "motion", "races")
+        return replace(self, **kept, **{name: tuple(getattr(self, name)[p] for p in points) for name in series})
+
     def at(self, point: int) -> dict[str, object]:
         """CAGE_KEYS of one operating point as plain Python; None where a closed form has no such value."""
         motion = self.motion[point]

@@ -5,7 +5,13 @@ import numpy as np
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.table import DECLARED, ENTRIES
 from analytic.errors import require_non_negative
-from analytic.scene import Array
+from analytic.scene import Array, Losses
+
+
+def declared_torque(losses: Losses) -> float | None:
+    """Of seals and drag together, N m; None: nothing is declared."""
+    known = [value for value in vars(losses).values() if value is not None]
+    return sum(known) if known else None
 
 
 def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
@@ -15,11 +21,12 @@ def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
     Raises InputError for a loss below 0.
     """
     given = {name: getattr(ledger.scene.losses, name) for name in DECLARED}
-    known = {name: value for name, value in given.items() if value is not None}
-    require_non_negative(**{f"losses.{name}": value for name, value in known.items()})
-    total = computed + sum(known.values(), start=0.0)
+    known = {f"losses.{name}": value for name, value in given.items() if value is not None}
+    require_non_negative(**known)
+    declared = declared_torque(ledger.scene.losses)
+    total = computed + (declared or 0.0)
     for name, value in given.items():
         share = None if value is None else share_in(np.full_like(total, value), total)
         lacks = ENTRIES[name].lacks(ledger.scene)
         ledger.settle(name, on=lacks is None, share=share, reason=lacks or ENTRIES[name].given)
-    return np.full_like(computed, sum(known.values())) if known else None
+    return None if declared is None else np.full_like(computed, declared)

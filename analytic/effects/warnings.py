@@ -22,6 +22,13 @@ def torque_warnings(
     """Every warning; limits : those of `analytic.effects.limits`."""
     scene = ledger.scene
     warnings = [*scene.warnings]
+    if scene.clearances is not None and scene.clearances.operating < 0:
+        warnings.append(
+            f"no clearance is left in operation: of {scene.clearances.unmounted * 1e6:.3g} um unmounted, "
+            f"{scene.clearances.mounted * 1e6:.3g} um mounted, an interference of "
+            f"{-scene.clearances.operating * 1e6:.3g} um on the diameter remains, which presses every ball with "
+            f"{scene.clearances.ball_load:.3g} N before any other load"
+        )
     if scene.friction_coefficient is not None:
         warnings.append(
             f"the friction coefficient {scene.friction_coefficient:g} comes from the scene, not from a lubrication "

@@ -1,18 +1,20 @@
 """Two equal bearings on one rigid shaft: which load each of them takes.
 
-The bearings share the shaft's five displacements. Their outer rings stand in one rigid housing. With a preload, clamping
-has brought the inner rings (O) or the outer rings (X) nearer to each other by the offset, which stays as it is: shaft and
-spacers neither give way nor grow. In `O` and `X` the axial load presses on the first bearing and relieves the second one.
-The equilibrium is that of `analytic.loads.ring` with two rows of balls. A row's own frame has its z along the thrust that
-loads it. In `O` the first bearing stands on the side that the axial load comes from; the lines of contact then meet the
-axis outside the pair. Loads refer to the middle of the pair, halfway between the circles of the inner groove centres.
-The weight of the balls is left out here.
+The bearings share the shaft's five displacements. Their outer rings stand in one rigid housing. With a preload,
+clamping has brought the inner rings (O) or the outer rings (X) nearer to each other by the offset, which stays as it
+is: shaft and spacers neither give way nor grow. In `O` and `X` the axial load presses on the first bearing and relieves
+the second one.
+The equilibrium is that of `analytic.loads.ring` with two rows of balls. A row's own frame has its z along the thrust
+that loads it. In `O` the first bearing stands on the side that the axial load comes from; the lines of contact then
+meet the axis outside the pair. Loads refer to the middle of the pair, halfway between the circles of the inner groove
+centres. The weight of the balls is left out here.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import loaded_contact
@@ -25,24 +27,27 @@ from analytic.loads.turning import RuledTurning
 from analytic.scene import Arrangement, Array, Bearing, ContactAngle, Operation
 
 # Load of a ball on the inner race over that on the outer one, below which it hangs in the outer race by its centrifugal
-# force: it skids, and its bearing counts as unloaded.
+# force and skids.
 HANGING = 2e-3
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class PairEquilibrium:
-    """Two bearings at n operating points; an axis of both bearings is in front. Loads are in each bearing's own frame."""
+    """Two bearings at n operating points; an axis of both is in front. Loads are in each bearing's own frame."""
 
     preload: float  # axial force between the bearings at standstill without other loads, N; 0 in tandem
     offset: float  # axial distance that clamping has closed, m; 0 in tandem
     distance: float  # between the middles of both bearings, m
     displacement: Array  # (n,) of the shaft along the axial load, from its place without load (tandem: with play), m
+    tilt: Array  # (n,) of the shaft about y, rad
     stiffness: Array  # (n,) dF/dz of the pair at constant radial load and moment, with each contact's K held, N/m
     axial_load: Array  # (2, n) N
     radial_load: Array  # (2, n) N
     moment: Array  # (2, n) about y, N m
     ball_load: Array  # (2, n) of the heaviest ball on the race where it is larger, N
-    is_loaded: Array  # (2, n) bool: whether the inner ring presses on the balls
+    is_pressed: NDArray[np.bool_]  # (2, n) whether the inner ring presses on a ball
+    # (2, n) whether the rings leave every ball room; at speed centrifugal force may still press it on the inner ring
+    is_relieved: NDArray[np.bool_]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,8 +86,11 @@ def pair_equilibrium(
             f"{LEAST_BALLS} balls"
         )
     pair = _Pair(bearing, contact_angle, arrangement, contacts, distance)
-    count, still = operation.axial_load.size, np.zeros(1)
-    mounted = None if arrangement.kind == "tandem" else pair.settled(np.zeros((1, 5)), still)
+    count = operation.axial_load.size
+    preload = arrangement.preload
+    if preload is None:
+        at_rest = pair.settled(np.zeros((1, 5)), np.zeros(1)) if arrangement.kind != "tandem" else None
+        preload = 0.0 if at_rest is None else float(pair.loads(at_rest)[0][0, 0])
     load = np.zeros((count, 5))
     load[:, 0] = operation.axial_load
     if distributed:
@@ -94,16 +102,18 @@ def pair_equilibrium(
     rows = (count, 2, bearing.ball_count)
     inner, outer = (each.reshape(rows).max(axis=-1).T for each in (state.balls.inner_load, state.balls.outer_load))
     return PairEquilibrium(
-        preload=0.0 if mounted is None else float(pair.loads(mounted)[0][0, 0]),
+        preload=preload,
         offset=pair.closed,
         distance=distance,
         displacement=state.place[:, 0],
+        tilt=state.place[:, 4] / pair.arm,
         stiffness=_axial_stiffness(state, alone=bearing.ball_count < LEAST_BALLS),
         axial_load=axial,
         radial_load=radial if distributed else np.zeros_like(radial),
         moment=moment if distributed else np.zeros_like(moment),
         ball_load=np.maximum(inner, outer),
-        is_loaded=inner > HANGING * outer,
+        is_pressed=inner > HANGING * outer,
+        is_relieved=pair.is_relieved(state),
     )
 
 
@@ -137,6 +147,7 @@ class _Pair:
         first = distance / 2 if arrangement.kind == "X" else -distance / 2
         second = Row(side=1 if arrangement.kind == "tandem" else -1, position=-first, offset=each)
         self.rows = (Row(position=first, offset=each), second)
+        self.ring = self._ring(ContactCorrection(), np.zeros(1))  # for its geometry
 
     def settled(self, load: Array, speed: Array) -> RingState:
         """The shaft under loads (n, 5), N, at speeds (n,), rad/s; with contacts corrected at the loads by Hertz."""
@@ -153,11 +164,23 @@ class _Pair:
         cosine = np.cos(2 * np.pi * np.arange(self.bearing.ball_count) / self.bearing.ball_count)
         return axial.sum(axis=-1).T, (radial @ cosine).T, -self.arm * (axial @ cosine).T
 
+    def is_relieved(self, state: RingState) -> NDArray[np.bool_]:
+        """(2, n) whether no ball of a bearing would touch both grooves without forces of its own."""
+        radial, axial = state.place @ self.ring.radial, state.place @ self.ring.axial + self.ring.offset
+        distance = self.bearing.groove_centre_distance
+        # |V| <= A0, without the difference of large numbers
+        beyond = radial - self.play
+        stretched = beyond * (2 * distance + beyond) + axial**2
+        return stretched.reshape(len(stretched), 2, -1).max(axis=-1).T <= 0
+
     def _with(self, factors: ContactCorrection, load: Array, speed: Array, *, place: Array | None) -> RingState:
-        ring = RowsOfBalls(self.bearing, self.play, factors, self._turning(speed), rows=self.rows)
+        ring = self._ring(factors, speed)
         if place is None and self.rows[0].offset > 0:
             place = np.zeros_like(load)
         return settled_ring(ring, load, angle=self.free_angle, place=place)[0]
+
+    def _ring(self, factors: ContactCorrection, speed: Array) -> RowsOfBalls:
+        return RowsOfBalls(self.bearing, self.play, factors, self._turning(speed), rows=self.rows)
 
     def _turning(self, speed: Array) -> RuledTurning:
         effects = self.contacts.effects

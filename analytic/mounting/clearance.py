@@ -1,9 +1,10 @@
 """Radial internal clearance from the bearing as delivered to the bearing in operation.
 
-A tight seat widens the inner ring and narrows the outer one; temperatures change every part, and by that the seats too.
-Each ring is a thick ring that is as thick as its wall below the groove: its shoulders stiffen it, and a shaft or housing
-that is wider than the ring presses harder, which nearly cancel. By finite elements of true sections the model moves the
-inner groove 0.4 to 3.5 % too far and the outer one 5 to 7 % too little (validation/benchmarks/mounting.py).
+A tight seat widens the inner ring and narrows the outer one; temperatures change every part, and by that the seats
+too. Each ring is a thick ring that is as thick as its wall below the groove. Its shoulders stiffen a true ring, and a
+shaft or a housing that is wider than the ring presses harder; these two nearly cancel. Finite elements of true sections
+say that the model moves the inner groove 0.4 to 3.5 % too far and the outer one 5 to 7 % too little
+(validation/benchmarks/mounting.py).
 A housing without outside diameter has no end. Each part has one temperature: the shaft that of the inner ring, the
 housing that of the outer ring. The rings' widening by centrifugal force is left out, and so is the change of a groove's
 profile by the seat. Balls do not bend the rings.

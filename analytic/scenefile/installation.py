@@ -43,11 +43,15 @@ def in_operation(bearing: Bearing, given: MountingTable) -> tuple[Bearing, Clear
 
 
 def _mounting(given: MountingTable) -> Mounting:
-    rings, seats = ("inner_temperature", "outer_temperature"), ("shaft_material", "housing_material")
-    cold = given.mounting_temperature
-    temperatures = {key: cold if getattr(given, key) is None else getattr(given, key) for key in rings}
-    materials = {key: Material(**getattr(given, key).model_dump()) for key in seats}
-    return Mounting(**given.model_dump(exclude={*rings, *seats}), **temperatures, **materials)
+    cold, inner, outer = given.mounting_temperature, given.inner_temperature, given.outer_temperature
+    derived = {"shaft_material", "housing_material", "inner_temperature", "outer_temperature"}
+    return Mounting(
+        **given.model_dump(exclude=derived),
+        shaft_material=Material(**given.shaft_material.model_dump()),
+        housing_material=Material(**given.housing_material.model_dump()),
+        inner_temperature=cold if inner is None else inner,
+        outer_temperature=cold if outer is None else outer,
+    )
 
 
 def arranged(given: ArrangementTable, bearing: Bearing) -> tuple[Arrangement | None, list[tuple[str, str]]]:

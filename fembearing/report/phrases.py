@@ -5,12 +5,15 @@ from itertools import groupby
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
+from analytic.result import Unit
 from fembearing.compare.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, Quantity, unit_for
 
 if TYPE_CHECKING:  # pydantic's models: only a report pays for them
+    from analytic.result import PairPart
+    from analytic.scene import Clearances as SceneClearances
     from fembearing.report.document.contact import Contact, Ring
-    from fembearing.report.document.torque import OperatingPoint
+    from fembearing.report.document.torque import Clearances, OperatingPoint
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 VARIED = {  # the parts of the model's uncertainty
@@ -19,6 +22,9 @@ VARIED = {  # the parts of the model's uncertainty
     "surfaces": "spread of surfaces",
     "rolling": "formula of rolling",
 }
+PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
+CLEARANCES = ("unmounted", "mounted", "operating")
+MEGAPASCAL = Unit("MPa", 1e-6)
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
 SHARES = (
@@ -144,6 +150,36 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
     return (
         f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Oil data, traction and inputs "
         "come on top; no measured torque of such a bearing was found."
+    )
+
+
+def clearances_of(found: "Clearances | SceneClearances") -> str:
+    """How the bearing came to its clearance, in a sentence or two."""
+    way = ", ".join(f"{MICRO.written(getattr(found, name), '.3g')} {name}" for name in CLEARANCES)
+    left = "" if found.operating >= 0 else f"; every ball is preloaded with {found.ball_load:.3g} N"
+    seats = [
+        f"{name} seat "
+        + (f"{MICRO.written(tight, '.3g')} tight, {MEGAPASCAL.written(pressure, '.3g')}" if tight > 0 else "loose")
+        for name, tight, pressure in (
+            ("shaft", found.shaft_interference, found.shaft_pressure),
+            ("housing", found.housing_interference, found.housing_pressure),
+        )
+    ]
+    return f"Clearance on the diameter: {way}{left}. In operation: {', '.join(seats)}."
+
+
+def pair_of(pair: "PairPart") -> str:
+    """What the columns of a pair's table mean, and its preload."""
+    found = pair.equilibrium
+    held = (
+        "Both bearings carry the axial load, without preload"
+        if pair.kind == "tandem"
+        else f"Preload {found.preload:.4g} N at standstill, by closing {MICRO.written(found.offset, '.3g')}; the axial "
+        "load presses on the first bearing"
+    )
+    return (
+        f"{held}. Loads of each bearing along and across its own axis; ball: load of its heaviest; middles "
+        f"{MILLI.written(found.distance, '.4g')} apart; dFa/dz: axial stiffness of the pair."
     )
 
 

@@ -20,12 +20,15 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic import hertz_contact, load_scene, ring_equilibrium, thrust_equilibrium
-from analytic.scene import Bearing, ContactAngle, Groove, Material
+from analytic.loads.balls import LoadEffects
+from analytic.loads.pair import PairContacts, pair_equilibrium
+from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Material, Operation
 from analytic.scenefile.read import builtin_scene
 
 PUBLISHED = Path(__file__).parents[1] / "published"
 SOLVED = ContactAngle(rule="solved")
-GROOVES = (0.515, 0.52, 0.525)  # groove radii over the ball diameter; the maker gives none
+WIDTH = 15e-3  # m, of the maker's bearing, series 62 with a bore of 25 mm
+GROOVES = (0.515, 0.52, 0.525, 0.53, 0.535)  # groove radii over the ball diameter; the maker gives none
 steel = Material(name="steel", youngs_modulus=210e9, poisson_ratio=0.3, density=7850.0, source="usual values")
 out = Console(width=110)
 
@@ -125,11 +128,15 @@ def rigidity() -> None:
 
 
 def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
-    """Axial rigidity of two equal bearings under a rigid preload, N/m: twice the tangent stiffness of one."""
+    """Axial rigidity of two equal bearings under a rigid preload, N/m."""
     ball = 7.938e-3
     clearance = 2 * (2 * groove - 1) * ball * (1 - np.cos(np.radians(15)))
     bearing = steel_bearing(ball=ball, pitch=38.5e-3, count=13, grooves=(groove, groove), clearance=clearance)
-    return 2 * ring_equilibrium(bearing, SOLVED, axial_load=preload).stiffness[:, 0, 0]
+    unloaded = Operation(axial_load=np.zeros(1), inner_speed=np.zeros(1))
+    pairs = (Arrangement(kind="O", preload=float(each), distance=WIDTH) for each in preload)
+    contacts = PairContacts(effects=LoadEffects())
+    found = [pair_equilibrium(bearing, SOLVED, pair, unloaded, contacts).stiffness[0] for pair in pairs]
+    return np.array(found)
 
 
 def steel_bearing(*, ball: float, pitch: float, count: int, grooves: tuple[float, float], clearance: float) -> Bearing:

@@ -61,11 +61,13 @@ def main() -> None:
     for section in sections():
         exact = solved_ratio(section)
         plain = [lame_ratio(section, surface) for surface in (section.bottom, section.mean_radius)]
-        cells = [f(value) for value in plain for f in ("{:.3f}".format, lambda v: f"{v / exact - 1:+.1%}")]
+        cells = [cell for value in plain for cell in (f"{value:.3f}", f"{value / exact - 1:+.1%}")]
         table.add_row(section.name, f"{exact:.3f}", *cells)
     out.print("Change of the groove's diameter over the interference on the diameter:", table)
     check = Section(name="plain", seat=12.5, bottom=16, groove=1e6, shoulder=1e-3, far_shoulder=1e-3, width=15.0)
-    print(f"plain ring, shaft as wide: {solved_ratio(check, wider=1.0) / lame_ratio(check, 16.0) - 1:+.1e} off Lame")
+    out.print(
+        f"plain ring, shaft as wide: {solved_ratio(check, wider=1.0) / lame_ratio(check, 16.0) - 1:+.1e} off Lame"
+    )
 
 
 def sections() -> list[Section]:

@@ -55,6 +55,11 @@ def heaviest_contact(scene: Scene, race: Race) -> Contact:
 
 def balls_of(scene: Scene) -> LoadedBalls:
     """The loaded balls at every operating point, with Hertz's contacts. Raises InputError as friction_torque does."""
+    if scene.arrangement is not None:
+        raise InputError(
+            "[arrangement] has two bearings, and contacts are those of one: leave it out and give the loads of one "
+            "bearing, which `fembearing torque` prints"
+        )
     plain = replace(scene, effects={**scene.effects, "finite_geometry": "off"})
     operation = plain.operation.as_series()
     return chosen_balls(plain, operation, Ledger(plain, operation.axial_load.size), correction=None).balls

@@ -24,6 +24,10 @@ class BesideCatalogue:
 
 def beside_catalogue(scene: Scene) -> BesideCatalogue:
     """The catalogue band of a scene."""
+    if scene.arrangement is not None:
+        return BesideCatalogue(
+            band=None, note="no catalogue band: the catalogues' models are of one bearing, not of a pair"
+        )
     try:
         band = scene_band(scene)
     except InputError as problem:

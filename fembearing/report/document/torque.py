@@ -148,11 +148,26 @@ class OtherCandidate(Table):
     total: list[float]
 
 
+class Clearances(Table):
+    """The diametral clearance on its way into operation, and the seats; negative is preload."""
+
+    unmounted: float
+    mounted: float
+    operating: float
+    shaft_interference: float
+    housing_interference: float
+    shaft_pressure: float
+    housing_pressure: float
+    ball_load: float
+
+
 class Torque(Table):
     """The friction torque that `fembearing torque` computes."""
 
     points: Annotated[list[Point], Field(min_length=1)]
     gap_roughness: Positive | None
+    clearances: Clearances | None
+    pair: None  # a check is of one bearing
     effects: list[Effect]
     warnings: list[str]
     unknown: list[str]  # why the numerical uncertainty is not known

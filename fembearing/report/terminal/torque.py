@@ -7,10 +7,21 @@ from rich.console import Console
 from rich.markup import escape
 
 from analytic.cage.grip import LARGEST_GRIP
-from analytic.result import COLUMNS, COORDINATES, FrictionTorque
+from analytic.result import COLUMNS, COORDINATES, FrictionTorque, PairPart
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.quantities import CONTACT, MICRO, NEWTON_MILLIMETRE, QUANTITIES, RPM
-from fembearing.report.phrases import LOADS, SHARES, capital, friction_of, share_of, uncertainty_of, value_of
+from fembearing.report.phrases import (
+    LOADS,
+    PAIRS,
+    SHARES,
+    capital,
+    clearances_of,
+    friction_of,
+    pair_of,
+    share_of,
+    uncertainty_of,
+    value_of,
+)
 from fembearing.report.terminal.table import table_of
 
 NM = NEWTON_MILLIMETRE.factor
@@ -41,6 +52,10 @@ def print_torque(out: Console, result: SceneTorque) -> None:
         style="dim",
         markup=False,
     )
+    if friction.clearances is not None:
+        out.print(f"{clearances_of(friction.clearances)}\n", markup=False)
+    if friction.pair is not None:
+        _print_pair(out, friction.pair, points)
     _print_contacts(out, friction, points)
     _print_cage(out, friction, points)
     _print_effects(out, friction)
@@ -83,7 +98,8 @@ def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> No
     """A row for each point: parts, total, uncertainty and catalogue band."""
     friction, band = result.friction, result.catalogue.band
     columns, fixed = point_columns({name: getattr(friction, name).tolist() for name in COORDINATES})
-    words = ", ".join([f"Friction torque of {result.scene.bearing.name}", *fixed])
+    bearings = "" if friction.pair is None else "two "
+    words = ", ".join([f"Friction torque of {bearings}{result.scene.bearing.name}", *fixed])
     out.print(words, style="italic", markup=False)
     parts = {name: values for name in HEADS if (values := getattr(friction.torque, name)) is not None}
     totals = ("total", "+-", *(("catalogue",) if band is not None else ()))
@@ -98,6 +114,30 @@ def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> No
             *(() if band is None else (f"{band.low[point] * NM:.3g}-{band.high[point] * NM:.3g}",)),
         )
     out.print(table)
+
+
+def _print_pair(out: Console, pair: PairPart, points: Sequence[int]) -> None:
+    """The loads and the torque of each bearing of a pair, and the pair's stiffness."""
+    found = pair.equilibrium
+    sideways = {name: COORDINATES[name] for name in ("radial_load", "moment") if np.any(getattr(found, name))}
+    heads = ["#", "bearing", "Fa, N", *(f"{each.symbol}, {each.unit}" for each in sideways.values()), "ball, N"]
+    torque = f"torque, {NEWTON_MILLIMETRE.name}"
+    table = table_of(
+        (*heads, torque, "dFa/dz, N/um"), title=f"Bearings of the pair, {PAIRS[pair.kind]}", left=("bearing",)
+    )
+    for point in points:
+        for bearing, name in enumerate(("first", "second")):
+            table.add_row(
+                str(point + 1),
+                f"{name}, relieved" if found.is_relieved[bearing, point] else name,
+                f"{found.axial_load[bearing, point]:.4g}",
+                *(f"{getattr(found, load)[bearing, point]:.4g}" for load in sideways),
+                f"{found.ball_load[bearing, point]:.4g}",
+                f"{pair.total[bearing, point] * NM:.4g}",
+                "" if bearing else f"{found.stiffness[point] / MICRO.factor:.4g}",
+            )
+    out.print(table)
+    out.print(f"{pair_of(pair)}\n", style="dim", markup=False)
 
 
 def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int]) -> None:

@@ -1,0 +1,151 @@
+"""The friction torque of two bearings on one shaft: the sum over both, each under the loads that it takes.
+
+Both are computed as one series of operating points, so that effects and methods are decided for both alike. Where a
+bearing is relieved, centrifugal force may still press its balls on the inner ring, which gives it the torque of that
+load. Where the inner ring presses on no ball, only what the scene declares is left: how far balls and cage are dragged
+along is not known.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.factors import ContactCorrection
+from analytic.effects.declared import declared_torque
+from analytic.effects.ledger import share_in
+from analytic.errors import InputError
+from analytic.loads.balls import LoadEffects
+from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
+from analytic.result import FrictionTorque, PairPart, TorqueParts
+from analytic.scene import Arrangement, Array, Operation, Scene
+
+ORDER = ("first", "second")  # bearing
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PairSeries:
+    """Both bearings of a pair as one series of operating points of one bearing."""
+
+    scene: Scene  # without arrangement: the points at which the first bearing is pressed, then the second one's
+    equilibrium: PairEquilibrium
+    points: tuple[NDArray[np.intp], NDArray[np.intp]]  # of the pair, at which each inner ring presses
+
+    @property
+    def rows(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Where each bearing's points stand in the series."""
+        first, second = (points.size for points in self.points)
+        return np.arange(first), first + np.arange(second)
+
+
+def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCorrection | None) -> PairSeries:
+    """The loads of both bearings, and the scene of one bearing that has them one after another.
+
+    correction : factors on Hertz's contacts, one for all points
+    Raises InputError as pair_equilibrium, and for factors that differ from point to point.
+    """
+    operation = scene.operation.as_series()
+    if correction is not None and any(
+        np.ndim(factor) for side in (correction.inner, correction.outer) for factor in vars(side).values()
+    ):
+        raise InputError("correction has a factor for each point, which a pair of bearings does not take: give numbers")
+
+    def computed(effect: str) -> bool:
+        return scene.effects.get(effect) != "off"
+
+    found = pair_equilibrium(
+        scene.bearing,
+        scene.contact_angle,
+        arrangement,
+        operation,
+        PairContacts(
+            effects=LoadEffects(
+                load_distribution=computed("load_distribution"),
+                centrifugal=computed("centrifugal"),
+                gyroscopic=computed("gyroscopic"),
+            ),
+            finite_geometry=computed("finite_geometry"),
+            correction=correction,
+        ),
+    )
+    first, second = (np.flatnonzero(pressed) for pressed in found.is_pressed)
+    points = first, second
+
+    def loads(of_bearings: Array) -> Array:
+        return np.concatenate([of_bearing[at] for of_bearing, at in zip(of_bearings, points, strict=True)])
+
+    # A bearing that is pressed the other way is the mirror image of one that is not.
+    way = np.where(loads(found.axial_load) < 0, -1.0, 1.0)
+    series = Operation(
+        axial_load=way * loads(found.axial_load),
+        inner_speed=np.concatenate([operation.inner_speed[at] for at in points]),
+        radial_load=loads(found.radial_load),
+        moment=way * loads(found.moment),
+    )
+    return PairSeries(scene=replace(scene, arrangement=None, operation=series), equilibrium=found, points=points)
+
+
+def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> FrictionTorque:
+    """The torque of the pair; each : friction_torque(both.scene)"""
+    assert scene.arrangement is not None
+    operation, found = scene.operation.as_series(), both.equilibrium
+    count = operation.inner_speed.size
+    at_rest = declared_torque(scene.losses)
+    by_bearing = np.full((2, count), 0.0 if at_rest is None else at_rest)
+    for total, points, rows in zip(by_bearing, both.points, both.rows, strict=True):
+        total[points] = each.torque.total[rows]
+
+    def summed(part: Array | None, unloaded: float = 0.0) -> Array | None:
+        if part is None:
+            return None
+        values = np.full((2, count), unloaded)
+        for value, points, rows in zip(values, both.points, both.rows, strict=True):
+            value[points] = part[rows]
+        return values.sum(axis=0)
+
+    parts = {name: summed(part) for name, part in vars(each.torque).items() if name not in ("total", "declared")}
+    total = by_bearing.sum(axis=0)
+    unsure = each.numerical_uncertainty
+    finite = summed(np.where(np.isfinite(unsure), unsure, 0.0) * each.torque.total)
+    unknown = summed(np.where(np.isfinite(unsure), 0.0, 1.0))
+    assert finite is not None
+    assert unknown is not None
+    # Where both bearings are pressed, the one with the heaviest ball stands for the pair.
+    place = np.zeros((2, count), dtype=np.intp)
+    for where, points, rows in zip(place, both.points, both.rows, strict=True):
+        where[points] = rows
+    heavier = np.where(found.is_pressed, found.ball_load, -1.0).argmax(axis=0)
+    apart = tuple(each.at(rows) if rows.size else None for rows in both.rows)
+    return replace(
+        each.at(place[heavier, np.arange(count)]),
+        inner_speed=operation.inner_speed,
+        axial_load=operation.axial_load,
+        radial_load=np.asarray(operation.radial_load),
+        moment=np.asarray(operation.moment),
+        torque=TorqueParts(
+            **{**parts, "total": total, "declared": summed(each.torque.declared, at_rest or 0.0)},
+        ),
+        numerical_uncertainty=np.where(unknown > 0, np.inf, share_in(finite, total)),
+        pair=PairPart(
+            kind=scene.arrangement.kind,
+            equilibrium=found,
+            bearings=(apart[0], apart[1]),
+            points=both.points,
+            total=by_bearing,
+        ),
+        warnings=(*each.warnings, *_relieved(found)),
+        provenance=MappingProxyType({**each.provenance, "arrangement": scene.arrangement.kind}),
+    )
+
+
+def _relieved(found: PairEquilibrium) -> Iterator[str]:
+    count = found.is_relieved.shape[1]
+    for name, relieved in zip(ORDER, found.is_relieved, strict=True):
+        if relieved.any():
+            yield (
+                f"the loads relieve the {name} bearing of the pair at {np.count_nonzero(relieved)} of {count} "
+                "operating points: its rings leave the balls room, which may skid, and its torque is that of "
+                "centrifugal force alone and of what the scene declares; raise the preload"
+            )

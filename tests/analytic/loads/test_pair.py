@@ -1,0 +1,192 @@
+"""A pair of bearings against Hertz's exponent, statics, single bearings under the same loads, and differences."""
+
+from dataclasses import replace
+from typing import Any, Literal
+
+import numpy as np
+import pytest
+
+from analytic.contact.factors import ContactCorrection, ContactFactors
+from analytic.errors import InputError
+from analytic.loads.balls import LoadEffects
+from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
+from analytic.loads.ring import ring_equilibrium
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Material, Operation
+
+STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
+SOLVED = ContactAngle(rule="solved")
+STILL = LoadEffects(centrifugal=False, gyroscopic=False)
+HERTZ = PairContacts(effects=STILL, finite_geometry=False)
+STATICS = 1e-9  # of the loads: a thousand times the tolerance of the equilibrium
+
+
+def bearing(angle: float = 0.7, conformity: float = 0.52, **changed: Any) -> Bearing:
+    """Thirteen balls of 7.938 mm at this free contact angle."""
+    ball, pitch = 7.938e-3, 39.1e-3
+    clearance = 2 * (2 * conformity - 1) * ball * (1 - np.cos(angle))
+    inner, outer = (
+        Groove(
+            bottom_radius=pitch / 2 + side * (ball / 2 + clearance / 4),
+            groove_radius=conformity * ball,
+            shoulder_half_width=0.5 * ball,
+            material=STEEL,
+        )
+        for side in (-1, 1)
+    )
+    known = Bearing(
+        name="made",
+        ball_count=13,
+        ball_diameter=ball,
+        ball_mass=2.06e-3,
+        ball_material=STEEL,
+        inner=inner,
+        outer=outer,
+        width=15e-3,
+    )
+    return replace(known, **changed)
+
+
+def loads(axial: Any, *, radial: float = 0.0, moment: float = 0.0, speed: float = 0.0) -> Operation:
+    thrust = np.array(axial, dtype=float, ndmin=1)
+    given = Operation(axial_load=thrust, inner_speed=np.array(speed), radial_load=radial, moment=moment)
+    return given.as_series()
+
+
+def pair(operation: Operation, contacts: PairContacts = HERTZ, **given: Any) -> PairEquilibrium:
+    known: dict[str, Any] = {"kind": "O"}
+    return pair_equilibrium(bearing(), SOLVED, Arrangement(**(known | given)), operation, contacts)
+
+
+@pytest.mark.parametrize("kind", ["O", "X"])
+def test_the_second_bearing_is_relieved_at_hertz_exponent(kind: Literal["O", "X"]) -> None:
+    """Springs Q = K delta^1.5 at a constant angle: the first then has twice its approach, under 2^1.5 preloads."""
+    wide = bearing(conformity=0.6)  # A0 of 1.6 mm: the approach of 0.2 um turns the contact by 1e-4 rad
+    preload = 3.0
+    at = np.array([0.99, 1.01]) * 2**1.5 * preload
+    found = pair_equilibrium(wide, SOLVED, Arrangement(kind=kind, preload=preload), loads(at), HERTZ)
+    assert found.is_pressed.tolist() == [[True, True], [True, False]]
+    assert found.is_relieved.tolist() == [[False, False], [False, True]]
+    np.testing.assert_allclose(found.axial_load[0, 1], at[1], rtol=STATICS)
+    # dF/dz of both springs at rest is 2 * 1.5 P/z0, with z0 half of the offset.
+    at_rest = pair_equilibrium(wide, SOLVED, Arrangement(kind=kind, preload=preload), loads(0.0), HERTZ)
+    np.testing.assert_allclose(at_rest.stiffness, 3 * preload / (at_rest.offset / 2), rtol=1e-3)  # the angle opens
+
+
+def test_forces_and_moments_balance() -> None:
+    operation = loads([140.0, 610.0], radial=230.0, moment=-1.7, speed=900.0)
+    for given in ({"kind": "O", "preload": 190.0}, {"kind": "X", "offset": 7e-6}, {"kind": "tandem"}):
+        found = pair(operation, PairContacts(effects=LoadEffects()), **given, distance=31e-3)
+        side = np.array([1, 1 if given["kind"] == "tandem" else -1])[:, None]
+        first = 31e-3 / 2 if given["kind"] == "X" else -31e-3 / 2
+        place = np.array([first, -first])[:, None]
+        np.testing.assert_allclose((side * found.axial_load).sum(axis=0), operation.axial_load, rtol=STATICS)
+        np.testing.assert_allclose(found.radial_load.sum(axis=0), 230.0, rtol=STATICS)
+        about_y = side * found.moment + place * found.radial_load
+        np.testing.assert_allclose(about_y.sum(axis=0), -1.7, rtol=100 * STATICS)  # a small difference of large parts
+
+
+def test_each_bearing_alone_is_loaded_as_in_the_pair() -> None:
+    found = pair(
+        loads([260.0], radial=120.0, moment=0.9, speed=700.0),
+        PairContacts(effects=LoadEffects(), finite_geometry=False),
+        preload=210.0,
+    )
+    alone = ring_equilibrium(
+        bearing(),
+        SOLVED,
+        axial_load=found.axial_load,
+        radial_load_x=found.radial_load,
+        moment_y=found.moment,
+        inner_speed=700.0,
+    )
+    heaviest = np.maximum(alone.inner_load, alone.outer_load).max(axis=-1)
+    np.testing.assert_allclose(found.ball_load, heaviest, rtol=1e-6)  # gyroscopic friction settles to 1e-8 or so
+    tilts = alone.displacement[..., 4]
+    np.testing.assert_allclose(tilts[0, 0], -tilts[1, 0], rtol=1e-6)  # mirrored frames of one shaft
+    np.testing.assert_allclose(tilts[0], found.tilt, rtol=1e-6)
+
+
+def test_tandem_shares_the_thrust_equally() -> None:
+    found = pair(loads([170.0, 830.0]), kind="tandem")
+    np.testing.assert_allclose(found.axial_load, np.array([[85.0, 415.0]] * 2), rtol=STATICS)
+    one = thrust_equilibrium(bearing(), SOLVED, axial_load=np.array([85.0, 415.0]))
+    np.testing.assert_allclose(found.ball_load, [one.ball_load] * 2, rtol=STATICS)
+
+
+@pytest.mark.parametrize("contacts", [HERTZ, PairContacts(effects=STILL)])
+def test_the_stiffness_is_the_slope_of_the_curve(contacts: PairContacts) -> None:
+    at = np.array([0.0, 150.0, 480.0, 1300.0])  # the second bearing is relieved at about 570 N
+    less, more = (pair(loads(at + step), contacts, preload=200.0) for step in (0.0, 0.5))
+    slope, middle = 0.5 / (more.displacement - less.displacement), (less.stiffness + more.stiffness) / 2
+    np.testing.assert_allclose(slope, middle, rtol=5e-3)  # K is held, and its change with the angle left out
+
+
+def test_offset_and_preload_say_the_same() -> None:
+    known = pair(loads(0.0), preload=240.0)
+    np.testing.assert_allclose(pair(loads(0.0), offset=known.offset).preload, 240.0, rtol=1e-6)
+    np.testing.assert_allclose(known.axial_load, 240.0, rtol=1e-6)  # two ways to the load of one displacement
+    np.testing.assert_allclose(known.displacement, 0.0, atol=1e-15)
+
+
+def test_a_pair_back_to_back_is_stiffer_against_a_moment() -> None:
+    tilts = [pair(loads(0.0, moment=5.0), kind=kind, preload=200.0, distance=40e-3).tilt[0] for kind in ("O", "X")]
+    assert 0 < tilts[0] < tilts[1] / 3
+
+
+def test_corrected_contacts_take_their_part() -> None:
+    hertz, corrected = (pair(loads(0.0), contacts, preload=200.0) for contacts in (HERTZ, PairContacts(effects=STILL)))
+    assert corrected.stiffness[0] > 1.005 * hertz.stiffness[0]  # the groove closes in on the ball
+    stiffer = ContactFactors(approach=0.9)
+    given = PairContacts(effects=STILL, correction=ContactCorrection(inner=stiffer, outer=stiffer))
+    np.testing.assert_allclose(pair(loads(0.0), given, preload=200.0).offset, 0.9 * hertz.offset, rtol=5e-3)  # angle
+
+
+def test_speed_presses_balls_outward() -> None:
+    fast = pair(loads([0.0, 5000.0], speed=3000.0), PairContacts(effects=LoadEffects()), preload=200.0)
+    assert fast.preload == 200.0
+    assert np.all(fast.axial_load[:, 0] > 205.0)  # a rigid preload grows with the balls' centrifugal force
+    assert fast.is_relieved.tolist() == [[False, False], [False, True]]
+    assert fast.is_pressed.all()  # by balls that climb outward in their grooves
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"contact_angle": ContactAngle(rule="given", value=0.7)}, 'rule = "solved"'),
+        ({"bearing": bearing(width=None)}, "arrangement.distance is missing"),
+        ({"arrangement": Arrangement(kind="O", preload=-5.0)}, "arrangement.preload must be positive"),
+        ({"arrangement": Arrangement(kind="X", offset=0.0)}, "arrangement.offset must be positive"),
+        ({"arrangement": Arrangement(kind="O", preload=9.0, distance=0.0)}, "arrangement.distance must be positive"),
+        ({"bearing": bearing(ball_count=2)}, "ball_count = 2 carries thrust alone"),
+    ],
+)
+def test_what_no_pair_can_be_is_refused(change: dict[str, Any], words: str) -> None:
+    given = {
+        "bearing": bearing(),
+        "contact_angle": SOLVED,
+        "arrangement": Arrangement(kind="O", preload=9.0),
+        "operation": loads(11.0, radial=3.0),
+        "contacts": HERTZ,
+    }
+    with pytest.raises(InputError, match=words):
+        pair_equilibrium(**(given | change))
+
+
+def test_two_balls_carry_thrust() -> None:
+    two = bearing(ball_count=2)
+    found = pair_equilibrium(two, SOLVED, Arrangement(kind="O", preload=9.0), loads(5.0), HERTZ)
+    np.testing.assert_allclose(found.axial_load[0] - found.axial_load[1], 5.0, rtol=STATICS)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"kind": "tandem", "preload": 5.0}, "tandem has no preload"),
+        ({"kind": "O"}, "needs one of preload and offset"),
+        ({"kind": "X", "preload": 5.0, "offset": 1e-6}, "needs one of preload and offset"),
+    ],
+)
+def test_an_arrangement_has_one_preload(given: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        Arrangement(**given)

@@ -1,0 +1,154 @@
+"""The clearance in operation against geometry, equal materials, free expansion, and the equilibrium of the ring."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import analytic
+from analytic.errors import InputError
+from analytic.mounting.clearance import Mounting, mounted
+from analytic.scene import Bearing, Clearances, ContactAngle, Groove, Material
+
+STEEL = Material(
+    name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test", thermal_expansion=12.5e-6
+)
+ALUMINIUM = Material(
+    name="aluminium", youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0, source="test", thermal_expansion=23.5e-6
+)
+NITRIDE = replace(STEEL, name="nitride", youngs_modulus=310e9, poisson_ratio=0.26, thermal_expansion=3e-6)
+COLD = 293.15
+EXACT = 1e-12  # closed forms, rounded a few times
+SUBTRACTED = 1e-9  # of a clearance of some um that is the difference of radii of 20 mm
+
+
+def bearing(**changed: Any) -> Bearing:
+    inner, outer = (
+        Groove(bottom_radius=bottom, groove_radius=4.13e-3, shoulder_half_width=2.9e-3, material=STEEL)
+        for bottom in (15.525e-3, 23.475e-3)
+    )
+    known = Bearing(
+        name="like a 6205",
+        ball_count=9,
+        ball_diameter=7.938e-3,
+        ball_mass=2.056e-3,
+        ball_material=STEEL,
+        inner=inner,
+        outer=outer,
+        bore_diameter=25e-3,
+        outside_diameter=52e-3,
+        width=15e-3,
+    )
+    return replace(known, **changed)
+
+
+def seats(**changed: Any) -> Mounting:
+    known: dict[str, Any] = {"shaft_material": STEEL, "housing_material": STEEL}
+    return Mounting(**(known | changed))
+
+
+def seated(given: Bearing | None = None, **changed: Any) -> Clearances:
+    return mounted(given or bearing(), seats(**changed))[1]
+
+
+def test_seats_of_the_rings_material_move_the_grooves_by_the_ratio_of_diameters() -> None:
+    """Solid shaft: bore over groove. Housing without end: the ring is part of a plate with a hole, groove over seat."""
+    found, known = seated(shaft_interference=14e-6, housing_interference=9e-6), bearing()
+    shaft = 14e-6 * 25e-3 / (2 * known.inner.bottom_radius)
+    housing = 9e-6 * 2 * known.outer.bottom_radius / 52e-3
+    np.testing.assert_allclose(found.unmounted - found.mounted, shaft + housing, rtol=SUBTRACTED)
+    assert found.operating == found.mounted  # nothing is warm
+
+
+def test_a_loose_seat_has_no_effect() -> None:
+    found = seated(shaft_interference=-4e-6, housing_interference=-11e-6)
+    assert found.operating == found.mounted == found.unmounted
+    assert (found.shaft_pressure, found.housing_pressure) == (0, 0)
+
+
+def test_hollow_shaft_and_thin_housing_press_less() -> None:
+    tight: dict[str, Any] = {"shaft_interference": 14e-6, "housing_interference": 9e-6}
+    stiff, soft = seated(**tight), seated(**tight, shaft_bore=17e-3, housing_outside_diameter=61e-3)
+    assert 0 < soft.shaft_pressure < stiff.shaft_pressure
+    assert 0 < soft.housing_pressure < stiff.housing_pressure
+    assert stiff.mounted < soft.mounted < soft.unmounted
+
+
+def test_the_same_temperature_of_one_material_only_scales_the_bearing() -> None:
+    warm: dict[str, Any] = {"inner_temperature": COLD + 57, "outer_temperature": COLD + 57}
+    found = seated(**warm, shaft_interference=14e-6, housing_interference=9e-6)
+    np.testing.assert_allclose(found.shaft_interference, 14e-6, rtol=EXACT)
+    np.testing.assert_allclose(found.housing_interference, 9e-6, rtol=EXACT)
+    # Rings and balls grow by this share, the clearance with them; what the seats do stays that of the nominal walls.
+    growth = 57 * 12.5e-6
+    np.testing.assert_allclose(found.operating - found.mounted, growth * found.unmounted, rtol=1e-6)
+
+
+def test_free_parts_expand_each_by_itself() -> None:
+    loose: dict[str, Any] = {"shaft_interference": -90e-6, "housing_interference": -90e-6}
+    loose |= {"inner_temperature": COLD + 61, "outer_temperature": COLD + 38}
+    known = bearing(ball_material=NITRIDE)
+    found = seated(known, **loose, ball_temperature=COLD + 70)
+    outer, inner = known.outer.bottom_radius * (1 + 12.5e-6 * 38), known.inner.bottom_radius * (1 + 12.5e-6 * 61)
+    by_hand = 2 * (outer - inner - known.ball_diameter * (1 + 3e-6 * 70))
+    np.testing.assert_allclose(found.operating, by_hand, rtol=SUBTRACTED)
+    assert seated(known, **loose) == seated(known, **loose, ball_temperature=COLD + 49.5)  # the mean of both rings
+
+
+def test_every_dimension_of_a_ring_grows_with_it() -> None:
+    warm, _ = mounted(
+        bearing(), seats(shaft_interference=-90e-6, inner_temperature=COLD + 61, outer_temperature=COLD + 38)
+    )
+    known = bearing()
+    for name, rise in (("inner", 61), ("outer", 38)):
+        for length in ("bottom_radius", "groove_radius", "shoulder_half_width"):
+            ratio = getattr(getattr(warm, name), length) / getattr(getattr(known, name), length)
+            np.testing.assert_allclose(ratio, 1 + 12.5e-6 * rise, rtol=EXACT)
+    assert warm.ball_mass == known.ball_mass
+
+
+def test_a_warm_housing_of_aluminium_lets_go_of_the_ring() -> None:
+    warm: dict[str, Any] = {"inner_temperature": COLD + 40, "outer_temperature": COLD + 40}
+    housing = seated(**warm, housing_material=ALUMINIUM, housing_interference=9e-6)
+    np.testing.assert_allclose(housing.housing_interference, 9e-6 - 52e-3 * 11e-6 * 40, rtol=EXACT)
+    assert housing.housing_pressure == 0
+    assert housing.operating > housing.mounted
+    shaft = seated(**warm, shaft_material=ALUMINIUM, shaft_interference=-2e-6)
+    np.testing.assert_allclose(shaft.shaft_interference, -2e-6 + 25e-3 * 11e-6 * 40, rtol=EXACT)
+    assert shaft.shaft_pressure > 0
+
+
+def test_the_preload_of_the_balls_is_that_of_the_rings_equilibrium() -> None:
+    tight, found = mounted(bearing(), seats(shaft_interference=38e-6))
+    assert found.operating < 0
+    balls = analytic.ring_equilibrium(tight, ContactAngle(rule="solved"))
+    np.testing.assert_allclose(balls.inner_load, found.ball_load, rtol=1e-9)  # the iteration's tolerance
+    assert seated().ball_load == 0
+
+
+@pytest.mark.parametrize(
+    ("given", "changed", "words"),
+    [
+        (bearing(bore_diameter=None), {}, "bearing.bore_diameter is missing"),
+        (bearing(outside_diameter=None), {}, "bearing.outside_diameter is missing"),
+        (bearing(), {"shaft_bore": 26e-3}, "mounting.shaft_bore must be below bearing.bore_diameter 25 mm"),
+        (bearing(), {"housing_outside_diameter": 51e-3}, "must exceed bearing.outside_diameter 52 mm"),
+        (bearing(), {"shaft_interference": 0.2e-3}, "must be at most 125 um"),
+        (bearing(), {"housing_interference": 0.3e-3}, "must be at most 260 um"),
+        (bearing(), {"shaft_bore": float("nan")}, "shaft_bore must be finite"),
+        (
+            bearing(),
+            {"housing_material": replace(STEEL, thermal_expansion=None), "outer_temperature": COLD + 3},
+            "'steel' of the housing has no thermal_expansion",
+        ),
+    ],
+)
+def test_what_cannot_be_is_refused(given: Bearing, changed: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        seated(given, **changed)
+
+
+def test_expansion_is_not_needed_where_nothing_is_warm() -> None:
+    unknown = replace(STEEL, thermal_expansion=None)
+    assert seated(housing_material=unknown, shaft_interference=5e-6).mounted < seated().mounted

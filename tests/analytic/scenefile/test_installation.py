@@ -1,0 +1,123 @@
+"""The tables [mounting] and [arrangement] of a scene file."""
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.mounting.clearance import Mounting, mounted
+from analytic.scene import Arrangement, Scene
+from analytic.scenefile.read import parse_scene
+
+SCENE = """\
+name = "installed"
+tolerance = "5 %"
+[bearing]
+catalog = "6205"
+{bearing}
+[operation]
+axial_load = "{load} N"
+inner_speed = "1000 rpm"
+[friction]
+coefficient = 0.1
+"""
+SEATS = '[mounting]\nshaft_interference = "12 um"\nhousing_interference = "-5 um"\n'
+WARM = 'inner_temperature = "75 degC"\nouter_temperature = "65 degC"\n'
+
+
+def scene(more: str, *, bearing: str = "", load: float = 500) -> Scene:
+    return parse_scene(SCENE.format(bearing=bearing, load=load) + more, origin="here")
+
+
+def test_a_scene_holds_the_bearing_in_operation_and_its_clearances() -> None:
+    plain, found = scene("").bearing, scene(SEATS + WARM + 'shaft_bore = "8 mm"\nmounting_temperature = "22 degC"\n')
+    steel = plain.inner.material
+    mounting = Mounting(
+        shaft_material=steel,
+        housing_material=steel,
+        shaft_interference=12e-6,
+        housing_interference=-5e-6,
+        shaft_bore=8e-3,
+        inner_temperature=348.15,
+        outer_temperature=338.15,
+        mounting_temperature=295.15,
+    )
+    warm, clearances = mounted(plain, mounting)
+    assert found.clearances == clearances
+    assert found.bearing == warm
+    assert found.bearing.diametral_clearance == clearances.operating < clearances.mounted < clearances.unmounted
+    assert clearances.unmounted == plain.diametral_clearance
+    assert scene("").clearances is None
+
+
+def test_parts_without_a_temperature_stay_as_they_were_mounted() -> None:
+    found = scene(SEATS + 'mounting_temperature = "35 degC"\n').clearances
+    assert found is not None
+    assert found.operating == found.mounted
+
+
+def test_the_pocket_keeps_its_size() -> None:
+    cage = '[cage]\npocket_clearance = "0.2 mm"\nwall_thickness = "0.9 mm"\nmass = "6 g"\nmaterial = "peek"\n'
+    cold, warm = (scene(more + cage).cage for more in ("", SEATS + WARM))
+    assert cold == warm
+
+
+def test_the_other_candidate_of_the_catalogue_is_mounted_too() -> None:
+    text = SCENE.format(bearing="", load=500).replace('"6205"', '"7205 BEP"')
+    plain, found = (parse_scene(text + more, origin="here").bearing.other_candidate for more in ("", SEATS))
+    assert plain is not None
+    assert found is not None
+    np.testing.assert_allclose(found.inner.bottom_radius - plain.inner.bottom_radius, 5e-6, atol=1e-6)  # most of 6 um
+
+
+def test_a_nominal_angle_gives_the_clearance_that_the_seats_change() -> None:
+    found = scene(SEATS, bearing='contact_angle = { nominal = "15 deg" }')
+    assert found.clearances is not None
+    distance = scene("").bearing.groove_centre_distance
+    np.testing.assert_allclose(found.clearances.unmounted, 2 * distance * (1 - np.cos(np.radians(15))), rtol=1e-9)
+
+
+def test_an_arrangement_is_read() -> None:
+    found = scene('[arrangement]\nkind = "X"\noffset = "8 um"\ndistance = "40 mm"\n')
+    assert found.arrangement == Arrangement(kind="X", offset=8e-6, distance=40e-3)
+    assert scene('[arrangement]\nkind = "O"\npreload = "100 N"\n', load=0).operation.axial_load[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("more", "bearing", "words"),
+    [
+        (SEATS, 'contact_angle = { free = "12 deg" }', r"bearing\.contact_angle\.free = '12 deg' leaves the clearance"),
+        (SEATS, 'contact_angle = { rule = "given", value = "12 deg" }', r"holds an angle that \[mounting\] would"),
+        (SEATS + 'inner_temperature = "75 degC"\n', "", r"mounting\.outer_temperature is missing"),
+        (SEATS + 'ball_temperature = "75 degC"\n', "", r"mounting\.ball_temperature = '75 degC' goes with"),
+        (SEATS + 'shaft_bore = "30 mm"\n', "", r"mounting\.shaft_bore = '30 mm' must be below bearing.bore_diameter"),
+        ('[mounting]\nshaft_interference = "12"\n', "", r"mounting\.shaft_interference = '12' .*12 um"),
+        (
+            SEATS + WARM + 'shaft_material = "peek"\n',
+            "",
+            r"mounting\.shaft_material = 'peek' 'peek' of the shaft has no",
+        ),
+        ('[mounting]\nshaft_fit = "k5"\n', "", r"mounting\.shaft_fit = 'k5' is an unknown key"),
+        ('[arrangement]\nkind = "O"\n', "", r"arrangement = .* needs one of preload and offset"),
+        ('[arrangement]\nkind = "tandem"\npreload = "9 N"\n', "", r"arrangement = .* in tandem has no preload"),
+        ('[arrangement]\nkind = "DB"\npreload = "9 N"\n', "", r"arrangement\.kind = 'DB' is not a word known here"),
+        (
+            '[arrangement]\nkind = "O"\npreload = "9 N"\ndistance = "9 mm"\n',
+            "",
+            r"arrangement\.distance = '9 mm' must be at least bearing.width 15 mm",
+        ),
+        (
+            '[arrangement]\nkind = "O"\npreload = "9 N"\n',
+            'contact_angle = { rule = "given", value = "12 deg" }',
+            r"bearing\.contact_angle\.rule = 'given' holds an angle that the loads of a pair change",
+        ),
+    ],
+)
+def test_a_mistake_is_one_line(more: str, bearing: str, words: str) -> None:
+    with pytest.raises(InputError, match=words) as problem:
+        scene(more, bearing=bearing)
+    assert "\n" not in str(problem.value)
+
+
+def test_a_tandem_needs_a_load() -> None:
+    with pytest.raises(InputError, match="leaves a point without any load"):
+        scene('[arrangement]\nkind = "tandem"\n', load=0)
