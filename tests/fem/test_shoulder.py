@@ -43,7 +43,7 @@ def cut(contacts: dict[str, Contact]) -> MeshSolution:
 def test_half_of_a_symmetric_contact_is_its_quarter_twice(
     contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, recipe: str
 ) -> None:
-    contact = replace(contacts["inner"], far_shoulder=contacts["inner"].shoulder)
+    contact = replace(contacts["inner"], far_shoulder=contacts["inner"].shoulder, contact_angle=0.0)
     made = load_recipe(recipe)
     quarter = solve_on_mesh(contact, recipe=made, level=1, semi_axes=SEMI_AXES)
     monkeypatch.setattr(pair_module, "footprint_of", lambda _, axes: Footprint(semi_axes=axes, half=True))

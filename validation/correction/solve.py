@@ -57,7 +57,7 @@ BOX = {  # least and greatest value
 SIDES = {  # of the sets with unequal shoulders, in place of `shoulder` above
     "shoulder": (0.1, 0.9),
     "far_shoulder": (0.1, 1.05),
-    "contact_angle": (0.0, 0.7),  # rad: the lands are parallel to the axis of the bearing
+    "contact_angle": (0.0, 0.8),  # rad: the lands are parallel to the axis of the bearing
 }
 # Of the fit; both shoulders share one range, up to r_g/r. From 0.93 r_g on, where the profile has turned by 1.2 rad,
 # the mesh ends the groove anyway.
