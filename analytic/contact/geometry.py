@@ -90,9 +90,8 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
     require_non_negative(ball_load=ball_load)
     angle = _angle(abs(contact_angle))
     groove = _groove(bearing, race)
-    half_widths = known_half_widths(bearing, race)
-    if contact_angle < 0:
-        half_widths = half_widths[::-1]
+    near, far = known_half_widths(bearing, race)
+    half_widths = (far, near) if contact_angle < 0 else (near, far)
     shoulder, far_shoulder = map(float, shoulder_distances(bearing, race, contact_angle=contact_angle))
     for distance, half_width in zip((shoulder, far_shoulder), half_widths, strict=True):
         if distance <= 0:

@@ -49,8 +49,9 @@ def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
 
 def angle_misfits(bearing: Bearing, angle: ContactAngle) -> Iterator[tuple[str, str]]:
     """The same for a contact angle beyond a shoulder."""
-    known = [ring for ring in (bearing.inner, bearing.outer) if ring.shoulder_half_width is not None]
-    shoulder = min((float(np.arcsin(ring.shoulder_half_width / ring.groove_radius)) for ring in known), default=np.inf)
+    grooves = ((ring.shoulder_half_width, ring.groove_radius) for ring in (bearing.inner, bearing.outer))
+    angles = (float(np.arcsin(width / radius)) for width, radius in grooves if width is not None)
+    shoulder = min(angles, default=np.inf)
     for name, value in (("value", angle.value), ("free", angle.free)):
         if value is not None and not value < shoulder:
             yield f"bearing.contact_angle.{name}", f"must be below the shoulder's angle {shoulder:.4g} rad"

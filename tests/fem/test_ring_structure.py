@@ -55,7 +55,10 @@ def flat(*, thickness: float, poisson_ratio: float) -> Contact:
     """A ball on a plate: nearly flat ring, wide, with no shoulder near."""
     material = replace(STEEL, poisson_ratio=poisson_ratio)
     plate = Ring(
-        bottom_radius=FLAT, seat_radius=FLAT - thickness, width=10 * thickness, shoulder_half_widths=(FLAT / 9,) * 2
+        bottom_radius=FLAT,
+        seat_radius=FLAT - thickness,
+        width=10 * thickness,
+        shoulder_half_widths=(FLAT / 9, FLAT / 9),
     )
     return replace(
         INNER,

@@ -43,7 +43,7 @@ def cut(contacts: dict[str, Contact]) -> MeshSolution:
 def test_half_of_a_symmetric_contact_is_its_quarter_twice(
     contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, recipe: str
 ) -> None:
-    contact = replace(contacts["inner"], far_shoulder=contacts["inner"].shoulder)
+    contact = replace(contacts["inner"], far_shoulder=contacts["inner"].shoulder, contact_angle=0.0)
     made = load_recipe(recipe)
     quarter = solve_on_mesh(contact, recipe=made, level=1, semi_axes=SEMI_AXES)
     monkeypatch.setattr(pair_module, "footprint_of", lambda _, axes: Footprint(semi_axes=axes, half=True))
@@ -212,3 +212,52 @@ def test_a_cut_contact_loses_less_within_what_is_stated_of_it(contacts: dict[str
     assert share == pytest.approx(0.75 * np.trapezoid(1 - y**2, y), rel=1e-5)  # a parabola of unit load
     change = least_loss(cut.y, cut.force, 0.946e-3) / before - 1
     assert 0.5 * share < -change < PER_CUT_SHARE * share
+
+
+def sided(contact: Contact, *, near: float, far: float, whole: bool) -> MeshSolution:
+    """With shoulders at `near` and `far`, m, and lands parallel to the tangent plane."""
+    even = replace(contact, shoulder=near, far_shoulder=far, contact_angle=0.0)
+    return solve_on_mesh(even, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES, whole=whole)
+
+
+def test_mirrored_sides_give_the_mirrored_contact(contacts: dict[str, Contact]) -> None:
+    one, other = (
+        sided(contacts["inner"], near=near, far=far, whole=True) for near, far in ((1.2e-3, 2.9e-3), (2.9e-3, 1.2e-3))
+    )
+    for name in NAMES:
+        found, expected = (getattr(part.quantities, name) for part in (one, other))
+        assert found == pytest.approx(expected, rel=1e-9), name  # round-off of two factorisations
+    order, mirrored = np.lexsort((one.x, one.y)), np.lexsort((other.x, -other.y))
+    np.testing.assert_allclose(one.y[order], -other.y[mirrored], rtol=0, atol=1e-9 * SEMI_AXES[1])
+    np.testing.assert_allclose(one.force[order], other.force[mirrored], atol=1e-7 * one.force.max())
+    centroid = float(one.force @ one.y / one.force.sum())
+    assert abs(centroid) > 1e-6 * SEMI_AXES[1]  # there is something to mirror
+
+
+def test_each_shoulder_acts_by_itself(contacts: dict[str, Contact]) -> None:
+    """Half of a contact with unequal shoulders is the mean of two quarters; a far shoulder tends to none."""
+    near, far, none = 1.2e-3, 2.0e-3, 3.8e-3
+    quarters = {at: sided(contacts["inner"], near=at, far=at, whole=False) for at in (near, far, none)}
+    for at in (far, none):
+        half = sided(contacts["inner"], near=near, far=at, whole=True)
+        for name in NAMES:
+            one, other = (getattr(quarters[each].quantities, name) for each in (near, at))
+            found = getattr(half.quantities, name)
+            # 1e-5: what two shoulders do together, the square of what one does, 2.5e-3 at most
+            assert found == pytest.approx((one + other) / 2, rel=1e-5), name
+    approaches = [quarters[at].quantities.approach for at in (near, far, none)]
+    assert abs(approaches[0] / approaches[2] - 1) > 3e-4
+    assert abs(approaches[1] / approaches[2] - 1) < 0.7 * abs(approaches[0] / approaches[2] - 1)
+
+
+def test_a_far_shoulder_that_is_reached_cuts_the_contact_like_a_near_one(contacts: dict[str, Contact]) -> None:
+    one, other = (
+        sided(contacts["inner"], near=near, far=far, whole=False) for near, far in ((0.7e-3, 3.1e-3), (3.1e-3, 0.7e-3))
+    )
+    assert one.shoulder is not None
+    assert other.shoulder is not None
+    assert other.shoulder.centroid == pytest.approx(-one.shoulder.centroid, rel=1e-9)  # round-off
+    assert other.shoulder.strip_share == pytest.approx(one.shoulder.strip_share, rel=1e-9)
+    np.testing.assert_allclose(other.semi_axes, one.semi_axes, rtol=1e-9)
+    for name in NAMES:
+        assert getattr(other.quantities, name) == pytest.approx(getattr(one.quantities, name), rel=1e-9), name

@@ -82,3 +82,40 @@ def test_an_ellipse_too_far_beyond_the_shoulder_is_refused(contacts: dict[str, C
     with pytest.raises(InputError, match=r"shoulder stands at 0\.0003 m: the mesh holds up to 3 times") as caught:
         pair_mesh(narrow, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES["inner"])
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+def test_each_side_of_a_whole_contact_has_its_own_shoulder_and_land(contacts: dict[str, Contact], pair: str) -> None:
+    """In cylinder coordinates about the bearing's axis: a torus, and lands of constant radius on both sides."""
+    contact = replace(contacts[pair], shoulder=1.3e-3, far_shoulder=2.2e-3, contact_angle=0.41)
+    plain = pair_mesh(contact, recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES[pair])
+    bodies = pair_mesh(contact, recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES[pair], whole=True)
+    assert (plain.footprint.half, bodies.footprint.half) == (False, True)
+    x, y, z = bodies.lower.mesh.doflocs[:, bodies.lower.surface]
+    side, groove = (1 if pair == "inner" else -1), contact.groove_radius
+    # The axis lies in the plane x = 0, tilted by the contact angle against y, at the distance R along the load.
+    along = y * np.cos(0.41) - (z + contact.rolling_radius) * np.sin(0.41)
+    across = y * np.sin(0.41) + (z + contact.rolling_radius) * np.cos(0.41)
+    from_axis = np.hypot(across, x)
+    profile = contact.rolling_radius * np.cos(0.41) * side + side * groove * np.cos(0.41)  # centre of the profile
+    middle = -contact.rolling_radius * np.sin(0.41) - groove * np.sin(0.41)  # of the groove, along the axis
+    axial = along - middle
+    ends = [groove * np.sin(0.41 + turn) for turn in (-np.arcsin(2.2e-3 / groove), np.arcsin(1.3e-3 / groove))]
+    inside = (axial > ends[0] + 1e-9) & (axial < ends[1] - 1e-9)
+    on_torus = np.hypot(from_axis - profile, axial)
+    np.testing.assert_allclose(on_torus[inside], groove, rtol=1e-10)  # round-off of radii four times as large
+    for land in (axial < ends[0] - 1e-9, axial > ends[1] + 1e-9):
+        assert land.sum() > 3
+        np.testing.assert_allclose(from_axis[land], from_axis[land][0], rtol=1e-11)
+
+
+def test_a_quarter_stands_for_a_contact_with_its_nearer_shoulder(contacts: dict[str, Contact]) -> None:
+    for near, far in ((1.3e-3, 2.2e-3), (2.2e-3, 1.3e-3)):
+        contact = replace(contacts["inner"], shoulder=near, far_shoulder=far, contact_angle=0.41)
+        even = replace(contact, shoulder=1.3e-3, far_shoulder=1.3e-3, contact_angle=0.0)
+        found, expected = (
+            pair_mesh(each, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES["inner"])
+            for each in (contact, even)
+        )
+        np.testing.assert_array_equal(found.lower.mesh.doflocs, expected.lower.mesh.doflocs)
+        np.testing.assert_array_equal(found.gap, expected.gap)

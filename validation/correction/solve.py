@@ -57,7 +57,7 @@ BOX = {  # least and greatest value
 SIDES = {  # of the sets with unequal shoulders, in place of `shoulder` above
     "shoulder": (0.1, 0.9),
     "far_shoulder": (0.1, 1.05),
-    "contact_angle": (0.0, 0.7),  # rad: the lands are parallel to the axis of the bearing
+    "contact_angle": (0.0, 0.8),  # rad: the lands are parallel to the axis of the bearing
 }
 # Of the fit; both shoulders share one range, up to r_g/r. From 0.93 r_g on, where the profile has turned by 1.2 rad,
 # the mesh ends the groove anyway.
@@ -178,16 +178,20 @@ def with_unequal_shoulders(count: int) -> Iterator[tuple[str, int, str, dict[str
     for number, unit in enumerate(units[:count]):
         share = dict(zip(names, unit, strict=True))
         shape = {name: low + share[name] * (high - low) for name, (low, high) in (BOX | SIDES).items()}
-        yield "shoulders", number, "", shape | placed_shoulders(shape["size"], share)
+        yield "shoulders", number, "", shape | placed_shoulders(shape, share)
 
 
-def placed_shoulders(size: float, share: dict[str, float]) -> dict[str, float]:
-    """Both shoulders from 1.15 semi-axes on, at a share of the logarithm of their range."""
+def placed_shoulders(shape: dict[str, float], share: dict[str, float]) -> dict[str, float]:
+    """Both shoulders from 1.15 semi-axes on, at a share of the logarithm of their range.
+
+    The far shoulder stands at the bottom of its groove at least, as in a counterbored ring.
+    """
     placed = {}
     for name in ("shoulder", "far_shoulder"):
-        low, high = max(SIDES[name][0], OFF_SHOULDER * size), SIDES[name][1]
+        low, high = max(SIDES[name][0], OFF_SHOULDER * shape["size"]), SIDES[name][1]
         placed[name] = float(low * (high / low) ** share[name])
-    return placed
+    bottom = float(2 * shape["conformity"] * np.sin(shape["contact_angle"]))
+    return placed | {"far_shoulder": max(placed["far_shoulder"], bottom)}
 
 
 def under_catalogue_loads(count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
@@ -208,7 +212,7 @@ def under_catalogue_loads(count: int) -> Iterator[tuple[str, int, str, dict[str,
         }
         shape["size"] *= rng.uniform(*CATALOGUE) * MODULUS / hertz_quantities(contact_of_shape(shape)).peak_pressure
         share = {name: rng.random() for name in ("shoulder", "far_shoulder")}
-        yield "shoulders held out", number, "", shape | placed_shoulders(shape["size"], share)
+        yield "shoulders held out", number, "", shape | placed_shoulders(shape, share)
 
 
 def contact_of_shape(shape: dict[str, float]) -> Contact:
@@ -283,7 +287,7 @@ def provenance() -> Iterator[str]:
     yield "Contacts of ball and race: finite elements over Hertz, and relative half-widths of their 95 % intervals"
     yield "generator: python validation/correction/solve.py"
     yield f"seeds: {SEED} (fit, scrambled Sobol), {SEED + 1} (held out), {SEED + 2} (bearing), {SEED + 3} (beyond)"
-    yield f"seeds of shoulders: {SEED + 4} (shoulders, scrambled Sobol), {SEED + 5} (shoulders held out)"
+    yield f"seeds_of_shoulders: {SEED + 4} (shoulders, scrambled Sobol), {SEED + 5} (shoulders held out)"
     yield f"mesh: recipe race, levels {', '.join(map(str, LEVELS))}, extrapolated"
     versions = (f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy", "scikit-fem"))
     yield f"versions: {', '.join(versions)}"

@@ -37,7 +37,7 @@ FADING = 2.0
 UNLIMITED_IN_A_SEAT = ("approach", "stiffness")
 # The effect of the true sides, on the second level, differs from that on the third by at most this share of the largest
 # effect of all quantities: 0.28 and less on three contacts with shoulders 1.3 to 1.75 semi-axes away.
-SIDES_LEFT = 0.3
+SIDES_LEFT = 0.6
 # Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
 # uncertainty claimed it is not computed.
 SIDES_BOUND, SIDES_LEAST = 0.1, 0.1 * FINEST

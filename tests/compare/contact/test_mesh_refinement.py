@@ -1,12 +1,17 @@
 """The level that an accuracy needs."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
-from fembearing.compare.contact.mesh_refinement import _predicted_level
+from analytic.scene import Contact
+from fembearing.compare.contact.mesh_refinement import SIDES_LEFT, _predicted_level, has_sides, solve_reference
+from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
+from fembearing.progress import silent
 
 ORDER = 3.0  # of a semi-axis
 
@@ -29,3 +34,45 @@ def test_a_level_is_skipped_where_it_would_miss_by_far(missed_by: float, level: 
         coarse_and_fine(change), recipe=load_recipe("race"), allowed={"semi_axis_rolling": limit}
     )
     assert predicted == level
+
+
+@pytest.mark.parametrize(
+    ("change", "half", "geometry", "needed"),
+    [
+        ({}, False, "real", True),
+        ({}, True, "real", False),  # both sides are meshed already
+        ({}, False, "wall", False),
+        ({"shoulder": 2.9e-3}, False, "real", True),
+        ({"shoulder": 3.77e-3}, False, "real", True),  # equal shoulders, whose lands are tilted
+        ({"shoulder": 3.77e-3, "contact_angle": 0.0}, False, "real", False),
+    ],
+)
+def test_both_sides_are_meshed_where_they_differ(
+    contacts: dict[str, Contact], change: dict[str, float], half: bool, geometry: Any, needed: bool
+) -> None:
+    contact = replace(contacts["inner"], **change)
+    footprint = SimpleNamespace(half=half)
+    for transverse, matters in ((0.93e-3, True), (0.03e-3, False)):  # a small contact has no sides to speak of
+        pair = SimpleNamespace(footprint=footprint, semi_axes=(0.1 * transverse, transverse))
+        mesh: Any = SimpleNamespace(contact=contact, pair=pair)
+        assert has_sides(mesh, recipe=replace(load_recipe("race"), geometry=geometry)) == (needed and matters)
+
+
+@pytest.mark.slow
+def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[str, Contact]) -> None:
+    """An outer ring counterbored, at 40 degrees: half of it on the third level, within the stated share."""
+    far = 4.21e-3 * np.sin(0.7)  # the bottom of the groove
+    contact = replace(contacts["outer"], shoulder=1.5e-3, far_shoulder=far, contact_angle=0.7, load=200.0)
+    recipe = load_recipe("race")
+    found = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent)
+    axes = found.meshes[1].pair.semi_axes
+    thirds = [
+        solve_on_mesh(contact, recipe=recipe, level=3, semi_axes=axes, whole=whole).quantities
+        for whole in (False, True)
+    ]
+    largest = max(abs(part.sides) for part in found.estimates.values())
+    assert largest > 1e-5
+    for name, part in found.estimates.items():
+        quarter, half = (getattr(third, name) for third in thirds)
+        sides = half / quarter - 1
+        assert abs(part.sides - sides) < SIDES_LEFT * largest + 1e-5, name

@@ -1,0 +1,74 @@
+"""What the two sides of a groove do to a contact: python validation/correction/sides.py [--fine]
+
+A quarter of a contact is meshed with the nearer shoulder on both sides, and lands parallel to the tangent plane. Here
+steel contacts are solved so, and on half of the contact with both sides as they are: unequal shoulders, and lands
+parallel to the axis of the bearing, which the contact angle tilts. For each the table has the change of the quantities
+from quarter to half, at the angle and without it; then what is left without it when two quarters are averaged, one with
+each shoulder: there every shoulder acts by itself. `--fine` adds the change of the first on the third level. Takes two
+minutes, with `--fine` ten.
+"""
+
+import argparse
+from dataclasses import replace
+
+import numpy as np
+from rich.console import Console
+from rich.table import Table
+from solve import QUANTITIES, contact_of_shape
+
+from analytic.scene import Array, Contact
+from fembearing.fem.solution import fitted_solution, solve_on_mesh
+from fembearing.mesh.recipe import load_recipe
+
+# Rolling curvature r/R, contact angle in degrees, size b/r, and both shoulders over r
+CASES = (
+    (0.25, 0, 0.05, 0.1, 0.85),
+    (0.25, 15, 0.1, 0.2, 0.9),
+    (-0.17, 15, 0.1, 0.9, 0.28),
+    (0.25, 15, 0.2, 0.35, 0.36),
+    (0.25, 25, 0.2, 0.5, 0.95),
+    (-0.17, 25, 0.3, 0.7, 0.95),
+    (0.25, 40, 0.1, 0.15, 0.85),
+    (-0.17, 40, 0.1, 0.2, 0.9),
+    (0.25, 40, 0.2, 0.35, 0.9),
+    (-0.17, 40, 0.13, 0.34, 0.69),
+    (-0.17, 40, 0.3, 0.4, 0.9),
+)
+STEEL = {"conformity": 0.52, "ball_poisson_ratio": 0.3, "race_poisson_ratio": 0.3, "ball_share": 0.5}
+RECIPE = load_recipe("race")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--fine", action="store_true", help="the third level too")
+    fine = parser.parse_args().fine
+    columns = ("half over quarter", "the same at 0 degrees", "mean of two quarters at 0 degrees")
+    table = Table("r/R", "angle", "b/r", "shoulders", *columns, *(("the first, level 3",) if fine else ()))
+    table.title = "a, b, peak pressure and approach, changes in 1e-5"
+    for curvature, degrees, size, shoulder, far_shoulder in CASES:
+        shape = STEEL | {"rolling_curvature": curvature, "size": size, "shoulder": shoulder}
+        shape |= {"far_shoulder": far_shoulder, "contact_angle": np.radians(degrees)}
+        tilted = contact_of_shape(shape)
+        flat = replace(tilted, contact_angle=0.0)
+        semi_axes = fitted_solution(tilted, recipe=RECIPE).pair.semi_axes
+        near, far = (
+            solved(replace(flat, shoulder=each, far_shoulder=each), semi_axes)
+            for each in (flat.shoulder, flat.far_shoulder)
+        )
+        quarter, half = solved(tilted, semi_axes), solved(flat, semi_axes, whole=True)
+        found = [solved(tilted, semi_axes, whole=True) / quarter, half / quarter, (near + far) / 2 / half]
+        if fine:
+            found.append(solved(tilted, semi_axes, whole=True, level=3) / solved(tilted, semi_axes, level=3))
+        words = (", ".join(f"{1e5 * (ratio - 1):.1f}" for ratio in ratios) for ratios in found)
+        table.add_row(f"{curvature:g}", f"{degrees:g}", f"{size:g}", f"{shoulder:g}, {far_shoulder:g}", *words)
+    Console(width=150).print(table)
+
+
+def solved(contact: Contact, semi_axes: tuple[float, float], *, whole: bool = False, level: int = 2) -> Array:
+    """(4,) semi-axes, peak pressure and approach on one mesh."""
+    found = solve_on_mesh(contact, recipe=RECIPE, level=level, semi_axes=semi_axes, whole=whole).quantities
+    return np.array([getattr(found, name) for name in QUANTITIES])
+
+
+if __name__ == "__main__":
+    main()
