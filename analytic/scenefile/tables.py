@@ -90,6 +90,18 @@ def _row_of(table: Literal["base_oils", "finishes"], *, thing: str) -> BeforeVal
     return BeforeValidator(read)
 
 
+class Estimable(Dimension):
+    """A quantity, or the word that asks for an estimate."""
+
+    @property
+    def accepted(self) -> str:
+        return f'{super().accepted}, or "{ESTIMATE}"'
+
+    def read(self, given: object) -> Any:
+        """The quantity in SI, or the word. Raises ValueError as `Dimension.read`."""
+        return given if given == ESTIMATE else super().read(given)
+
+
 class Clearance(Dimension):
     """A clearance: a length, or the name of a group."""
 
@@ -125,7 +137,9 @@ Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2
 Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
 Temperature = Annotated[float, Dimension(unit="K", low=200, high=600, example='"40 degC"')]
 Friction = Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
+ESTIMATE = "estimate"
 Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
+SealLoss = Annotated[float | Literal["estimate"], Estimable(unit="N m", low=0, high=1e6, example='"5 N mm"')]
 
 
 class Table(BaseModel):
@@ -334,7 +348,7 @@ class FrictionTable(Table):
 
 
 class LossesTable(Table):
-    seals: Loss | None = None  # of both seals together
+    seals: SealLoss | None = None  # of both seals together
     drag: Loss | None = None  # of the oil that balls and cage move
 
 
