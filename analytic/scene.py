@@ -294,6 +294,7 @@ class Losses:
 
     seals: float | None = None  # N m, >= 0
     drag: float | None = None  # of the oil that balls and cage move, N m, >= 0
+    seals_are_estimated: bool = False  # by SKF's formula, not declared
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -21,5 +21,6 @@ def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
     for name, value in given.items():
         share = None if value is None else share_in(np.full_like(total, value), total)
         lacks = ENTRIES[name].lacks(ledger.scene)
-        ledger.settle(name, on=lacks is None, share=share, reason=lacks or ENTRIES[name].given)
+        given_by = "estimated" if name == "seals" and ledger.scene.losses.seals_are_estimated else ENTRIES[name].given
+        ledger.settle(name, on=lacks is None, share=share, reason=lacks or given_by)
     return np.full_like(computed, sum(known.values())) if known else None
