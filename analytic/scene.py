@@ -148,7 +148,9 @@ class Bearing:
     )
     static_load_rating: float | None = None  # C0 by a catalogue, N; None: unknown
     dynamic_load_rating: float | None = None  # C by a catalogue, N; None: unknown
+    series: str | None = None  # by its designation, "62" or "72 B"; None: not of the catalogue
     seals: str | None = None  # in words; None: open, or not known
+    seals_rub: bool = False  # whether they touch the inner ring and brake it
     grade: Grade | None = None  # of what the catalogue derives; None: not of the catalogue
     origins: Mapping[str, Origin] = field(default_factory=no_origins, compare=False)  # of the dimensions, by their keys
     other_candidate: "Bearing | None" = None  # that the ratings fit nearly as well; None: the catalogue is sure
@@ -292,6 +294,7 @@ class Losses:
 
     seals: float | None = None  # N m, >= 0
     drag: float | None = None  # of the oil that balls and cage move, N m, >= 0
+    seals_are_estimated: bool = False  # by SKF's formula, not declared
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

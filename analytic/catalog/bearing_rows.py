@@ -7,6 +7,7 @@ read at the first look-up.
 import csv
 import difflib
 import math
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -15,7 +16,7 @@ from typing import Literal, cast
 
 from analytic.catalog.designation import Designation, plain_name, read_designation, read_maker
 from analytic.catalog.origins import INNER_CONFORMITY, OUTER_CONFORMITY, half_width, origins_of
-from analytic.catalog.suffixes import clearance_of
+from analytic.catalog.suffixes import Suffix, clearance_of
 from analytic.errors import InputError
 from analytic.scene import Origin, read_only
 
@@ -23,6 +24,7 @@ Row = Mapping[str, str]
 Grade = Literal["printed", "A", "B", "C", "D"]
 GROUPS = ("C2", "CN", "C3", "C4", "C5")
 BY_HAND = "bearing.ball_count, ball_diameter, pitch_diameter, the conformity of both rings and the clearance"
+SAME_SIZE = 0.05  # mm, many times what makers' tolerances are
 USABLE_SCORE = 10.0  # above, no ball fits the ratings
 
 
@@ -33,6 +35,7 @@ class CatalogBearing:
     designation: str  # as found: "NSK 6206" if the maker was named, else "6206"
     maker: str  # whose ratings the row has
     kind: Literal["deep groove", "angular contact"]
+    series: str  # "62", "618" or "72 B"; of spindle bearings as their maker calls it, "NSK 72 C" or "GMN SM"
     bore: float  # m
     outside: float  # m
     width: float  # m
@@ -51,6 +54,7 @@ class CatalogBearing:
     origins: Mapping[str, Origin]  # by scene key
     other_candidate: tuple[int, float] | None  # ball count and ball diameter (m) that fit the ratings second best
     seals: str | None  # what the suffix says
+    seal_suffixes: tuple[Suffix, ...]  # that name seals or shields
     clearance_group: str | None  # of ISO 5753-1, if the suffix names one
     suffixes: Mapping[str, str]  # each suffix that was understood, and its meaning
     warnings: tuple[str, ...]
@@ -103,6 +107,41 @@ def clearance_group(bore: float, group: str) -> tuple[float, float]:
         f"clearance group {group} of a bore of {millimetres:g} mm is unknown: ISO 5753-1 covers more than "
         f"{rows[0]['bore_over_mm']} mm up to {rows[-1]['bore_up_to_mm']} mm; give a length"
     )
+
+
+@cache
+def _deep_groove_sizes() -> tuple[tuple[str, tuple[float, float, float]], ...]:
+    """(series, (bore, outside diameter, width) in mm) of every deep groove bearing."""
+    sizes = ("bore_mm", "outside_mm", "width_mm")
+    return tuple((_series(row), tuple(float(row[size]) for size in sizes)) for row in _read("deep_groove"))
+
+
+def series_of_size(bore: float, outside: float, width: float | None) -> str | None:
+    """The series of the deep groove bearing with these boundary dimensions, m; None: no bearing has them.
+
+    The series 60 and 160 differ in width alone; without a width it is 60.
+    """
+    found = [
+        (0.0 if width is None else abs(1e3 * width - size[2]), series)
+        for series, size in _deep_groove_sizes()
+        if max(abs(1e3 * bore - size[0]), abs(1e3 * outside - size[1])) <= SAME_SIZE
+    ]
+    return min(found, key=lambda each: (each[0], int(each[1])))[1] if found else None
+
+
+def _series(row: Row) -> str:
+    name = row["designation"]
+    if not row["contact_angle_deg"]:
+        number = re.match(r"\d+", name)
+        assert number is not None, "a deep groove bearing begins with its number"
+        bore_code = name[number.end() : number.end() + 1] == "/"
+        series = number[0] if bore_code else number[0][: max(2, len(number[0]) - 2)]
+        return {"68": "618", "69": "619"}.get(series, series)
+    if row["maker"] == "SKF":
+        return f"{name[:2]} B"
+    if row["maker"] == "NSK":
+        return f"NSK {name[:2]} {name.lstrip('0123456789')}"
+    return re.split(r"\s*\d", name, maxsplit=1)[0]
 
 
 @cache
@@ -182,11 +221,12 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
     conformity = (INNER_CONFORMITY, OUTER_CONFORMITY)
     groups = [*clearance_of(list(found.suffixes))] if not angle else []
     second = row["second_ball_count"]
-    seals = [f"{suffix.text}: {suffix.meaning}" for suffix in found.suffixes if suffix.kind == "seals"]
+    seals = tuple(suffix for suffix in found.suffixes if suffix.kind == "seals")
     return CatalogBearing(
         designation=row["designation"] if found.maker is None else _with_maker(row),
         maker=row["maker"],
         kind="angular contact" if angle else "deep groove",
+        series=_series(row),
         bore=float(row["bore_mm"]) / 1e3,
         outside=float(row["outside_mm"]) / 1e3,
         width=float(row["width_mm"]) / 1e3,
@@ -204,7 +244,8 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
         grade=cast(Grade, row["grade"]),
         origins=read_only(origins_of(row, scaled=scale != 1.0)),
         other_candidate=(int(second), float(row["second_ball_diameter_mm"]) / 1e3) if second else None,
-        seals="; ".join(seals) or None,
+        seals="; ".join(f"{suffix.text}: {suffix.meaning}" for suffix in seals) or None,
+        seal_suffixes=seals,
         clearance_group=groups[-1] if groups else None,
         suffixes=read_only({suffix.text: suffix.meaning for suffix in found.suffixes}),
         warnings=tuple(_warnings(found, row)),

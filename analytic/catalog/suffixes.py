@@ -10,6 +10,7 @@ from functools import cache
 from typing import Literal
 
 SuffixKind = Literal["seals", "clearance", "ignored", "warned", "refused"]
+SealContact = Literal["rubs", "rubs lightly", "none"]
 LONGEST = 8  # characters of a suffix
 SEPARATORS = re.compile(r"[\s\-./_,+]+")
 
@@ -145,3 +146,15 @@ def clearance_of(suffixes: list[Suffix]) -> Iterator[str]:
             yield f"C{suffix.text[2]}"
         elif suffix.kind == "clearance":
             yield suffix.text[:2]
+
+
+def seal_contact(seals: Suffix) -> SealContact:
+    """Whether the seals that a suffix names touch the inner ring."""
+    if seals.meaning.startswith(_LIGHT):
+        return "rubs lightly"
+    return "rubs" if seals.meaning.startswith(_CONTACT) else "none"
+
+
+def seal_sides(seals: Suffix) -> int:
+    """On how many sides of the bearing the suffix puts seals, 1 or 2."""
+    return 2 if _BOTH in seals.meaning else 1

@@ -10,7 +10,7 @@ from analytic.scene import Array, Losses
 
 def declared_torque(losses: Losses) -> float | None:
     """Of seals and drag together, N m; None: nothing is declared."""
-    known = [value for value in vars(losses).values() if value is not None]
+    known = [value for value in (losses.seals, losses.drag) if value is not None]
     return sum(known) if known else None
 
 
@@ -28,5 +28,6 @@ def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
     for name, value in given.items():
         share = None if value is None else share_in(np.full_like(total, value), total)
         lacks = ENTRIES[name].lacks(ledger.scene)
-        ledger.settle(name, on=lacks is None, share=share, reason=lacks or ENTRIES[name].given)
+        given_by = "estimated" if name == "seals" and ledger.scene.losses.seals_are_estimated else ENTRIES[name].given
+        ledger.settle(name, on=lacks is None, share=share, reason=lacks or given_by)
     return None if declared is None else np.full_like(computed, declared)

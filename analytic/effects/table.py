@@ -104,11 +104,13 @@ def _moving_cage(scene: Scene) -> str | None:
     return _cage(scene)
 
 
-def _declared(name: str) -> Need:
-    return Need(
-        keys=f"`{name}` in `[losses]`",
-        lacks=lambda scene: "not declared" if getattr(scene.losses, name) is None else None,
-    )
+def _seals(scene: Scene) -> str | None:
+    if scene.losses.seals is not None:
+        return None
+    seals = scene.bearing.seals
+    if seals is None:
+        return "not declared"
+    return f"not declared: {seals}" if scene.bearing.seals_rub else f"no drag: {seals}"
 
 
 SOLVED_ANGLE = Need(
@@ -269,14 +271,16 @@ TABLE = (
         name="seals",
         kind="declared",
         meaning="torque of the seals",
-        needs=_declared("seals"),
+        needs=Need(keys="`seals` in `[losses]`", lacks=_seals),
         given="declared by the scene",
     ),
     Entry(
         name="drag",
         kind="declared",
         meaning="torque of the oil that balls and cage stir",
-        needs=_declared("drag"),
+        needs=Need(
+            keys="`drag` in `[losses]`", lacks=lambda scene: "not declared" if scene.losses.drag is None else None
+        ),
         given="declared by the scene",
     ),
     Entry(

@@ -42,6 +42,11 @@ def torque_warnings(
         )
     if scene.cage is None:
         warnings.append("the total is without a cage: add a table [cage]")
+    if scene.bearing.seals_rub and scene.losses.seals is None:
+        warnings.append(
+            f"the total is without the drag of the seals, {scene.bearing.seals}: declare losses.seals, or give "
+            'losses.seals = "estimate"'
+        )
     if scene.lubricant is None and not ledger.rules_out("rolling"):
         warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")
     if oiled is not None:

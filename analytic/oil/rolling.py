@@ -18,7 +18,7 @@ from analytic.errors import InputError, require_finite, require_non_negative, re
 from analytic.scene import Array, Supply
 
 STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "oil_spot": 6e-8, "grease": 6e-8}  # K_rs
-GEOMETRY = 3.1  # K_Z, deep-groove ball bearings of one row
+DEEP_GROOVE, ANGULAR_CONTACT = 3.1, 4.4  # K_Z of bearings of one row
 UNFIT = "the arguments of a rolling resistance have shapes that do not fit together: give equal lengths"
 
 
@@ -201,12 +201,14 @@ def replenishment_factor(
     ring_speed: ArrayLike,
     kinematic_viscosity: ArrayLike,
     supply: Supply,
+    geometry: float = DEEP_GROOVE,
 ) -> Array:
     """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/[2 (D - d)])): SKF's factor on the rolling torque for starvation.
 
     bore_diameter, outside_diameter : d < D, m;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
     supply : `oil_bath` (low level; also oil jet), `oil_spot` (oil-air) or `grease`, with K_rs of 3e-8, 6e-8 and 6e-8
-    The factor is 0 to 1; K_Z = 3.1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s.
+    geometry : K_Z, 3.1 of deep groove and 4.4 of angular contact ball bearings of one row
+    The factor is 0 to 1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s.
     Source: [SKF2018].
     """
     if supply not in STARVATION:
@@ -215,7 +217,7 @@ def replenishment_factor(
     require_positive(kinematic_viscosity=kinematic_viscosity)
     require_non_negative(ring_speed=ring_speed)
     passing = square_millimetres(kinematic_viscosity) * per_minute(ring_speed) * (bore + outside)
-    return np.exp(-STARVATION[supply] * passing * np.sqrt(GEOMETRY / (2 * (outside - bore))))
+    return np.exp(-STARVATION[supply] * passing * np.sqrt(geometry / (2 * (outside - bore))))
 
 
 def ring_diameters(bore_diameter: ArrayLike, outside_diameter: ArrayLike) -> tuple[Array, Array]:

@@ -12,6 +12,7 @@ import numpy as np
 
 from analytic import catalog
 from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
+from analytic.catalog.suffixes import seal_contact
 from analytic.errors import InputError
 from analytic.scene import Bearing, Groove, Material, Origin
 from analytic.scenefile.tables import BearingTable, GrooveTable
@@ -113,10 +114,18 @@ def bearing_of(given: BearingTable, *, own: Mapping[str, Any], row: CatalogBeari
         ball_material=ball,
         inner=_groove(given.inner, bottom=bottoms[0], profile=profiles["inner"], side=1),
         outer=_groove(given.outer, bottom=bottoms[1], profile=profiles["outer"], side=-1),
+        series=_series(given, row),
         seals=None if row is None else row.seals,
+        seals_rub=row is not None and any(seal_contact(suffix) != "none" for suffix in row.seal_suffixes),
         grade=None if row is None else row.grade,
         origins=MappingProxyType(_origins(own, row) | ({} if origin is None else {"clearance": origin})),
     )
+
+
+def _series(given: BearingTable, row: CatalogBearing | None) -> str | None:
+    """That of the row, unless the scene gives the bearing other boundary dimensions."""
+    sizes = (given.bore_diameter, given.outside_diameter, given.width)
+    return row.series if row is not None and sizes == (row.bore, row.outside, row.width) else None
 
 
 def _entry(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Any]:

@@ -177,3 +177,19 @@ def _unit(text: str) -> pint.Unit | None:
 def _roots(unit: pint.Unit) -> pint.Unit:
     """The unit in root units (metre, gram, second, kelvin, radian ...): the same for all units of one dimension."""
     return _registry().get_root_units(unit)[1]
+
+
+@dataclass(frozen=True, kw_only=True)
+class QuantityOrWord(Dimension):
+    """A quantity, or one of a few words in its place."""
+
+    words: tuple[str, ...]
+    meaning: str  # what the words stand for
+
+    @property
+    def accepted(self) -> str:
+        return f"{super().accepted}, or {self.meaning}: {', '.join(self.words)}"
+
+    def read(self, given: object) -> Any:
+        """The value in SI, or the word. Raises ValueError as `Dimension.read`."""
+        return given if given in self.words else super().read(given)

@@ -32,6 +32,7 @@ from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, 
 from analytic.scenefile.find import find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import fault_at, faults_of
+from analytic.scenefile.losses import losses_of
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
@@ -201,6 +202,12 @@ def _scene(
     surface = None if table.surface is None else surface_of(table.surface, folder)
     if surface is not None and surface.height_map is not None and not os.path.isfile(surface.height_map.path):
         misfits.append(("surface.height_map.path", "is not a file; give its path from the scene file's folder"))
+    losses, notes = Losses(), ()
+    if not misfits:
+        try:
+            losses, notes = losses_of(table.losses, delivered, row)
+        except InputError as problem:
+            misfits.append(("losses.seals", f"cannot be had: {problem}"))
     friction = table.friction or FrictionTable()
     scene = Scene(
         name=table.name,
@@ -216,10 +223,10 @@ def _scene(
         surface=surface,
         friction_coefficient=friction.coefficient,
         **friction.model_dump(exclude={"coefficient"}),
-        losses=Losses(**table.losses.model_dump()),
+        losses=losses,
         effects=MappingProxyType(table.effects.model_dump()),
         calibration=table.calibration,
-        warnings=(*(() if row is None else row.warnings), *fit.warnings(bearing, cage)),
+        warnings=(*(() if row is None else row.warnings), *fit.warnings(bearing, cage), *notes),
     )
     return scene, [*misfits, *unplaced]
 

@@ -4,7 +4,7 @@ Unknown keys are refused. A key without a default must be given. Values are read
 """
 
 import math
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Literal, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 from pydantic.fields import FieldInfo
@@ -31,7 +31,7 @@ from analytic.scene import (
     Traction,
 )
 from analytic.scenefile.material import material_entry
-from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.quantity import Dimension, QuantityOrWord
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity
 
 
@@ -90,18 +90,6 @@ def _row_of(table: Literal["base_oils", "finishes"], *, thing: str) -> BeforeVal
     return BeforeValidator(read)
 
 
-class Clearance(Dimension):
-    """A clearance: a length, or the name of a group."""
-
-    @property
-    def accepted(self) -> str:
-        return f"{super().accepted}, or a group: {', '.join(get_args(ClearanceGroup))}"
-
-    def read(self, given: object) -> Any:
-        """The length in m, or the name of the group. Raises ValueError as `Dimension.read`."""
-        return given if given in get_args(ClearanceGroup) else super().read(given)
-
-
 Text = Annotated[str, BeforeValidator(_text), Field(description="give a name")]
 Count = Annotated[
     int, _whole("balls", low=1, high=1000, example=9), Field(description="give a whole number, for example 9")
@@ -114,7 +102,10 @@ Force = Annotated[float, Dimension(unit="N", low=1e-15, high=1e12, example='"100
 Thrust = Annotated[float, Dimension(unit="N", low=0, high=1e12, example='"1000 N"')]
 Side = Annotated[float, Dimension(unit="N", low=-1e12, high=1e12, example='"500 N"')]
 Moment = Annotated[float, Dimension(unit="N m", low=-1e12, high=1e12, example='"2 N m"')]
-ClearanceEntry = Annotated[float | ClearanceGroup, Clearance(unit="m", low=-1, high=1, example='"10 um"')]
+ClearanceEntry = Annotated[
+    float | ClearanceGroup,
+    QuantityOrWord(unit="m", low=-1, high=1, example='"10 um"', words=get_args(ClearanceGroup), meaning="a group"),
+]
 Conformity = Annotated[float, Dimension(unit="", low=0.5, high=5, example="0.52")]
 Width = Annotated[float, Dimension(unit="m", low=0, high=10, example='"2 mm"')]
 Interference = Annotated[float, Dimension(unit="m", low=-1e-2, high=1e-2, example='"12 um"')]  # on the diameter
@@ -126,6 +117,10 @@ Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7
 Temperature = Annotated[float, Dimension(unit="K", low=200, high=600, example='"40 degC"')]
 Friction = Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
 Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
+SealLoss = Annotated[
+    float | Literal["estimate"],
+    QuantityOrWord(unit="N m", low=0, high=1e6, example='"5 N mm"', words=("estimate",), meaning="SKF's formula"),
+]
 
 
 class Table(BaseModel):
@@ -334,7 +329,7 @@ class FrictionTable(Table):
 
 
 class LossesTable(Table):
-    seals: Loss | None = None  # of both seals together
+    seals: SealLoss | None = None  # of both seals together
     drag: Loss | None = None  # of the oil that balls and cage move
 
 

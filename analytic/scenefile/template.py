@@ -44,7 +44,7 @@ hysteresis_loss = 0.007                   # assumed: bearing steel has about 0.0
 #material = "steel"                       # or "peek"
 
 #[losses]                                 # torque that you know and that is added
-#seals = "5 N mm"                         # of both seals together
+#seals = "5 N mm"                         # of both seals together, or "estimate" by SKF's formula
 #drag = "2 N mm"                          # of the oil that balls and cage move
 
 #[effects]                                # "auto" decides by the tolerance; or "on", "off"

@@ -3,15 +3,17 @@
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from analytic.errors import InputError
 from analytic.scene import Scene
-from fembearing.compare.torque.catalogue_models import CatalogueBand, scene_band
+from fembearing.compare.torque.catalogue_models import CatalogueBand, bearing_series, scene_band
 from fembearing.plain_types import plain
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BesideCatalogue:
-    """The band of both models, or the reason for which there is none."""
+    """The band of the models, or the reason for which there is none."""
 
     band: CatalogueBand | None  # arrays (n,), N m
     note: str
@@ -33,7 +35,14 @@ def beside_catalogue(scene: Scene) -> BesideCatalogue:
     except InputError as problem:
         return BesideCatalogue(band=None, note=f"no catalogue band: {problem}")
     note = (
-        "catalogue band: SKF's and Palmgren's models of an open deep-groove bearing of series 62, two fits with "
+        f"catalogue band: {_models(band)} of an open bearing of series {bearing_series(scene.bearing)}, fits with "
         "constants of their own; it shows an order of magnitude, and is neither truth nor a check"
     )
     return BesideCatalogue(band=band, note=note)
+
+
+def _models(band: CatalogueBand) -> str:
+    """Whose models hold at one operating point at least."""
+    if np.all(np.isnan(band.values.get("ISO 15312", np.nan))):
+        return "models of SKF and Palmgren"
+    return "models of SKF, Palmgren and ISO 15312 (under radial load)"

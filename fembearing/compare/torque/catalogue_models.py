@@ -1,9 +1,11 @@
-"""Two empirical models of friction torque from bearing catalogues: a band of values, not a reference.
+"""Three empirical models of friction torque from bearing catalogues: a band of values, not a reference.
 
-They hold for an open deep-groove ball bearing of series 62, one row, without seals. Both are fits to unpublished tests,
-and under pure thrust they differ by factors. They show the order of magnitude; neither checks nor validates anything.
+They hold for open bearings of one row, without seals: deep groove ones of the series of `SKF_DEEP_GROOVE`, and angular
+contact ones of the series 72 B and 73 B. All are fits to unpublished tests, and under pure thrust they differ by
+factors. They show the order of magnitude; none checks or validates anything.
 The formulas take their printed units: mm, mm^2/s, rev/min, N and N mm.
-Sources: [SKF2018], chapter on friction (an older edition has 0.15 for mu_bl), and [Palmgren1959].
+Sources: [SKF2018], chapter on friction (an older edition has 0.15 for mu_bl), with the constants of [SKF2016];
+[Palmgren1959], for angular contact bearings with the constants of [Jungnickel2010]; [ISO15312].
 """
 
 from collections.abc import Mapping
@@ -14,8 +16,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.catalog.bearing_rows import series_of_size
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.oil.rolling import (
+    ANGULAR_CONTACT,
+    DEEP_GROOVE,
     inlet_shear_factor,
     per_minute,
     replenishment_factor,
@@ -23,44 +28,43 @@ from analytic.oil.rolling import (
     square_millimetres,
 )
 from analytic.oil.viscosity import inlet_viscosity
-from analytic.scene import Array, Scene, Supply
+from analytic.scene import Array, Bearing, Scene, Supply
 
-ROLLING = (3.9e-7, 1.7)  # R_1, R_2 of series 62
-SLIDING = (3.23e-3, 36.5)  # S_1, S_2 of series 62
+SKF_DEEP_GROOVE = {  # R_1, R_2, S_1, S_2 by series
+    "60": (4.1e-7, 1.7, 3.73e-3, 14.6),
+    "62": (3.9e-7, 1.7, 3.23e-3, 36.5),
+    "63": (3.7e-7, 1.7, 2.84e-3, 92.8),
+    "64": (3.6e-7, 1.7, 2.43e-3, 198.0),
+    "160": (4.3e-7, 1.7, 4.63e-3, 4.25),
+    "161": (4.3e-7, 1.7, 4.63e-3, 4.25),
+    "618": (4.7e-7, 1.7, 6.5e-3, 0.78),
+    "619": (4.3e-7, 1.7, 4.75e-3, 3.6),
+}
+SKF_ANGULAR_CONTACT = (5.03e-7, 1.97, 1.9e-12, 0.013, 0.68, 1.91e-12)  # R_1, R_2, R_3, S_1, S_2, S_3 of one row
+ANGULAR_SERIES = ("72 B", "73 B")
+ISO_15312 = {  # f_0r, f_1r by series; its table has dimension series, 02 for 62, and no 01 for 161
+    "618": (1.7, 1.0e-4),
+    "619": (1.7, 1.5e-4),
+    "160": (1.7, 1.5e-4),
+    "60": (1.7, 1.5e-4),
+    "62": (2.0, 2.0e-4),
+    "63": (2.3, 2.0e-4),
+    "64": (2.3, 2.0e-4),
+    "72 B": (2.0, 2.5e-4),
+    "73 B": (3.0, 3.5e-4),
+}
 BOUNDARY_FRICTION = 0.12  # mu_bl
 FILM_FRICTION = 0.05  # mu_EHL, mineral oil
 PALMGREN_VISCOUS = 2.0  # f_0
 PALMGREN_LOAD = (4e-4, 6e-4)  # z of f_1 = z (P_0/C_0)^0.55
-# Series 62, bore to outside diameter, mm: boundary dimensions of [ISO15].
-SERIES_62 = {
-    10: 30,
-    12: 32,
-    15: 35,
-    17: 40,
-    20: 47,
-    25: 52,
-    30: 62,
-    35: 72,
-    40: 80,
-    45: 85,
-    50: 90,
-    55: 100,
-    60: 110,
-    65: 120,
-    70: 125,
-    75: 130,
-    80: 140,
-    85: 150,
-    90: 160,
-    95: 170,
-    100: 180,
-}
-SAME_SIZE = 0.05  # mm, many times what makers' tolerances are
+PALMGREN_ANGULAR = (3.3, 4.6e-4)  # f_0, f_1 of angular contact bearings
+STEEPEST = np.radians(20.0)  # unloaded angle of a deep groove bearing with a large clearance; judgement
 
 
 class CatalogueCase(NamedTuple):
-    """A bearing and how it runs, as both models need it; all fields broadcast."""
+    """A bearing and how it runs, as the models need it; all fields but the series broadcast."""
 
+    series: str  # of the bearing, as the catalogue names it
     bore_diameter: ArrayLike  # d, m
     outside_diameter: ArrayLike  # D > d, m
     static_rating: ArrayLike  # C_0, N, > 0
@@ -76,15 +80,14 @@ class CatalogueBand:
 
     low: Array  # the least of the values
     high: Array  # the largest of them
-    values: Mapping[str, Array]  # by name of the model
+    values: Mapping[str, Array]  # by name of the model; NaN where a model does not hold
 
 
 def scene_band(scene: Scene) -> CatalogueBand:
     """The band at every operating point of a scene, with the oil at its inlet temperature; arrays (n,).
 
-    Raises InputError in one line, the reason for which there is no band: no oil, rating or ring diameter, another
-    series of bearings, a moment or a thrust below 0. That the bearing is a deep-groove one is taken for granted:
-    angular-contact bearings have the same boundary dimensions.
+    Raises InputError in one line, the reason for which there is no band: no oil, rating or ring diameter, a series of
+    bearings without constants, a moment or a thrust below 0.
     """
     bearing, operation, oil = scene.bearing, scene.operation, scene.lubricant
     if oil is None:
@@ -96,18 +99,14 @@ def scene_band(scene: Scene) -> CatalogueBand:
     assert bore is not None
     assert outside is not None
     assert rating is not None
-    of_series = SERIES_62.get(round(1e3 * bore), 0.0)
-    if max(abs(1e3 * bore - round(1e3 * bore)), abs(1e3 * outside - of_series)) > SAME_SIZE:
-        raise InputError(
-            f"bore {1e3 * bore:g} mm and outside diameter {1e3 * outside:g} mm are not of series 62, for which its "
-            "constants are"
-        )
+    series = bearing_series(bearing)
     if np.any(operation.moment):
-        raise InputError("operation.moment is not 0, and neither model knows moments")
+        raise InputError("operation.moment is not 0, and no model knows moments")
     axial, radial = np.asarray(operation.axial_load), np.abs(operation.radial_load)
     if np.any(axial < 0):
         raise InputError(f"operation.axial_load = {axial.min():g} N is below 0")
     case = CatalogueCase(
+        series=series,
         bore_diameter=bore,
         outside_diameter=outside,
         static_rating=rating,
@@ -119,39 +118,73 @@ def scene_band(scene: Scene) -> CatalogueBand:
     return catalogue_band(case, lubrication=oil.supply)
 
 
+def bearing_series(bearing: Bearing) -> str:
+    """The series by which the constants are chosen: that of the designation, else of the boundary dimensions.
+
+    Of a bearing that is not of the catalogue the dimensions and the unloaded contact angle say whether it is a deep
+    groove one; angular contact bearings have the same dimensions.
+    Raises InputError in one line for a bearing without constants; its ring diameters must be known.
+    """
+    series = bearing.series
+    if series is None:
+        assert bearing.bore_diameter is not None
+        assert bearing.outside_diameter is not None
+        sizes = f"bore {1e3 * bearing.bore_diameter:g} mm and outside diameter {1e3 * bearing.outside_diameter:g} mm"
+        series = series_of_size(bearing.bore_diameter, bearing.outside_diameter, bearing.width)
+        if series is None:
+            raise InputError(f"{sizes} are of no series of deep groove bearings, for which the constants are")
+        play = max(bearing.diametral_clearance, 0.0) / (2 * bearing.groove_centre_distance)
+        angle = np.arccos(max(1 - play, 0.0))
+        if angle > STEEPEST:
+            raise InputError(
+                f"an unloaded contact angle of {np.degrees(angle):.3g} deg is that of an angular contact bearing, and "
+                'the constants are by series: name the bearing by its designation, for example catalog = "7208 B"'
+            )
+    if series not in SKF_DEEP_GROOVE and series not in ANGULAR_SERIES:
+        raise InputError(
+            f"{bearing.name} is a spindle bearing, of series {series}: the constants are for deep groove bearings, and "
+            "for angular contact bearings 72 B and 73 B"
+        )
+    return series
+
+
 def catalogue_band(case: CatalogueCase, *, lubrication: Supply) -> CatalogueBand:
-    """Both models, Palmgren's with the least and the largest of his usual load factors."""
+    """All models; of deep groove bearings Palmgren's with the least and the largest of his usual load factors."""
     values = {"SKF": skf_torque(case, lubrication=lubrication)}
-    for factor in PALMGREN_LOAD:
-        values[f"Palmgren, z = {factor:g}"] = palmgren_torque(case, load_factor=factor)
+    if case.series in ANGULAR_SERIES:
+        values["Palmgren"] = palmgren_angular_torque(case)
+    else:
+        for factor in PALMGREN_LOAD:
+            values[f"Palmgren, z = {factor:g}"] = palmgren_torque(case, load_factor=factor)
+    if case.series in ISO_15312:
+        values["ISO 15312"] = iso_torque(case)
     values = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
     every = np.array(list(values.values()))
-    return CatalogueBand(low=every.min(axis=0), high=every.max(axis=0), values=MappingProxyType(values))
+    return CatalogueBand(low=np.nanmin(every, axis=0), high=np.nanmax(every, axis=0), values=MappingProxyType(values))
 
 
 def skf_torque(case: CatalogueCase, *, lubrication: Supply) -> Array:
     """SKF's rolling and sliding torque M_rr + M_sl, N m, without seals and drag.
 
-    With d_m = (d + D)/2, n in rev/min, and alpha_F = 24.6 (F_a/C_0)^0.24 degrees:
-        G_rr = R_1 d_m^1.96 (F_r + R_2 F_a/sin alpha_F)^0.54
-        G_sl = S_1 d_m^-0.145 (F_r^5 + S_2 d_m^1.5 F_a^4/sin alpha_F)^(1/3),  but S_1 d_m^-0.26 F_r^(5/3) if F_a = 0
+    With d_m = (d + D)/2 and n in rev/min:
         M_rr = phi_ish phi_rs G_rr (nu n)^0.6
         M_sl = G_sl [phi_bl mu_bl + (1 - phi_bl) mu_EHL],  phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m)
+    Deep groove bearings, with alpha_F = 24.6 (F_a/C_0)^0.24 degrees:
+        G_rr = R_1 d_m^1.96 (F_r + R_2 F_a/sin alpha_F)^0.54
+        G_sl = S_1 d_m^-0.145 (F_r^5 + S_2 d_m^1.5 F_a^4/sin alpha_F)^(1/3),  but S_1 d_m^-0.26 F_r^(5/3) if F_a = 0
     The two forms of G_sl do not meet: at F_a = 0 it jumps by d_m^0.115, 1.52 for a 6205. For F_a up to about C_0/2 and
     normal clearance.
+    Angular contact bearings:
+        G_rr = R_1 d_m^1.97 (F_r + R_3 d_m^4 n^2 + R_2 F_a)^0.54
+        G_sl = S_1 d_m^0.26 [(F_r + S_3 d_m^4 n^2)^(4/3) + S_2 F_a^(4/3)]
     Raises InputError for an argument of the wrong sign or not finite, and for a bore no smaller than the outside.
     """
-    bore, outside = ring_diameters(case.bore_diameter, case.outside_diameter)
     load, thrust, oil, speed = _operation(case)
-    mean = (bore + outside) / 2
-    angle = np.deg2rad(24.6 * (thrust / np.asarray(case.static_rating)) ** 0.24)
-    steep = np.where(thrust > 0, np.sin(angle), 1.0)  # F_a/sin alpha_F falls to 0 with F_a
-    rolling = ROLLING[0] * mean**1.96 * (load + ROLLING[1] * thrust / steep) ** 0.54
-    sliding = SLIDING[0] * np.where(
-        thrust > 0,
-        mean**-0.145 * np.cbrt(load**5 + SLIDING[1] * mean**1.5 * thrust**4 / steep),
-        mean**-0.26 * load ** (5 / 3),
-    )
+    mean = _mean(case)
+    if case.series in ANGULAR_SERIES:
+        rolling, sliding = _skf_angular_contact(load, thrust, mean=mean, speed=speed)
+    else:
+        rolling, sliding = _skf_deep_groove(case, load, thrust, mean=mean)
     rolling = rolling * (oil * speed) ** 0.6
     rolling = rolling * inlet_shear_factor(
         mean_diameter=mean / 1e3, ring_speed=case.ring_speed, kinematic_viscosity=case.kinematic_viscosity
@@ -162,29 +195,88 @@ def skf_torque(case: CatalogueCase, *, lubrication: Supply) -> Array:
         ring_speed=case.ring_speed,
         kinematic_viscosity=case.kinematic_viscosity,
         supply=lubrication,
+        geometry=ANGULAR_CONTACT if case.series in ANGULAR_SERIES else DEEP_GROOVE,
     )
     boundary = np.exp(-2.6e-8 * (speed * oil) ** 1.4 * mean)
     friction = boundary * BOUNDARY_FRICTION + (1 - boundary) * FILM_FRICTION
     return (rolling + sliding * friction) / 1e3  # N mm to N m
 
 
+def _skf_deep_groove(case: CatalogueCase, load: Array, thrust: Array, *, mean: Array) -> tuple[Array, Array]:
+    """G_rr and G_sl."""
+    first, second, sliding_first, sliding_second = SKF_DEEP_GROOVE[case.series]
+    angle = np.deg2rad(24.6 * (thrust / np.asarray(case.static_rating)) ** 0.24)
+    steep = np.where(thrust > 0, np.sin(angle), 1.0)  # F_a/sin alpha_F falls to 0 with F_a
+    rolling = first * mean**1.96 * (load + second * thrust / steep) ** 0.54
+    sliding = sliding_first * np.where(
+        thrust > 0,
+        mean**-0.145 * np.cbrt(load**5 + sliding_second * mean**1.5 * thrust**4 / steep),
+        mean**-0.26 * load ** (5 / 3),
+    )
+    return rolling, sliding
+
+
+def _skf_angular_contact(load: Array, thrust: Array, *, mean: Array, speed: Array) -> tuple[Array, Array]:
+    """G_rr and G_sl."""
+    first, second, third, sliding_first, sliding_second, sliding_third = SKF_ANGULAR_CONTACT
+    force = mean**4 * speed**2
+    rolling = first * mean**1.97 * (load + third * force + second * thrust) ** 0.54
+    whole = (load + sliding_third * force) ** (4 / 3) + sliding_second * thrust ** (4 / 3)
+    return rolling, sliding_first * mean**0.26 * whole
+
+
 def palmgren_torque(case: CatalogueCase, *, load_factor: ArrayLike) -> Array:
-    """Palmgren's torque M_0 + M_1, N m; load_factor is z, > 0, and broadcasts with the case.
+    """Palmgren's torque of deep groove bearings, M_0 + M_1, N m; load_factor is z, > 0, and broadcasts with the case.
 
     M_0 = 1e-7 f_0 (nu n)^(2/3) d_m^3 from nu n = 2000 on, below it 160e-7 f_0 d_m^3 (a jump of 0.8 %), f_0 = 2
     M_1 = z (P_0/C_0)^0.55 P_1 d_m,  P_1 = max(3.3 F_a - 0.1 F_r, F_r),  P_0 = max(0.6 F_r + 0.5 F_a, F_r)
     M_0 does not end at standstill: it is meant for bearings that turn at ordinary speed under ordinary load.
     """
     require_positive(load_factor=load_factor)
-    bore, outside = ring_diameters(case.bore_diameter, case.outside_diameter)
     load, thrust, oil, speed = _operation(case)
-    mean = (bore + outside) / 2
-    stirred = oil * speed
-    viscous = PALMGREN_VISCOUS * mean**3 * np.where(stirred >= 2000, 1e-7 * stirred ** (2 / 3), 160e-7)
+    mean = _mean(case)
     static = np.maximum(0.6 * load + 0.5 * thrust, load)
     working = np.maximum(3.3 * thrust - 0.1 * load, load)
     loaded = np.asarray(load_factor) * (static / np.asarray(case.static_rating)) ** 0.55 * working * mean
-    return (viscous + loaded) / 1e3  # N mm to N m
+    return (_viscous(PALMGREN_VISCOUS, oil * speed, mean) + loaded) / 1e3  # N mm to N m
+
+
+def palmgren_angular_torque(case: CatalogueCase) -> Array:
+    """Palmgren's torque of angular contact bearings of one row, M_0 + M_1, N m.
+
+    M_0 as of deep groove bearings with f_0 = 3.3;  M_1 = f_1 P_1 d_m, P_1 = max(F_a - 0.1 F_r, F_r), f_1 = 4.6e-4
+    f_1 is for a load of 0.1 C; at other loads it is taken as the same. Source: [Jungnickel2010].
+    """
+    load, thrust, oil, speed = _operation(case)
+    mean = _mean(case)
+    viscous, factor = PALMGREN_ANGULAR
+    return (_viscous(viscous, oil * speed, mean) + factor * np.maximum(thrust - 0.1 * load, load) * mean) / 1e3
+
+
+def iso_torque(case: CatalogueCase) -> Array:
+    """The torque of [ISO15312], M_0 + M_1, N m; NaN where the thrust decides.
+
+    M_0 = 1e-7 f_0r (nu n)^(2/3) d_m^3,  M_1 = f_1r P_1r d_m
+    The standard has it for one load, P_1r = 0.05 C_0r, which is radial, at 70 degC. Here P_1r is F_r. A thrust with
+    which P_1 of Palmgren is above F_r is outside its range.
+    """
+    load, thrust, oil, speed = _operation(case)
+    mean = _mean(case)
+    viscous, factor = ISO_15312[case.series]
+    torque = (1e-7 * viscous * (oil * speed) ** (2 / 3) * mean**3 + factor * load * mean) / 1e3
+    slope = 1.0 if case.series in ANGULAR_SERIES else 3.3
+    return np.where((load > 0) & (slope * thrust - 0.1 * load <= load), torque, np.nan)
+
+
+def _mean(case: CatalogueCase) -> Array:
+    """d_m, mm."""
+    bore, outside = ring_diameters(case.bore_diameter, case.outside_diameter)
+    return (bore + outside) / 2
+
+
+def _viscous(factor: float, stirred: Array, mean: Array) -> Array:
+    """Palmgren's M_0, N mm; stirred : nu n."""
+    return factor * mean**3 * np.where(stirred >= 2000, 1e-7 * stirred ** (2 / 3), 160e-7)
 
 
 def _operation(case: CatalogueCase) -> tuple[Array, Array, Array, Array]:

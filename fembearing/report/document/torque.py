@@ -125,7 +125,7 @@ class Band(Table):
 
     low: list[float] | None
     high: list[float] | None
-    values: dict[str, list[float]]
+    values: dict[str, list[float | None]]  # by name of the model; None where it does not hold
     note: str
 
 

@@ -11,14 +11,18 @@ import numpy as np
 import pytest
 from hypothesis import given
 
+from analytic.catalog.bearing_rows import bearing_names, find_bearing, series_of_size
 from analytic.errors import InputError
-from analytic.scene import Operation, Scene
-from analytic.scenefile.read import load_scene
+from analytic.scene import Bearing, Operation, Scene
+from analytic.scenefile.read import load_scene, scene_of
 from fembearing.compare.torque.catalogue_models import (
     CatalogueBand,
     CatalogueCase,
+    bearing_series,
     catalogue_band,
     inlet_shear_factor,
+    iso_torque,
+    palmgren_angular_torque,
     palmgren_torque,
     replenishment_factor,
     scene_band,
@@ -27,6 +31,7 @@ from fembearing.compare.torque.catalogue_models import (
 
 RINGS = {"bore_diameter": 25e-3, "outside_diameter": 52e-3}
 CASE = {
+    "series": "62",
     **RINGS,
     "static_rating": 7.8e3,
     "axial_load": 1000.0,
@@ -89,6 +94,155 @@ def test_the_skf_worksheet(thrust: float, radial: float, lubrication: str, k_rs:
         np.testing.assert_allclose(found * 1e3, expected, rtol=1e-12)  # round-off
 
 
+PRINTED = {  # SKF's table 3 typed in again: R_1, R_2, S_1, S_2
+    "60": (4.1e-7, 1.7, 0.00373, 14.6),
+    "63": (3.7e-7, 1.7, 0.00284, 92.8),
+    "64": (3.6e-7, 1.7, 0.00243, 198),
+    "160": (4.3e-7, 1.7, 0.00463, 4.25),
+    "161": (4.3e-7, 1.7, 0.00463, 4.25),
+    "618": (4.7e-7, 1.7, 0.0065, 0.78),
+    "619": (4.3e-7, 1.7, 0.00475, 3.6),
+}
+
+
+@pytest.mark.parametrize("series", PRINTED)
+def test_the_constants_of_the_other_deep_groove_series(series: str) -> None:
+    """At a speed so low that the film factor is that of boundary friction: 130 N axially and 370 N radially."""
+    r_1, r_2, s_1, s_2 = PRINTED[series]
+    sine = math.sin(math.radians(24.6 * (130 / 7800) ** 0.24))
+    g_rr = r_1 * 38.5**1.96 * (370 + r_2 / sine * 130) ** 0.54
+    g_sl = s_1 * 38.5**-0.145 * (370**5 + s_2 * 38.5**1.5 / sine * 130**4) ** (1 / 3)
+    phi_ish = 1 / (1 + 1.84e-9 * (3 * 38.5) ** 1.28 * 32**0.64)
+    phi_rs = math.exp(-3e-8 * 32 * 3 * 77 * math.sqrt(3.1 / 54))
+    phi_bl = math.exp(-2.6e-8 * (3 * 32) ** 1.4 * 38.5)
+    expected = phi_ish * phi_rs * g_rr * (32 * 3) ** 0.6 + g_sl * (phi_bl * 0.12 + (1 - phi_bl) * 0.05)
+    found = skf(series=series, axial_load=130.0, radial_load=370.0, ring_speed=3 * math.pi / 30)
+    np.testing.assert_allclose(found * 1e3, expected, rtol=1e-12)  # round-off
+
+
+@pytest.mark.parametrize(("thrust", "radial"), [(0.0, 370.0), (1300.0, 0.0), (1300.0, 900.0)])
+@pytest.mark.parametrize("rpm", [130.0, 7000.0])
+def test_skf_of_angular_contact_bearings_by_hand(thrust: float, radial: float, rpm: float) -> None:
+    """A 7208 B, 40 x 80 mm, with 17 mm^2/s: SKF's own form, with the centrifugal force on the balls."""
+    g_rr = 5.03e-7 * 60**1.97 * (radial + 1.9e-12 * 60**4 * rpm**2 + 1.97 * thrust) ** 0.54
+    g_sl = 0.013 * 60**0.26 * ((radial + 1.91e-12 * 60**4 * rpm**2) ** (4 / 3) + 0.68 * thrust ** (4 / 3))
+    phi_ish = 1 / (1 + 1.84e-9 * (rpm * 60) ** 1.28 * 17**0.64)
+    phi_rs = math.exp(-3e-8 * 17 * rpm * 120 * math.sqrt(4.4 / 80))
+    phi_bl = math.exp(-2.6e-8 * (rpm * 17) ** 1.4 * 60)
+    expected = phi_ish * phi_rs * g_rr * (17 * rpm) ** 0.6 + g_sl * (phi_bl * 0.12 + (1 - phi_bl) * 0.05)
+    found = skf(**SEVEN, axial_load=thrust, radial_load=radial, ring_speed=rpm * math.pi / 30)
+    np.testing.assert_allclose(found * 1e3, expected, rtol=1e-12)  # round-off
+
+
+SEVEN: dict[str, Any] = {
+    "series": "72 B",
+    "bore_diameter": 40e-3,
+    "outside_diameter": 80e-3,
+    "static_rating": 24e3,
+    "kinematic_viscosity": 17e-6,
+}
+
+
+def test_palmgren_of_angular_contact_bearings_by_hand() -> None:
+    """At 700 rev/min: P_1 is the radial load until the thrust exceeds 1.1 times as much."""
+    for thrust, radial, working in ((1300.0, 0.0, 1300.0), (900.0, 850.0, 850.0), (1300.0, 850.0, 1215.0)):
+        case, _ = case_of(SEVEN | {"axial_load": thrust, "radial_load": radial, "ring_speed": 700 * math.pi / 30})
+        expected = 1e-7 * 3.3 * (17 * 700) ** (2 / 3) * 60**3 + 4.6e-4 * working * 60
+        np.testing.assert_allclose(palmgren_angular_torque(case) * 1e3, expected, rtol=1e-12)  # round-off
+
+
+# Table A.1 of ISO 15312, typed in again: dimension series, f_0r, f_1r.
+DIMENSION_SERIES = {
+    "618": ("18", 1.7, 0.0001),
+    "619": ("19", 1.7, 0.00015),
+    "160": ("00", 1.7, 0.00015),
+    "60": ("10", 1.7, 0.00015),
+    "62": ("02", 2, 0.0002),
+    "63": ("03", 2.3, 0.0002),
+    "64": ("04", 2.3, 0.0002),
+    "72 B": ("02", 2, 0.00025),
+    "73 B": ("03", 3, 0.00035),
+}
+
+
+@pytest.mark.parametrize("series", DIMENSION_SERIES)
+def test_iso_15312_at_its_reference_load(series: str) -> None:
+    """P_1r = 0.05 C_0r, here with 12 mm^2/s at 2900 rev/min; a thrust that decides is out of its range."""
+    _, f_0, f_1 = DIMENSION_SERIES[series]
+    here = {"series": series, "radial_load": 390.0, "ring_speed": 2900 * math.pi / 30, "kinematic_viscosity": 12e-6}
+    thrusts = np.array([0.0, 140.0, 145.0, 420.0, 435.0])
+    case, _ = case_of(here | {"axial_load": thrusts})
+    found = iso_torque(case)
+    expected = 1e-7 * f_0 * (12 * 2900) ** (2 / 3) * 38.5**3 + f_1 * 0.05 * 7800 * 38.5
+    within = thrusts <= (429 if "B" in series else 130)  # 1.1 F_r, F_r/3
+    np.testing.assert_allclose(found[within] * 1e3, expected, rtol=1e-12)  # round-off
+    assert np.all(np.isnan(found[~within]))
+
+
+def test_every_series_of_the_catalogue_has_a_band_or_is_of_spindle_bearings() -> None:
+    found: dict[str, set[str]] = {}
+    for name in bearing_names():
+        row = find_bearing(name)
+        found.setdefault(row.series, set()).add(row.maker if row.nominal_angle else row.kind)
+    bands = {series for series in found if series in {*PRINTED, "62", "72 B", "73 B"}}
+    assert bands == {*PRINTED, "62", "72 B", "73 B"}
+    assert set().union(*(found[series] for series in bands)) == {"deep groove", "SKF"}
+    assert set().union(*(found[series] for series in set(found) - bands)) == {"NSK", "GMN", "SNFA"}
+
+
+@pytest.mark.parametrize(
+    ("designation", "series"),
+    [
+        ("6205-2RS1", "62"),
+        ("60/28", "60"),
+        ("625", "62"),
+        ("16010", "160"),
+        ("6806", "618"),
+        ("61906", "619"),
+        ("KOYO 6305R", "63"),
+        ("7208 BEP", "72 B"),
+        ("7014 A5", "NSK 70 A5"),
+        ("GMN S 6205 C TA", "GMN S"),
+    ],
+)
+def test_a_designation_says_the_series(designation: str, series: str) -> None:
+    assert find_bearing(designation).series == series
+
+
+def test_dimensions_say_the_series_of_a_bearing_by_hand() -> None:
+    """Boundary dimensions of ISO 15, typed in; 60 and 160 differ in width alone."""
+    for sizes, series in (
+        ((25, 52, 15), "62"),
+        ((25, 62, 17), "63"),
+        ((25, 80, 21), "64"),
+        ((25, 47, 12), "60"),
+        ((25, 47, 8), "160"),
+        ((25, 47, None), "60"),
+        ((25, 37, 7), "618"),
+        ((25, 42, 9), "619"),
+        ((25, 53, 15), None),
+    ):
+        bore, outside, width = (None if size is None else size * 1e-3 for size in sizes)
+        assert bore is not None
+        assert outside is not None
+        assert series_of_size(bore, outside, width) == series
+
+
+def test_a_bearing_of_the_catalogue_knows_its_series() -> None:
+    def of(**own: Any) -> Bearing:
+        operation = {"axial_load": "100 N", "inner_speed": "300 rpm"}
+        table = {"name": "by designation", "tolerance": "5 %", "bearing": own, "operation": operation}
+        return scene_of(table | {"friction": {"coefficient": 0.07}}, origin="test").bearing
+
+    assert bearing_series(of(catalog="7208 BEP")) == "72 B"
+    assert of(catalog="6205", outside_diameter="53 mm").series is None
+    with pytest.raises(InputError, match="spindle bearing, of series NSK 72 C"):
+        bearing_series(of(catalog="7208 C"))
+    by_hand = replace(of(catalog="7208 BEP"), series=None)
+    with pytest.raises(InputError, match="contact angle of 40 deg is that of an angular contact"):
+        bearing_series(by_hand)
+
+
 def test_in_pure_thrust_they_disagree_by_factors() -> None:
     """An independent calculation: SKF 65 to 78 N mm, Palmgren 14 to 29, for two oils at 100 to 500 rev/min."""
     oils = np.array([0.0275, 0.0585])[:, None] / 860
@@ -96,10 +250,11 @@ def test_in_pure_thrust_they_disagree_by_factors() -> None:
     np.testing.assert_allclose([found.high.min() * 1e3, found.high.max() * 1e3], [65, 78], atol=0.5)  # whole N mm
     np.testing.assert_allclose([found.low.min() * 1e3, found.values["Palmgren, z = 0.0006"].max() * 1e3], [14, 29],
                                atol=0.5)  # fmt: skip
-    assert list(found.values) == ["SKF", "Palmgren, z = 0.0004", "Palmgren, z = 0.0006"]
-    for value in found.values.values():
+    assert list(found.values) == ["SKF", "Palmgren, z = 0.0004", "Palmgren, z = 0.0006", "ISO 15312"]
+    for name, value in found.values.items():
         assert value.shape == (2, 3)
-        assert np.all((found.low <= value) & (value <= found.high))
+        assert np.all((found.low <= value) & (value <= found.high)) or name == "ISO 15312"
+    assert np.all(np.isnan(found.values["ISO 15312"]))  # its load is radial
     assert np.all(found.high > 2 * found.low)
 
 
@@ -205,7 +360,7 @@ def test_a_scene_without_a_band_says_why() -> None:
         ({"lubricant": None}, "no lubricant"),
         ({"bearing": replace(scene.bearing, static_load_rating=None)}, "static_load_rating is not given"),
         ({"bearing": replace(scene.bearing, bore_diameter=None)}, "bore_diameter is not given"),
-        ({"bearing": replace(scene.bearing, outside_diameter=62e-3)}, "25 mm and outside diameter 62 mm are not of"),
+        ({"bearing": replace(scene.bearing, outside_diameter=53e-3)}, "25 mm and outside diameter 53 mm are of no"),
         ({"operation": replace(scene.operation, moment=3.0)}, "moment"),
         ({"operation": replace(scene.operation, axial_load=np.array([-3.0]))}, "-3 N is below 0"),
     ):
