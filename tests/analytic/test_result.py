@@ -66,7 +66,9 @@ DESIGN = {
 def test_the_json_has_the_keys_of_the_design(scene: Scene) -> None:
     result = friction_torque(replace(scene, operation=thrust(500.0, 900.0)))
     found = result.to_json()
-    assert list(found) == ["points", "gap_roughness", "effects", "warnings", "unknown", "provenance", "seconds"]
+    surroundings = ["gap_roughness", "clearances", "pair"]
+    assert list(found) == ["points", *surroundings, "effects", "warnings", "unknown", "provenance", "seconds"]
+    assert (found["clearances"], found["pair"]) == (None, None)
     assert len(found["points"]) == 2
     for index, point in enumerate(found["points"]):
         assert {key: list(value) if isinstance(value, dict) else None for key, value in point.items()} == DESIGN
