@@ -197,8 +197,7 @@ def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_l
         shoulders=(shoulder, far_shoulder),
         contact_angle=np.abs(contact_angle),
         load=ball_load,
-        ball=bearing.ball_material,
-        race=groove.material,
+        materials=(bearing.ball_material, groove.material),
     )
 
 
@@ -211,8 +210,7 @@ def contact_shape(contact: Contact) -> ContactShape:
         shoulders=(contact.shoulder, contact.far_shoulder),
         contact_angle=contact.contact_angle,
         load=contact.load,
-        ball=contact.ball_material,
-        race=contact.race_material,
+        materials=(contact.ball_material, contact.race_material),
     )
 
 
@@ -334,9 +332,9 @@ def _shape(
     shoulders: tuple[ArrayLike, ArrayLike],
     contact_angle: ArrayLike,
     load: ArrayLike,
-    ball: Material,
-    race: Material,
+    materials: tuple[Material, Material],
 ) -> ContactShape:
+    ball, race = materials
     modulus = contact_modulus(ball, race)
     hertz = hertz_contact(
         curvature_x=(1 + np.asarray(rolling_curvature)) / radius,

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from analytic.cage.grip import LARGEST_GRIP
+from analytic.contact.geometry import USUAL_SHOULDERS
 from analytic.scene import Scene
 
 # Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
@@ -292,8 +293,9 @@ TABLE = (
     Entry(
         name="shoulder",
         kind="limit",
-        meaning="a contact ellipse cut off by its race's shoulder; not modelled",
-        bound="a semi-axis that exceeds the distance to the shoulder",
+        meaning="a contact ellipse cut off by a shoulder of its race; not modelled",
+        bound="a semi-axis that exceeds the distance to the nearer shoulder; where shoulders are not known, to one of "
+        f"{USUAL_SHOULDERS[0]:g} ball diameters",
         idle="no ball is loaded",
     ),
 )

@@ -1,7 +1,7 @@
 """The correction for finite geometry at the loads and angles of a bearing's balls.
 
 Not iterated: corrected contacts change loads and angles by less than a hundredth. The factors, within 0.06 of 1, follow
-the load's power 1/3 to 2/3, and so change by less than 1e-4 more.
+the load's power 1/3 to 2/3, and so change by less than 1.5e-4 more.
 """
 
 from collections.abc import Sequence

@@ -3,9 +3,10 @@
 Solves contacts of true shape by finite elements and stores each quantity over Hertz's, with its uncertainty, in
 solves.csv for fit.py. Four sets have equal shoulders at zero contact angle: `fit`, a Sobol sequence over the box below;
 `held out`, random contacts of that box; `bearing`, both races of the bearings in bearings.toml under random loads;
-`beyond`, steel contacts outside the box, with shoulders nearer than it allows. Two sets have unequal shoulders, down to
-1.15 semi-axes, at contact angles up to 40 degrees: `shoulders`, a Sobol sequence, and `shoulders held out`, steel
-contacts of both races under the loads of catalogues. The fit uses `fit` and `shoulders`.
+`beyond`, steel contacts outside the box, with shoulders nearer than it allows; the range of the fit now holds a half of
+them. Two sets have unequal shoulders, down to 1.15 semi-axes, at contact angles up to 0.8 rad: `shoulders`, a Sobol
+sequence, and `shoulders held out`, steel contacts of both races under the loads of catalogues. The fit uses `fit` and
+`shoulders`.
 
 `analytic.contact.finite_geometry.ContactShape` describes a contact; in elasticity nothing else matters. The rolling
 curvatures are those of bearing series: with g = D cos(al)/d_m from 0 (thrust) to 0.325 (the heavy series 64), r/R is
@@ -86,8 +87,8 @@ def main(
     held_out: Annotated[int, typer.Option(help="Contacts of the set `held out`.")] = 48,
     bearings: Annotated[bool, typer.Option(help="Solve the set `bearing` as well.")] = True,
     beyond: Annotated[int, typer.Option(help="Contacts of the set `beyond`.")] = 36,
-    shoulders: Annotated[int, typer.Option(help="Contacts of the set `shoulders`.")] = 96,
-    shoulders_held_out: Annotated[int, typer.Option(help="Contacts of the set `shoulders held out`.")] = 48,
+    shoulders: Annotated[int, typer.Option(help="Contacts of the set `shoulders`.")] = 88,
+    shoulders_held_out: Annotated[int, typer.Option(help="Contacts of the set `shoulders held out`.")] = 44,
 ) -> None:
     rows = read_rows()
     done = {(row["set"], row["number"]) for row in rows}
