@@ -2,9 +2,9 @@
 
 Every bearing of the grades printed, A and B runs at 1000 rpm in ISO VG 68 of 60 degC, with ground and honed races and
 balls that turn freely, by default methods at a tolerance of 5 %. It has two loads: 0.05 C radial, and 0.02 C0 axial.
-An angular contact bearing under a radial load alone slides apart, so it also carries 1.25 Fr tan(nominal angle), the
-thrust by which half of its balls are loaded. Its radial load acts at its load centre, where the lines of contact meet
-the axis; anywhere else a single bearing tilts, until balls run on a shoulder. The program writes
+An angular contact bearing under a radial load alone slides apart, so it also carries 1.7 Fr tan(nominal angle), the
+thrust from which all its balls are loaded. Its radial load acts at its load centre, where the lines of contact meet the
+axis; anywhere else a single bearing tilts, until balls run on a shoulder. The program writes
 catalogue_torque.csv, one row for each bearing and load, and the figure catalogue_torque.png into the folder
 (validation/reports), and prints failures, kinds of warnings and what lies outside the catalogue band. Torques that the
 CSV file already has are kept, so that a run that was stopped goes on; delete the file to compute all of them anew. It
@@ -42,7 +42,7 @@ mpl.use("agg")
 HERE = Path(__file__).parent
 GRADES = ("printed", "A", "B")
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C, of C0
-SEATED = 1.25  # of Fr tan(angle): the thrust by which half of the balls are loaded, about 1.22 for point contact
+SEATED = 1.7  # of Fr tan(angle): the thrust from which all balls are loaded, about 1.67 for point contact
 CASES = ("radial", "axial")
 DOWN = {"radial": [1, 0, 0], "axial": [0, 0, 1]}  # the shaft lies, or it stands
 Row = dict[str, str]
