@@ -112,8 +112,10 @@ def clearance_group(bore: float, group: str) -> tuple[float, float]:
 @cache
 def _deep_groove_sizes() -> tuple[tuple[str, tuple[float, float, float]], ...]:
     """(series, (bore, outside diameter, width) in mm) of every deep groove bearing."""
-    sizes = ("bore_mm", "outside_mm", "width_mm")
-    return tuple((_series(row), tuple(float(row[size]) for size in sizes)) for row in _read("deep_groove"))
+    return tuple(
+        (_series(row), (float(row["bore_mm"]), float(row["outside_mm"]), float(row["width_mm"])))
+        for row in _read("deep_groove")
+    )
 
 
 def series_of_size(bore: float, outside: float, width: float | None) -> str | None:
