@@ -31,7 +31,7 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic.catalog.bearing_rows import CatalogBearing, bearing_names, find_bearing
-from analytic.errors import InputError
+from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import scene_of
 from analytic.torque import friction_torque
@@ -121,7 +121,7 @@ def computed(task: tuple[str, str]) -> Row:
     }
     try:
         found = friction_torque(scene_at(bearing, case))
-    except InputError as problem:
+    except FembearingError as problem:
         return row | {"failure": str(problem)}
     return row | {
         "torque_N_mm": f"{1e3 * found.torque.total[0]:.5g}",
@@ -240,15 +240,15 @@ def _draw_band(axes: Axes, rows: Sequence[Row]) -> None:
     """A dot for each torque, and a grey line for each band."""
     banded = [row for row in rows if row["band_low_N_mm"]]
     sizes, ends = [mean_diameter(row) for row in banded], np.array([half_width(row) for row in banded])
-    axes.vlines(sizes, 1 / ends, ends, color="0.8", linewidth=3, label="catalogue band")
+    axes.vlines(sizes, 1 / ends, ends, color="0.8", linewidth=2, label="catalogue band")
     for series, (name, colour) in FAMILIES.items():
         own = [row for row in banded if row["series"].replace("161", "160") == series]
         axes.plot([mean_diameter(row) for row in own], [position(row) for row in own], ".", color=colour, label=name)
     own = [row for row in banded if row["kind"] == "angular contact"]
     axes.plot([mean_diameter(row) for row in own], [position(row) for row in own], "r^", mfc="none", label="72 B, 73 B")
     axes.set_yscale("log")
-    axes.set_ylim(0.35, 2.5)
-    axes.set_yticks([0.4, 0.5, 0.7, 1, 1.5, 2], ["0.4", "0.5", "0.7", "1", "1.5", "2"])
+    axes.set_ylim(0.35, 3.5)
+    axes.set_yticks([0.4, 0.5, 0.7, 1, 1.5, 2, 3], ["0.4", "0.5", "0.7", "1", "1.5", "2", "3"])
     axes.minorticks_off()
 
 
