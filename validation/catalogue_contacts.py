@@ -75,7 +75,7 @@ def main() -> None:
     loads = [float(SHARES[0] * (SHARES[1] / SHARES[0]) ** share) for share in shares]
     known = read(table) if table.exists() else []
     done = {(row["bearing"], row["race"]) for row in known}
-    ahead = [
+    ahead: list[tuple[str, Race, float]] = [
         (bearing, race, load)
         for bearing, load in zip(BEARINGS, loads, strict=True)
         for race in RACES
