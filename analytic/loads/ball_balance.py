@@ -21,6 +21,9 @@ from analytic.scene import Array, Bearing
 
 PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps  # of the distances between ball and groove centres
 ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of load times the distance whose rounding moves it
+# Of the largest force of a ball's own: what is left where centrifugal force, weight and friction of another ball cancel.
+# Such a remainder presses nothing, and a ball that it leads along its race would go on for ever.
+FORCE_ROUND_OFF = 64 * np.finfo(np.float64).eps
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -74,7 +77,8 @@ def settled_ball(
         inner_angle=angle,
         outer_angle=angle,
     )
-    moved = np.any(ball_force != 0, axis=-1)
+    push = np.hypot(ball_force[..., 0], ball_force[..., 1])
+    moved = push > FORCE_ROUND_OFF * np.max(push, initial=0.0)
     if not np.any(moved):
         return still
     outer_length = bearing.outer.groove_radius - bearing.ball_radius

@@ -69,3 +69,12 @@ def test_a_vanishing_force_changes_nothing(bearing_6205: Bearing) -> None:
     np.testing.assert_allclose(pushed.inner_load, still.inner_load, rtol=1e-8, atol=1e-12)
     np.testing.assert_allclose(pushed.force, still.force, atol=3e-8)  # N: the force's own size
     np.testing.assert_allclose(pushed.tangent[:3], still.tangent[:3], rtol=1e-6)
+
+
+@pytest.mark.parametrize("remainder", [-3e-17, 4e-17])
+def test_round_off_of_a_force_does_not_lead_a_ball_along_its_race(bearing_6205: Bearing, remainder: float) -> None:
+    """Centrifugal force and friction cancel on a ball that nothing loads, beside balls that are pushed by 0.4 N."""
+    push = np.array([[0.4, 0.0], [0.4, 0.0], [0.4, 0.0], [remainder, 0.0]])
+    balance = ball(bearing_6205, PLACES, push)
+    assert (balance.inner_load[3], balance.outer_load[3]) == (0.0, 0.0)
+    np.testing.assert_array_equal(balance.outer_load[:3], ball(bearing_6205, PLACES[:3], push[:3]).outer_load)
