@@ -34,6 +34,7 @@ OWN_QUANTITIES = {
 }
 OWN_WORDS = {"pair": get_args(Pair), "geometry": ("real", "hertzian", "wall")}
 OF_CONTACT = ("pair", "ball_load", "geometry", "accuracy")
+DIRECTION = "down"  # the key of [operation] whose list is one value
 RANGE = ("from", "to", "count", "spacing")
 MOST_COUNT = 1_000_000  # values of one axis
 BYTES_A_POINT = 400  # of the whole dataset in memory, or of a map while it is drawn
@@ -285,7 +286,8 @@ def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None
     operation = document.get("operation")
     keys = {axis.key for axis in axes}
     for key, value in operation.items() if isinstance(operation, dict) else ():
-        if isinstance(value, list) and len(value) != 1 and f"operation.{key}" not in keys:
+        is_series = isinstance(value, list) and len(value) != 1 and key != DIRECTION
+        if is_series and f"operation.{key}" not in keys:
             raise InputError(
                 f"operation.{plain(key)} has {len(value)} values in the scene; make it an axis, or give it one value"
             )

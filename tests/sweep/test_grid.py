@@ -57,6 +57,11 @@ def test_a_clearance_is_swept_as_a_length_or_as_a_group(grid_file: Callable[...,
     assert lengths.bearing.diametral_clearance == pytest.approx(20.5e-6, rel=1e-9)
 
 
+def test_the_direction_of_gravity_is_one_value(grid_file: Callable[..., Path]) -> None:
+    scene = SCENE.replace("[scene.operation]", "[scene.operation]\ndown = [0, 3, 0]")
+    assert load_grid(grid_file(LOADS, scene=scene)).scene(1).down == (0.0, 1.0, 0.0)
+
+
 def test_conformity_sets_both_grooves_and_nothing_else(grid_file: Callable[..., Path]) -> None:
     grid = load_grid(grid_file("bearing.conformity = [0.515, 0.53]\n" + LOADS))
     plain = load_grid(grid_file(LOADS)).scene(0).bearing

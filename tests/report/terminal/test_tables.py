@@ -199,6 +199,7 @@ def test_json_tells_each_contact_with_its_numbers(told: dict[str, Any]) -> None:
         "mesh": 0.011,
         "beyond": 0.0,
         "domain": 0.003,
+        "sides": 0.0,
     }
     assert [contact["verdict"] for contact in (inner, outer, seat)] == ["fail", "outside validity", "undecided"]
     assert (sheet["geometry"], sheet["cost"]["unknowns"]) == ("wall", 43000)
