@@ -21,8 +21,8 @@ from analytic.scene import Array, Bearing
 
 PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps  # of the distances between ball and groove centres
 ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of load times the distance whose rounding moves it
-# Of the largest force of a ball's own: what is left where centrifugal force, weight and friction of another ball cancel.
-# Such a remainder presses nothing, and a ball that it leads along its race would go on for ever.
+# Of the largest force of a ball's own: what is left where centrifugal force, weight and friction of another ball
+# cancel. Such a remainder presses nothing, and would lead a ball along its race for ever.
 FORCE_ROUND_OFF = 64 * np.finfo(np.float64).eps
 
 
