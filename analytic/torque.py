@@ -22,6 +22,7 @@ from analytic.effects.cage import decide_cage
 from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
+from analytic.effects.washers import held_in_the_middle
 from analytic.effects.warnings import torque_warnings
 from analytic.errors import FembearingError, InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
@@ -89,6 +90,7 @@ def friction_torque(
         load_warnings = load_warnings + list(cage.warnings)
     limits = check_limits(scene, operation, balls, ledger)
     uncertainty = _uncertainty(ledger, races, total=total) + limits.uncertainty
+    uncertainty = uncertainty + held_in_the_middle(scene, operation, balls, parts=races.parts, total=total)
     at, oiled = balls.heaviest, races.resisting.oiled
     result = FrictionTorque(
         inner_speed=speed,

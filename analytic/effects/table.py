@@ -99,10 +99,16 @@ def _cage(scene: Scene) -> str | None:
     return "no cage is given: add a table [cage]" if scene.cage is None else None
 
 
+def _cage_of_rings(scene: Scene) -> str | None:
+    if scene.cage is not None and scene.bearing.kind == "thrust":
+        return "not modelled in a thrust bearing: its cage rests on its balls"
+    return _cage(scene)
+
+
 def _moving_cage(scene: Scene) -> str | None:
     if scene.cage is not None and scene.cage.start is None:
         return 'cage.start is not given: give "rest", "ramp", "sudden" or "whirl"'
-    return _cage(scene)
+    return _cage_of_rings(scene)
 
 
 def _seals(scene: Scene) -> str | None:
@@ -114,13 +120,18 @@ def _seals(scene: Scene) -> str | None:
     return f"not declared: {seals}" if scene.bearing.seals_rub else f"no drag: {seals}"
 
 
-SOLVED_ANGLE = Need(
-    keys='`contact_angle.rule = "solved"`',
-    lacks=lambda scene: (
-        'contact_angle.rule = "given" holds the angle that it would change: use "solved"'
-        if scene.contact_angle.rule == "given"
-        else None
-    ),
+def _held_angle(scene: Scene) -> str | None:
+    if scene.bearing.kind == "thrust":
+        return "not modelled in a thrust bearing, whose balls stay in the middle of their grooves"
+    if scene.contact_angle.rule == "given":
+        return 'contact_angle.rule = "given" holds the angle that it would change: use "solved"'
+    return None
+
+
+SOLVED_ANGLE = Need(keys='`contact_angle.rule = "solved"`', lacks=_held_angle)
+TURNING_BALL = Need(  # the moment moves no load of a ball at 90 degrees, and so leaves its angle alone
+    keys='`contact_angle.rule = "solved"`, or a thrust bearing',
+    lacks=lambda scene: None if scene.bearing.kind == "thrust" else _held_angle(scene),
 )
 DOWN = Need(
     keys='`contact_angle.rule = "solved"` and `down`',
@@ -170,7 +181,7 @@ TABLE = (
         name="gyroscopic",
         kind="computed",
         meaning="gyroscopic moment on the balls",
-        needs=SOLVED_ANGLE,
+        needs=TURNING_BALL,
         bound="the axial pull of the friction that holds the moment, over a ball's thrust; under unequal loads all of "
         f"that friction, over the load of the lightest ball; and {PER_GYROSCOPIC_SLIP:g} times the moment over what "
         "friction holds",
@@ -255,7 +266,7 @@ TABLE = (
         name="cage_dynamics",
         kind="cage",
         meaning="motion of a cage that does not rest on its balls",
-        needs=Need(keys="`[cage]` with `start`", lacks=_cage),
+        needs=Need(keys="`[cage]` with `start`", lacks=_cage_of_rings),
         bound=f"the friction of a cage that whirls, against all its balls; 0 below a whirl number of {LEAST_WHIRL:g}",
         idle='the cage is left out: give effects.cage = "auto"',
     ),
