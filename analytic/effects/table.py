@@ -122,7 +122,7 @@ def _seals(scene: Scene) -> str | None:
 
 def _held_angle(scene: Scene) -> str | None:
     if scene.bearing.kind == "thrust":
-        return "not modelled in a thrust bearing, whose balls stay in the middle of their grooves"
+        return "not modelled in a thrust bearing, whose balls stay in the middle of their grooves; see its uncertainty"
     if scene.contact_angle.rule == "given":
         return 'contact_angle.rule = "given" holds the angle that it would change: use "solved"'
     return None

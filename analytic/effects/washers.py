@@ -9,6 +9,7 @@ from analytic.loads.balls import LoadedBalls
 from analytic.loads.shares import own_forces_of_lightest
 from analytic.scene import Array, Operation, Scene
 
+HELD = ("centrifugal", "weight")  # effects whose bound in a thrust bearing is part of the uncertainty
 # Power of the load with which a part of the torque goes at most. Boundary friction: moments as load times width.
 # Rolling: the width alone.
 LOAD_POWER = {"spin": 4 / 3, "conformity": 5 / 3, "hysteresis": 4 / 3, "rolling": 1 / 3}
@@ -32,5 +33,5 @@ def held_in_the_middle(
     outward, _, weight = own_forces_of_lightest(bearing, operation, balls)
     leaning = outward * bearing.pitch_diameter / bearing.ball_diameter * parts.get("spin", np.zeros_like(total))
     heavier = sum((power / 2 * weight * parts[name] for name, power in LOAD_POWER.items() if name in parts), start=0.0)
-    wanted = [part for name, part in (("centrifugal", leaning), ("weight", heavier)) if scene.effects.get(name) != "off"]
+    wanted = [part for name, part in zip(HELD, (leaning, heavier), strict=True) if scene.effects.get(name) != "off"]
     return share_in(sum(wanted, start=np.zeros_like(total)), total)

@@ -215,6 +215,8 @@ def _of_bearing(scene: Scene) -> Iterator[Variation]:
             of_groove,
             "groove radius over ball diameter; judgement: 0.04 mm of a groove's radius in a ball of 8 mm",
         )
+    if bearing.kind == "thrust":
+        return
     if angle.rule == "given":
         assert angle.value is not None
         yield times(
