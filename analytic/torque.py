@@ -22,8 +22,8 @@ from analytic.effects.cage import decide_cage
 from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
-from analytic.effects.washers import held_in_the_middle
 from analytic.effects.warnings import torque_warnings
+from analytic.effects.washers import held_in_the_middle
 from analytic.errors import FembearingError, InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.inlets import Inlets, starvation_source

@@ -1,4 +1,4 @@
-"""What the balls' own forces can do in a thrust bearing, whose equilibrium holds them in the middle of their grooves."""
+"""What the balls' own forces can do in a thrust bearing, which is computed with them in the middle of their grooves."""
 
 from collections.abc import Mapping
 

@@ -108,7 +108,10 @@ def _thrust_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
         radial += [(f"{name}.{key}", getattr(ring, key) is not None) for key in OF_RADIAL]
     for key, said in radial:
         if said:
-            yield f"bearing.{key}", 'goes with kind = "radial": the balls of a thrust bearing touch at 90 deg; leave it out'
+            yield (
+                f"bearing.{key}",
+                'goes with kind = "radial": the balls of a thrust bearing touch at 90 deg; leave it out',
+            )
     profiles = {_profile(given, getattr(given, name)) for name in RINGS}
     if len(profiles) > 1 and not np.isnan([*profiles]).any():
         yield "bearing.outer.groove_radius", "must be that of the inner ring: a thrust bearing has two equal grooves"

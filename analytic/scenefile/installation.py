@@ -36,7 +36,10 @@ def _washer_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
                 yield f"cage.{key}", "is not modelled in a thrust bearing, whose cage rests on its balls; leave it out"
     for key in ("radial_load", "moment"):
         if any(getattr(table.operation, key)):
-            yield f"operation.{key}", "is not modelled for a thrust bearing, which carries axial_load alone; leave it out"
+            yield (
+                f"operation.{key}",
+                "is not modelled for a thrust bearing, which carries axial_load alone; leave it out",
+            )
 
 
 def in_operation(bearing: Bearing, given: MountingTable) -> tuple[Bearing, Clearances | None, list[tuple[str, str]]]:
