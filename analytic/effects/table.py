@@ -10,6 +10,7 @@ from typing import Literal
 
 from analytic.cage.grip import LARGEST_GRIP
 from analytic.contact.geometry import USUAL_SHOULDERS
+from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Scene
 
 # Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
@@ -151,10 +152,11 @@ LUBRICATED_SURFACE = Need(
 RING_DIAMETERS = Need(
     keys="`[lubricant]` with `starvation_degree`, or `bore_diameter` and `outside_diameter`", lacks=_ring_diameters
 )
-HYSTERESIS_LOSS = Need(
+LOSS_FACTOR = Need(
     keys="`hysteresis_loss`",
     lacks=lambda scene: (
-        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle, for steel 0.004-0.01"
+        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle; no measured one is "
+        f"known, {HYSTERESIS_LOSS[0]:g} to {HYSTERESIS_LOSS[1]:g} are in use for steel, often 0.007"
         if scene.hysteresis_loss is None
         else None
     ),
@@ -248,7 +250,8 @@ TABLE = (
         name="hysteresis",
         kind="computed",
         meaning="elastic energy lost by the bodies in each cycle",
-        needs=HYSTERESIS_LOSS,
+        needs=LOSS_FACTOR,
+        bound=f"where it is left out: the loss by a factor of {HYSTERESIS_LOSS[1]:g}",
     ),
     Entry(
         name="rolling",
