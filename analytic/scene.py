@@ -270,8 +270,7 @@ class HeightMapFile:
 class Surface:
     """Roughness of ball and races: declared statistics of random heights, or the height map of a race.
 
-    Give either `height_map` or both `rms_roughness` and `autocorrelation`. The heights of the ball have the same
-    statistics, scaled to `ball_rms_roughness`.
+    Give `height_map`, or `rms_roughness` and `autocorrelation`. The ball has the same, scaled to `ball_rms_roughness`.
     """
 
     rms_roughness: float | None = None  # Sq, of each surface, m
@@ -374,8 +373,7 @@ class Contact:
 
     `rolling_radius` is the radius of the groove along rolling at the centre of the contact: positive on the inner ring
     (convex), negative on the outer ring (concave). `shoulder` and `far_shoulder` are the distances from the centre of
-    the contact to the shoulders at y > 0 and at y < 0, in the tangent plane at that centre. The contact lies on the
-    side y > 0 of the groove, at an angle that is never negative; so y points to the shoulder that it has moved towards.
+    the contact to the shoulders at y > 0, which it has moved towards, and at y < 0, in the tangent plane there.
     """
 
     pair: Pair

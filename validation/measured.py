@@ -137,7 +137,7 @@ def as_other(rig: Rig) -> Other:
         kind="validation",
         low=float(ratio.min()),
         high=float(ratio.max()),
-        worth="validates resistance to rolling in oil at light loads; sliding, hysteresis and cage hardly count there",
+        worth="tests the resistance to rolling in oil at light loads and finds it too low; sliding hardly counts there",
     )
 
 
