@@ -32,6 +32,8 @@ def held_in_the_middle(
         return np.zeros_like(total)
     outward, _, weight = own_forces_of_lightest(bearing, operation, balls)
     leaning = outward * bearing.pitch_diameter / bearing.ball_diameter * parts.get("spin", np.zeros_like(total))
-    heavier = sum((power / 2 * weight * parts[name] for name, power in LOAD_POWER.items() if name in parts), start=0.0)
+    heavier = sum(
+        (power / 2 * weight * parts[name] for name, power in LOAD_POWER.items() if name in parts), start=0 * total
+    )
     wanted = [part for name, part in zip(HELD, (leaning, heavier), strict=True) if scene.effects.get(name) != "off"]
     return share_in(sum(wanted, start=np.zeros_like(total)), total)

@@ -32,7 +32,7 @@ SHARES = (
     "leaving the effect out changes. The uncertainty of the torque does not count effects that the scene switches off."
 )
 MEASURED_RANGE = "12 to 48 %"  # of validation/reports/measured.csv, which a test compares
-MEASURED = f"In the one rig with measured torques, three balls in oil, {MEASURED_RANGE} too low."
+MEASURED = f"In the one rig with measured torques, three balls in oil, the torque is {MEASURED_RANGE} too low."
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 

@@ -58,10 +58,13 @@ def test_the_arithmetic_of_one_point_by_hand(rig: Any) -> None:
 
 
 def test_the_inputs_have_the_sizes_that_the_formula_says(rig: Any) -> None:
-    """Rolling goes with viscosity to the power 2/3 to 3/4, and with the radius to one more."""
+    """Rolling: a force with viscosity and speed to the power 2/3 to 3/4 and more, on a lever, times the radius."""
     viscosity, radius = (rig.inputs[name] / rig.computed for name in ("viscosity", "radius of the races"))
-    assert np.all((viscosity > 0.65 * 2 / 3 * 0.1) & (viscosity < 0.065 * 3 / 4 * 1.2))
-    np.testing.assert_allclose(radius / viscosity, (1 + 1 / 0.72) * (3**-0.5 / 18) / 0.065 * 0.72, rtol=0.1)  # of powers
+    powers = viscosity / 0.065, radius / (3**-0.5 / 18)
+    # Between the two regimes the power is above that of both: rolling passes from one level to a higher one.
+    assert np.all((powers[0] > 2 / 3) & (powers[0] < 0.95))
+    # Other parts of the torque, 3 % at most, do not go with both alike; differences over 6 % are not exactly slopes.
+    np.testing.assert_allclose(powers[1], powers[0] + 1, rtol=0.03)
     for name in ("boundary friction", "length of the roughness waves"):
         assert np.all(rig.inputs[name] < 0.01 * rig.computed)
 
@@ -84,5 +87,11 @@ def test_the_sentences_quote_the_report() -> None:
     low, high = min(map(abs, relative)), max(map(abs, relative))
     assert f"{low:.0f} to {high:.0f} %" == MEASURED_RANGE
     assert MEASURED_RANGE in MEASURED
-    for page in ("README.md", "docs/measured.md", "docs/limits.md", "docs/validation.md", "validation/reports/measured.md"):
+    for page in (
+        "README.md",
+        "docs/measured.md",
+        "docs/limits.md",
+        "docs/validation.md",
+        "validation/reports/measured.md",
+    ):
         assert MEASURED_RANGE in (ROOT / page).read_text(encoding="utf-8"), page
