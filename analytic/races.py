@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
-from analytic.effects.ledger import Ledger
+from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.loads import ChosenBalls, chosen_balls
 from analytic.effects.sliding import Resisting, decide_creep, decide_sliding, decide_whether_sliding, mixed_contacts
+from analytic.effects.table import ENTRIES
 from analytic.errors import require_finite
 from analytic.free_ball.sliding import FreeProblem, slide_freely
 from analytic.loads.balls import LoadedBalls
@@ -20,6 +21,7 @@ from analytic.oil.inlets import inlets_of
 from analytic.oil.lubricated_races import lubricate_races
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import (
+    HYSTERESIS_LOSS,
     RollingResistance,
     houpert_rolling,
     hydrodynamic_rolling,
@@ -118,9 +120,19 @@ def race_torque(
         parts["rolling"] = _rolled(ledger, resisting)
     if sliding is not None:
         parts |= {name: getattr(sliding, name) for name in BY_SLIP if ledger.is_on(name)}
-    return RaceTorque(
+    races = RaceTorque(
         chosen=chosen, parts=parts, resisting=resisting, resistance=resistance, mixed=mixed, sliding=sliding
     )
+    reason = ENTRIES["hysteresis"].lacks(scene)
+    if reason is not None:
+        most = share_in(_hysteresis(chosen.balls, HYSTERESIS_LOSS[1]), races.total)
+        ledger.settle("hysteresis", on=False, share=most, reason=reason)
+    return races
+
+
+def _hysteresis(balls: LoadedBalls, loss: float) -> Array:
+    """(n,) torque by hysteresis, N m; loss : alpha'."""
+    return balls.total(hysteresis_moment(balls.contacts, hysteresis_loss=loss) * balls.contacts.rolling_rate)
 
 
 def _other(ledger: Ledger, resisting: Resisting) -> Array:
@@ -144,8 +156,7 @@ def _resisting(
     constant = np.zeros(balls.load.shape[1])
     if ledger.is_on("hysteresis"):
         assert scene.hysteresis_loss is not None
-        moment = hysteresis_moment(balls.contacts, hysteresis_loss=scene.hysteresis_loss)
-        constant = balls.total(moment * balls.contacts.rolling_rate)
+        constant = _hysteresis(balls, scene.hysteresis_loss)
     resistance: RollingResistance | None = None
     rolling: Array | None = None
     if ledger.is_on("rolling"):

@@ -35,6 +35,7 @@ Status = Literal["given", "printed", "derived", "assumed", "not known"]
 ClearanceGroup = Literal["C2", "CN", "C3", "C4", "C5"]
 ArrangementKind = Literal["O", "X", "tandem"]
 Grade = Literal["printed", "A", "B", "C", "D"]
+BearingKind = Literal["radial", "thrust"]
 Sliding = Literal["auto"] | SlidingMethod
 
 
@@ -80,18 +81,19 @@ class Groove:
     """The raceway of one ring: a torus, with a flat land beyond each shoulder.
 
     Thrust loads one side of the groove; the shoulder there is the near one, the other is the far one. A far half-width
-    of 0 is a groove that is cylindrical from its bottom on, as in a counterbored outer ring.
+    of 0 is a groove that is cylindrical from its bottom on, as in a counterbored outer ring. A thrust washer is loaded
+    at the bottom of its groove, and its half-widths lie along the radius, the near one outside.
     """
 
     bottom_radius: float  # bearing axis to the bottom of the groove, m
     groove_radius: float  # r_g, of the profile of the groove, m
-    shoulder_half_width: float | None  # middle of the groove to the near shoulder, along the axis, m; None: not known
+    shoulder_half_width: float | None  # bottom of the groove to the near shoulder, along the axis, m; None: not known
     material: Material
     far_shoulder_half_width: float | None = None  # likewise to the far shoulder, m, >= 0; None: as the near one
 
     @property
     def half_widths(self) -> tuple[float | None, float | None]:
-        """Middle of the groove to the near and to the far shoulder, m; None: not known."""
+        """Bottom of the groove to the near and to the far shoulder, m; None: not known."""
         near, far = self.shoulder_half_width, self.far_shoulder_half_width
         return near, near if far is None else far
 
@@ -132,7 +134,7 @@ class Cage:
 
 @dataclass(frozen=True, kw_only=True)
 class Bearing:
-    """A deep-groove or angular-contact ball bearing."""
+    """A ball bearing: radial, or a thrust bearing of two equal washers at 90 degrees, of which `inner` turns."""
 
     name: str
     ball_count: int  # Z
@@ -143,9 +145,8 @@ class Bearing:
     outer: Groove
     bore_diameter: float | None = None  # m: where the inner ring sits on its shaft
     outside_diameter: float | None = None  # m: where the outer ring sits in its housing
-    width: float | None = (
-        None  # of both rings, m; where one of these three is None the structure of the rings is unknown
-    )
+    width: float | None = None  # of both rings, m; where one of these three is None the rings' structure is unknown
+    kind: BearingKind = "radial"
     static_load_rating: float | None = None  # C0 by a catalogue, N; None: unknown
     dynamic_load_rating: float | None = None  # C by a catalogue, N; None: unknown
     series: str | None = None  # by its designation, "62" or "72 B"; None: not of the catalogue
@@ -161,12 +162,14 @@ class Bearing:
 
     @property
     def pitch_diameter(self) -> float:
-        """d_m: the mean of the two groove-bottom diameters, m."""
+        """d_m: the mean of the two groove-bottom diameters, m: in a thrust bearing the circle of the ball centres."""
         return self.inner.bottom_radius + self.outer.bottom_radius
 
     @property
     def diametral_clearance(self) -> float:
         """P_d: radial clearance of the unloaded bearing, on the diameter, m; negative is preload."""
+        if self.kind == "thrust":
+            raise InputError("a thrust bearing has no radial clearance: its contact angle is given, 90 degrees")
         return 2 * (self.outer.bottom_radius - self.inner.bottom_radius - self.ball_diameter)
 
     @property
@@ -243,9 +246,7 @@ class Lubricant:
     supply: Supply = "oil_bath"  # how oil returns to the track
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
     compressible: bool = False  # whether pressure squeezes the oil in the film
-    origins: Mapping[str, Origin] = field(
-        default_factory=lambda: MappingProxyType({}), compare=False
-    )  # by field; empty: not noted
+    origins: Mapping[str, Origin] = field(default_factory=no_origins, compare=False)  # by field; empty: not noted
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -269,8 +270,7 @@ class HeightMapFile:
 class Surface:
     """Roughness of ball and races: declared statistics of random heights, or the height map of a race.
 
-    Give either `height_map` or both `rms_roughness` and `autocorrelation`. The heights of the ball have the same
-    statistics, scaled to `ball_rms_roughness`.
+    Give `height_map`, or `rms_roughness` and `autocorrelation`. The ball has the same, scaled to `ball_rms_roughness`.
     """
 
     rms_roughness: float | None = None  # Sq, of each surface, m
@@ -279,13 +279,9 @@ class Surface:
     ball_rms_roughness: float | None = None  # Sq of the ball, m; None: as the race
     hardness: float | None = None  # H, Pa; None: that of the softer material
     boundary_friction: float = 0.12  # mu_b, of asperities in contact
-    gap: GapModel = (
-        "elastic"  # the room for the oil: between surfaces that deform, or that are cut off where they overlap
-    )
+    gap: GapModel = "elastic"  # room for the oil: between surfaces that deform, or that are cut off where they overlap
     asperities: AsperityLaw = "zhao_maietta_chang"  # of truncated surfaces; greenwood_williamson: they never yield
-    origins: Mapping[str, Origin] = field(
-        default_factory=lambda: MappingProxyType({}), compare=False
-    )  # by field; empty: not noted
+    origins: Mapping[str, Origin] = field(default_factory=no_origins, compare=False)  # by field; empty: not noted
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -377,14 +373,13 @@ class Contact:
 
     `rolling_radius` is the radius of the groove along rolling at the centre of the contact: positive on the inner ring
     (convex), negative on the outer ring (concave). `shoulder` and `far_shoulder` are the distances from the centre of
-    the contact to the shoulders at y > 0 and at y < 0, in the tangent plane at that centre. The contact lies on the
-    side y > 0 of the groove, at an angle that is never negative; so y points to the shoulder that it has moved towards.
+    the contact to the shoulders at y > 0, which it has moved towards, and at y < 0, in the tangent plane there.
     """
 
     pair: Pair
     ball_radius: float  # m
     groove_radius: float  # r_g, m
-    rolling_radius: float  # m, signed
+    rolling_radius: float  # m, signed; infinite on a thrust washer
     shoulder: float  # at y > 0, m
     far_shoulder: float  # at y < 0, m
     contact_angle: float  # rad, >= 0
@@ -393,6 +388,11 @@ class Contact:
     race_material: Material
     wall: Wall | None = None  # of a pocket
     ring: Ring | None = None  # of a race whose seat and width are known
+
+    @property
+    def tilt(self) -> float:
+        """Of the race's lands against the tangent plane, rad: those of a thrust washer are parallel to it."""
+        return 0.0 if np.isinf(self.rolling_radius) else self.contact_angle
 
     @property
     def nearer_shoulder(self) -> float:

@@ -23,6 +23,7 @@ from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
 from analytic.effects.warnings import torque_warnings
+from analytic.effects.washers import held_in_the_middle
 from analytic.errors import FembearingError, InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.inlets import Inlets, starvation_source
@@ -89,6 +90,7 @@ def friction_torque(
         load_warnings = load_warnings + list(cage.warnings)
     limits = check_limits(scene, operation, balls, ledger)
     uncertainty = _uncertainty(ledger, races, total=total) + limits.uncertainty
+    uncertainty = uncertainty + held_in_the_middle(scene, operation, balls, parts=races.parts, total=total)
     at, oiled = balls.heaviest, races.resisting.oiled
     result = FrictionTorque(
         inner_speed=speed,

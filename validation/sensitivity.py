@@ -22,6 +22,7 @@ from rich.table import Table
 
 from analytic.oil import variation as oil_variation
 from analytic.oil.film import FILM_FACTORS
+from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Array, Autocorrelation, ContactAngle, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
@@ -191,8 +192,8 @@ def variations(scene: Scene) -> Iterator[Variation]:
         no_source,
     )  # fmt: skip
     yield between(
-        "hysteresis loss", "", 1, scene.hysteresis_loss or np.nan, (0.004, 0.01),
-        lambda v: replace(scene, hysteresis_loss=v), "bearing steel, no source seen",
+        "hysteresis loss", "", 1, scene.hysteresis_loss or np.nan, HYSTERESIS_LOSS,
+        lambda v: replace(scene, hysteresis_loss=v), "in use for bearing steel, none of them measured",
     )  # fmt: skip
     yield between(
         "correlation length",

@@ -195,7 +195,7 @@ def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_l
         groove_radius=groove.groove_radius,
         rolling_curvature=radius * rolling - 1,
         shoulders=(shoulder, far_shoulder),
-        contact_angle=np.abs(contact_angle),
+        contact_angle=np.abs(contact_angle) if bearing.kind == "radial" else np.zeros_like(rolling),
         load=ball_load,
         materials=(bearing.ball_material, groove.material),
     )
@@ -208,7 +208,7 @@ def contact_shape(contact: Contact) -> ContactShape:
         groove_radius=contact.groove_radius,
         rolling_curvature=contact.ball_radius / contact.rolling_radius,
         shoulders=(contact.shoulder, contact.far_shoulder),
-        contact_angle=contact.contact_angle,
+        contact_angle=contact.tilt,
         load=contact.load,
         materials=(contact.ball_material, contact.race_material),
     )

@@ -38,7 +38,8 @@ def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -
 def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
     """Distances from the contact's centre to both shoulders in the tangent plane, m; each the shape of contact_angle.
 
-    contact_angle : al, rad, in [-pi/2, pi/2]; negative where a moment presses the ball on the far side of the groove
+    contact_angle : al, rad, in [-pi/2, pi/2]; negative where a moment presses the ball on the far side of the groove;
+        pi/2 in a thrust bearing, whose balls touch the bottom of the groove
     First the shoulder that the contact has moved towards, then the other. A shoulder has the profile angle asin(w/r_g)
     from the groove's bottom, where w is its half-width. The distances are r_g sin(asin(w/r_g) -+ |al|), at most r_g; if
     one is negative, the centre lies beyond that shoulder. NaN where the half-width is not known.
@@ -46,6 +47,8 @@ def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike
     """
     signed = np.asarray(contact_angle, dtype=np.float64)
     angle = _angle(np.abs(signed))
+    if bearing.kind == "thrust":
+        signed = angle = angle - np.pi / 2
     groove = _groove(bearing, race)
     near, far = (np.nan if width is None else np.arcsin(width / groove.groove_radius) for width in groove.half_widths)
     towards, away = np.where(signed < 0, far, near), np.where(signed < 0, near, far)
@@ -106,7 +109,7 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
         pair=race,
         ball_radius=bearing.ball_radius,
         groove_radius=groove.groove_radius,
-        rolling_radius=1 / curvature,
+        rolling_radius=1 / curvature if curvature else np.inf,
         shoulder=shoulder,
         far_shoulder=far_shoulder,
         contact_angle=float(angle),
@@ -148,15 +151,15 @@ def pocket_contact(bearing: Bearing, cage: Cage, *, load: float) -> Contact:
 
 def _rolling_curvature(bearing: Bearing, race: Race, angle: Array) -> Array:
     """Curvature of the race in the direction of rolling at the contact's centre, 1/m; positive on the inner race."""
-    cosine, sign = np.cos(angle), 1 if race == "inner" else -1
+    cosine, sign = np.where(angle < np.pi / 2, np.cos(angle), 0.0), 1 if race == "inner" else -1
     return sign * cosine / (bearing.pitch_diameter / 2 - sign * bearing.ball_radius * cosine)
 
 
 def _ring(bearing: Bearing, race: Race, half_widths: tuple[float, float]) -> Ring | None:
-    """The ring behind the groove; None if its seat or width is not known."""
+    """The ring behind the groove; None if its seat or width is not known, and for a washer."""
     groove = _groove(bearing, race)
     seat = bearing.bore_diameter if race == "inner" else bearing.outside_diameter
-    if seat is None or bearing.width is None:
+    if seat is None or bearing.width is None or bearing.kind == "thrust":
         return None
     return Ring(
         bottom_radius=groove.bottom_radius,

@@ -61,6 +61,8 @@ def chosen_balls(
     Raises InputError for loads that no method takes.
     """
     bearing, contact_angle = scene.bearing, scene.contact_angle
+    if bearing.kind == "thrust":
+        _require_thrust(operation)
     shares = load_shares(bearing, contact_angle, operation)
     distributed = _decide_distribution(shares, ledger)
     massless = LoadEffects(load_distribution=distributed, centrifugal=False, gyroscopic=False)
@@ -87,6 +89,17 @@ def chosen_balls(
         return chosen
     corrected = loaded_balls(bearing, contact_angle, operation, effects, correction=found.correction)
     return replace(chosen, balls=corrected, correction=found.correction)
+
+
+def _require_thrust(operation: Operation) -> None:
+    """Raise InputError for loads that a thrust bearing does not take."""
+    for name, unit in (("radial_load", "N"), ("moment", "N m")):
+        values = np.asarray(getattr(operation, name))
+        if np.any(values):
+            raise InputError(
+                f"operation.{name} = {values.flat[np.argmax(np.abs(values))]:g} {unit}: a thrust bearing carries "
+                f"axial_load alone; leave {name} out"
+            )
 
 
 def _decide_distribution(shares: LoadShares, ledger: Ledger) -> bool:
@@ -123,6 +136,13 @@ def _decide_own_forces(
     turns = bool(np.any(operation.inner_speed))
     centrifugal = ledger.decide("centrifugal", bound=PER_CENTRIFUGAL * outward, demanded=demanded if turns else None)
     worst = int(np.argmax(shares.centrifugal))
+    if ledger.scene.bearing.kind == "thrust" and shares.centrifugal[worst] * PRESSED > 1:
+        raise InputError(
+            f"operation.inner_speed = {operation.inner_speed[worst]:g} rad/s: the centrifugal force of a ball is "
+            f"{shares.centrifugal[worst]:.3g} times its load under {operation.axial_load[worst]:g} N of thrust, above "
+            f"{1 / PRESSED:g}, and drives it out of the middle of its grooves, which is not modelled in a thrust "
+            "bearing: raise the load or lower the speed"
+        )
     if centrifugal and shares.centrifugal[worst] > MOST_CENTRIFUGAL:
         raise InputError(
             f"operation.inner_speed = {operation.inner_speed[worst]:g} rad/s: the centrifugal force of a ball is "

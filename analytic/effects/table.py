@@ -10,6 +10,7 @@ from typing import Literal
 
 from analytic.cage.grip import LARGEST_GRIP
 from analytic.contact.geometry import USUAL_SHOULDERS
+from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Scene
 
 # Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
@@ -99,10 +100,16 @@ def _cage(scene: Scene) -> str | None:
     return "no cage is given: add a table [cage]" if scene.cage is None else None
 
 
+def _cage_of_rings(scene: Scene) -> str | None:
+    if scene.cage is not None and scene.bearing.kind == "thrust":
+        return "not modelled in a thrust bearing: its cage rests on its balls"
+    return _cage(scene)
+
+
 def _moving_cage(scene: Scene) -> str | None:
     if scene.cage is not None and scene.cage.start is None:
         return 'cage.start is not given: give "rest", "ramp", "sudden" or "whirl"'
-    return _cage(scene)
+    return _cage_of_rings(scene)
 
 
 def _seals(scene: Scene) -> str | None:
@@ -114,13 +121,18 @@ def _seals(scene: Scene) -> str | None:
     return f"not declared: {seals}" if scene.bearing.seals_rub else f"no drag: {seals}"
 
 
-SOLVED_ANGLE = Need(
-    keys='`contact_angle.rule = "solved"`',
-    lacks=lambda scene: (
-        'contact_angle.rule = "given" holds the angle that it would change: use "solved"'
-        if scene.contact_angle.rule == "given"
-        else None
-    ),
+def _held_angle(scene: Scene) -> str | None:
+    if scene.bearing.kind == "thrust":
+        return "not modelled in a thrust bearing, whose balls stay in the middle of their grooves; see its uncertainty"
+    if scene.contact_angle.rule == "given":
+        return 'contact_angle.rule = "given" holds the angle that it would change: use "solved"'
+    return None
+
+
+SOLVED_ANGLE = Need(keys='`contact_angle.rule = "solved"`', lacks=_held_angle)
+TURNING_BALL = Need(  # the moment moves no load of a ball at 90 degrees, and so leaves its angle alone
+    keys='`contact_angle.rule = "solved"`, or a thrust bearing',
+    lacks=lambda scene: None if scene.bearing.kind == "thrust" else _held_angle(scene),
 )
 DOWN = Need(
     keys='`contact_angle.rule = "solved"` and `down`',
@@ -140,10 +152,11 @@ LUBRICATED_SURFACE = Need(
 RING_DIAMETERS = Need(
     keys="`[lubricant]` with `starvation_degree`, or `bore_diameter` and `outside_diameter`", lacks=_ring_diameters
 )
-HYSTERESIS_LOSS = Need(
+LOSS_FACTOR = Need(
     keys="`hysteresis_loss`",
     lacks=lambda scene: (
-        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle, for steel 0.004-0.01"
+        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle; no measured one is "
+        f"known, {HYSTERESIS_LOSS[0]:g} to {HYSTERESIS_LOSS[1]:g} are in use for steel, often 0.007"
         if scene.hysteresis_loss is None
         else None
     ),
@@ -170,7 +183,7 @@ TABLE = (
         name="gyroscopic",
         kind="computed",
         meaning="gyroscopic moment on the balls",
-        needs=SOLVED_ANGLE,
+        needs=TURNING_BALL,
         bound="the axial pull of the friction that holds the moment, over a ball's thrust; under unequal loads all of "
         f"that friction, over the load of the lightest ball; and {PER_GYROSCOPIC_SLIP:g} times the moment over what "
         "friction holds",
@@ -237,7 +250,8 @@ TABLE = (
         name="hysteresis",
         kind="computed",
         meaning="elastic energy lost by the bodies in each cycle",
-        needs=HYSTERESIS_LOSS,
+        needs=LOSS_FACTOR,
+        bound=f"where it is left out: the loss by a factor of {HYSTERESIS_LOSS[1]:g}",
     ),
     Entry(
         name="rolling",
@@ -255,7 +269,7 @@ TABLE = (
         name="cage_dynamics",
         kind="cage",
         meaning="motion of a cage that does not rest on its balls",
-        needs=Need(keys="`[cage]` with `start`", lacks=_cage),
+        needs=Need(keys="`[cage]` with `start`", lacks=_cage_of_rings),
         bound=f"the friction of a cage that whirls, against all its balls; 0 below a whirl number of {LEAST_WHIRL:g}",
         idle='the cage is left out: give effects.cage = "auto"',
     ),

@@ -6,6 +6,7 @@ import numpy as np
 
 from analytic.contact.geometry import RACES
 from analytic.effects.ledger import Ledger, size_of
+from analytic.effects.washers import HELD
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import RollingResistance
@@ -65,6 +66,8 @@ def torque_warnings(
 def _decisions(ledger: Ledger) -> Iterator[str]:
     """Effects that are left out for another reason than their size, and could be larger than the tolerance."""
     for effect in ledger.made.values():
+        if ledger.scene.bearing.kind == "thrust" and effect.name in HELD:
+            continue
         if effect.decision == "off" and effect.share is not None and effect.share > ledger.scene.tolerance:
             beyond = ", more than the tolerance" if effect.share <= 1 else ""
             yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"

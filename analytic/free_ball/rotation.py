@@ -273,7 +273,8 @@ class FreeTurning:
         reach = (outer.groove_radius - radius + approach) * np.cos(balls.outer_angle)
         bodies = np.zeros((balls.inner_angle.size, BALL))
         bodies[:, BALL_RADIUS] = radius
-        bodies[:, ORBIT_RADIUS] = (outer.bottom_radius - outer.groove_radius + reach).ravel()
+        above = 0.0 if self.bearing.kind == "thrust" else outer.groove_radius  # the profile's centre over the bottom
+        bodies[:, ORBIT_RADIUS] = (outer.bottom_radius - above + reach).ravel()
         speed = self._speed(balls.points, balls.inner_angle.shape).ravel()
         bodies[:, INERTIA] = 0.4 * self.bearing.ball_mass * self.inertia[1] * speed**2
         return bodies

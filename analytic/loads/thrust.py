@@ -72,7 +72,7 @@ def thrust_equilibrium(
 
     axial_load : Fa, any shape, N, > 0
     correction : factors on Hertz's contacts, each a number or of the shape of axial_load; None leaves them as they are
-    `given`: al = contact_angle.value. `solved`: al from
+    `given`: al = contact_angle.value, which is pi/2 in a thrust bearing. `solved`: al from
         Q = Fa/(Z sin al),  (A0 + delta_i(Q, al) + delta_o(Q, al)) cos al = A0 cos al0
     where A0 is the groove-centre distance and cos al0 = 1 - P_d/(2 A0), P_d the diametral clearance; P_d < 0 (preload)
     has no al0 and is solved in the same form. contact_angle.free replaces the al0 of the clearance.
@@ -84,7 +84,9 @@ def thrust_equilibrium(
     load = np.asarray(axial_load, dtype=np.float64)
     factors = correction or ContactCorrection()
     if contact_angle.rule == "given":
-        if contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
+        if bearing.kind == "thrust":
+            require_right_angle(contact_angle)
+        elif contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
             raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
         angle = np.full_like(load, contact_angle.value)
         contacts = unit_contacts(bearing, inner_angle=angle, outer_angle=angle, correction=factors)
@@ -168,6 +170,15 @@ def thrust_at_speed(
         inner=inner,
         outer=outer,
     )
+
+
+def require_right_angle(contact_angle: ContactAngle) -> None:
+    """Raise InputError unless this is the contact angle of a thrust bearing: given, 90 degrees."""
+    if contact_angle.rule != "given" or contact_angle.value != np.pi / 2:
+        raise InputError(
+            "a thrust bearing has a contact angle of 90 degrees under every load: give "
+            f"ContactAngle(rule='given', value=pi/2), got rule {contact_angle.rule!r}, value {contact_angle.value!r}"
+        )
 
 
 def free_angle(bearing: Bearing) -> float | None:

@@ -15,7 +15,7 @@ from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_
 from analytic.catalog.suffixes import seal_contact
 from analytic.errors import InputError
 from analytic.scene import Bearing, Groove, Material, Origin
-from analytic.scenefile.tables import BearingTable, GrooveTable
+from analytic.scenefile.tables import BearingTable, ContactAngleTable, GrooveTable
 from analytic.scenefile.text import shown
 
 RINGS = ("inner", "outer")
@@ -25,7 +25,8 @@ RIVALS = (
     ("shoulder_half_width", "shoulder_height", "shoulder_diameter"),
     ("far_shoulder_half_width", "far_shoulder_height", "far_shoulder_diameter"),
 )
-NO_DIMENSIONS = ("catalog", "name", "material", "ball_material")
+OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
+NO_DIMENSIONS = ("catalog", "name", "kind", "material", "ball_material")
 SPAN = 12**0.5  # of a uniform distribution, over its standard deviation
 ANGLE_SPREAD = np.radians(1.5)  # standard deviation of a nominal contact angle; judgement, no tolerance was read
 
@@ -72,6 +73,9 @@ def bearing_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
                 f"bearing.{name}.groove_radius",
                 "is missing; give it, or for both rings conformity = 0.52 of [bearing]",
             )
+    if given.kind == "thrust":
+        yield from _thrust_faults(given)
+        return
     bottoms = [name for name in RINGS if getattr(given, name).bottom_radius is not None]
     if len(bottoms) == 1:
         (other,) = set(RINGS) - set(bottoms)
@@ -94,6 +98,25 @@ def bearing_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
         yield "bearing.clearance", "is a group, which depends on the bore: give bore_diameter, or a length"
 
 
+def _thrust_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
+    """The same for what only a thrust bearing lacks, or does not take."""
+    if given.pitch_diameter is None:
+        yield "bearing.pitch_diameter", 'is missing; give the circle of the ball centres, for example "36 mm"'
+    radial = [("clearance", given.clearance is not None), ("contact_angle", given.contact_angle != ContactAngleTable())]
+    for name in RINGS:
+        ring: GrooveTable = getattr(given, name)
+        radial += [(f"{name}.{key}", getattr(ring, key) is not None) for key in OF_RADIAL]
+    for key, said in radial:
+        if said:
+            yield (
+                f"bearing.{key}",
+                'goes with kind = "radial": the balls of a thrust bearing touch at 90 deg; leave it out',
+            )
+    profiles = {_profile(given, getattr(given, name)) for name in RINGS}
+    if len(profiles) > 1 and not np.isnan([*profiles]).any():
+        yield "bearing.outer.groove_radius", "must be that of the inner ring: a thrust bearing has two equal grooves"
+
+
 def bearing_of(given: BearingTable, *, own: Mapping[str, Any], row: CatalogBearing | None) -> Bearing:
     """The bearing of a table without faults.
 
@@ -102,13 +125,18 @@ def bearing_of(given: BearingTable, *, own: Mapping[str, Any], row: CatalogBeari
     """
     profiles = {name: _profile(given, getattr(given, name)) for name in RINGS}
     distance = sum(profiles.values()) - given.ball_diameter
-    clearance, origin = _clearance(given, distance)
-    bottoms = _bottoms(given, clearance)
+    if given.kind == "thrust":
+        assert given.pitch_diameter is not None, "bearing_faults says so before"
+        origin, bottoms = None, (given.pitch_diameter / 2,) * 2
+    else:
+        clearance, origin = _clearance(given, distance)
+        bottoms = _bottoms(given, clearance)
     ball = Material(**given.ball_material.model_dump())
     solid = ball.density * np.pi / 6 * given.ball_diameter**3
     return Bearing(
         **given.model_dump(include={"ball_count", "ball_diameter", "bore_diameter", "outside_diameter", "width"}),
         **given.model_dump(include={"static_load_rating", "dynamic_load_rating"}),
+        kind=given.kind,
         name=given.name or (given.catalog if row is None else row.designation) or "unnamed",
         ball_mass=float(solid) if given.ball_mass is None else given.ball_mass,
         ball_material=ball,

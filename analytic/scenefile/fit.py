@@ -34,10 +34,13 @@ def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
                 yield f"bearing.{name}.{key}", f"must be below groove_radius {_mm(ring.groove_radius)}"
     if not possible:
         return
-    if not bearing.outer.groove_radius < bearing.outer.bottom_radius:
-        yield "bearing.outer.groove_radius", f"must be below bottom_radius {_mm(bearing.outer.bottom_radius)}"
-    yield from _ring_misfits(bearing)
-    yield from _boundary_misfits(bearing)
+    if bearing.kind == "thrust":
+        yield from _washer_misfits(bearing)
+    else:
+        if not bearing.outer.groove_radius < bearing.outer.bottom_radius:
+            yield "bearing.outer.groove_radius", f"must be below bottom_radius {_mm(bearing.outer.bottom_radius)}"
+        yield from _ring_misfits(bearing)
+        yield from _boundary_misfits(bearing)
     if bearing.ball_count > 1 and pitch_chord(bearing) < ball:
         half_angle = np.arcsin(min(1.0, ball / bearing.pitch_diameter))
         yield (
@@ -100,6 +103,29 @@ def warnings(bearing: Bearing, cage: Cage | None) -> Iterator[str]:
 def pitch_chord(bearing: Bearing) -> float:
     """d_m sin(pi/Z): distance between the centres of neighbouring balls, m; 0 for one ball."""
     return bearing.pitch_diameter * float(np.sin(np.pi / bearing.ball_count))
+
+
+def _washer_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
+    """Problems of a thrust bearing: washers that touch each other, grooves that leave no washer."""
+    ball, middle = bearing.ball_diameter, bearing.pitch_diameter / 2
+    if not ball < 2 * middle:
+        yield "bearing.pitch_diameter", f"must exceed ball_diameter {_mm(ball)}"
+    inside, outside = bearing.bore_diameter, bearing.outside_diameter
+    if inside is not None and not inside < 2 * middle:
+        yield "bearing.bore_diameter", f"must be below pitch_diameter {_mm(2 * middle)}"
+    if outside is not None and not outside > 2 * middle:
+        yield "bearing.outside_diameter", f"must exceed pitch_diameter {_mm(2 * middle)}"
+    for inner_width, outer_width in zip(bearing.inner.half_widths, bearing.outer.half_widths, strict=True):
+        if inner_width is None or outer_width is None:
+            continue
+        inner_rise, outer_rise = _rise(bearing.inner, inner_width), _rise(bearing.outer, outer_width)
+        if not inner_rise + outer_rise < ball:
+            yield (
+                "bearing.inner.shoulder_half_width",
+                f"and that of the outer ring raise the shoulders by {_mm(inner_rise)} and {_mm(outer_rise)}, together "
+                f"more than ball_diameter {_mm(ball)}: the washers touch",
+            )
+            return
 
 
 def _ring_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:

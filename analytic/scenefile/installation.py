@@ -13,6 +13,9 @@ from analytic.scenefile.tables import ArrangementTable, ContactAngleTable, Mount
 def installation_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
     """(path of the key, problem) for keys of mounting and arrangement in conflict with others."""
     angle = table.bearing.contact_angle
+    if table.bearing.kind == "thrust":
+        yield from _washer_faults(table)
+        return
     if table.mounting is not None:
         yield from _mounting_faults(table.mounting, angle)
     if table.arrangement is not None and angle.rule == "given":
@@ -20,6 +23,23 @@ def installation_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
             "bearing.contact_angle.rule",
             'holds an angle that the loads of a pair change: use "solved", or leave out [arrangement]',
         )
+
+
+def _washer_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
+    """The same for tables that a thrust bearing does not take."""
+    for key in ("mounting", "arrangement"):
+        if getattr(table, key) is not None:
+            yield key, "is not modelled for a thrust bearing; leave the table out"
+    if table.cage is not None:
+        for key in ("start", "land"):
+            if getattr(table.cage, key) is not None:
+                yield f"cage.{key}", "is not modelled in a thrust bearing, whose cage rests on its balls; leave it out"
+    for key in ("radial_load", "moment"):
+        if any(getattr(table.operation, key)):
+            yield (
+                f"operation.{key}",
+                "is not modelled for a thrust bearing, which carries axial_load alone; leave it out",
+            )
 
 
 def in_operation(bearing: Bearing, given: MountingTable) -> tuple[Bearing, Clearances | None, list[tuple[str, str]]]:

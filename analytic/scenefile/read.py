@@ -185,6 +185,8 @@ def _scene(
         others = table.bearing.model_copy(update=dict(zip(BALLS, row.other_candidate, strict=True)))
         bearing = replace(bearing, other_candidate=bearing_of(others, own=own, row=row))
     angle = ContactAngle(**table.bearing.contact_angle.model_dump(exclude={"nominal"}))
+    if bearing.kind == "thrust":
+        angle = ContactAngle(rule="given", value=np.pi / 2)
     misfits = list(fit.bearing_misfits(bearing))
     delivered, clearances = bearing, None
     if table.mounting is not None and not misfits:
@@ -193,7 +195,7 @@ def _scene(
     arrangement, unplaced = (None, []) if table.arrangement is None else arranged(table.arrangement, bearing)
     cage = None
     if not misfits:
-        misfits += fit.angle_misfits(bearing, angle)
+        misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
         if table.cage is not None:
             cage = _cage(table.cage, delivered)
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"

@@ -14,6 +14,8 @@ from analytic.mounting.clearance import Mounting
 from analytic.scene import (
     ArrangementKind,
     AsperityLaw,
+    Bearing,
+    BearingKind,
     Cage,
     CageGravity,
     CageStart,
@@ -179,6 +181,7 @@ class ContactAngleTable(Table):
 class BearingTable(Table):
     catalog: Text | None = None  # a bearing whose dimensions apply where no other is given
     name: Text | None = None
+    kind: BearingKind = Bearing.kind  # "thrust": two equal washers at 90 degrees, and nothing but thrust
     ball_count: Count = Field(description="give a whole number, for example 9, or a bearing of the " + CATALOGUE)
     ball_diameter: Length = Field(description='give for example "7.94 mm", or a bearing of the ' + CATALOGUE)
     ball_mass: Mass | None = None  # that of a solid ball by default

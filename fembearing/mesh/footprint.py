@@ -74,7 +74,7 @@ def shoulders_of(contact: Contact) -> tuple[float, float]:
 
 def is_symmetric(contact: Contact) -> bool:
     """Whether both sides of y = 0 are mirror images: at a contact angle they are not even with equal shoulders."""
-    return contact.shoulder == contact.far_shoulder and contact.contact_angle == 0
+    return contact.shoulder == contact.far_shoulder and contact.tilt == 0
 
 
 def evened(contact: Contact) -> Contact:

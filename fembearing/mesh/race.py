@@ -39,18 +39,21 @@ def race_height(contact: Contact, x: Array, y: Array) -> Array:
 
     The axis of the ring is tilted by the contact angle against y, and the lands are cylinders about it. Where the tilt
     is zero, the height of the profile, r_g - sqrt(r_g^2 - y^2), is added to the radius of an inner ring and subtracted
-    from that of an outer ring.
+    from that of an outer ring. The groove of a thrust washer is straight: its bend within the tangent plane moves the
+    bottom by x^2/d_m, some thousandth of the contact's length.
     """
     groove, side, radius = contact.groove_radius, np.sign(contact.rolling_radius), abs(contact.rolling_radius)
     steepest = groove * np.sin(STEEPEST)
     low, high = -min(contact.far_shoulder, steepest), min(contact.shoulder, steepest)
     rise = _profile(groove, np.clip(y, low, high))
+    if np.isinf(radius):
+        return np.broadcast_to(rise, np.broadcast_shapes(x.shape, y.shape)).copy()
     # Square of the ring's radius at y, minus x^2, minus the square of its radius at the bottom of the groove.
     out = (side * 2 * radius + rise) * rise - x**2
     height = side * out / (np.sqrt(radius**2 + out) + radius)
-    if contact.contact_angle == 0:
+    if contact.tilt == 0:
         return height
-    sine, cosine = np.sin(contact.contact_angle), np.cos(contact.contact_angle)
+    sine, cosine = np.sin(contact.tilt), np.cos(contact.tilt)
     bottom = radius * cosine - side * groove * (1 - cosine)  # from the ring's axis to the bottom of the groove
     # Axial places of the shoulders: their distances are measured along the tangent plane.
     first, last = (distance * cosine + np.sqrt(groove**2 - distance**2) * sine for distance in (low, high))

@@ -101,6 +101,8 @@ def known_ring(contact: Contact) -> Ring:
     """The ring of a contact. Raises InputError where it has none, or its seat and width are not given."""
     if contact.pair == "pocket":
         raise InputError("geometry 'ring' is that of a race; the pocket has 'real', 'hertzian' and 'wall'")
+    if np.isinf(contact.rolling_radius):
+        raise InputError(f"{contact.pair}: the structure of a thrust washer is not computed")
     if contact.ring is None:
         seat = "bore_diameter" if contact.pair == "inner" else "outside_diameter"
         raise InputError(f"{contact.pair}: the ring's structure needs bearing.{seat} and bearing.width; give both")

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Scene
 from analytic.torque import friction_torque
 
@@ -38,7 +39,7 @@ def test_the_slowest_and_the_fastest_point_are_studied(scene: Scene) -> None:
 def test_the_hysteresis_part_is_proportional_to_its_loss(scene: Scene, swings: dict[str, Any]) -> None:
     torque = friction_torque(scene).torque
     assert torque.hysteresis is not None
-    for change, loss in zip(swings["hysteresis loss"].changes, (0.004, 0.01), strict=True):
+    for change, loss in zip(swings["hysteresis loss"].changes, HYSTERESIS_LOSS, strict=True):
         np.testing.assert_allclose(
             change, torque.hysteresis / torque.total * (loss / 0.007 - 1), rtol=1e-9
         )  # round-off

@@ -90,6 +90,8 @@ def scene_band(scene: Scene) -> CatalogueBand:
     bearings without constants, a moment or a thrust below 0.
     """
     bearing, operation, oil = scene.bearing, scene.operation, scene.lubricant
+    if bearing.kind == "thrust":
+        raise InputError("a thrust bearing: the constants are those of radial bearings")
     if oil is None:
         raise InputError("no lubricant is given: add a table [lubricant]")
     bore, outside, rating = bearing.bore_diameter, bearing.outside_diameter, bearing.static_load_rating

@@ -12,6 +12,7 @@ from typing import Literal
 import numpy as np
 
 from analytic.errors import FembearingError
+from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.result import COORDINATES
 from analytic.scene import Array, Bearing, Material, Scene
 from analytic.torque import friction_torque
@@ -215,6 +216,8 @@ def _of_bearing(scene: Scene) -> Iterator[Variation]:
             of_groove,
             "groove radius over ball diameter; judgement: 0.04 mm of a groove's radius in a ball of 8 mm",
         )
+    if bearing.kind == "thrust":
+        return
     if angle.rule == "given":
         assert angle.value is not None
         yield times(
@@ -334,10 +337,15 @@ def _of_friction(scene: Scene) -> Iterator[Variation]:
             "judgement",
         )
     if scene.hysteresis_loss is not None:
-        yield times(
-            *("hysteresis loss", "1", scene.hysteresis_loss, (0.6, 1.4)),
-            lambda v: replace(scene, hysteresis_loss=v),
-            "bearing steel: 0.004 to 0.01, no source seen",
+        low, high = HYSTERESIS_LOSS
+        yield Variation(
+            name="hysteresis loss",
+            unit="1",
+            value=scene.hysteresis_loss,
+            low=min(low, scene.hysteresis_loss),
+            high=max(high, scene.hysteresis_loss),
+            scene_at=lambda v: replace(scene, hysteresis_loss=v),
+            source="in use for bearing steel, none of them measured",
         )
     for name in ("seals", "drag"):
         value = getattr(scene.losses, name)

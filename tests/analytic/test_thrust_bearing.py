@@ -1,0 +1,226 @@
+"""A thrust ball bearing: equilibrium, motion, pivoting and rolling by hand, and what its equilibrium leaves out."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.special import ellipe
+
+from analytic.contact.geometry import race_contact, shoulder_distances
+from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
+from analytic.contact.rolling_contact import RollingContact
+from analytic.effects.washers import held_in_the_middle
+from analytic.errors import InputError
+from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
+from analytic.loads.ring import ring_equilibrium
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.oil.rolling import hydrodynamic_rolling
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Lubricant, Operation, Scene, Surface
+from analytic.torque import friction_torque
+from tests.analytic.specimens import part, thrust
+from tests.contacts import STEEL
+
+RIGHT = ContactAngle(rule="given", value=np.pi / 2)
+BALL, PITCH, GROOVE, COUNT = 7.2e-3, 37.4e-3, 3.9e-3, 11  # m
+WASHER = Groove(bottom_radius=PITCH / 2, groove_radius=GROOVE, shoulder_half_width=2.6e-3, material=STEEL)
+BEARING = Bearing(
+    name="thrust bearing",
+    kind="thrust",
+    ball_count=COUNT,
+    ball_diameter=BALL,
+    ball_mass=STEEL.density * np.pi / 6 * BALL**3,
+    ball_material=STEEL,
+    inner=WASHER,
+    outer=WASHER,
+)
+OIL = Lubricant(
+    viscosity=0.043,
+    pressure_viscosity=1.9e-8,
+    viscosity_temperature=0.04,
+    reference_temperature=313.0,
+    temperature=313.0,
+    thermal_conductivity=0.14,
+    density=870.0,
+    eyring_stress=6e6,
+    limiting_shear=0.07,
+    traction="eyring_sinh",
+)
+FINISH = Surface(
+    rms_roughness=0.05e-6,
+    autocorrelation=Autocorrelation(kind="gaussian", length=30e-6, spacing=2e-6),
+    hardness=7.8e9,
+)
+STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
+
+
+def scene_of(operation: Operation, **changed: Any) -> Scene:
+    return Scene(bearing=BEARING, contact_angle=RIGHT, operation=operation, **changed)
+
+
+def contact_by_hand(load: float) -> HertzContact:
+    """A washer is flat along rolling."""
+    return hertz_contact(
+        curvature_x=2 / BALL,
+        curvature_y=2 / BALL - 1 / GROOVE,
+        load=load,
+        modulus=contact_modulus(STEEL, STEEL),
+    )
+
+
+def balls_under(axial: float, speed: float) -> LoadedBalls:
+    return thrust_balls(BEARING, RIGHT, thrust(axial, speed=speed), STILL)
+
+
+def test_every_ball_carries_its_share_at_a_right_angle() -> None:
+    balls = thrust_equilibrium(BEARING, RIGHT, axial_load=[330.0, 2300.0])
+    for index, axial in enumerate((330.0, 2300.0)):
+        np.testing.assert_allclose(balls.ball_load[index], axial / COUNT, rtol=1e-14)  # round-off
+        by_hand = contact_by_hand(axial / COUNT)
+        for race in (balls.inner, balls.outer):
+            for name in ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach"):
+                np.testing.assert_allclose(getattr(race, name)[index], getattr(by_hand, name), rtol=1e-12)  # round-off
+    assert np.all(balls.contact_angle == np.pi / 2)
+
+
+def test_balls_roll_at_half_the_speed_of_the_washer() -> None:
+    motion = balls_under(700.0, 40.0).motion
+    for name, expected in (
+        ("cage_speed", 1 / 2),
+        ("inner_entrainment", PITCH / 4),
+        ("outer_entrainment", PITCH / 4),
+        ("inner_rolling_rate", PITCH / (2 * BALL)),
+        ("outer_rolling_rate", PITCH / (2 * BALL)),
+        ("spin_difference", 1.0),
+    ):
+        np.testing.assert_allclose(getattr(motion, name), expected, rtol=1e-12, err_msg=name)  # round-off
+
+
+@pytest.mark.parametrize("sliding", ["over_ellipse", "free_ball"])
+def test_pivoting_in_boundary_friction_is_the_closed_form(sliding: Any) -> None:
+    """3/8 mu Q b E(m) at each contact of a ball, at the spin of half the speed."""
+    mu, axial = 0.13, 770.0
+    scene = scene_of(
+        thrust(axial, speed=25.0),
+        friction_coefficient=mu,
+        sliding=sliding,
+        spin_rule="balanced" if sliding == "over_ellipse" else "free",
+        tolerance=1e-3,
+        effects={"finite_geometry": "off", "hysteresis": "off"},
+    )
+    found = friction_torque(scene)
+    contact, load = contact_by_hand(axial / COUNT), axial / COUNT
+    flat = 1 - (float(contact.semi_axis_x) / float(contact.semi_axis_y)) ** 2
+    moment = 3 / 8 * mu * load * float(contact.semi_axis_y) * ellipe(flat)
+    # Curvature of the contact adds slip, 3 % of it at the ends, across that of spin: 1e-3 of the loss.
+    np.testing.assert_allclose(found.torque.race, 2 * COUNT * moment / 2, rtol=2e-3)
+    np.testing.assert_allclose(part(found.torque, "spin"), found.torque.race, rtol=2e-3)
+
+
+def test_rolling_is_the_sum_over_the_contacts() -> None:
+    """Power 2 u f at each, over w; twice the balls under twice the load lose twice as much."""
+    axial, speed = 480.0, 31.0
+    scene = scene_of(thrust(axial, speed=speed), lubricant=OIL, surface=FINISH, spin_rule="balanced")
+    effects = {"finite_geometry": "off", "inlet_heating": "off"}
+    rolling = part(friction_torque(replace(scene, effects=effects)).torque, "rolling")
+    by_hand = contact_by_hand(axial / COUNT)
+    contact = RollingContact(
+        load=axial / COUNT,
+        semi_axis_rolling=by_hand.semi_axis_x,
+        semi_axis_transverse=by_hand.semi_axis_y,
+        curvature_rolling=2 / BALL,
+        curvature_transverse=2 / BALL - 1 / GROOVE,
+        modulus=contact_modulus(STEEL, STEEL),
+        deformed_radius=2 / (1 / GROOVE + 2 / BALL),
+        rolling_rate=PITCH / (2 * BALL),
+    )
+    force = hydrodynamic_rolling(contact, viscosity=0.043, entrainment_speed=speed * PITCH / 4).force
+    np.testing.assert_allclose(rolling, COUNT * PITCH * force, rtol=1e-12)  # round-off
+    fewer = replace(scene.bearing, ball_count=4)
+    quarter = replace(scene, bearing=fewer, operation=thrust(axial * 4 / COUNT, speed=speed), effects=effects)
+    np.testing.assert_allclose(part(friction_torque(quarter).torque, "rolling"), rolling * 4 / COUNT, rtol=1e-12)
+
+
+def test_free_balls_share_the_spin_by_symmetry() -> None:
+    scene = scene_of(thrust(900.0, speed=12.0), lubricant=OIL, surface=FINISH)
+    found = friction_torque(scene)
+    assert "creep" in str(found.provenance["sliding"])
+    assert found.film.inner is not None
+    assert found.film.outer is not None
+    np.testing.assert_allclose(found.film.inner, found.film.outer, rtol=1e-5)  # the moment of inertia tells them apart
+    ruled = friction_torque(replace(scene, spin_rule="balanced"))
+    assert np.all(found.torque.race < ruled.torque.race)  # creep takes slip off
+    assert np.all(found.torque.race > 0.9 * ruled.torque.race)  # of spin many times the saturated one, little
+
+
+def test_leaning_contacts_spin_more_as_the_bound_has_it() -> None:
+    """By vectors: a ball that rolls without slip on two washers, on contacts that lean outwards by a small angle."""
+    lean, radius, middle = 1e-4, BALL / 2, PITCH / 2
+    normals = np.array([[0, np.sin(lean), np.cos(lean)], [0, np.sin(lean), -np.cos(lean)]])  # along, out, up
+    washers = np.array([[0, 0, 0.5], [0, 0, -0.5]])  # against the orbit, which turns at half the speed
+    # One unknown by symmetry, the ball's rotation about the radius; no slip along the track at the upper contact.
+    track = np.cross(washers[0], [0, middle + radius * np.sin(lean), 0])[0]
+    rotation = np.array([0, track / np.cross([0, 1, 0], radius * normals[0])[0], 0])
+    lower = np.cross(washers[1], [0, middle + radius * np.sin(lean), 0])[0]
+    np.testing.assert_allclose(np.cross(rotation, radius * normals[1])[0], lower, rtol=1e-12)  # nor at the lower one
+    spins = [abs((rotation - washer) @ normal) for washer, normal in zip(washers, normals, strict=True)]
+    more = np.array(spins) / 0.5 - 1
+    np.testing.assert_allclose(more, lean * PITCH / BALL, rtol=1e-3)  # to first order in the lean
+    # The bound: twice that, at the lean of F_c/(2 Q).
+    axial, speed = 60.0, 90.0
+    scene, balls = scene_of(thrust(axial, speed=speed)), balls_under(axial, speed)
+    total = np.array([3.0])
+    bound = held_in_the_middle(
+        replace(scene, effects={"weight": "off"}), scene.operation, balls, parts={"spin": total / 5}, total=total
+    )
+    centrifugal = BEARING.ball_mass * PITCH / 2 * (speed / 2) ** 2
+    angle = centrifugal / (2 * axial / COUNT)
+    np.testing.assert_allclose(bound, 2 * angle * PITCH / BALL / 5, rtol=1e-10)  # round-off
+
+
+def test_the_weight_counts_on_one_washer() -> None:
+    """A standing shaft: m g more on the lower washer, of which rolling takes a third, on half of the contacts."""
+    axial = 25.0
+    scene, total = scene_of(thrust(axial, speed=1.0)), np.array([2.0])
+    bound = held_in_the_middle(
+        replace(scene, effects={"centrifugal": "off"}),
+        scene.operation,
+        balls_under(axial, 1.0),
+        parts={"rolling": total},
+        total=total,
+    )
+    np.testing.assert_allclose(bound, BEARING.ball_mass * 9.80665 * COUNT / axial / 3 / 2, rtol=1e-12)  # round-off
+
+
+def test_shoulders_lie_on_both_sides_of_the_contact() -> None:
+    near, far = shoulder_distances(BEARING, "outer", contact_angle=np.pi / 2)
+    np.testing.assert_allclose([near, far], 2.6e-3, rtol=1e-12)  # the bottom is where the ball is
+    contact = race_contact(BEARING, "inner", contact_angle=np.pi / 2, ball_load=50.0)
+    assert (contact.rolling_radius, contact.tilt, contact.ring) == (np.inf, 0.0, None)
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"operation": replace(thrust(500.0), radial_load=np.array([3.0]))}, r"radial_load = 3 N: .* axial_load alone"),
+        ({"operation": replace(thrust(500.0), moment=np.array([-0.2]))}, r"moment = -0.2 N m: .* axial_load alone"),
+        (
+            {"operation": thrust(5.0, speed=300.0)},
+            r"centrifugal force .* raise the load or lower the speed",
+        ),
+        ({"contact_angle": ContactAngle(rule="solved")}, "90 degrees"),
+        ({"contact_angle": ContactAngle(rule="given", value=1.5)}, "90 degrees"),
+    ],
+)
+def test_what_it_does_not_carry_is_refused_in_one_line(changed: dict[str, Any], words: str) -> None:
+    scene = replace(scene_of(thrust(500.0), friction_coefficient=0.1), **changed)
+    with pytest.raises(InputError, match=words) as caught:
+        friction_torque(scene)
+    assert "\n" not in str(caught.value)
+
+
+def test_it_has_neither_clearance_nor_an_equilibrium_of_the_ring() -> None:
+    with pytest.raises(InputError, match="no radial clearance"):
+        _ = BEARING.diametral_clearance
+    with pytest.raises(InputError, match="rule 'given'"):
+        ring_equilibrium(BEARING, RIGHT, axial_load=100.0)
