@@ -11,7 +11,7 @@ from .scenefile.by_name import bearing as bearing
 from .scenefile.by_name import lubricant as lubricant
 from .scenefile.by_name import material as material
 from .scenefile.by_name import operation as operation
-from .scenefile.by_name import surface as surface
+from .scenefile.by_name import surfaces as surfaces
 from .scenefile.read import load_scene as load_scene
 from .torque import friction_torque as friction_torque
 

@@ -46,7 +46,7 @@ class CatalogBearing:
     nominal_angle: float | None  # rad; None for a deep groove bearing
     shoulder_height: tuple[float | None, float | None]  # inner, outer, above the bottom of the groove, m
     shoulder_half_width: tuple[float | None, float | None]  # inner, outer, as in the scene, m
-    one_sided: bool  # the shoulder is that of the loaded side alone
+    far_half_width: tuple[float | None, float | None]  # of the shoulders that thrust does not load, m; None: as far
     dynamic_load_rating: float  # C, N
     static_load_rating: float  # C0, N
     f0: float | None  # the maker's factor for axial loads
@@ -221,6 +221,8 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
     heights = [_metres(row[f"shoulder_height_{ring}_mm"]) for ring in ("inner", "outer")]
     inner, outer = (None if height is None else height * scale for height in heights)
     conformity = (INNER_CONFORMITY, OUTER_CONFORMITY)
+    widths = (half_width(inner, conformity[0] * ball), half_width(outer, conformity[1] * ball))
+    one_sided = row["shoulder_status"] == "loaded side only"
     groups = [*clearance_of(list(found.suffixes))] if not angle else []
     second = row["second_ball_count"]
     seals = tuple(suffix for suffix in found.suffixes if suffix.kind == "seals")
@@ -238,8 +240,8 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
         conformity=conformity,
         nominal_angle=math.radians(float(angle)) if angle else None,
         shoulder_height=(inner, outer),
-        shoulder_half_width=(half_width(inner, conformity[0] * ball), half_width(outer, conformity[1] * ball)),
-        one_sided=row["shoulder_status"] == "loaded side only",
+        shoulder_half_width=widths,
+        far_half_width=(widths[0], 0.0) if one_sided else (None, None),
         dynamic_load_rating=float(row["dynamic_rating_N"]),
         static_load_rating=float(row["static_rating_N"]),
         f0=float(row["f0"]) if row["f0"] else None,

@@ -32,7 +32,12 @@ def origins_of(row: Row, *, scaled: bool) -> dict[str, Origin]:
         source="groove of ISO 76; printed or measured ones lie between 0.515 and 0.535",
     )
     heights = (row["shoulder_height_inner_mm"], row["shoulder_height_outer_mm"])
-    return {
+    far: dict[str, Origin] = {}
+    if row["shoulder_status"] == "loaded side only":
+        for ring, words in (("inner", "as on the loaded side"), ("outer", "turned off to the groove for the assembly")):
+            origin = Origin(status="assumed", uncertainty=None, source=f"{words}; no print says so")
+            far[f"{ring}.far_shoulder_half_width"] = origin
+    return far | {
         "ball_count": _ball_origin(row, 1.0 if row["grade"] == "C" else 0.0),
         "ball_diameter": _ball_origin(row, BALL_UNCERTAINTY[row["grade"]] * ball),
         "pitch_diameter": _pitch_origin(row),

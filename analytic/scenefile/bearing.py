@@ -5,6 +5,7 @@ clearance, the clearance from its group or from the unloaded contact angle.
 """
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
@@ -46,10 +47,13 @@ def with_catalog(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[s
     """The table [bearing] filled from the catalogue; its own keys replace those of the entry that say the same."""
     entry = {key: value for key, value in _entry(given, row).items() if key != "origins"}
     angle = given.get("contact_angle")
-    if "clearance" in given or (isinstance(angle, dict) and "free" in angle):
+    bottoms_given = all("bottom_radius" in _dict(given, ring) for ring in RINGS)
+    if bottoms_given or "clearance" in given or (isinstance(angle, dict) and "free" in angle):
         entry.pop("contact_angle", None)
-    if isinstance(angle, dict) and ("nominal" in angle or "free" in angle):
+    if bottoms_given or (isinstance(angle, dict) and ("nominal" in angle or "free" in angle)):
         entry.pop("clearance", None)
+    if bottoms_given:
+        entry.pop("pitch_diameter", None)
     merged = {**entry, **given}
     for name in (*RINGS, "contact_angle"):
         inside, own = entry.get(name), given.get(name)
@@ -58,8 +62,20 @@ def with_catalog(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[s
     return merged
 
 
-def bearing_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
-    """(path of the key, problem) for what the table of a bearing lacks, or says twice."""
+def bearing_faults(
+    given: BearingTable, own: Mapping[str, Any], row: CatalogBearing | None
+) -> Iterator[tuple[str, str]]:
+    """(path of the key, problem) for what the table of a bearing lacks, says twice, or cannot be.
+
+    own : the table as the scene has it, before the catalogue filled it;  row : of the catalogue
+    """
+    faults = [*_gaps_and_doubles(given, own, row)]
+    yield from faults or _shoulder_faults(given)
+
+
+def _gaps_and_doubles(
+    given: BearingTable, own: Mapping[str, Any], row: CatalogBearing | None
+) -> Iterator[tuple[str, str]]:
     for name in RINGS:
         ring: GrooveTable = getattr(given, name)
         for keys in RIVALS:
@@ -94,8 +110,35 @@ def bearing_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
             "bearing.clearance",
             'is missing; give a length like "10 um", a group like "CN", or contact_angle = { nominal = "15 deg" }',
         )
-    if isinstance(given.clearance, str) and given.bore_diameter is None:
+    if all("bottom_radius" in _dict(own, ring) for ring in RINGS):
+        for key in {"pitch_diameter", "clearance"} & {*own}:
+            yield f"bearing.{key}", "follows from the bottom_radius of both rings; leave one of them out"
+    if isinstance(given.clearance, str) and row is not None and row.nominal_angle is not None:
+        angle_of_row = f'contact_angle = {{ nominal = "{np.degrees(row.nominal_angle):g} deg" }}'
+        yield "bearing.clearance", f"is a group of deep groove bearings; give {angle_of_row}, or a length"
+    elif isinstance(given.clearance, str) and given.bore_diameter is None:
         yield "bearing.clearance", "is a group, which depends on the bore: give bore_diameter, or a length"
+
+
+def _shoulder_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
+    """Shoulders that do not stand between the bottom of their groove and the middle of its profile."""
+    bottoms = _bottoms_of(given)
+    for name, side, bottom in zip(RINGS, (1, -1), bottoms, strict=True):
+        ring: GrooveTable = getattr(given, name)
+        profile = _profile(given, ring)
+        for side_name, lowest in (("", "above"), ("far_", "at least")):
+            for key, height in (
+                ("shoulder_diameter", _height_of(getattr(ring, f"{side_name}shoulder_diameter"), bottom, side)),
+                ("shoulder_height", getattr(ring, f"{side_name}shoulder_height")),
+            ):
+                if height is None or (height < profile and (height >= 0 if side_name else height > 0)):
+                    continue
+                if key == "shoulder_height":
+                    limits = f"{lowest} 0 and below the groove radius {1e3 * profile:.5g} mm"
+                else:
+                    ends = (1e3 * 2 * (bottom + side * part) for part in (0.0, profile))
+                    limits = "between that of the groove's bottom, {:.6g} mm, and {:.6g} mm".format(*ends)
+                yield f"bearing.{name}.{side_name}{key}", f"must be {limits}"
 
 
 def _thrust_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
@@ -124,13 +167,11 @@ def bearing_of(given: BearingTable, *, own: Mapping[str, Any], row: CatalogBeari
     Raises InputError for a bore that the groups of clearance do not cover.
     """
     profiles = {name: _profile(given, getattr(given, name)) for name in RINGS}
-    distance = sum(profiles.values()) - given.ball_diameter
-    if given.kind == "thrust":
-        assert given.pitch_diameter is not None, "bearing_faults says so before"
-        origin, bottoms = None, (given.pitch_diameter / 2,) * 2
-    else:
-        clearance, origin = _clearance(given, distance)
-        bottoms = _bottoms(given, clearance)
+    bottoms = _bottoms_of(given)
+    origin = None if given.kind == "thrust" else _clearance(given)[1]
+    if origin is not None and row is not None and row.clearance_group is None and isinstance(given.clearance, str):
+        status = "printed" if "clearance" in own else "assumed"  # a designation without a group is that of CN
+        origin = replace(origin, status=status)
     ball = Material(**given.ball_material.model_dump())
     solid = ball.density * np.pi / 6 * given.ball_diameter**3
     return Bearing(
@@ -169,8 +210,9 @@ def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
         rings[name] = {"conformity": conformity}
         if half_width is not None:
             rings[name]["shoulder_half_width"] = _length(half_width)
-    if row.one_sided:  # the other side of the outer ring is turned off so far that the ring can be put over the balls
-        rings["outer"]["far_shoulder_half_width"] = _length(0.0)
+    for name, half_width in zip(RINGS, row.far_half_width, strict=True):
+        if half_width is not None:
+            rings[name]["far_shoulder_half_width"] = _length(half_width)
     if row.nominal_angle is None:
         play: dict[str, Any] = {"clearance": row.clearance_group or "CN"}
     else:
@@ -211,8 +253,8 @@ def _profile(given: BearingTable, ring: GrooveTable) -> float:
     return conformity * given.ball_diameter if conformity is not None else np.nan
 
 
-def _clearance(given: BearingTable, distance: float) -> tuple[float | None, Origin | None]:
-    """The clearance that keys other than the bottom radii give, m, and where it comes from; distance : A_0, m."""
+def _clearance(given: BearingTable) -> tuple[float | None, Origin | None]:
+    """The clearance that keys other than the bottom radii give, m, and where it comes from."""
     if isinstance(given.clearance, str) and given.bore_diameter is not None:
         low, high = clearance_group(given.bore_diameter, given.clearance)
         group = f"middle of the group {given.clearance} of [ISO5753], {low * 1e6:g} to {high * 1e6:g} um, unmounted"
@@ -224,6 +266,7 @@ def _clearance(given: BearingTable, distance: float) -> tuple[float | None, Orig
     unloaded = angle.nominal if angle.nominal is not None or bottoms_known else angle.free or angle.value
     if unloaded is None:
         return None, None
+    distance = sum(_profile(given, getattr(given, name)) for name in RINGS) - given.ball_diameter  # A_0
     spread = 2 * distance * np.sin(unloaded) * ANGLE_SPREAD
     words = f"closes at the unloaded contact angle of {np.degrees(unloaded):.4g} deg"
     return float(2 * distance * (1 - np.cos(unloaded))), Origin(
@@ -231,8 +274,12 @@ def _clearance(given: BearingTable, distance: float) -> tuple[float | None, Orig
     )
 
 
-def _bottoms(given: BearingTable, clearance: float | None) -> tuple[float, float]:
-    """Bottom radii of the inner and outer groove, m."""
+def _bottoms_of(given: BearingTable) -> tuple[float, float]:
+    """Bottom radii of the inner and outer groove, m; those of a thrust bearing are the circle of its ball centres."""
+    if given.kind == "thrust":
+        assert given.pitch_diameter is not None, "bearing_faults says so before"
+        return given.pitch_diameter / 2, given.pitch_diameter / 2
+    clearance, _ = _clearance(given)
     inner, outer = given.inner.bottom_radius, given.outer.bottom_radius
     if inner is not None and outer is not None:
         if clearance is None and given.pitch_diameter is None:
@@ -252,12 +299,8 @@ def _groove(given: GrooveTable, *, bottom: float, profile: float, side: int) -> 
     """side : 1 for the inner ring, whose shoulders are larger than its groove; -1 for the outer ring."""
 
     def half_width(half: float | None, height: float | None, diameter: float | None) -> float | None:
-        if diameter is not None:
-            height = side * (diameter / 2 - bottom)
-        if height is None:
-            return half
-        # A shoulder below the groove's bottom, or above the middle of its profile, is refused as a half-width.
-        return float(np.sqrt(height * (2 * profile - height))) if 0 <= height < profile else profile
+        height = _height_of(diameter, bottom, side) if height is None else height
+        return half if height is None else float(np.sqrt(height * (2 * profile - height)))
 
     return Groove(
         bottom_radius=bottom,
@@ -268,6 +311,17 @@ def _groove(given: GrooveTable, *, bottom: float, profile: float, side: int) -> 
         ),
         material=Material(**given.material.model_dump()),
     )
+
+
+def _height_of(diameter: float | None, bottom: float, side: int) -> float | None:
+    """Height of a shoulder of this diameter above the bottom of its groove, m; side as in `_groove`."""
+    return None if diameter is None else side * (diameter / 2 - bottom)
+
+
+def _dict(table: Mapping[str, Any], key: str) -> Mapping[str, Any]:
+    """The table inside; empty if there is none."""
+    inside = table.get(key)
+    return inside if isinstance(inside, dict) else {}
 
 
 def _origins(own: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Origin]:

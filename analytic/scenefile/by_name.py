@@ -71,7 +71,7 @@ def operation(
     return Operation(**{key: np.asarray(value, dtype=np.float64) for key, value in given.items()}).as_series()
 
 
-def surface(**keys: Any) -> Surface:
+def surfaces(**keys: Any) -> Surface:
     """The surfaces that the table `[surface]` of a scene describes.
 
     keys : of [surface]: numbers in SI or texts with units, as finish="ground and honed" or Ra=0.05e-6

@@ -44,6 +44,9 @@ from analytic.scenefile.tables import (
 from analytic.scenefile.text import parse_text, shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
+# Thrust over radial load times tan(angle) at which all balls of a bearing, and half of them, are loaded: 1.67 and 1.22
+# by the integrals of the load distribution [Harris2007], rounded up.
+SEATED, HALF_SEATED = 1.7, 1.25
 BALLS = ("ball_count", "ball_diameter")
 MOST_FAULTS = 5  # in one message; the others are counted
 
@@ -96,7 +99,7 @@ def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) ->
         except ValidationError as problem:
             faults = faults_of(document, problem.errors(include_url=False))
         else:
-            faults = list(_conflicts(document, table))
+            faults = list(_conflicts(document, table, own, row))
             if not faults:
                 scene, misfits = _scene(table, own, row, folder)
                 faults = [fault_at(document, key, problem) for key, problem in misfits]
@@ -130,8 +133,10 @@ def _put_catalog(document: dict[str, Any], row: CatalogBearing | None) -> list[s
     return []
 
 
-def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
-    """Keys that are valid on their own and in conflict with each other."""
+def _conflicts(
+    document: dict[str, Any], table: SceneTable, own: Mapping[str, Any], row: CatalogBearing | None
+) -> Iterator[str]:
+    """Keys that are valid on their own and in conflict with each other; own, row : as for bearing_faults."""
     angle, cage, operation = table.bearing.contact_angle, table.cage, document["operation"]
     if angle.rule == "given" and not angle.value:
         problem = 'must be above 0 with rule = "given", for example "0.18 rad"'
@@ -142,7 +147,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
         yield fault_at(
             document, "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
         )
-    for faults in (bearing_faults(table.bearing), installation_faults(table)):
+    for faults in (bearing_faults(table.bearing, own, row), installation_faults(table)):
         yield from (fault_at(document, key, problem) for key, problem in faults)
     lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list) and key != "down"}
     if len(set(lengths.values())) > 1:
@@ -157,6 +162,7 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
     ):
         problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
         yield fault_at(document, "operation.axial_load", problem)
+    yield from (fault_at(document, "operation.axial_load", problem) for problem in _apart(table))
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"
     if table.friction is not None and table.friction.coefficient is None and table.lubricant is None:
@@ -171,6 +177,32 @@ def _conflicts(document: dict[str, Any], table: SceneTable) -> Iterator[str]:
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
         if cage is None and getattr(table.effects, name) == "on":
             yield fault_at(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
+
+
+def _apart(table: SceneTable) -> Iterator[str]:
+    """Why a single bearing of a nominal contact angle cannot carry a radial load alone."""
+    loads, angle = table.operation, table.bearing.contact_angle.nominal
+    if angle is None or table.arrangement is not None:
+        return
+    alone = [abs(side) for axial, side in np.broadcast(loads.axial_load, loads.radial_load) if side and not axial]
+    if alone:
+        yield (
+            f"leaves a bearing of {np.degrees(angle):g} deg under {max(alone):g} N of radial load alone, and it slides "
+            f"apart; give some {SEATED * max(alone) * np.tan(angle):.0f} N of thrust, or an [arrangement]"
+        )
+
+
+def _loose(table: SceneTable) -> Iterator[str]:
+    """A warning where too little thrust loads fewer than half of the balls of a bearing of a nominal contact angle."""
+    loads, angle = table.operation, table.bearing.contact_angle.nominal
+    if angle is None or table.arrangement is not None:
+        return
+    points = [(float(axial), abs(float(side))) for axial, side in np.broadcast(loads.axial_load, loads.radial_load)]
+    if any(axial < HALF_SEATED * side * np.tan(angle) for axial, side in points):
+        yield (
+            f"the thrust loads fewer than half of the balls of a bearing of {np.degrees(angle):g} deg: give 1.25 times "
+            f"the radial load times tan(angle) or more, 1.7 times to load all"
+        )
 
 
 def _scene(
@@ -228,7 +260,7 @@ def _scene(
         losses=losses,
         effects=MappingProxyType(table.effects.model_dump()),
         calibration=table.calibration,
-        warnings=(*(() if row is None else row.warnings), *fit.warnings(bearing, cage), *notes),
+        warnings=(*(() if row is None else row.warnings), *_loose(table), *fit.warnings(bearing, cage), *notes),
     )
     return scene, [*misfits, *unplaced]
 

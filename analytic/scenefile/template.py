@@ -139,6 +139,9 @@ def _inside(bearing: CatalogBearing) -> Iterator[tuple[str, str | None, str]]:
     ):
         yield f"{ring}.conformity", f"{conformity:g}", ""
         yield f"{ring}.shoulder_half_width", _millimetres(half_width), "mm"
+    for ring, half_width in zip(("inner", "outer"), bearing.far_half_width, strict=True):
+        if half_width is not None:
+            yield f"{ring}.far_shoulder_half_width", _millimetres(half_width), "mm"
 
 
 def _millimetres(length: float | None) -> str | None:

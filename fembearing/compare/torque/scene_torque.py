@@ -53,10 +53,11 @@ class SceneTorque:
             yield from static_doubt(race, getattr(self.friction, race).peak_pressure)
         other, given = self.scene.bearing.other_candidate, self.scene.bearing
         if other is not None and self.other_candidate is not None:
-            change = self.other_candidate.torque.total / self.friction.torque.total - 1
+            first, second = self.friction.torque.total, self.other_candidate.torque.total
             yield (
                 f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: with them the "
-                f"torque changes by {_span(change)}."
+                f"torque is {_span(second * 1e3, '.4g')} N mm, not {_span(first * 1e3, '.4g')} N mm "
+                f"({_span(100 * (second / first - 1), '+.2g')} %)."
             )
         band, total = self.catalogue.band, self.friction.torque.total
         if band is not None and (outside := np.count_nonzero((total < band.low) | (total > band.high))):
@@ -89,10 +90,10 @@ def _balls(bearing: Bearing) -> str:
     return f"{bearing.ball_count} balls of {bearing.ball_diameter * 1e3:.4g} mm"
 
 
-def _span(change: Array) -> str:
-    """A relative change at every operating point, in words."""
-    low, high = 100 * float(np.min(change)), 100 * float(np.max(change))
-    return f"{low:+.2g} %" if f"{low:.2g}" == f"{high:.2g}" else f"{low:+.2g} to {high:+.2g} %"
+def _span(values: Array, form: str) -> str:
+    """The values at every operating point, in words."""
+    low, high = (format(float(end), form) for end in (np.min(values), np.max(values)))
+    return low if low == high else f"{low} to {high}"
 
 
 def static_doubt(race: str, peak_pressure: Any) -> Iterator[str]:

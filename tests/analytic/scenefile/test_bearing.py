@@ -97,6 +97,37 @@ def test_own_dimensions_replace_those_of_the_catalogue() -> None:
     )
 
 
+def test_own_bottom_radii_replace_pitch_and_clearance_of_the_catalogue() -> None:
+    own = named("6205", 'inner.bottom_radius = "15.4 mm"\nouter.bottom_radius = "23.5 mm"\n')
+    assert (own.inner.bottom_radius, own.outer.bottom_radius) == (15.4e-3, 23.5e-3)
+    assert (own.origins["pitch_diameter"].status, own.origins["clearance"].status) == ("given", "given")
+
+
+def test_a_free_angle_leaves_given_bottom_radii_and_makes_missing_ones() -> None:
+    """P_d = 2 A_0 (1 - cos 20 deg) with A_0 = 0.6 mm is 72.37 um."""
+    angle = 'contact_angle = { free = "20 deg" }\n'
+    np.testing.assert_allclose(bearing(HAND + angle).diametral_clearance, 72.369e-6, rtol=1e-5)  # digits typed
+    bottoms = 'inner.bottom_radius = "20 mm"\nouter.bottom_radius = "30.02 mm"\n'
+    given = bearing(HAND.replace('pitch_diameter = "50 mm"\n', bottoms) + angle)
+    assert (given.inner.bottom_radius, given.outer.bottom_radius) == (20e-3, 30.02e-3)
+
+
+def test_a_clearance_of_ones_own_takes_the_place_of_the_nominal_angle() -> None:
+    own = named("7205 BEP", 'clearance = "30 um"\n')
+    np.testing.assert_allclose(own.diametral_clearance, 30e-6, rtol=1e-8)  # a difference of radii
+    free = named("6205", 'contact_angle = { nominal = "11 deg" }\n')
+    distance = free.groove_centre_distance
+    np.testing.assert_allclose(free.diametral_clearance, 2 * distance * (1 - math.cos(math.radians(11))), rtol=1e-8)
+
+
+def test_thrust_that_seats_too_few_balls_is_named() -> None:
+    """tan 40 deg = 0.8391: 1049 N load half of the balls under 1 kN."""
+    text = HEAD.replace('"700 N"', '"{} N"\nradial_load = "1 kN"') + 'catalog = "7205 BEP"\n'
+    few, half = (scene(text.format(thrust)).warnings for thrust in (1040, 1060))
+    assert sum("fewer than half" in warning for warning in few) == 1
+    assert not any("fewer than half" in warning for warning in half)
+
+
 def test_the_suffix_gives_clearance_and_seals() -> None:
     plain, sealed = named("6206"), named("6206-2RS1/C3")
     assert plain.seals is None
@@ -152,7 +183,19 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
             HAND + PLAY + 'outer = { shoulder_height = "2 mm", shoulder_diameter = "56 mm" }\n',
             ("bearing.outer.shoulder_diameter = '56 mm'", "says the same as shoulder_height"),
         ),
-        (HAND + PLAY + 'inner.shoulder_height = "5.4 mm"\n', ("bearing.inner.shoulder", "5.3 mm")),
+        (HAND + PLAY + 'inner.shoulder_height = "5.4 mm"\n', ("inner.shoulder_height = '5.4 mm'", "5.3 mm")),
+        (HAND + PLAY + 'inner.shoulder_diameter = "39 mm"\n', ("shoulder_diameter = '39 mm'", "39.992", "50.592")),
+        (HAND + PLAY + 'outer.shoulder_diameter = "61 mm"\n', ("shoulder_diameter = '61 mm'", "60.008", "49.408")),
+        (HAND + PLAY + 'outer.shoulder_diameter = "49 mm"\n', ("shoulder_diameter = '49 mm'", "60.008", "49.408")),
+        (
+            HAND + PLAY + 'inner.bottom_radius = "20 mm"\nouter.bottom_radius = "30 mm"\n',
+            ("bearing.clearance = '16 um' follows from the bottom_radius", "bearing.pitch_diameter = '50 mm' follows"),
+        ),
+        (HEAD + 'catalog = "7205 BEP"\nclearance = "C3"\n', ("clearance = 'C3'", "deep groove", "40 deg")),
+        (
+            HEAD.replace('axial_load = "700 N"', 'radial_load = "1 kN"') + 'catalog = "7205 BEP"\n',
+            ("40 deg", "1000 N", "slides apart", "1426 N", "[arrangement]"),
+        ),
         (HAND + PLAY + 'inner.bottom_radius = "20 mm"\n', ("bearing.outer.bottom_radius is missing", "both rings")),
         (HAND.replace('pitch_diameter = "50 mm"\n', PLAY), ("bearing.pitch_diameter is missing", '"39 mm"')),
         (HEAD + "catalog = 6206\n", ("bearing.catalog: 6206", "in quotes")),
