@@ -118,7 +118,14 @@ def friction_torque(
         clearances=scene.clearances,
         gap_roughness=None if oiled is None else oiled.roughness.rms_roughness,
         warnings=tuple(
-            torque_warnings(ledger, limits=limits.warnings, oiled=oiled, mixed=mixed, resistance=races.resistance)
+            torque_warnings(
+                ledger,
+                load=balls.load,
+                limits=limits.warnings,
+                oiled=oiled,
+                mixed=mixed,
+                resistance=races.resistance,
+            )
             + load_warnings
         ),
         unknown=limits.unknown + _unknown_sliding(sliding) + (() if cage is None else cage.unknown),

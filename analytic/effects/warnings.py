@@ -10,17 +10,24 @@ from analytic.effects.washers import HELD
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import RollingResistance
+from analytic.scene import Array
+
+LIGHT = 0.01  # of the heaviest ball's load: the sliding of a lighter one, which is in proportion, is nothing to warn of
 
 
 def torque_warnings(
     ledger: Ledger,
     *,
+    load: Array,
     limits: tuple[str, ...],
     oiled: LubricatedRaces | None,
     mixed: MixedContact | None,
     resistance: RollingResistance | None,
 ) -> list[str]:
-    """Every warning; limits : those of `analytic.effects.limits`."""
+    """Every warning.
+
+    load : (2, n, m) of each ball on each race, N;  limits : those of `analytic.effects.limits`
+    """
     scene = ledger.scene
     warnings = [*scene.warnings]
     if scene.clearances is not None and scene.clearances.operating < 0:
@@ -54,7 +61,7 @@ def torque_warnings(
         warnings += oiled.roughness.warnings
     for race, name in enumerate(RACES):
         if mixed is not None:
-            warnings += _film(mixed, race)
+            warnings += _film(mixed, load, race)
         if resistance is not None and np.any(resistance.outside_range[race]):
             warnings.append(
                 f"rolling on the {name} race is extrapolated: its formula is for slow rolling of contacts that are "
@@ -73,9 +80,11 @@ def _decisions(ledger: Ledger) -> Iterator[str]:
             yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"
 
 
-def _film(mixed: MixedContact, race: int) -> Iterator[str]:
+def _film(mixed: MixedContact, load: Array, race: int) -> Iterator[str]:
+    """Films that the formula does not give, on balls that carry enough to matter."""
     name = RACES[race]
-    if np.any(mixed.outside_range[race]):
+    carries = load[race] > LIGHT * np.max(load[race], axis=-1, keepdims=True, initial=0.0)
+    if np.any(mixed.outside_range[race] & carries):
         yield f"the film on the {name} race is extrapolated: its ellipse is not of a shape that was fitted"
-    if np.any(mixed.capped[race]):
+    if np.any(mixed.capped[race] & carries):
         yield f"the film on the {name} race is limited to the space between the bodies: the formula gave more"

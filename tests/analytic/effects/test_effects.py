@@ -11,6 +11,7 @@ from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curv
 from analytic.effects.ledger import Ledger
 from analytic.effects.warnings import torque_warnings
 from analytic.errors import InputError
+from analytic.oil.mixed import MixedContact
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
@@ -240,7 +241,7 @@ def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, 
     called, left = ledger.made["centrifugal"], ledger.made["spin"]
     assert called.reason == (f"{words}, more than 0.15 leaves" if share < 1 else words)  # half of the tolerance
     assert (left.decision, left.share, left.reason) == ("off", share, "the scene says off")
-    told = torque_warnings(ledger, limits=(), oiled=None, mixed=None, resistance=None)
+    told = torque_warnings(ledger, load=np.ones((2, 1, 9)), limits=(), oiled=None, mixed=None, resistance=None)
     beyond = ", more than the tolerance" if share < 1 else ""
     assert f"spin is left out and {words}{beyond}: the scene says off" in told
 
@@ -254,3 +255,18 @@ def test_a_contact_beyond_its_shoulder_is_told_with_what_moved_it(scene: Scene) 
     for how in ("on", "off"):
         asked = replace(wide, operation=heavy, effects=dict.fromkeys(("centrifugal", "gyroscopic"), how))
         refused(asked, "inner race's shoulder: lower the load")
+
+
+def test_a_film_is_warned_of_where_its_ball_carries_load(scene: Scene) -> None:
+    """The first ball of a point carries next to nothing: its film may be whatever the formula gives."""
+    ledger = Ledger(scene, 1)
+    load = np.array([[[0.4, 90.0]], [[0.5, 91.0]]])
+    capped = {"light": [[True, False], [True, False]], "heavy": [[False, False], [True, True]]}
+    warned = {}
+    for name, flags in capped.items():
+        fields = dict.fromkeys(("asperity_share", "boundary_share", "film_thickness", "area_fraction"), 0.1 * load)
+        nothing = np.zeros(load.shape, dtype=bool)
+        mixed = MixedContact(**fields, capped=np.array(flags)[:, None, :], outside_range=nothing, without_film=nothing)
+        told = torque_warnings(ledger, load=load, limits=(), oiled=None, mixed=mixed, resistance=None)
+        warned[name] = [race for race in RACES if any(f"film on the {race} race" in each for each in told)]
+    assert warned == {"light": [], "heavy": ["outer"]}
