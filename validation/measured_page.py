@@ -126,8 +126,8 @@ def _rpm(rig: Rig) -> np.ndarray:
 
 
 def draw(rigs: Sequence[Rig], others: Sequence[Other], path: Path) -> None:
-    figure = Figure(figsize=(10, 9), layout="constrained")
-    above, below = figure.subfigures(2, 1, height_ratios=(1, 1.05))
+    figure = Figure(figsize=(10, 11.5), layout="constrained")
+    above, below = figure.subfigures(2, 1, height_ratios=(1, 1.6))
     for axes, rig in zip(above.subplots(1, len(rigs)), rigs, strict=True):
         _draw_rig(axes, rig)
     _draw_others(below.subplots(), others)
