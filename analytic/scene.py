@@ -208,11 +208,11 @@ class Arrangement:
     def __post_init__(self) -> None:
         said = [key for key in ("preload", "offset") if getattr(self, key) is not None]
         if self.kind == "tandem" and said:
-            raise InputError(
-                f"arrangement in tandem has no {said[0]}: both bearings carry the same direction, and nothing presses "
-                "back; leave it out"
-            )
-        if self.kind != "tandem" and len(said) != 1:
+            why = "both bearings carry the same direction, and nothing presses back"
+            raise InputError(f'arrangement.{said[0]} does not go with kind = "tandem": {why}; leave it out')
+        if len(said) > 1:
+            raise InputError("arrangement.offset and preload both say how the pair is clamped; leave one of them out")
+        if self.kind != "tandem" and not said:
             raise InputError('arrangement needs one of preload and offset, for example preload = "100 N"')
 
 

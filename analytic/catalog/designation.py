@@ -31,6 +31,7 @@ _OTHERS = (
 _NAME = "|".join(sorted((*MAKERS, *_OTHERS), key=len, reverse=True))
 _MAKER_BEFORE = re.compile(rf"({_NAME})(?![A-Z])[\s\-:/]*")
 _MAKER_BEHIND = re.compile(rf"[\s\-:/(]*(?<![A-Z])({_NAME})\)?$")
+_MAKER_INSIDE = re.compile(rf"(?<![A-Z0-9])({_NAME})(?![A-Z0-9])")
 _HYPHEN_FOR_SLASH = re.compile(r"^(6[023]|61[89])\s*[-_]\s*(22|28|32|[4-9])(?!\d)")
 _CUT_NUMBER = re.compile(r"\d[\s\-._]+\d")  # 623-2RS is not 6232 RS
 _FILLER = re.compile(r"[\s\-._]+")
@@ -84,7 +85,7 @@ def read_designation(text: str, names: Mapping[str, str]) -> Designation | None:
 
 
 def read_maker(text: str) -> tuple[str | None, str]:
-    """(maker, the rest) of a designation in capitals; the maker stands before or behind the number, or is not named."""
+    """(maker, the rest) of a designation in capitals; the maker is a word anywhere, or letters at an end, or None."""
     rest, named = text, set[str]()
     while match := _MAKER_BEFORE.match(rest):
         named.add(match[1])
@@ -92,6 +93,9 @@ def read_maker(text: str) -> tuple[str | None, str]:
     while match := _MAKER_BEHIND.search(rest):
         named.add(match[1])
         rest = rest[: match.start()]
+    while match := _MAKER_INSIDE.search(rest):
+        named.add(match[1])
+        rest = f"{rest[: match.start()]} {rest[match.end() :]}"
     if len(named) > 1:
         raise InputError(f"bearing {text!r} names two makers, {' and '.join(sorted(named))}; give one")
     return (named.pop() if named else None), rest

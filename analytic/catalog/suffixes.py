@@ -45,11 +45,6 @@ _COMMON: tuple[tuple[str, SuffixKind, str], ...] = (
     (r"C[2345N][HLMP]", "clearance", "part of a group of radial clearance, taken as the whole group"),
     (r"P[654][2345]", "clearance", "precision class, and group of radial clearance"),
     (r"CM", "warned", "motor clearance, narrower than CN and within it; taken as CN"),
-    (
-        r"C[16]|MC[1-6]|CT|CG",
-        "warned",
-        "a radial clearance that ISO 5753-1 does not have: give bearing.diametral_clearance",
-    ),
     (r"TN9?|TNH|TNG[HN]?|TVP[1-9]?|TVPB?|TVH|TV|TYN?A?|T2X?|T", "ignored", "cage of polyamide or another plastic"),
     (r"T[AB]|TR|T1", "ignored", "cage of fabric-reinforced phenolic resin"),
     (r"M[ABPST]?|MPS|MPA|L1", "ignored", "machined brass cage"),
@@ -77,6 +72,11 @@ _COMMON: tuple[tuple[str, SuffixKind, str], ...] = (
     ),
 )
 _DEEP_GROOVE: tuple[tuple[str, SuffixKind, str], ...] = (
+    (
+        r"C[16]|MC[1-6]|CT|CG",
+        "warned",
+        "a radial clearance that ISO 5753-1 does not have; CN is taken: give the length as bearing.clearance",
+    ),
     (r"ETN9?", "refused", "reinforced ball set with other balls"),
     (r"[ABCDEHRX]", "refused", "changed inner design, which may have other balls"),
 )
@@ -86,6 +86,7 @@ _ANGULAR_CONTACT: tuple[tuple[str, SuffixKind, str], ...] = (
     (r"D[BFT][ABD]?|DBD|DFD|TBT|QBC|QFC", "warned", "matched set; the bearing is one of them"),
     (r"[SDTQ]?U[LMHA]?|C[ABC]|G[ABCD]?|SU[LMH]", "ignored", "ground for pairing"),
     (r"EL|[LH]|C[789]|GL|GN|GM|GH", "warned", "preload class of a matched set; preload is not computed from it"),
+    (r"C[16]|MC[1-6]|CT|CG", "warned", "a radial clearance; ignored, as it follows from the contact angle"),
     (r"CE1|7CE1", "ignored", "phenolic cage, 15 degrees"),
     (r"7?CE[23]", "refused", "another contact angle than the printed 15 degrees"),
     (r"V1V?", "ignored", "accuracy of the maker"),

@@ -27,7 +27,7 @@ class Effect:
     name: str
     decision: Literal["on", "off"]
     # The largest share of the total over the series: of its part of the torque where it has one, else a bound. Infinite
-    # where nothing bounds it, None where it is not known.
+    # where it could be of any size, None where it is not known.
     share: float | None
     reason: str
 
@@ -35,7 +35,7 @@ class Effect:
 def size_of(share: float) -> str:
     """How large an effect can be whose bound is this share of the torque, in words."""
     if np.isinf(share):
-        return "nothing bounds it"
+        return "could be of any size"
     return "could exceed the torque" if share > 1 else f"could be {share:.2g} of the torque"
 
 

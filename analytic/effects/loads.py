@@ -131,8 +131,9 @@ def _decide_own_forces(
     """
     outward, across, weight = own_forces_of_lightest(ledger.scene.bearing, operation, balls)
     lightest = float(np.max(outward + weight))
-    pressed = "nothing" if np.isinf(lightest) else f"{1 / max(lightest, TINIEST):.3g} times its own forces"
-    demanded = f"a ball is pressed with {pressed}, less than {PRESSED:g} times" if lightest * PRESSED > 1 else None
+    pressed = f"is {1 / max(lightest, TINIEST):.3g} times its own forces, below {PRESSED:g}"
+    few = "a ball carries no load" if np.isinf(lightest) else f"the load of the lightest ball {pressed}"
+    demanded = f"{few}: its own forces place it" if lightest * PRESSED > 1 else None
     turns = bool(np.any(operation.inner_speed))
     centrifugal = ledger.decide("centrifugal", bound=PER_CENTRIFUGAL * outward, demanded=demanded if turns else None)
     worst = int(np.argmax(shares.centrifugal))

@@ -10,6 +10,22 @@ from analytic.scenefile.template import scene_text
 from analytic.scenefile.text import plain, read_text
 
 LONGEST_NAME = 60  # characters of a designation
+# What a name ends with that is a file, among them slips of the keyboard: a point also stands in front of a suffix.
+EXTENSIONS = (
+    ".toml",
+    ".tml",
+    ".tom",
+    ".tmol",
+    ".txt",
+    ".json",
+    ".yaml",
+    ".yml",
+    ".ini",
+    ".cfg",
+    ".csv",
+    ".html",
+    ".md",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,7 +41,8 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> SceneT
     """The scene that a name means; folder : that a relative path starts from.
 
     A file that exists comes first, then a built-in scene, then a bearing of the catalogue, whose scene is the one that
-    `fembearing init` writes. A name that ends with .toml is a file. Raises InputError for a name that is none of these.
+    `fembearing init` writes. A name that ends like one of a file, with .toml or .txt,
+    is a file. Raises InputError for a name that is none of these.
     """
     given = os.fspath(name)
     path, builtin = folder / given, catalog.names("scenes")
@@ -43,4 +60,4 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> SceneT
 
 
 def _may_be_a_bearing(name: str) -> bool:
-    return 0 < len(name) <= LONGEST_NAME and name.isprintable() and not name.lower().endswith(".toml")
+    return 0 < len(name) <= LONGEST_NAME and name.isprintable() and not name.lower().endswith(EXTENSIONS)

@@ -79,7 +79,8 @@ def arranged(given: ArrangementTable, bearing: Bearing) -> tuple[Arrangement | N
     try:
         arrangement = Arrangement(**given.model_dump())
     except InputError as problem:
-        return None, [("arrangement", str(problem).removeprefix("arrangement "))]
+        key, _, words = str(problem).partition(" ")
+        return None, [(key, words)]
     width, distance = bearing.width, arrangement.distance
     if distance is None and width is None:
         return arrangement, [("arrangement.distance", "is missing: give it or bearing.width, which it is by default")]

@@ -21,6 +21,7 @@ from analytic.scenefile.text import plain, shown
 Value = float | int | str | bool
 CATALOG = "bearing.catalog"
 NOTHING = "leave it out"  # where a key is not known
+SAME_AS = {"shaft_fit": "shaft_interference", "housing_fit": "housing_interference"}  # another word for a key
 OF_CATALOG = ("bearing", "cage")  # tables that the catalog fills
 
 
@@ -44,7 +45,7 @@ class SceneKey:
         try:
             TypeAdapter(self.field.rebuild_annotation()).validate_python(given)
         except ValidationError as problem:
-            raise ValueError(_problem(problem.errors(include_url=False)[0])) from None
+            raise ValueError(_problem(problem.errors(include_url=False)[0], self.field)) from None
         return given
 
 
@@ -105,7 +106,10 @@ def faults_of(document: dict[str, Any], errors: Sequence[Mapping[str, Any]]) -> 
 def _meant(document: dict[str, Any], error: Mapping[str, Any]) -> str | None:
     """The key that an unknown one is like."""
     _, table, _ = _address(document, error["loc"])
-    return next(iter(get_close_matches(str(error["loc"][-1]), list(table.model_fields), n=1)), None)
+    written = str(error["loc"][-1])
+    if SAME_AS.get(written) in table.model_fields:
+        return SAME_AS[written]
+    return next(iter(get_close_matches(written, list(table.model_fields), n=1)), None)
 
 
 def _fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
@@ -117,16 +121,18 @@ def _fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
         known = f"did you mean {meant}?" if meant else f"known: {', '.join(table.model_fields)}"
         problem = f"is an unknown key; {known}"
     elif error["type"] in ("value_error", "literal_error"):
-        problem = _problem(error)
+        problem = _problem(error, field)
     else:  # the tables allow only one other error: not a table
         problem = f"is not a table; {accepted(field) or NOTHING}"
     return f"{path} = {shown(error['input'])} {problem}"
 
 
-def _problem(error: Mapping[str, Any]) -> str:
+def _problem(error: Mapping[str, Any], field: FieldInfo | None) -> str:
     """What is wrong with a value, by pydantic's error."""
     context = error["ctx"]
-    return str(context["error"]) if "error" in context else f"is not a word known here; give {context['expected']}"
+    if "error" in context:
+        return str(context["error"])
+    return f"is not a word known here; {accepted(field) or 'give ' + context['expected']}"
 
 
 def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple[str, type[Table], FieldInfo | None]:

@@ -216,7 +216,7 @@ class MountingTable(Table):
 
 
 class ArrangementTable(Table):
-    kind: ArrangementKind = Field(description='give "O" (back to back), "X" (face to face) or "tandem"')
+    kind: ArrangementKind = Field(description='give "O" (back to back, DB), "X" (face to face, DF) or "tandem" (DT)')
     preload: Force | None = None  # axial, of the mounted pair at standstill
     offset: Gap | None = None  # axial distance that clamping closes, of the pair
     distance: Length | None = None  # between the middles of both bearings

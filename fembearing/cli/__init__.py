@@ -35,6 +35,7 @@ from fembearing.cli.sweep import sweep
 from fembearing.cli.torque import torque
 from fembearing.cli.validate import validate
 
+PYDANTICS = "Value error, "  # how typer's message about a word begins where pydantic reads it
 EXAMPLES = {
     validate: 'validate bearing.toml --tolerance "1 %" --out report-of-my-bearing',
     torque: 'torque bearing.toml --tolerance "1 %" --out torque-of-my-bearing',
@@ -80,7 +81,8 @@ def main() -> None:
     except ConvergenceError as problem:
         status = complain(problem, NOT_SOLVED)
     except (FembearingError, TyperException) as problem:
-        status = complain(problem.format_message() if isinstance(problem, TyperException) else problem, INPUT_AT_FAULT)
+        words = problem.format_message() if isinstance(problem, TyperException) else str(problem)
+        status = complain(words.replace(PYDANTICS, ""), INPUT_AT_FAULT)
     except Abort:
         status = INTERRUPTED
     except BrokenPipeError:

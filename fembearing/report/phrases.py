@@ -137,7 +137,7 @@ def share_of(kind: str, share: float | None) -> str:
     kind : what the share is: of a part of its own, a bound, unbounded or unknown
     """
     if share is None:
-        return "no bound" if kind == "unbounded" else "not known"
+        return "no known limit" if kind == "unbounded" else "not known"
     return f"{'' if kind == 'part' else '<= '}{100 * share:{'.0f' if share > 1 else '.3g'}} %"
 
 

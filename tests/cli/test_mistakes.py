@@ -57,6 +57,7 @@ def test_a_mistake_gets_one_line_and_status_2(
         (["contact", "--frobnicate"], ["--frobnicate"]),
         (["mesh"], ["--out"]),
         (["judge"], ["judge"]),
+        (["list", "foo"], ["TOPIC", "'foo' is not one of 'bearings', 'oils', 'materials', 'scenes', 'effects'"]),
         (["validate", "a.toml", "b.toml"], ["b.toml"]),
     ],
 )
@@ -64,6 +65,7 @@ def test_a_mistyped_command_gets_one_line_too(command, arguments: list[str], wor
     result = command(*arguments)
     assert (result.status, result.out, result.err.count("\n")) == (2, "", 1)
     assert all(word in result.err for word in words), result.err
+    assert "Value error" not in result.err
 
 
 @pytest.mark.parametrize(("target", "status"), [(">/dev/full", 2), ("| true", 141), (">&-", 2)])

@@ -5,6 +5,7 @@ import pytest
 from analytic.catalog.bearing_rows import find_bearing
 
 SPELLINGS = {
+    "NSK 6206": ("NSK 6206-2RS/C3", "6206-2RS1/C3 NSK explorer", "6206 nsk/C3"),
     "6206": ("6206", " 6206 ", "6206-", "6206/"),
     "NSK 6310": ("NSK 6310", "6310 NSK", "nsk6310", "Nsk-6310", "6310 (NSK)", "NSK 6310 NSK"),
     "6804": ("6804", "61804", "61804-2RS1"),
@@ -101,6 +102,8 @@ def test_cages_precision_and_others_are_understood_and_change_nothing(suffix: st
         ("6205 QXJ77", "QXJ77: suffix not understood"),
         ("6205 XYZ", "XYZ: suffix not understood"),
         ("6205 CM", "taken as CN"),
+        ("6205 C1", "CN is taken: give the length as bearing.clearance"),
+        ("7205C C1", "follows from the contact angle"),
         ("6205 K", "tapered bore"),
         ("6205/HC5", "bearing.ball_material"),
         ("W 6205", "stainless steel"),

@@ -231,7 +231,7 @@ def test_balls_that_skid_are_refused_with_their_speed(scene: Scene) -> None:
 
 @pytest.mark.parametrize(
     ("share", "words"),
-    [(0.31, "could be 0.31 of the torque"), (17.2, "could exceed the torque"), (np.inf, "nothing bounds it")],
+    [(0.31, "could be 0.31 of the torque"), (17.2, "could exceed the torque"), (np.inf, "could be of any size")],
 )
 def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, words: str) -> None:
     """Where it calls for the effect, and in the warning where the scene leaves the effect out all the same."""

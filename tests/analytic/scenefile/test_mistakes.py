@@ -87,7 +87,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (PLAIN + "[surface]", ("surface", "exactly one of rms_roughness, Ra, finish and height_map")),
     ("surface = 7\n" + PLAIN, ("surface = 7", "not a table", "rms_roughness")),
     (ROUGH.replace('"0.1 um"', '"-0.1 um"'), ("surface.rms_roughness = '-0.1 um'", "out of range", '"0.1 um"')),
-    (ROUGH.replace('"gaussian"', '"fractal"'), ("surface.autocorrelation.kind = 'fractal'", "'exponential'")),
+    (ROUGH.replace('"gaussian"', '"fractal"'), ("surface.autocorrelation.kind = 'fractal'", '"exponential"')),
     (ROUGH.replace('"60 um"', "60"), ("surface.autocorrelation.length = 60", "no unit", '"2 um"')),
     (ROUGH.replace(', spacing = "2 um"', ""), ("surface.autocorrelation.spacing is missing", '"2 um"')),
     (ROUGH + 'hardness = "780 HV"', ("surface.hardness = '780 HV'", '"7.8 GPa"')),
@@ -172,7 +172,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (CAGE + 'variant = "printed"', ("cage.variant = 'printed'", "as_printed")),
     (CAGE + "variant = [7]", ("cage.variant = [7]", "as_printed")),
     (CAGE + 'variant = "as_printed"\npocket_depth = "5 mm"', ("cage.pocket_depth = '5 mm'", "cage.variant")),
-    (CAGE + 'start = "still"', ("cage.start = 'still'", "'sudden'")),
+    (CAGE + 'start = "still"', ("cage.start = 'still'", '"sudden"')),
     (CAGE + "seeds = 1", ("cage.seeds = 1", "2 to 1000")),
     (CAGE + "steps_per_contact = 9", ("cage.steps_per_contact = 9", "10 to 1000")),
     (CAGE + "steps_per_contact = 40.5", ("cage.steps_per_contact = 40.5", "whole number")),
@@ -244,6 +244,13 @@ def test_a_path_that_is_no_file_is_refused(path: str) -> None:
     with pytest.raises(InputError) as problem:
         load_scene(path)
     assert str(problem.value).isprintable()
+
+
+@pytest.mark.parametrize("name", ["6205.tml", "6205.txt", "6205.JSON", "6205.yaml"])
+def test_a_name_with_an_extension_is_a_file_and_no_bearing(name: str) -> None:
+    with pytest.raises(InputError, match=f"^{name}: No such file"):
+        load_scene(name)
+    assert load_scene("6205.C3").bearing.name == "6205"
 
 
 def test_a_file_with_a_byte_order_mark_is_read(tmp_path: Path) -> None:
