@@ -28,6 +28,7 @@ RIVALS = (
 )
 OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
 NO_DIMENSIONS = ("catalog", "name", "kind", "material", "ball_material")
+STEEL = "100Cr6"  # of every bearing of the catalogue: through-hardened, as makers print it
 SPAN = 12**0.5  # of a uniform distribution, over its standard deviation
 ANGLE_SPREAD = np.radians(1.5)  # standard deviation of a nominal contact angle; judgement, no tolerance was read
 
@@ -207,7 +208,7 @@ def _entry(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, An
 def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
     rings: dict[str, dict[str, Any]] = {}
     for name, conformity, half_width in zip(RINGS, row.conformity, row.shoulder_half_width, strict=True):
-        rings[name] = {"conformity": conformity}
+        rings[name] = {"conformity": conformity, "material": STEEL}
         if half_width is not None:
             rings[name]["shoulder_half_width"] = _length(half_width)
     for name, half_width in zip(RINGS, row.far_half_width, strict=True):
@@ -228,6 +229,7 @@ def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
     return {
         "name": row.designation,
         "ball_count": row.ball_count,
+        "ball_material": STEEL,
         **{key: _length(value) for key, value in lengths.items() if value is not None},
         **{key: f"{value!r} N" for key, value in ratings.items() if value is not None},
         **rings,

@@ -6,6 +6,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.mounting.clearance import Mounting, mounted
 from analytic.scene import Arrangement, Scene
+from analytic.scenefile.by_name import material
 from analytic.scenefile.read import parse_scene
 
 SCENE = """\
@@ -30,7 +31,7 @@ def scene(more: str, *, bearing: str = "", load: float = 500) -> Scene:
 
 def test_a_scene_holds_the_bearing_in_operation_and_its_clearances() -> None:
     plain, found = scene("").bearing, scene(SEATS + WARM + 'shaft_bore = "8 mm"\nmounting_temperature = "22 degC"\n')
-    steel = plain.inner.material
+    steel = material("steel")
     mounting = Mounting(
         shaft_material=steel,
         housing_material=steel,
