@@ -97,7 +97,6 @@ def pair_equilibrium(
         load[:, 1] = operation.radial_load
         load[:, 4] = np.asarray(operation.moment) / pair.arm
     state = pair.settled(load, operation.inner_speed)
-    refuse_beyond_groove(state.balls, operation.inner_speed)
     axial, radial, moment = pair.loads(state)
     rows = (count, 2, bearing.ball_count)
     inner, outer = (each.reshape(rows).max(axis=-1).T for each in (state.balls.inner_load, state.balls.outer_load))
@@ -177,7 +176,9 @@ class _Pair:
         ring = self._ring(factors, speed)
         if place is None and self.rows[0].offset > 0:
             place = np.zeros_like(load)
-        return settled_ring(ring, load, angle=self.free_angle, place=place)[0]
+        state = settled_ring(ring, load, angle=self.free_angle, place=place)[0]
+        refuse_beyond_groove(ring, state, load, speed)
+        return state
 
     def _ring(self, factors: ContactCorrection, speed: Array) -> RowsOfBalls:
         return RowsOfBalls(self.bearing, self.play, factors, self._turning(speed), rows=self.rows)

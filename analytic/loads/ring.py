@@ -115,7 +115,7 @@ def ring_equilibrium(
         )
     state, steps = settled_ring(ring, load, angle=free or 0.0)
     balls, held = state.balls, state.held
-    refuse_beyond_groove(balls, speed)
+    refuse_beyond_groove(ring, state, load, speed)
     inner, outer = (
         loaded_contact(contact, load=load)
         for contact, load in ((held.inner, balls.inner_load), (held.outer, balls.outer_load))

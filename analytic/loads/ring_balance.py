@@ -233,19 +233,35 @@ def settled_ring(
     raise ConvergenceError(iterations=MOST_ROUNDS, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
 
 
-def refuse_beyond_groove(balls: BallBalance, speed: Array) -> None:
-    """Raise InputError where a ball, (n, Z), has left its groove; speed : (n,), rad/s."""
-    angle = np.where(balls.inner_load > 0, np.abs(balls.inner_angle), 0.0)
+def refuse_beyond_groove(ring: RowsOfBalls, state: RingState, load: Array, speed: Array) -> None:
+    """Raise InputError where a ball has left its groove; load : (n, 5) as settled_ring has it;  speed : (n,), rad/s."""
+    distance, radial = ring.bearing.groove_centre_distance, state.place @ ring.radial
+    passed = distance - ring.play + radial < 0  # the centres of the grooves, each other; no inertia of balls does that
+    angle = np.where((state.balls.inner_load > 0) | passed, np.abs(state.balls.inner_angle), 0.0)
     if np.any(angle > np.pi / 2):
         point, ball = np.unravel_index(np.argmax(angle), angle.shape)
-        # Inertia makes the angle larger on the inner race and smaller on the outer one. Without it both would be about
-        # their mean.
-        by_speed = angle[point, ball] + np.abs(balls.outer_angle[point, ball]) < np.pi
-        cause = f"the speed, {speed[point]:.5g} rad/s," if by_speed else "the load"
+        moved = np.max(np.abs(radial[point]))
+        # A move by that much is the load's, whatever inertia adds.
+        if passed[point, ball] or moved > max(ring.play, 0.0) + distance / 2:
+            raise InputError(
+                f"the {_load_words(load[point], ring)} moves the rings by {moved * 1e3:.2g} mm, and balls leave their "
+                "grooves: lower the load"
+            )
         raise InputError(
-            f"{cause} drives a ball {angle[point, ball]:.3f} rad out of its groove, past pi/2: no contact bears it, "
-            f"lower the {'speed' if by_speed else 'load'}"
+            f"the speed, {speed[point]:.5g} rad/s, drives a ball {angle[point, ball]:.3f} rad out of its groove, past "
+            "pi/2: no contact bears it, lower the speed"
         )
+
+
+def _load_words(load: Array, ring: RowsOfBalls) -> str:
+    """The load of a point, (5,), and how many times the static load rating of the bearing it is."""
+    axial, radial, moment = np.abs(load[0]), np.hypot(load[1], load[2]), np.hypot(load[3], load[4]) * ring.arm
+    parts = (("axial load", axial, "kN"), ("radial load", radial, "kN"), ("moment", moment, "kN m"))
+    named = " and ".join(f"{name} of {value / 1e3:.4g} {unit}" for name, value, unit in parts if value > 0) or "preload"
+    rating, largest = ring.bearing.static_load_rating, max(axial, radial)
+    if rating is None or largest <= rating:
+        return named
+    return f"{named}, {largest / rating:.2g} times the static load rating C0 = {rating / 1e3:.4g} kN,"
 
 
 def _start(ring: RowsOfBalls, load: Array, held: HeldBalls) -> Array:

@@ -3,20 +3,26 @@
 Every check is geometry of the unloaded bearing. A preload that elastic contacts can carry is accepted.
 """
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 
 import numpy as np
 
-from analytic.scene import Bearing, Cage, ContactAngle, Groove
+from analytic.loads.thrust import play_and_free_angle
+from analytic.scene import Arrangement, Bearing, Cage, ContactAngle, Groove
 
 # Interference on the diameter over the ball diameter: several times that at which a steel race yields (about 0.8 %), so
 # that plastic balls are accepted.
 LARGEST_PRELOAD = 0.05
+BOTTOM = "bearing.outer.bottom_radius"
 LARGEST_MASS_ERROR = 0.05  # of the mass of a solid ball, without a warning; rounding in tables gives 1 %
 
 
-def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
-    """(path of the key, problem) for each impossible dimension of the bearing."""
+def bearing_misfits(bearing: Bearing, *, gap_key: str = BOTTOM, own: Container[str] = ()) -> Iterator[tuple[str, str]]:
+    """(path of the key, problem) for each impossible dimension of the bearing.
+
+    gap_key : path of the key that says how far the rings are apart
+    own : keys of [bearing] that the scene gives itself; the others come from the catalogue
+    """
     ball = bearing.ball_diameter
     possible = True
     for name, ring in (("inner", bearing.inner), ("outer", bearing.outer)):
@@ -39,8 +45,8 @@ def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
     else:
         if not bearing.outer.groove_radius < bearing.outer.bottom_radius:
             yield "bearing.outer.groove_radius", f"must be below bottom_radius {_mm(bearing.outer.bottom_radius)}"
-        yield from _ring_misfits(bearing)
-        yield from _boundary_misfits(bearing)
+        yield from _ring_misfits(bearing, gap_key)
+        yield from _boundary_misfits(bearing, own)
     if bearing.ball_count > 1 and pitch_chord(bearing) < ball:
         half_angle = np.arcsin(min(1.0, ball / bearing.pitch_diameter))
         yield (
@@ -52,12 +58,27 @@ def bearing_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
 
 def angle_misfits(bearing: Bearing, angle: ContactAngle) -> Iterator[tuple[str, str]]:
     """The same for a contact angle beyond a shoulder."""
-    grooves = ((ring.shoulder_half_width, ring.groove_radius) for ring in (bearing.inner, bearing.outer))
-    angles = (float(np.arcsin(width / radius)) for width, radius in grooves if width is not None)
-    shoulder = min(angles, default=np.inf)
+    shoulder = _shoulder_angle(bearing)
     for name, value in (("value", angle.value), ("free", angle.free)):
         if value is not None and not value < shoulder:
             yield f"bearing.contact_angle.{name}", f"must be below the shoulder's angle {shoulder:.4g} rad"
+
+
+def arrangement_misfits(bearing: Bearing, angle: ContactAngle, arrangement: Arrangement) -> Iterator[tuple[str, str]]:
+    """The same for an offset that presses balls onto their shoulders, or further than elastic contacts can carry."""
+    if arrangement.offset is None:
+        return
+    play, _ = play_and_free_angle(bearing, angle)
+    distance = bearing.groove_centre_distance
+    across = distance - play
+    # Along the axis, from grooves in line to where a ball touches both, is pressed that far, and is at its shoulder.
+    touching = np.sqrt(max(play, 0.0) * (2 * distance - play))
+    pressed = np.sqrt((distance + LARGEST_PRELOAD * bearing.ball_diameter / 2) ** 2 - across**2)
+    shoulder = across * np.tan(min(_shoulder_angle(bearing), 1.57))
+    limit = 2 * max(min(pressed, shoulder) - touching, 0.0)
+    if arrangement.offset > limit:
+        why = "there the balls reach a shoulder" if shoulder < pressed else "elastic contacts do not carry more"
+        yield "arrangement.offset", f"must be at most {limit * 1e6:.4g} um: {why}"
 
 
 def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overlap: bool) -> Iterator[tuple[str, str]]:
@@ -105,6 +126,12 @@ def pitch_chord(bearing: Bearing) -> float:
     return bearing.pitch_diameter * float(np.sin(np.pi / bearing.ball_count))
 
 
+def _shoulder_angle(bearing: Bearing) -> float:
+    """The contact angle at the lower of the shoulders that thrust loads, rad; infinite where none is known."""
+    grooves = ((ring.shoulder_half_width, ring.groove_radius) for ring in (bearing.inner, bearing.outer))
+    return min((float(np.arcsin(width / radius)) for width, radius in grooves if width is not None), default=np.inf)
+
+
 def _washer_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
     """Problems of a thrust bearing: washers that touch each other, grooves that leave no washer."""
     ball, middle = bearing.ball_diameter, bearing.pitch_diameter / 2
@@ -128,17 +155,19 @@ def _washer_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
             return
 
 
-def _ring_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
+def _ring_misfits(bearing: Bearing, gap_key: str) -> Iterator[tuple[str, str]]:
     clearance, distance = bearing.diametral_clearance, bearing.groove_centre_distance
-    if clearance < -LARGEST_PRELOAD * bearing.ball_diameter:
+    lowest = -LARGEST_PRELOAD * bearing.ball_diameter
+    if clearance < lowest:
         yield (
-            "bearing.outer.bottom_radius",
+            gap_key,
             f"leaves {_mm(bearing.outer.bottom_radius - bearing.inner.bottom_radius)} between the grooves "
-            f"for a ball of {_mm(bearing.ball_diameter)}; a preload takes at most {LARGEST_PRELOAD:.0%} of the ball",
+            f"for a ball of {_mm(bearing.ball_diameter)}: the clearance must be at least {_mm(lowest)}, a preload of "
+            f"{LARGEST_PRELOAD:.0%} of the ball",
         )
     if not clearance < 2 * distance:
         yield (
-            "bearing.outer.bottom_radius",
+            gap_key,
             f"leaves a diametral clearance of {_mm(clearance)}, which must be below 2 (r_gi + r_go - D) = "
             f"{_mm(2 * distance)}: no contact angle closes it",
         )
@@ -157,15 +186,23 @@ def _ring_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
             return
 
 
-def _boundary_misfits(bearing: Bearing) -> Iterator[tuple[str, str]]:
+def _boundary_misfits(bearing: Bearing, own: Container[str]) -> Iterator[tuple[str, str]]:
     """Problems of the seats and the width, where they are given."""
+    moved = "pitch_diameter" in own
     bore, outside, width = bearing.bore_diameter, bearing.outside_diameter, bearing.width
     if bore is not None and not bore < 2 * bearing.inner.bottom_radius:
         limit = _mm(2 * bearing.inner.bottom_radius)
-        yield "bearing.bore_diameter", f"must be below the inner groove's bottom, {limit} in diameter"
+        if moved and "bore_diameter" not in own:
+            yield "bearing.pitch_diameter", f"puts the inner groove's bottom at {limit}, within the bore of {_mm(bore)}"
+        else:
+            yield "bearing.bore_diameter", f"must be below the inner groove's bottom, {limit} in diameter"
     if outside is not None and not outside > 2 * bearing.outer.bottom_radius:
         limit = _mm(2 * bearing.outer.bottom_radius)
-        yield "bearing.outside_diameter", f"must exceed the outer groove's bottom, {limit} in diameter"
+        if moved and "outside_diameter" not in own:
+            problem = f"puts the outer groove's bottom at {limit}, beyond the outside diameter of {_mm(outside)}"
+            yield "bearing.pitch_diameter", problem
+        else:
+            yield "bearing.outside_diameter", f"must exceed the outer groove's bottom, {limit} in diameter"
     known = (each for ring in (bearing.inner, bearing.outer) for each in ring.half_widths if each is not None)
     widest = 2 * max(known, default=0.0)
     if width is not None and not width > widest:

@@ -5,8 +5,8 @@ from dataclasses import replace
 
 from analytic.errors import InputError
 from analytic.mounting.clearance import Mounting, mounted, mounting_faults
-from analytic.scene import Arrangement, Bearing, Clearances, Material
-from analytic.scenefile.fit import bearing_misfits
+from analytic.scene import Arrangement, Bearing, Clearances, ContactAngle, Material
+from analytic.scenefile.fit import arrangement_misfits, bearing_misfits
 from analytic.scenefile.tables import ArrangementTable, ContactAngleTable, MountingTable, SceneTable
 
 
@@ -74,7 +74,9 @@ def _mounting(given: MountingTable) -> Mounting:
     )
 
 
-def arranged(given: ArrangementTable, bearing: Bearing) -> tuple[Arrangement | None, list[tuple[str, str]]]:
+def arranged(
+    given: ArrangementTable, bearing: Bearing, angle: ContactAngle
+) -> tuple[Arrangement | None, list[tuple[str, str]]]:
     """The pair of a table, and (path of the key, problem) for what is missing or cannot be."""
     try:
         arrangement = Arrangement(**given.model_dump())
@@ -87,7 +89,7 @@ def arranged(given: ArrangementTable, bearing: Bearing) -> tuple[Arrangement | N
     if distance is not None and width is not None and distance < width:
         least = f"bearing.width {width * 1e3:.6g} mm"
         return arrangement, [("arrangement.distance", f"must be at least {least}, else the rings overlap")]
-    return arrangement, []
+    return arrangement, list(arrangement_misfits(bearing, angle, arrangement))
 
 
 def _mounting_faults(given: MountingTable, angle: ContactAngleTable) -> Iterator[tuple[str, str]]:

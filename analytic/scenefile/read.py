@@ -36,6 +36,7 @@ from analytic.scenefile.losses import losses_of
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
+    BearingTable,
     CageTable,
     FrictionTable,
     OperationTable,
@@ -219,12 +220,14 @@ def _scene(
     angle = ContactAngle(**table.bearing.contact_angle.model_dump(exclude={"nominal"}))
     if bearing.kind == "thrust":
         angle = ContactAngle(rule="given", value=np.pi / 2)
-    misfits = list(fit.bearing_misfits(bearing))
+    misfits = list(fit.bearing_misfits(bearing, gap_key=_gap_key(table.bearing), own=own))
     delivered, clearances = bearing, None
     if table.mounting is not None and not misfits:
         bearing, clearances, problems = in_operation(bearing, table.mounting)
         misfits += problems
-    arrangement, unplaced = (None, []) if table.arrangement is None else arranged(table.arrangement, bearing)
+    arrangement, unplaced = None, []
+    if table.arrangement is not None and not misfits:
+        arrangement, unplaced = arranged(table.arrangement, bearing, angle)
     cage = None
     if not misfits:
         misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
@@ -263,6 +266,14 @@ def _scene(
         warnings=(*(() if row is None else row.warnings), *_loose(table), *fit.warnings(bearing, cage), *notes),
     )
     return scene, [*misfits, *unplaced]
+
+
+def _gap_key(given: BearingTable) -> str:
+    """The path of the key that says how far the rings are apart."""
+    if given.clearance is not None:
+        return "bearing.clearance"
+    said = given.contact_angle.nominal is not None
+    return "bearing.contact_angle.nominal" if said else fit.BOTTOM
 
 
 def _cage(given: CageTable, bearing: Bearing) -> Cage:

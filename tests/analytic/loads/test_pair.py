@@ -177,6 +177,18 @@ def test_what_no_pair_can_be_is_refused(change: dict[str, Any], words: str) -> N
         pair_equilibrium(**(given | change))
 
 
+def test_a_load_that_no_groove_bears_is_named() -> None:
+    """Where contacts are corrected too, which needs the motion of the balls."""
+    with pytest.raises(InputError, match=r"radial load of 9000 kN.* moves the rings .* lower the load"):
+        pair_equilibrium(
+            bearing(),
+            SOLVED,
+            Arrangement(kind="O", preload=9.0),
+            loads(11.0, radial=9e6),
+            PairContacts(effects=STILL, finite_geometry=True),
+        )
+
+
 def test_two_balls_carry_thrust() -> None:
     two = bearing(ball_count=2)
     found = pair_equilibrium(two, SOLVED, Arrangement(kind="O", preload=9.0), loads(5.0), HERTZ)
@@ -186,9 +198,9 @@ def test_two_balls_carry_thrust() -> None:
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({"kind": "tandem", "preload": 5.0}, "tandem has no preload"),
+        ({"kind": "tandem", "preload": 5.0}, "arrangement.preload does not go with kind = .tandem."),
         ({"kind": "O"}, "needs one of preload and offset"),
-        ({"kind": "X", "preload": 5.0, "offset": 1e-6}, "needs one of preload and offset"),
+        ({"kind": "X", "preload": 5.0, "offset": 1e-6}, "offset and preload both say"),
     ],
 )
 def test_an_arrangement_has_one_preload(given: dict[str, Any], words: str) -> None:

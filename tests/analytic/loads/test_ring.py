@@ -322,7 +322,7 @@ def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bea
         (SOLVED, {"inner_speed": [3.0, float("inf")]}, ("inner_speed", "inf", "index [1]")),
         (ContactAngle(rule="given", value=0.18), {}, ("rule 'given'", "'solved'")),
         (ContactAngle(rule="solved", free=18.0), {}, ("free", "18.0", "degrees")),
-        (SOLVED, {"radial_load_x": 1e9}, ("the load drives", "out of its groove", "pi/2", "lower the load")),
+        (SOLVED, {"radial_load_x": 1e9}, ("radial load of 1e+06 kN moves the rings", "grooves: lower the load")),
         (
             SOLVED,
             {"inner_speed": [70.0, 1e5]},
@@ -336,3 +336,11 @@ def test_impossible_input_is_refused(
     with pytest.raises(InputError) as refusal:
         ring_equilibrium(bearing_6205, angle, axial_load=5.0, **changed)
     assert all(word in str(refusal.value) for word in words), refusal.value
+
+
+@pytest.mark.parametrize(("load", "speed"), [(1.1e5, 100.0), (1.9e5, 0.0)])
+def test_a_load_that_no_groove_bears_is_named_at_any_speed(bearing_6205: Bearing, load: float, speed: float) -> None:
+    rated = replace(bearing_6205, static_load_rating=7850.0)
+    with pytest.raises(InputError, match="lower the load") as refusal:
+        ring_equilibrium(rated, SOLVED, axial_load=5.0, radial_load_x=load, inner_speed=speed)
+    assert f"radial load of {load / 1e3:g} kN, {load / 7850:.2g} times the static load rating C0" in str(refusal.value)

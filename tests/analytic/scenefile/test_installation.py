@@ -117,6 +117,12 @@ def test_an_arrangement_is_read() -> None:
             "",
             r"arrangement\.distance = '9 mm' must be at least bearing.width 15 mm",
         ),
+        ('[arrangement]\nkind = "O"\noffset = "3 mm"\n', "", r"arrangement\.offset = '3 mm' must be at most 758\.2 um"),
+        (
+            '[arrangement]\nkind = "X"\noffset = "0.5 mm"\n',
+            'inner = { shoulder_half_width = "2 mm" }',
+            r"arrangement\.offset = '0.5 mm' must be at most .* um: there the balls reach a shoulder",
+        ),
         (
             '[arrangement]\nkind = "O"\npreload = "9 N"\n',
             'contact_angle = { rule = "given", value = "12 deg" }',
@@ -128,6 +134,21 @@ def test_a_mistake_is_one_line(more: str, bearing: str, words: str) -> None:
     with pytest.raises(InputError, match=words) as problem:
         scene(more, bearing=bearing)
     assert "\n" not in str(problem.value)
+
+
+def test_the_largest_offset_is_that_of_the_shoulder() -> None:
+    """The line between the groove centres is then at asin(w/r_g); |axial| = (A0 - P_d/2) tan of it, less the play."""
+    found = scene("", bearing='inner = { shoulder_half_width = "2 mm" }').bearing
+    distance, play = found.groove_centre_distance, found.diametral_clearance / 2
+    steep, loose = np.arcsin(2e-3 / found.inner.groove_radius), np.arccos(1 - play / distance)
+    most = 2 * (distance - play) * (np.tan(steep) - np.tan(loose)) * 1e6
+    for offset, is_refused in ((most * 1.001, True), (most * 0.999, False)):
+        more = f'[arrangement]\nkind = "O"\noffset = "{offset:.6f} um"\n'
+        if is_refused:
+            with pytest.raises(InputError, match=f"at most {most:.4g} um"):
+                scene(more, bearing='inner = { shoulder_half_width = "2 mm" }')
+        else:
+            scene(more, bearing='inner = { shoulder_half_width = "2 mm" }')
 
 
 def test_a_tandem_needs_a_load() -> None:

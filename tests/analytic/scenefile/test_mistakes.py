@@ -148,6 +148,22 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
         with_bearing('inner.shoulder_half_width = "4.129 mm"\nouter.shoulder_half_width = "4.2 mm"'),
         ("bearing.inner.shoulder_half_width = '4.129 mm'", "19.5691 mm", "19.56 mm", "the rings touch"),
     ),
+    (
+        changed(BEARING, 'catalog = "6205"\nclearance = "2 mm"'),
+        ("bearing.clearance = '2 mm'", "clearance of 2 mm", "0.7938 mm"),
+    ),
+    (
+        changed(BEARING, 'catalog = "6205"\nclearance = "-600 um"'),
+        ("bearing.clearance = '-600 um'", "7.638 mm", "at least -0.3969 mm"),
+    ),
+    (
+        changed(BEARING, 'catalog = "6205"\npitch_diameter = "60 mm"'),
+        ("bearing.pitch_diameter = '60 mm'", "outer groove's bottom at 67.9442 mm", "outside diameter of 52 mm"),
+    ),
+    (
+        changed(BEARING, 'catalog = "6205"\npitch_diameter = "32.8 mm"\nball_count = 7'),
+        ("bearing.pitch_diameter = '32.8 mm'", "inner groove's bottom at 24.8558 mm", "bore of 25 mm"),
+    ),
     (with_bearing('bore_diameter = "31.06 mm"'), ("bearing.bore_diameter = '31.06 mm'", "below", "31.06 mm")),
     (with_bearing('outside_diameter = "46.9 mm"'), ("bearing.outside_diameter = '46.9 mm'", "exceed", "46.96 mm")),
     (with_bearing('width = "6.1 mm"'), ("bearing.width = '6.1 mm'", "exceed", "6.2 mm")),
