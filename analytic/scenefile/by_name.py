@@ -1,6 +1,6 @@
 """The parts of a scene for Python, by the keys and names of a scene file: numbers are SI, texts have units."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 from warnings import warn
 
@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError
-from analytic.scene import Bearing, Lubricant, Material, Operation, Surface
+from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Surface
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.material import catalog_material
 from analytic.scenefile.oil import completed_lubricant
 from analytic.scenefile.read import scene_of
 from analytic.scenefile.text import shown
-from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint
+from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity, ViscosityPoint
 
 # What a scene needs beside the table that is read.
 ANYTHING = {"name": "from Python", "tolerance": 0.05, "operation": {"axial_load": "1 N", "inner_speed": "0 rpm"}}
@@ -57,18 +57,31 @@ def _with_units(table: Mapping[str, Any], path: str) -> dict[str, Any]:
 
 def operation(
     *,
-    inner_speed: ArrayLike,
-    axial_load: ArrayLike = 0.0,
-    radial_load: ArrayLike = 0.0,
-    moment: ArrayLike = 0.0,
+    inner_speed: ArrayLike | str | Sequence[str],
+    axial_load: ArrayLike | str | Sequence[str] = 0.0,
+    radial_load: ArrayLike | str | Sequence[str] = 0.0,
+    moment: ArrayLike | str | Sequence[str] = 0.0,
 ) -> Operation:
-    """The operating points of a series: numbers or (n,); a number counts for the whole series.
+    """The operating points of a series: single values or (n,); a single value counts for the whole series.
 
-    inner_speed : rad/s;  axial_load, radial_load : N;  moment : N m, as in `analytic.Operation`
-    Raises InputError where lengths differ.
+    inner_speed : rad/s;  axial_load, radial_load : N;  moment : N m, as in `analytic.Operation`; or texts with units,
+        as "1000 rpm" or ["500 rpm", "1000 rpm"]
+    Raises InputError where lengths differ, and for what is neither a number nor a quantity of that key.
     """
     given = {"axial_load": axial_load, "inner_speed": inner_speed, "radial_load": radial_load, "moment": moment}
-    return Operation(**{key: np.asarray(value, dtype=np.float64) for key, value in given.items()}).as_series()
+    return Operation(**{key: _in_si(f"operation.{key}", value) for key, value in given.items()}).as_series()
+
+
+def _in_si(path: str, given: ArrayLike | str | Sequence[str]) -> Array:
+    """Numbers, which are in SI already, or quantities in texts: one or a list."""
+    if isinstance(given, str):
+        return np.asarray(_checked(path, given))
+    if isinstance(given, list | tuple) and any(isinstance(each, str) for each in given):
+        return np.array([_checked(path, each) for each in given])
+    try:
+        return np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InputError(f"{path} = {shown(given)} is neither numbers in SI nor texts with units") from None
 
 
 def surfaces(**keys: Any) -> Surface:
@@ -83,20 +96,39 @@ def surfaces(**keys: Any) -> Surface:
     return scene.surface
 
 
-def lubricant(name: str, *, temperature: float | None = None, **overrides: float | str | bool) -> Lubricant:
-    """The lubricant that `[lubricant] name = ...` describes in a scene.
+def lubricant(
+    name: str | None = None,
+    *,
+    temperature: float | str | None = None,
+    viscosity: float | str | Sequence[str] | None = None,
+    **overrides: float | str | bool,
+) -> Lubricant:
+    """The lubricant that the table `[lubricant]` of a scene describes.
 
-    name : of an oil or grease of the catalog, as "ISO VG 46"; analytic.catalog.oil_names lists them
-    temperature : K; 40 degC if it is left out;  overrides : keys of [lubricant] in SI, which take precedence
+    name : of an oil or grease of the catalog, as "ISO VG 46"; analytic.catalog.oil_names lists them; None: the other
+        keys say all, as viscosity=0.03, density=870.0, base_oil="mineral"
+    temperature : K, or a text as "70 degC"; by default 40 degC, or where the viscosity is known
+    viscosity : Pa s, or as in a scene, for example ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]
+    overrides : keys of [lubricant], which take precedence: numbers in SI, or texts with units
     Raises InputError for an unknown name or key, for a value out of range, for a temperature beyond the oil's data, and
     for what neither the catalog nor an override gives.
     """
-    own = overrides if temperature is None else {"temperature": temperature, **overrides}
-    given: dict[str, Any] = {key: _checked(f"lubricant.{key}", value) for key, value in own.items()}
-    if "viscosity" in given:
-        point = ViscosityPoint(value=given["viscosity"], is_kinematic=False, temperature=None)
-        given["viscosity"] = GivenViscosity(points=(point,), text=shown(given["viscosity"]))
-    return completed_lubricant({"name": name, **given})
+    own = {"name": name, "temperature": temperature, **overrides}
+    given = {key: _checked(f"lubricant.{key}", value) for key, value in own.items() if value is not None}
+    if viscosity is not None:
+        given["viscosity"] = _viscosity(viscosity)
+    return completed_lubricant(given)
+
+
+def _viscosity(given: float | str | Sequence[str]) -> GivenViscosity:
+    path = "lubricant.viscosity"
+    if isinstance(given, str | list | tuple):
+        try:
+            return OIL_VISCOSITY.field_value(given if isinstance(given, str) else [*given])
+        except ValueError as problem:
+            raise InputError(f"{path} = {shown(given)} {problem}") from None
+    point = ViscosityPoint(value=_checked(path, given), is_kinematic=False, temperature=None)
+    return GivenViscosity(points=(point,), text=shown(given))
 
 
 def material(name: str, **overrides: float | str) -> Material:
@@ -118,13 +150,14 @@ def material(name: str, **overrides: float | str) -> Material:
 
 
 def _checked(path: str, value: object) -> Any:
-    """The value of a key, which is in SI already."""
+    """The value of a key in SI: of a number, which is in SI already, of a text with a unit, or a word."""
     key = scene_key(path)
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
     try:
-        if key.dimension is None:
+        if key.dimension is None or not is_number:
             return key.read(value)
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise ValueError("is not a number")
         return key.dimension.checked(float(value))
     except ValueError as problem:
-        raise InputError(f"{path} = {shown(value)} {problem}") from None
+        unit = key.dimension.unit if key.dimension is not None and is_number else ""
+        si = f" (a number is in {unit})" if unit else ""
+        raise InputError(f"{path} = {shown(value)}{si} {problem}") from None

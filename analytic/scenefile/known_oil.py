@@ -1,7 +1,9 @@
 """What the catalog knows of a named oil, or of a kind of base oil, in SI."""
 
+import re
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from math import log
 from typing import Any
 
 from analytic import catalog
@@ -63,12 +65,10 @@ def named_oil(given: str) -> KnownOil:
     """The oil or grease of that name. Raises InputError for an unknown name."""
     name = catalog.find("oils", given)
     if name is None:
-        names = {catalog.spelling(each): each for each in catalog.oil_names()}
-        near = get_close_matches(catalog.spelling(given), names, n=3, cutoff=0.4)
-        known = ", ".join(names[each] for each in near) or "ISO VG 46, ISO VG 46 PAO, FVA 3"
         raise InputError(
-            f"lubricant.name = {shown(given)} is not an oil of the catalog; near it are {known}; or leave the name out "
-            "and give viscosity, pressure_viscosity and eyring_stress"
+            f"lubricant.name = {shown(given)} is not an oil of the catalog; near it are {', '.join(_near(given))}; or "
+            'leave the name out and give its two viscosities and kind, for example viscosity = ["46 cSt at 40 degC", '
+            '"6.8 cSt at 100 degC"] and base_oil = "mineral"'
         )
     row = catalog.rows("oils")[name]
     base = base_oil(row["base oil"]) if row["base oil"] in catalog.rows("base_oils") else KnownOil(name="")
@@ -99,6 +99,18 @@ def named_oil(given: str) -> KnownOil:
         is_grease=row["kind"] == "grease",
         **own,
     )
+
+
+def _near(given: str) -> list[str]:
+    """Names of the catalog that are like this one: of a class of ISO 3448 the nearest class."""
+    names = {catalog.spelling(each): each for each in catalog.oil_names()}
+    number = re.search(r"vg0*([1-9]\d*)", catalog.spelling(given))
+    if number:
+        classes = {each: int(found[1]) for each in names.values() if (found := re.match(r"ISO VG (\d+) ", each))}
+        nearest = min(classes.values(), key=lambda grade: abs(log(grade) - log(int(number[1]))))
+        return [each for each, grade in classes.items() if grade == nearest]
+    near = get_close_matches(catalog.spelling(given), names, n=3, cutoff=0.4)
+    return [names[each] for each in near] or ["ISO VG 46", "ISO VG 46 PAO", "FVA 3"]
 
 
 def base_oil(name: str) -> KnownOil:

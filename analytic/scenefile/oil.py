@@ -57,10 +57,11 @@ def completed_lubricant(given: Mapping[str, Any]) -> Lubricant:
     else:
         oil = base_oil(given["base_oil"]) if "base_oil" in given else KnownOil(name="")
     viscosity: GivenViscosity | None = given.get("viscosity")
+    own = None if viscosity is None else viscosity.temperature
     if "name" in given or (viscosity is not None and viscosity.is_pair):
-        temperature = reference = given.get("temperature", COLD)
+        temperature = reference = given.get("temperature", COLD if own is None else own)
     else:
-        reference = given.get("reference_temperature", COLD)
+        reference = given.get("reference_temperature", COLD) if own is None else own
         temperature = given.get("temperature", reference)
 
     density = _density(given, oil, reference)
@@ -121,6 +122,18 @@ def _refuse_conflicts(given: Mapping[str, Any]) -> None:
         raise InputError(
             f"lubricant.reference_temperature does not go with {owner}, which is known at every temperature; give "
             "temperature alone"
+        )
+    own = None if viscosity is None else viscosity.temperature
+    if own is not None and "reference_temperature" in given:
+        raise InputError(
+            "lubricant.reference_temperature and the temperature in lubricant.viscosity say the same; "
+            "leave one of them out"
+        )
+    if viscosity is not None and own is not None and "name" in given and given.get("temperature", own) != own:
+        raise InputError(
+            f"lubricant.viscosity = {viscosity.text} is not at lubricant.temperature, "
+            f"{given['temperature'] - 273.15:.4g} degC: give it at that temperature, give two at two temperatures, or "
+            "leave out the name"
         )
     is_density_known = "density" in given or "name" in given or "base_oil" in given
     if viscosity is not None and viscosity.is_kinematic and not is_density_known:

@@ -21,7 +21,7 @@ class ViscosityPoint:
 
 @dataclass(frozen=True, kw_only=True)
 class GivenViscosity:
-    """The viscosity of an oil: one without a temperature, or two at two temperatures."""
+    """The viscosity of an oil: one, or two at two temperatures."""
 
     points: tuple[ViscosityPoint, ...]
     text: str  # as it was given, for messages
@@ -29,6 +29,11 @@ class GivenViscosity:
     @property
     def is_pair(self) -> bool:
         return len(self.points) == 2
+
+    @property
+    def temperature(self) -> float | None:
+        """That of the only viscosity, K; None: none is given, or there are two viscosities."""
+        return None if self.is_pair else self.points[0].temperature
 
     @property
     def is_kinematic(self) -> bool:
@@ -42,18 +47,17 @@ class Viscosity(Dimension):
     def field_value(self, given: object) -> GivenViscosity:
         """Raises ValueError that says what is wrong and what is accepted."""
         if not isinstance(given, list):
-            points = (self._point(given, with_temperature=False),)
+            points = (self._point(given),)
         elif len(given) == 2:
-            points = tuple(self._point(each, with_temperature=True) for each in given)
+            points = tuple(self._point(each) for each in given)
+            if any(point.temperature is None for point in points):
+                raise ValueError(f"has no temperature; {self.accepted}")
         else:
             raise ValueError(f"is not one viscosity or two; {self.accepted}")
         return GivenViscosity(points=points, text=shown(given))
 
-    def _point(self, given: object, *, with_temperature: bool) -> ViscosityPoint:
+    def _point(self, given: object) -> ViscosityPoint:
         value, at, temperature = given.partition(" at ") if isinstance(given, str) else (given, "", "")
-        if bool(at) != with_temperature:
-            problem = "has no temperature" if with_temperature else "has a temperature, which needs a second one"
-            raise ValueError(f"{problem}; {self.accepted}")
         kelvin = TEMPERATURE.read(temperature.strip()) if at else None
         kinematic = _kinematic(value)
         return ViscosityPoint(

@@ -221,5 +221,11 @@ def test_operating_points_from_python() -> None:
     made = analytic.operation(inner_speed=[30.0, 40.0], radial_load=200.0)
     np.testing.assert_array_equal(made.radial_load, [200.0, 200.0])
     np.testing.assert_array_equal(made.axial_load, [0.0, 0.0])
+    texts = analytic.operation(inner_speed=["300 rpm", "500 rpm"], radial_load="2 kN")
+    np.testing.assert_allclose(texts.inner_speed, [31.41592653589793, 52.35987755982988], rtol=1e-15)
+    np.testing.assert_array_equal(texts.radial_load, [2000.0, 2000.0])
+    for words, speed in (("'1000 Hz' .*rpm", "1000 Hz"), ("'fast' ", "fast"), (r"neither numbers", {"a": 3})):
+        with pytest.raises(InputError, match=rf"operation\.inner_speed = .*{words}"):
+            analytic.operation(inner_speed=speed)
     with pytest.raises(InputError, match="shapes"):
         analytic.operation(inner_speed=[30.0, 40.0], radial_load=[1.0, 2.0, 3.0])

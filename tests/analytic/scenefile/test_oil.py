@@ -172,6 +172,32 @@ def test_a_base_oil_gives_what_follows_from_the_viscosity() -> None:
     assert single.pressure_viscosity == pytest.approx(7.40e-9 * 46**0.162, rel=1e-12)
 
 
+def test_one_viscosity_may_have_its_temperature() -> None:
+    rest = 'density = "850 kg/m^3"\nbase_oil = "mineral"\ntemperature = "70 degC"\n'
+    own = oil(f'viscosity = "30 cSt at 50 degC"\n{rest}')
+    assert own == oil(f'viscosity = "30 cSt"\nreference_temperature = "50 degC"\n{rest}')
+    assert own.viscosity == pytest.approx(30e-6 * 850, rel=1e-12)
+    assert (own.reference_temperature, own.temperature) == (323.15, WARM)
+    named = oil('name = "vg46"\nviscosity = "9 mPa s at 80 degC"')
+    assert (named.viscosity, named.temperature) == (9e-3, pytest.approx(353.15))
+
+
+def test_python_takes_units_and_an_oil_of_ones_own() -> None:
+    assert analytic.lubricant("vg46", temperature="70 degC") == analytic.lubricant("vg46", temperature=WARM)
+    own = analytic.lubricant(viscosity=0.03, density="0.87 g/cm^3", base_oil="mineral")
+    assert own == oil('viscosity = "30 mPa s"\ndensity = "870 kg/m^3"\nbase_oil = "mineral"')
+    pair = ["46 cSt at 40 degC", "6.65 cSt at 100 degC"]
+    assert analytic.lubricant(viscosity=pair, base_oil="PAO") == oil(f'viscosity = {pair}\nbase_oil = "PAO"')
+    with pytest.raises(InputError, match=r"lubricant\.viscosity is missing"):
+        analytic.lubricant(base_oil="mineral")
+    with pytest.raises(InputError, match=r"temperature = 70 \(a number is in K\) is out of range.*40 degC"):
+        analytic.lubricant("vg46", temperature=70)
+    with pytest.raises(InputError, match=r"lubricant\.temperature = '70' .*unit is missing"):
+        analytic.lubricant("vg46", temperature="70")
+    with pytest.raises(InputError, match=r"lubricant\.viscosity = '7 mm' .*unit like Pa s"):
+        analytic.lubricant("vg46", viscosity="7 mm")
+
+
 def test_an_oil_without_a_line_takes_a_viscosity_at_its_temperature() -> None:
     more = 'pressure_viscosity = "2e-8 1/Pa"\neyring_stress = "5 MPa"\ndensity = "0.9 g/cm^3"\n'
     assert oil(f'name = "NSK MTE"\n{more}').viscosity == pytest.approx(23e-6 * 900, rel=1e-12)
@@ -199,7 +225,21 @@ MESSAGES = [
         'viscosity = "60 cSt"',
         ("lubricant.viscosity = '60 cSt' is kinematic", "lubricant.density is missing", "870 kg/m^3"),
     ),
-    ('viscosity = "46 cSt at 40 degC"', ("lubricant.viscosity = '46 cSt at 40 degC'", "needs a second one")),
+    ('viscosity = "46 cSt at 40 degC"', ("lubricant.viscosity = '46 cSt at 40 degC' is kinematic", "870 kg/m^3")),
+    (
+        'viscosity = "46 cSt at 40 degC"\nbase_oil = "PAO"\nreference_temperature = "40 degC"',
+        ("lubricant.reference_temperature", "say the same", "leave one of them out"),
+    ),
+    (
+        'name = "vg46"\nviscosity = "9 mPa s at 80 degC"\ntemperature = "70 degC"',
+        ("lubricant.viscosity = '9 mPa s at 80 degC' is not at lubricant.temperature, 70 degC",),
+    ),
+    ('name = "ISO VG 70"', ("near it are ISO VG 68 mineral, ISO VG 68 PAO;",)),
+    ('name = "iso vg 0"', ("near it are ",)),
+    (
+        'name = "my oil"',
+        ("two viscosities", 'viscosity = ["46 cSt at 40 degC", "6.8 cSt at 100', 'base_oil = "mineral"'),
+    ),
     ('viscosity = ["46 cSt at 40 degC", "6.8 cSt"]', ("lubricant.viscosity", "has no temperature", "at 100 degC")),
     ('viscosity = ["46 cSt at 40 degC"]', ("lubricant.viscosity", "not one viscosity or two")),
     ('viscosity = ["46 cSt at 40 s", "6.8 cSt at 100 degC"]', ("lubricant.viscosity", "unit like degC")),
@@ -225,7 +265,10 @@ def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> No
 
 
 def test_mistakes_from_python_are_named_too() -> None:
-    with pytest.raises(InputError, match=r"lubricant\.density = 87.0 is out of range; give 100 to 5000 kg/m\^3"):
+    with pytest.raises(
+        InputError,
+        match=r"lubricant\.density = 87.0 \(a number is in kg/m\^3\) is out of range; give 100 to 5000 kg/m\^3",
+    ):
         analytic.lubricant("vg46", density=87.0)
     with pytest.raises(InputError, match=r"lubricant\.viscositty is no key.*did you mean"):
         analytic.lubricant("vg46", viscositty=0.03)
