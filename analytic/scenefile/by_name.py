@@ -152,12 +152,12 @@ def material(name: str, **overrides: float | str) -> Material:
 def _checked(path: str, value: object) -> Any:
     """The value of a key in SI: of a number, which is in SI already, of a text with a unit, or a word."""
     key = scene_key(path)
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    unit = ""
     try:
-        if key.dimension is None or not is_number:
+        if key.dimension is None or isinstance(value, bool) or not isinstance(value, int | float):
             return key.read(value)
+        unit = key.dimension.unit
         return key.dimension.checked(float(value))
     except ValueError as problem:
-        unit = key.dimension.unit if key.dimension is not None and is_number else ""
         si = f" (a number is in {unit})" if unit else ""
         raise InputError(f"{path} = {shown(value)}{si} {problem}") from None

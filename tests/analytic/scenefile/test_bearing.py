@@ -1,6 +1,7 @@
 """Bearings of a scene: by designation, by what engineers have, and where each dimension comes from."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -224,7 +225,8 @@ def test_operating_points_from_python() -> None:
     texts = analytic.operation(inner_speed=["300 rpm", "500 rpm"], radial_load="2 kN")
     np.testing.assert_allclose(texts.inner_speed, [31.41592653589793, 52.35987755982988], rtol=1e-15)
     np.testing.assert_array_equal(texts.radial_load, [2000.0, 2000.0])
-    for words, speed in (("'1000 Hz' .*rpm", "1000 Hz"), ("'fast' ", "fast"), (r"neither numbers", {"a": 3})):
+    mistakes: list[tuple[str, Any]] = [("'1000 Hz' .*rpm", "1000 Hz"), ("'fast' ", "fast"), ("neither numbers", {1: 3})]
+    for words, speed in mistakes:
         with pytest.raises(InputError, match=rf"operation\.inner_speed = .*{words}"):
             analytic.operation(inner_speed=speed)
     with pytest.raises(InputError, match="shapes"):
