@@ -1,8 +1,11 @@
-"""The inputs of a scene that are not simply given: values with where they come from and how uncertain they are."""
+"""The inputs of a scene: where they come from, how uncertain they are, and which of them a prediction varies."""
 
 from dataclasses import dataclass
 
-from analytic.scene import Bearing, Clearances, Groove, Lubricant, Origin, Scene, Surface
+import numpy as np
+
+from analytic.errors import InputError
+from analytic.scene import Bearing, Groove, Origin, Scene
 
 UNITS = {
     **dict.fromkeys(("ball_count", "conformity", "limiting_shear", "boundary_friction"), "1"),
@@ -14,6 +17,8 @@ UNITS = {
     "thermal_conductivity": "W/m/K",
     "density": "kg/m^3",
 }
+LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the value is not known
+TIGHTEST_GROOVE = 0.5  # conformity of a groove that fits the ball
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,19 +31,129 @@ class StatedInput:
     origin: Origin  # its uncertainty is a standard deviation, in the same unit
 
 
+@dataclass(frozen=True, kw_only=True)
+class Varied:
+    """How an input with a standard deviation is distributed."""
+
+    unit: str  # SI; "" for a pure number
+    example: str  # of a standard deviation, as in a scene file
+    # What lies above the floor is lognormal, and its median is the value; None: the value itself is normal.
+    floor: float | None = 0.0
+
+
+LENGTH, FORCE = Varied(unit="m", example='"1 %"'), Varied(unit="N", example='"1 %"')
+PURE = Varied(unit="", example='"10 %"')
+CONFORMITY = Varied(unit="", example="0.002", floor=TIGHTEST_GROOVE)
+ANGLE = Varied(unit="rad", example='"1.5 deg"', floor=None)
+UNCERTAIN: dict[str, Varied] = {  # by the keys of [uncertainty]; those of `model` are factors on formulas
+    "bearing.ball_diameter": LENGTH,
+    "bearing.pitch_diameter": LENGTH,
+    "bearing.clearance": Varied(unit="m", example='"2 um"', floor=None),
+    "bearing.inner.conformity": CONFORMITY,
+    "bearing.outer.conformity": CONFORMITY,
+    "bearing.contact_angle.free": ANGLE,
+    "bearing.contact_angle.value": ANGLE,
+    "arrangement.preload": FORCE,
+    "arrangement.offset": LENGTH,
+    "operation.axial_load": FORCE,
+    "operation.radial_load": FORCE,
+    "operation.moment": Varied(unit="N m", example='"1 %"'),
+    "lubricant.viscosity": Varied(unit="Pa*s", example='"6 %"'),
+    "lubricant.temperature": Varied(unit="K", example='"2 K"', floor=None),
+    "lubricant.pressure_viscosity": Varied(unit="1/Pa", example='"10 %"'),
+    "lubricant.eyring_stress": Varied(unit="Pa", example='"30 %"'),
+    "lubricant.limiting_shear": PURE,
+    "surface.rms_roughness": LENGTH,
+    "surface.autocorrelation.length": LENGTH,
+    "surface.boundary_friction": PURE,
+    "surface.hardness": Varied(unit="Pa", example='"5 %"'),
+    "friction.coefficient": PURE,
+    "friction.hysteresis_loss": PURE,
+    "losses.seals": Varied(unit="N m", example='"20 %"'),
+    "losses.drag": Varied(unit="N m", example='"20 %"'),
+    "cage.friction_coefficient": PURE,
+    "model.film": PURE,
+    "model.gap": PURE,
+    "model.surfaces": PURE,
+    "model.rolling": PURE,
+}
+
+
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
     """The inputs of bearing, oil and surface that have an origin, in the order of the scene file."""
     tables = (("bearing", scene.bearing), ("lubricant", scene.lubricant), ("surface", scene.surface))
     return tuple(
-        StatedInput(key=f"{name}.{key}", value=_value(table, key, scene.clearances), unit=_unit(key), origin=origin)
+        StatedInput(key=f"{name}.{key}", value=_stated(scene, table, key), unit=_unit(key), origin=origin)
         for name, table in tables
         if table is not None
         for key, origin in table.origins.items()
     )
 
 
-def _value(table: Bearing | Lubricant | Surface, key: str, clearances: Clearances | None) -> float | None:
-    """The value of a key, SI; the clearance is that before mounting."""
+def uncertain_value(scene: Scene, key: str) -> float | None:
+    """The value of an input of UNCERTAIN, SI, about which it varies; None where the torque does not ask for it.
+
+    Of a load the largest magnitude of the series, which varies as a whole; of a formula 1.
+    """
+    table, _, rest = key.partition(".")
+    angle = scene.contact_angle
+    if table == "operation":
+        return float(np.max(np.abs(getattr(scene.operation, rest)))) or None
+    if key == "bearing.contact_angle.free":
+        return angle.free if angle.rule == "solved" else None
+    if key == "bearing.contact_angle.value":
+        return angle.value if angle.rule == "given" else None
+    if key == "bearing.clearance" and (angle.rule == "given" or angle.free is not None):
+        return None
+    if table in ("bearing", "arrangement", "cage"):
+        part = getattr(scene, table)
+        return None if part is None else _value(part, rest)
+    if table == "losses":
+        return getattr(scene.losses, rest) or None
+    if table == "friction":
+        return (scene.friction_coefficient if rest == "coefficient" else scene.hysteresis_loss) or None
+    return _of_oil(scene, table, rest)
+
+
+def checked_deviation(key: str, value: float, deviation: float) -> float:
+    """The standard deviation of an input, in its unit. Raises InputError if it is negative or too large.
+
+    value : of the input
+    """
+    varied = UNCERTAIN[key]
+    if not 0 <= deviation < np.inf:
+        raise InputError(f"uncertainty.{key} = {deviation:g} {varied.unit}: give a standard deviation of at least 0")
+    if varied.floor is not None and deviation > LARGEST_SHARE * (value - varied.floor):
+        most = LARGEST_SHARE * (value - varied.floor)
+        raise InputError(
+            f"uncertainty.{key} = {deviation:.4g} {varied.unit}: is above {100 * LARGEST_SHARE:g} % of the value, "
+            f"{most:.4g} {varied.unit}; an input that is so uncertain is not known, give a smaller one"
+        )
+    return deviation
+
+
+def _stated(scene: Scene, table: object, key: str) -> float | None:
+    """The value of a key as it is stated, SI; the clearance is that before mounting."""
+    if isinstance(table, Bearing) and key == "clearance" and scene.clearances is not None:
+        return scene.clearances.unmounted
+    return _value(table, key)
+
+
+def _of_oil(scene: Scene, table: str, key: str) -> float | None:
+    """The value of an input of oil, surface or formula, as far as this scene's friction comes from them."""
+    oil, surface = scene.lubricant, scene.surface
+    mixed = oil is not None and surface is not None and scene.friction_coefficient is None
+    if table == "model":
+        return 1.0 if (oil is not None if key == "rolling" else mixed) else None
+    if table == "lubricant":
+        asked = oil is not None and (mixed or key in ("viscosity", "temperature"))
+        return (_value(oil, key) or None) if asked else None
+    has_part = key != "autocorrelation.length" or (surface is not None and surface.autocorrelation is not None)
+    return (_value(surface, key) or None) if mixed and has_part else None
+
+
+def _value(table: object, key: str) -> float | None:
+    """The value of a key, SI."""
     if isinstance(table, Bearing) and key == "clearance":
         return table.diametral_clearance if clearances is None else clearances.unmounted
     part = table

@@ -339,6 +339,8 @@ class Scene:
     sliding: Sliding = "auto"  # method that integrates sliding; auto: chosen by the tolerance
     microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
     effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
+    # Standard deviations of inputs by the keys of `analytic.inputs.UNCERTAIN`, SI, in place of the defaults.
+    uncertainty: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
     down: tuple[float, float, float] | None = None  # direction of gravity along x, y, z, of length 1; None: unknown
     warnings: tuple[str, ...] = ()

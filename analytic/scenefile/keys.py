@@ -15,7 +15,8 @@ from pydantic.fields import FieldInfo
 from analytic import catalog
 from analytic.errors import InputError
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.tables import SceneTable, Table, table_of
+from analytic.scenefile.table import Table, table_of
+from analytic.scenefile.tables import SceneTable
 from analytic.scenefile.text import plain, shown
 
 Value = float | int | str | bool

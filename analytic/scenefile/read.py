@@ -34,6 +34,7 @@ from analytic.scenefile.installation import arranged, in_operation, installation
 from analytic.scenefile.keys import fault_at, faults_of
 from analytic.scenefile.losses import losses_of
 from analytic.scenefile.oil import lubricant_of
+from analytic.scenefile.spread_tables import given_spreads
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
     BearingTable,
@@ -265,7 +266,8 @@ def _scene(
         calibration=table.calibration,
         warnings=(*(() if row is None else row.warnings), *_loose(table), *fit.warnings(bearing, cage), *notes),
     )
-    return scene, [*misfits, *unplaced]
+    spreads, unfitting = given_spreads(table.uncertainty, scene)
+    return replace(scene, uncertainty=MappingProxyType(spreads)), [*misfits, *unplaced, *unfitting]
 
 
 def _gap_key(given: BearingTable) -> str:

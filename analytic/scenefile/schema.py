@@ -14,7 +14,9 @@ from pydantic.fields import FieldInfo
 from analytic import catalog
 from analytic.scenefile.keys import accepted
 from analytic.scenefile.quantity import NUMBER, Dimension
-from analytic.scenefile.tables import BearingTable, CageTable, GrooveTable, MaterialTable, SceneTable, Table
+from analytic.scenefile.spread_tables import Spread
+from analytic.scenefile.table import Table
+from analytic.scenefile.tables import BearingTable, CageTable, GrooveTable, MaterialTable, SceneTable
 from analytic.scenefile.viscosity import Viscosity
 
 FILE = Path(__file__).with_name("scene.schema.json")
@@ -85,6 +87,8 @@ def _one_of(choices: list[Schema]) -> Schema:
 
 def _quantity(dimension: Dimension) -> Schema:
     if dimension.unit:
-        return {"type": "string", "pattern": WITH_UNIT}
+        quantity = {"type": "string", "pattern": WITH_UNIT}
+        takes_share = isinstance(dimension, Spread) and dimension.takes_share
+        return _one_of([quantity, {"type": "string", "pattern": PERCENT}]) if takes_share else quantity
     number = {"type": "number", "minimum": dimension.low, "maximum": dimension.high}
     return {"anyOf": [number, {"type": "string", "pattern": PERCENT}]}

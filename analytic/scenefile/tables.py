@@ -6,8 +6,7 @@ Unknown keys are refused. A key without a default must be given. Values are read
 import math
 from typing import Annotated, Literal, get_args
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
-from pydantic.fields import FieldInfo
+from pydantic import BeforeValidator, Field
 
 from analytic import catalog
 from analytic.mounting.clearance import Mounting
@@ -34,6 +33,8 @@ from analytic.scene import (
 )
 from analytic.scenefile.material import material_entry
 from analytic.scenefile.quantity import Dimension, QuantityOrWord
+from analytic.scenefile.spread_tables import UncertaintyTable
+from analytic.scenefile.table import Table
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity
 
 
@@ -123,18 +124,6 @@ SealLoss = Annotated[
     float | Literal["estimate"],
     QuantityOrWord(unit="N m", low=0, high=1e6, example='"5 N mm"', words=("estimate",), meaning="SKF's formula"),
 ]
-
-
-class Table(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid")
-
-
-def table_of(field: FieldInfo) -> type[Table] | None:
-    """The class of the table that a field holds; None for a field that holds a value."""
-    for kind in (field.annotation, *get_args(field.annotation)):
-        if isinstance(kind, type) and issubclass(kind, Table):
-            return kind
-    return None
 
 
 class MaterialTable(Table):
@@ -262,10 +251,10 @@ class CageTable(Table):
 
 
 class OperationTable(Table):
-    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = [0.0]
+    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = Field(default=[0.0])
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
-    radial_load: Annotated[list[Side], BeforeValidator(_series)] = [0.0]
-    moment: Annotated[list[Moment], BeforeValidator(_series)] = [0.0]
+    radial_load: Annotated[list[Side], BeforeValidator(_series)] = Field(default=[0.0])
+    moment: Annotated[list[Moment], BeforeValidator(_series)] = Field(default=[0.0])
     down: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = None
 
 
@@ -386,3 +375,6 @@ class SceneTable(Table):
     )
     losses: LossesTable = Field(default=LossesTable(), description='give a table [losses] of seals = "5 N mm", drag')
     effects: EffectsTable = Field(default=EffectsTable(), description='give a table [effects] of "auto", "on", "off"')
+    uncertainty: UncertaintyTable = Field(
+        default=UncertaintyTable(), description='give a table [uncertainty] of lubricant.viscosity = "6 %" and others'
+    )

@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Any
 
 from analytic.errors import InputError
+from analytic.numerics.processes import LostWorkerError, each_done
 from fembearing.compare.contact.mesh_seconds import about
 from fembearing.progress import Progress, silent
+from fembearing.sweep.cluster import each_done_by_cluster
 from fembearing.sweep.dataset import write_dataset
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.parts import Part, Piece, compute_part, pieces
 from fembearing.sweep.store import RESULT, Store, opened_store
-from fembearing.sweep.workers import LostWorkerError, each_done, each_done_by_cluster
 
 SHOWN_REASONS = 5
 

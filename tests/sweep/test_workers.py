@@ -15,11 +15,12 @@ from typing import Any
 import pytest
 
 from analytic.errors import InputError
+from analytic.numerics.processes import LostWorkerError, cores, each_done
 from fembearing.sweep import parts
+from fembearing.sweep.cluster import each_done_by_cluster
 from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import Piece
 from fembearing.sweep.run import run_sweep
-from fembearing.sweep.workers import LostWorkerError, cores, each_done, each_done_by_cluster
 
 Write = Callable[..., Path]
 SERIES = 'operation.axial_load = { from = "100 N", to = "900 N", count = 7, spacing = "log" }\n'
@@ -180,7 +181,7 @@ def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
         with monkeypatch.context() as patch:
             own = os.getpid()
             versions = lambda _name: "0.0.7" if os.getpid() == own else "0.0.6"  # noqa: E731, to be sent by value
-            patch.setattr("fembearing.sweep.workers.version", versions)
+            patch.setattr("fembearing.sweep.cluster.version", versions)
             with pytest.raises(InputError, match=r"a worker has not fembearing 0\.0\.7 as here \(0\.0\.6\); install"):
                 list(each_done_by_cluster(operator.call, tasks, address=address))
         with pytest.raises(InputError, match="cannot read what it is sent; its scheduler needs fembearing"):
@@ -200,7 +201,7 @@ def test_a_scheduler_that_is_not_there_is_one_line(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pytest.importorskip("distributed", exc_type=ImportError)
-    monkeypatch.setattr("fembearing.sweep.workers.PATIENCE", 0.3)
+    monkeypatch.setattr("fembearing.sweep.cluster.PATIENCE", 0.3)
     with pytest.raises(InputError, match="no Dask cluster answers there; start one, or check it"):
         run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="tcp://127.0.0.1:9")
     with pytest.raises(InputError, match="no Dask cluster answers there"):

@@ -1,0 +1,82 @@
+"""The torque of one scene with many values of its uncertain inputs, in one process."""
+
+from dataclasses import dataclass, fields, replace
+from time import perf_counter
+
+import numpy as np
+
+from analytic.errors import FembearingError
+from analytic.prediction.spreads import NUMERICAL, UncertainInput
+from analytic.prediction.varied_scene import varied_scene
+from analytic.result import FrictionTorque, TorqueParts
+from analytic.scene import Array, Scene
+from analytic.torque import NO_CAGE, friction_torque
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Problem:
+    """What is evaluated at every sample."""
+
+    scene: Scene  # with every effect and method fixed
+    inputs: tuple[UncertainInput, ...]  # the numerical one last, if there is one
+    numerical: Array  # (n,) relative standard deviation of the total by the numerical uncertainty
+    parts: tuple[str, ...]  # of the torque that are there, "total" first
+    held: Array  # (n,) N m that is added to the races' part in the total: a cage whose motion is not computed again
+    seconds: float  # that one evaluation takes
+
+
+def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInput, ...]) -> Problem:
+    """The problem of a scene.
+
+    nominal : friction_torque(scene), at which effects and methods are decided once
+    A numerical uncertainty that is known counts as two standard deviations of a normal one. A cage that moves keeps its
+    torque, as each of its motions takes minutes.
+    """
+    settled, torque = nominal.settled(scene), nominal.torque
+    held = np.zeros_like(torque.total)
+    names = [field.name for field in fields(TorqueParts) if getattr(torque, field.name) is not None]
+    if nominal.is_on("cage_dynamics") or nominal.is_on("ball_dynamics"):
+        settled = replace(settled, effects={**settled.effects, **NO_CAGE})
+        held = np.zeros_like(held) if torque.cage is None else torque.cage
+        names.remove("cage")
+    numerical = np.where(np.isfinite(nominal.numerical_uncertainty), nominal.numerical_uncertainty / 2, 0.0)
+    if np.any(numerical > 0):
+        source = "bound or estimate by the model of its own computation, as two standard deviations"
+        largest = float(numerical.max())
+        inputs = (*inputs, UncertainInput(key=NUMERICAL, value=1.0, unit="", deviation=largest, source=source))
+    begun = perf_counter()
+    friction_torque(settled)  # the first torque of a process takes longer, as it compiles
+    return Problem(
+        scene=settled,
+        inputs=inputs,
+        numerical=numerical,
+        parts=tuple(names),
+        held=held,
+        seconds=perf_counter() - begun,
+    )
+
+
+def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]:
+    """The torque at each sample, (N, parts, n), NaN where it has none; why; and the time.
+
+    scores : (N, d)
+    """
+    begun = perf_counter()
+    torque = np.full((scores.shape[0], len(problem.parts), problem.held.size), np.nan)
+    reasons = []
+    for row, score in enumerate(scores):
+        values = {each.key: float(each.at(part)) for each, part in zip(problem.inputs, score, strict=True)}
+        values.pop(NUMERICAL, None)
+        try:
+            scene, variation = varied_scene(problem.scene, values)
+            parts = friction_torque(scene, variation=variation).torque
+        except FembearingError as failure:
+            reasons.append(str(failure))
+            continue
+        for place, name in enumerate(problem.parts):
+            part = getattr(parts, name)
+            torque[row, place] = 0.0 if part is None else part
+        torque[row, 0] += problem.held
+        if problem.inputs[-1].key == NUMERICAL:
+            torque[row, 0] *= np.exp(problem.numerical * score[-1])
+    return torque, reasons, perf_counter() - begun

@@ -1,0 +1,195 @@
+"""A friction torque with its 95 % interval: what it is made of, and which inputs make it."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from time import perf_counter
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from analytic.errors import InputError
+from analytic.prediction.evaluation import Problem, problem_of
+from analytic.prediction.indices import SobolIndices, indices_of
+from analytic.prediction.interval import (
+    COVERED,
+    ENDS,
+    Interval,
+    interval_of,
+    least_samples,
+    normal_points,
+)
+from analytic.prediction.regression import Regression, regression_of
+from analytic.prediction.sampling import Progress, Samples, sampled, silent
+from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
+from analytic.result import COORDINATES, FrictionTorque
+from analytic.scene import Array, Scene
+from analytic.torque import friction_torque
+
+SAMPLES = 512  # by default
+SEED = 1
+NOT_VARIED = (
+    "laws and formulas other than those of film, gap, surfaces and rolling: traction, spin, creep, heating, starvation "
+    "and viscosity over temperature",
+    "the number of balls, seats and their temperatures, the supply of oil, and what the scene switches off or lacks",
+    "the motion of a cage",
+)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Prediction:
+    """The torque at the n operating points of a scene, and how far to trust it."""
+
+    nominal: FrictionTorque  # with the inputs as they are
+    inputs: tuple[UncertainInput, ...]  # d of them, "numerical" the last one where it is known and not 0
+    total: Interval
+    parts: Mapping[str, Interval]  # by the parts of the torque, as far as they are computed
+    # Each (2, n), N m: the interval of the total if nothing else were uncertain. By numerical, input, model, and each
+    # formula, "model.film"; they do not add up to the whole.
+    made_of: Mapping[str, Array]
+    indices: SobolIndices
+    explained: Array  # (n,) share of the variance of the total that the regression predicts for samples left out
+    samples: int  # that were asked for
+    failed: int  # of them, without a torque
+    reasons: tuple[str, ...]  # why
+    seed: int
+    seconds: float  # that all took
+    evaluation_seconds: float  # of it, in torques alone, summed over the processes
+
+    @property
+    def ranked(self) -> list[int]:
+        """The inputs from the one whose total index is largest, at any point."""
+        return np.argsort(-self.indices.total.max(axis=1), kind="stable").tolist()
+
+    @property
+    def largest_error(self) -> float:
+        """The standard error of an end of the total's interval over that end, the largest of all."""
+        total = self.total
+        ends = [np.divide(e, np.abs(v), out=np.zeros_like(e), where=v != 0) for v, e in _ends(total)]
+        return float(np.max(ends))
+
+    @property
+    def not_varied(self) -> tuple[str, ...]:
+        """What the interval does not know, in words."""
+        unknown = not np.all(np.isfinite(self.nominal.numerical_uncertainty))
+        words = ("the numerical uncertainty of the torque, which is not known",) if unknown else ()
+        return (*words, *NOT_VARIED)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain types, SI."""
+        return {
+            "covered": COVERED,
+            "points": [self._point(point) for point in range(self.total.low.size)],
+            "inputs": [asdict(each) | {"kind": each.kind} for each in self.inputs],
+            "not_varied": list(self.not_varied),
+            "samples": self.samples,
+            "failed": self.failed,
+            "reasons": list(self.reasons),
+            "seed": self.seed,
+            "seconds": self.seconds,
+            "evaluation_seconds": self.evaluation_seconds,
+        }
+
+    def _point(self, point: int) -> dict[str, Any]:
+        indices = {name: [float(each) for each in values[:, point]] for name, values in vars(self.indices).items()}
+        return {
+            **{name: float(getattr(self.nominal, name)[point]) for name in COORDINATES},
+            "nominal": float(self.nominal.torque.total[point]),
+            "total": _interval_at(self.total, point),
+            "parts": {name: _interval_at(part, point) for name, part in self.parts.items()},
+            "made_of": {name: [float(ends[0, point]), float(ends[1, point])] for name, ends in self.made_of.items()},
+            "indices": indices,
+            "explained": float(self.explained[point]),
+        }
+
+
+def predict(
+    scene: Scene,
+    *,
+    samples: int = SAMPLES,
+    seed: int = SEED,
+    workers: int | None = None,
+    progress: Progress = silent,
+) -> Prediction:
+    """The friction torque of a scene with its 95 % interval by Latin hypercube sampling.
+
+    samples : evaluations of the torque;  seed : of the points
+    workers : processes; None: one for each core that this process may use. The result does not depend on it
+    progress : called with the share done, 0 to 1, and a text with the time left
+    Standard deviations are those of `scene.uncertainty`, else of the origins of bearing, oil and surface, else
+    defaults (`analytic.prediction.spreads`). Effects and methods stay as they are decided for the scene itself.
+    Raises InputError as friction_torque does for the scene, where nothing is uncertain, for fewer samples than the ends
+    need, and where more than 1 % of the samples have no torque.
+    """
+    begun = perf_counter()
+    nominal = friction_torque(scene)
+    problem, found = _drawn(scene, nominal, samples=samples, seed=seed, workers=workers, progress=progress)
+    scores = normal_points(len(problem.inputs))
+    parts = {}
+    for place, name in enumerate(problem.parts):
+        parts[name] = interval_of(regression_of(found.scores, found.torque[:, place]), scores, found.torque[:, place])
+    totals = found.torque[:, 0]
+    regression = regression_of(found.scores, totals)
+    return Prediction(
+        nominal=nominal,
+        inputs=problem.inputs,
+        total=parts.pop("total"),
+        parts=MappingProxyType(parts),
+        made_of=MappingProxyType(_made_of(regression, scores, problem)),
+        indices=indices_of(regression, found.scores, totals),
+        explained=regression.explained,
+        samples=samples,
+        failed=found.failed,
+        reasons=found.reasons,
+        seed=seed,
+        seconds=perf_counter() - begun,
+        evaluation_seconds=found.seconds,
+    )
+
+
+def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int, seed: int = SEED) -> Interval:
+    """The interval of the total alone, computed in this process; nominal, errors : as in `predict`."""
+    problem, found = _drawn(scene, nominal, samples=samples, seed=seed, workers=1, progress=silent)
+    values = found.torque[:, 0]
+    regression = regression_of(found.scores, values)
+    return interval_of(regression, normal_points(len(problem.inputs)), values)
+
+
+def _drawn(
+    scene: Scene, nominal: FrictionTorque, *, samples: int, seed: int, workers: int | None, progress: Progress
+) -> tuple[Problem, Samples]:
+    """What is evaluated, and its samples."""
+    if workers is not None and workers < 1:
+        raise InputError(f"workers = {workers}: give a whole number from 1, or leave it out for one a core")
+    problem = problem_of(scene, nominal, uncertain_inputs(scene))
+    if not problem.inputs:
+        raise InputError("no input of the scene is uncertain, so that there is no interval: see [uncertainty]")
+    least = least_samples(len(problem.inputs))
+    if samples < least:
+        raise InputError(
+            f"samples = {samples}: an interval of {100 * COVERED:g} % with {len(problem.inputs)} uncertain inputs "
+            f"needs at least {least}; {SAMPLES} are usual"
+        )
+    return problem, sampled(problem, count=samples, seed=seed, workers=workers, progress=progress)
+
+
+def _made_of(regression: Regression, scores: Array, problem: Problem) -> dict[str, Array]:
+    """The interval of the total if only some inputs are uncertain, each (2, n)."""
+    keys = [each.key for each in problem.inputs]
+    kinds = np.array([each.kind for each in problem.inputs])
+    groups = {kind: kinds == kind for kind in (NUMERICAL, "input", "model") if np.any(kinds == kind)}
+    groups |= {key: np.array(keys) == key for key in keys if key.startswith("model.")}
+    ends = {}
+    for name, varies in groups.items():
+        values = regression.at(np.where(varies, scores, 0.0))
+        ends[name] = np.quantile(values, ENDS, axis=0)
+    return ends
+
+
+def _ends(interval: Interval) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+    """Each end with its standard error."""
+    return (interval.low, interval.low_error), (interval.high, interval.high_error)
+
+
+def _interval_at(interval: Interval, point: int) -> dict[str, float]:
+    return {name: float(values[point]) for name, values in vars(interval).items()}

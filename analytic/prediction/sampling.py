@@ -1,0 +1,80 @@
+"""The torque of many scenes: Latin hypercube points of the uncertain inputs, computed on all cores."""
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import ceil
+from time import perf_counter
+
+import numpy as np
+from scipy.special import ndtri
+from scipy.stats import qmc
+
+from analytic.errors import InputError
+from analytic.numerics.processes import LostWorkerError, cores, each_done
+from analytic.prediction.evaluation import Problem, evaluated
+from analytic.scene import Array
+
+Progress = Callable[[float, str], None]  # share done, 0 to 1, and what is being done
+LARGEST_FAILURE = 0.01  # share of samples without a torque, beyond which the interval would be that of the others
+SHORT = 4.0  # s: work that new processes, which take some seconds to start, do not shorten
+EACH = 1.0  # s: of a task
+SHOWN_REASONS = 3
+
+
+def silent(_share: float, _step: str) -> None:
+    """Progress that is not shown."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Samples:
+    """The N samples that have a torque, of `count`."""
+
+    scores: Array  # (N, d) of the inputs, normal with the standard deviation 1
+    torque: Array  # (N, parts, n) N m
+    count: int
+    reasons: tuple[str, ...]  # why samples failed, with how often
+    seconds: float  # that the evaluations took, summed over the processes
+
+    @property
+    def failed(self) -> int:
+        return self.count - self.scores.shape[0]
+
+
+def sampled(problem: Problem, *, count: int, seed: int, workers: int | None, progress: Progress) -> Samples:
+    """The torque at `count` Latin hypercube points; the same numbers for any number of processes.
+
+    workers : processes; None: one for each core that this process may use, or none where the work is short; 1: none
+    Raises InputError where more than 1 % of the samples have no torque.
+    """
+    cube = qmc.LatinHypercube(len(problem.inputs), rng=np.random.default_rng(seed))
+    scores = ndtri(cube.random(count))
+    width = cores() if workers is None else workers
+    if workers is None and count * problem.seconds < SHORT:
+        width = 1
+    each = max(1, min(ceil(count / width), ceil(EACH / problem.seconds)))
+    starts = range(0, count, each)
+    tasks = {start: (problem, scores[start : start + each]) for start in starts}
+    done, seconds, begun = 0, 0.0, perf_counter()
+    torque = np.full((count, len(problem.parts), problem.held.size), np.nan)
+    reasons: Counter[str] = Counter()
+    finished = ((key, evaluated(*task)) for key, task in tasks.items())
+    for start, found in finished if width == 1 else each_done(evaluated, tasks, workers=width):
+        rows = slice(start, start + each)
+        done += scores[rows].shape[0]
+        if isinstance(found, LostWorkerError):
+            reasons[str(found)] += scores[rows].shape[0]
+        else:
+            torque[rows], why, spent = found
+            reasons.update(why)
+            seconds += spent
+        left = (perf_counter() - begun) / done * (count - done)
+        progress(done / count, f"{done} of {count} samples, {left:.0f} s left")
+    good = np.isfinite(torque[:, 0]).all(axis=-1)
+    words = tuple(f"{reason} ({times} times)" for reason, times in reasons.most_common(SHOWN_REASONS))
+    if np.count_nonzero(~good) > LARGEST_FAILURE * count:
+        raise InputError(
+            f"{np.count_nonzero(~good)} of {count} samples have no torque, more than {100 * LARGEST_FAILURE:g} %, so "
+            f"that an interval of the others would be wrong: give smaller spreads in [uncertainty]; {'; '.join(words)}"
+        )
+    return Samples(scores=scores[good], torque=torque[good], count=count, reasons=words, seconds=seconds)

@@ -1,0 +1,128 @@
+"""How uncertain the inputs of a scene are: what the scene says, else where the input comes from, else a default."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+import numpy as np
+
+from analytic.errors import InputError
+from analytic.inputs import UNCERTAIN, checked_deviation, uncertain_value
+from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.variation import ROLLING_SPREAD, SURFACE_SPREAD
+from analytic.scene import Array, Origin, Scene
+
+
+class Default(NamedTuple):
+    """A standard deviation where neither the scene nor the catalogue has one."""
+
+    deviation: float
+    is_share: bool  # of the value (of the logarithm); else in its unit, SI
+    source: str
+
+
+# The standard deviation of a range a to b over which a value lies evenly is (b - a)/sqrt(12).
+DEFAULTS: dict[str, Default] = {
+    "bearing.clearance": Default(2.5e-6, False, "judgement: a clearance is known to 5 um in 95 % of all cases"),
+    **dict.fromkeys(
+        ("bearing.inner.conformity", "bearing.outer.conformity"),
+        Default(0.0006 / 3**0.5, False, "judgement: a given groove radius is rounded to 0.01 mm for 8 mm balls"),
+    ),
+    **dict.fromkeys(
+        ("bearing.contact_angle.free", "bearing.contact_angle.value"),
+        Default(0.03, False, "judgement: clearance and groove radii, which the angle follows from, are rounded"),
+    ),
+    **dict.fromkeys(
+        ("arrangement.preload", "arrangement.offset"), Default(0.10, True, "judgement: how well a preload is set")
+    ),
+    **dict.fromkeys(
+        ("operation.axial_load", "operation.radial_load", "operation.moment"),
+        Default(0.01, True, "judgement: how well a load is known on a test rig"),
+    ),
+    "lubricant.viscosity": Default(0.06, True, "evenly within 10 %, as a class of [ISO3448] is wide"),
+    "lubricant.temperature": Default(2.0, False, "judgement: how well the temperature at the inlet is known"),
+    "lubricant.pressure_viscosity": Default(0.10, True, "judgement: two laboratories differ by 8 %"),
+    "lubricant.eyring_stress": Default(0.30, True, "judgement: 3 to 8 MPa are usual"),
+    "lubricant.limiting_shear": Default(0.13, True, "judgement: 0.05 to 0.08 are usual"),
+    "surface.rms_roughness": Default(0.10, True, "judgement: how far a finish is repeated"),
+    "surface.autocorrelation.length": Default(0.35, True, "judgement: it is seldom measured"),
+    "surface.boundary_friction": Default(0.14, True, "judgement: 0.09 to 0.15 are usual"),
+    "surface.hardness": Default(0.05, True, "judgement: 60 to 64 HRC"),
+    "friction.coefficient": Default(0.20, True, "judgement"),
+    "friction.hysteresis_loss": Default(0.50, True, "judgement: sources have 0.003 to 0.025"),
+    "losses.seals": Default(0.30, True, "judgement: seals differ and run in"),
+    "losses.drag": Default(0.30, True, "judgement"),
+    "cage.friction_coefficient": Default(0.30, True, "judgement: as for the boundary friction of other surfaces"),
+    "model.film": Default(FORMULA_UNCERTAINTY, True, "measured films about the formula [Wittek]"),
+    "model.gap": Default(0.5, True, "judgement: two laws of the gap differ by up to 2.5 times in the load share"),
+    "model.surfaces": Default(SURFACE_SPREAD, True, "computed: generated surfaces of equal statistics differ so"),
+    "model.rolling": Default(ROLLING_SPREAD, True, "judgement: formulas, and torques of three balls [Balan2015]"),
+}
+NUMERICAL = "numerical"
+
+
+@dataclass(frozen=True, kw_only=True)
+class UncertainInput:
+    """One input that a prediction varies, SI."""
+
+    key: str  # of `analytic.inputs.UNCERTAIN`; "numerical" of the numerical uncertainty
+    value: float
+    unit: str  # "" for a pure number
+    deviation: float  # standard deviation
+    source: str  # of the deviation
+    floor: float | None = 0.0  # as `analytic.inputs.Varied`
+
+    @property
+    def kind(self) -> Literal["numerical", "input", "model"]:
+        """Which of the three parts of the interval it belongs to."""
+        if self.key == NUMERICAL:
+            return "numerical"
+        return "model" if self.key.startswith("model.") else "input"
+
+    def at(self, score: Array) -> Array:
+        """The values at these scores, which are normal with the standard deviation 1."""
+        if self.floor is None:
+            return self.value + self.deviation * score
+        above = self.value - self.floor
+        return self.floor + above * np.exp(self.deviation / above * score)
+
+
+def uncertain_inputs(scene: Scene) -> tuple[UncertainInput, ...]:
+    """The inputs of a scene that are uncertain, in the order of `analytic.inputs.UNCERTAIN`.
+
+    Raises InputError for a standard deviation that is negative, too large, or of an input that the scene does not have.
+    """
+    for key in scene.uncertainty:
+        if key not in UNCERTAIN:
+            raise InputError(f"uncertainty.{key} is of no input that varies; known: {', '.join(UNCERTAIN)}")
+        if uncertain_value(scene, key) is None:
+            raise InputError(f"uncertainty.{key} is of an input that this scene does not have; leave it out")
+    return tuple(_varying(scene))
+
+
+def _varying(scene: Scene) -> Iterator[UncertainInput]:
+    for key, varied in UNCERTAIN.items():
+        value = uncertain_value(scene, key)
+        if value is None:
+            continue
+        deviation, source = _spread_of(scene, key, value)
+        if deviation > 0:
+            checked_deviation(key, value, deviation)
+            yield UncertainInput(
+                key=key, value=value, unit=varied.unit, deviation=deviation, source=source, floor=varied.floor
+            )
+
+
+def _spread_of(scene: Scene, key: str, value: float) -> tuple[float, str]:
+    """Standard deviation and source; 0 for an input that is known."""
+    if key in scene.uncertainty:
+        return checked_deviation(key, value, scene.uncertainty[key]), "the scene"
+    table, _, rest = key.partition(".")
+    part = getattr(scene, table) if table in ("bearing", "lubricant", "surface") else None
+    origin: Origin | None = None if part is None else part.origins.get(rest)
+    if origin is not None and origin.uncertainty is not None:
+        return origin.uncertainty, f"{origin.status}: {origin.source}"
+    if key not in DEFAULTS:
+        return 0.0, ""
+    default = DEFAULTS[key]
+    return default.deviation * (value if default.is_share else 1.0), default.source

@@ -1,0 +1,103 @@
+"""The table [uncertainty] of a scene file: how uncertain each input is, as a standard deviation.
+
+A percentage is a share of the input's value; a quantity, or a pure number, is the standard deviation itself. The keys
+are those of the inputs; `analytic.inputs` lists them.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from pydantic import Field, create_model
+
+from analytic.errors import InputError
+from analytic.inputs import LARGEST_SHARE, UNCERTAIN, Varied, checked_deviation, uncertain_value
+from analytic.scene import Scene
+from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.table import Table
+
+SHARE = Dimension(unit="", low=0, high=LARGEST_SHARE, example='"10 %"')
+MOST = {"K": 100.0, "rad": 1.0}  # standard deviation; of other units anything, as the share of the value is limited
+
+
+@dataclass(frozen=True, kw_only=True)
+class GivenSpread:
+    """A standard deviation as a scene gives it."""
+
+    value: float
+    is_share: bool  # of the input's value; else in its unit, SI
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spread(Dimension):
+    """What a standard deviation accepts; `read` accepts only one in the unit of the input, as a sweep steps through."""
+
+    takes_share: bool
+
+    def field_value(self, given: object) -> GivenSpread:
+        """Raises ValueError that says what is wrong and what is accepted."""
+        if isinstance(given, str) and given.rstrip().endswith("%"):
+            if not self.takes_share:
+                raise ValueError(f"is a share, but this input needs the standard deviation itself; {self.accepted}")
+            return GivenSpread(value=SHARE.read(given), is_share=True)
+        return GivenSpread(value=self.read(given), is_share=False)
+
+    @property
+    def accepted(self) -> str:
+        return f"give a standard deviation, 0 or more, for example {self.example}"
+
+
+def _field(varied: Varied) -> Any:
+    dimension = Spread(
+        unit=varied.unit,
+        low=0.0,
+        high=MOST.get(varied.unit, 1e12),
+        example=varied.example,
+        takes_share=varied.floor == 0,
+    )
+    return Annotated[GivenSpread | None, dimension], None
+
+
+def _table(name: str, keys: Mapping[str, Varied]) -> type[Table]:
+    """A table of these keys, which are paths."""
+    parts: dict[str, dict[str, Varied]] = {}
+    for key, varied in keys.items():
+        first, _, rest = key.partition(".")
+        parts.setdefault(first, {})[rest] = varied
+    fields: dict[str, Any] = {}
+    for first, inside in parts.items():
+        if "" in inside:
+            fields[first] = _field(inside[""])
+        else:
+            table = _table(f"{name}_{first}", inside)
+            fields[first] = table, Field(default=table(), description=f"give a table of {', '.join(inside)}")
+    return create_model(name, __base__=Table, **fields)
+
+
+UncertaintyTable = _table("uncertainty", UNCERTAIN)
+
+
+def given_spreads(table: Table, scene: Scene) -> tuple[dict[str, float], list[tuple[str, str]]]:
+    """Standard deviations by key, SI, and (key, problem) for those that do not fit the scene."""
+    spreads, misfits = {}, []
+    for key, given in _leaves(table):
+        value = uncertain_value(scene, key)
+        if value is None:
+            problem = "is of an input that this scene does not have, or that its torque does not ask for; leave it out"
+            misfits.append((f"uncertainty.{key}", problem))
+            continue
+        try:
+            deviation = given.value * value if given.is_share else given.value
+            spreads[key] = checked_deviation(key, value, deviation)
+        except InputError as problem:
+            misfits.append((f"uncertainty.{key}", str(problem).partition(": ")[2]))
+    return spreads, misfits
+
+
+def _leaves(table: Table, before: str = "") -> Iterator[tuple[str, GivenSpread]]:
+    """The keys that are given."""
+    for name, given in table:
+        if isinstance(given, Table):
+            yield from _leaves(given, f"{before}{name}.")
+        elif given is not None:
+            yield before + name, given
