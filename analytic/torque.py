@@ -38,6 +38,9 @@ from analytic.sliding.methods import Sliding
 # scenes (validation/adversary.py).
 BETWEEN = 1.5
 DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
+# Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
+# `python validation/model_version.py` prints both.
+MODEL_VERSION = 1
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
 PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
 
@@ -267,6 +270,7 @@ def _provenance(
             "inlets": _inlet_words(ledger, races.resisting.inlets),
             "sliding": slid_by,
             "cage": "left out" if cage is None else cage.provenance,
+            "model_version": str(MODEL_VERSION),
             **_versions(),
         }
     )

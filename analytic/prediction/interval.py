@@ -31,6 +31,12 @@ class Interval:
     low_error: Array  # standard error
     high_error: Array
 
+    @property
+    def largest_error(self) -> float:
+        """The standard error of an end over that end, the largest of all; 0 where an end is 0."""
+        ends = ((self.low_error, self.low), (self.high_error, self.high))
+        return float(np.max([np.divide(e, np.abs(v), out=np.zeros_like(e), where=v != 0) for e, v in ends]))
+
 
 def least_samples(inputs: int) -> int:
     """The number of samples of which one is expected beyond each end, and two for each coefficient of a linear fit."""

@@ -20,13 +20,14 @@ from analytic.prediction.interval import (
     normal_points,
 )
 from analytic.prediction.regression import Regression, regression_of
-from analytic.prediction.sampling import Progress, Samples, sampled, silent
+from analytic.prediction.sampling import Progress, sampled, silent
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
 from analytic.result import COORDINATES, FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 
-SAMPLES = 512  # by default
+SAMPLES, MOST_SAMPLES = 512, 4096  # by default: twice as many until the ends are known well enough, and at most
+ENOUGH = 0.03  # standard error of each end of the total's interval, over that end
 SEED = 1
 NOT_VARIED = (
     "laws and formulas other than those of film, gap, surfaces and rolling: traction, spin, creep, heating, starvation "
@@ -60,13 +61,6 @@ class Prediction:
     def ranked(self) -> list[int]:
         """The inputs from the one whose total index is largest, at any point."""
         return np.argsort(-self.indices.total.max(axis=1), kind="stable").tolist()
-
-    @property
-    def largest_error(self) -> float:
-        """The standard error of an end of the total's interval over that end, the largest of all."""
-        total = self.total
-        ends = [np.divide(e, np.abs(v), out=np.zeros_like(e), where=v != 0) for v, e in _ends(total)]
-        return float(np.max(ends))
 
     @property
     def not_varied(self) -> tuple[str, ...]:
@@ -106,14 +100,16 @@ class Prediction:
 def predict(
     scene: Scene,
     *,
-    samples: int = SAMPLES,
+    samples: int | None = None,
     seed: int = SEED,
     workers: int | None = None,
     progress: Progress = silent,
 ) -> Prediction:
     """The friction torque of a scene with its 95 % interval by Latin hypercube sampling.
 
-    samples : evaluations of the torque;  seed : of the points
+    samples : evaluations of the torque; None: 512, and twice as many up to 4096 until the standard error of each end
+        of the total's interval is at most 3 % of that end
+    seed : of the points
     workers : processes; None: one for each core that this process may use. The result does not depend on it
     progress : called with the share done, 0 to 1, and a text with the time left
     Standard deviations are those of `scene.uncertainty`, else of the origins of bearing, oil and surface, else
@@ -123,8 +119,18 @@ def predict(
     """
     begun = perf_counter()
     nominal = friction_torque(scene)
-    problem, found = _drawn(scene, nominal, samples=samples, seed=seed, workers=workers, progress=progress)
+    if workers is not None and workers < 1:
+        raise InputError(f"workers = {workers}: give a whole number from 1, or leave it out for one a core")
+    problem = _problem(scene, nominal, samples)
     scores = normal_points(len(problem.inputs))
+    first = SAMPLES if samples is None else samples
+    found = sampled(problem, count=first, seed=(seed, 0), workers=workers, progress=progress)
+    while samples is None and found.count < MOST_SAMPLES:
+        totals = found.torque[:, 0]
+        if interval_of(regression_of(found.scores, totals), scores, totals).largest_error <= ENOUGH:
+            break
+        seeds = (seed, found.count)
+        found = found.together(sampled(problem, count=found.count, seed=seeds, workers=workers, progress=progress))
     parts = {}
     for place, name in enumerate(problem.parts):
         parts[name] = interval_of(regression_of(found.scores, found.torque[:, place]), scores, found.torque[:, place])
@@ -135,10 +141,10 @@ def predict(
         inputs=problem.inputs,
         total=parts.pop("total"),
         parts=MappingProxyType(parts),
-        made_of=MappingProxyType(_made_of(regression, scores, problem)),
+        made_of=MappingProxyType(_made_of(regression, scores, problem.inputs, nominal.torque.total)),
         indices=indices_of(regression, found.scores, totals),
         explained=regression.explained,
-        samples=samples,
+        samples=found.count,
         failed=found.failed,
         reasons=found.reasons,
         seed=seed,
@@ -147,48 +153,42 @@ def predict(
     )
 
 
-def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int, seed: int = SEED) -> Interval:
+def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int) -> Interval:
     """The interval of the total alone, computed in this process; nominal, errors : as in `predict`."""
-    problem, found = _drawn(scene, nominal, samples=samples, seed=seed, workers=1, progress=silent)
-    values = found.torque[:, 0]
-    regression = regression_of(found.scores, values)
-    return interval_of(regression, normal_points(len(problem.inputs)), values)
+    problem = _problem(scene, nominal, samples)
+    found = sampled(problem, count=samples, seed=(SEED, 0), workers=1, progress=silent)
+    totals = found.torque[:, 0]
+    return interval_of(regression_of(found.scores, totals), normal_points(len(problem.inputs)), totals)
 
 
-def _drawn(
-    scene: Scene, nominal: FrictionTorque, *, samples: int, seed: int, workers: int | None, progress: Progress
-) -> tuple[Problem, Samples]:
-    """What is evaluated, and its samples."""
-    if workers is not None and workers < 1:
-        raise InputError(f"workers = {workers}: give a whole number from 1, or leave it out for one a core")
+def _problem(scene: Scene, nominal: FrictionTorque, samples: int | None) -> Problem:
+    """What is evaluated. Raises InputError for what has no interval, or too few samples for one."""
     problem = problem_of(scene, nominal, uncertain_inputs(scene))
     if not problem.inputs:
         raise InputError("no input of the scene is uncertain, so that there is no interval: see [uncertainty]")
     least = least_samples(len(problem.inputs))
-    if samples < least:
+    if samples is not None and samples < least:
         raise InputError(
             f"samples = {samples}: an interval of {100 * COVERED:g} % with {len(problem.inputs)} uncertain inputs "
             f"needs at least {least}; {SAMPLES} are usual"
         )
-    return problem, sampled(problem, count=samples, seed=seed, workers=workers, progress=progress)
+    return problem
 
 
-def _made_of(regression: Regression, scores: Array, problem: Problem) -> dict[str, Array]:
-    """The interval of the total if only some inputs are uncertain, each (2, n)."""
-    keys = [each.key for each in problem.inputs]
-    kinds = np.array([each.kind for each in problem.inputs])
+def _made_of(
+    regression: Regression, scores: Array, inputs: tuple[UncertainInput, ...], nominal: Array
+) -> dict[str, Array]:
+    """The interval of the total if only some inputs are uncertain, each (2, n); nominal : (n,), N m."""
+    keys = [each.key for each in inputs]
+    kinds = np.array([each.kind for each in inputs])
+    missed = nominal - regression.at(np.zeros((1, len(keys))))  # by the regression where every input has its value
     groups = {kind: kinds == kind for kind in (NUMERICAL, "input", "model") if np.any(kinds == kind)}
     groups |= {key: np.array(keys) == key for key in keys if key.startswith("model.")}
     ends = {}
     for name, varies in groups.items():
         values = regression.at(np.where(varies, scores, 0.0))
-        ends[name] = np.quantile(values, ENDS, axis=0)
+        ends[name] = np.quantile(values, ENDS, axis=0) + missed
     return ends
-
-
-def _ends(interval: Interval) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-    """Each end with its standard error."""
-    return (interval.low, interval.low_error), (interval.high, interval.high_error)
 
 
 def _interval_at(interval: Interval, point: int) -> dict[str, float]:

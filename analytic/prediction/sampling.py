@@ -1,7 +1,7 @@
 """The torque of many scenes: Latin hypercube points of the uncertain inputs, computed on all cores."""
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import ceil
 from time import perf_counter
@@ -40,14 +40,25 @@ class Samples:
     def failed(self) -> int:
         return self.count - self.scores.shape[0]
 
+    def together(self, more: "Samples") -> "Samples":
+        """These and more."""
+        return Samples(
+            scores=np.concatenate([self.scores, more.scores]),
+            torque=np.concatenate([self.torque, more.torque]),
+            count=self.count + more.count,
+            reasons=tuple(dict.fromkeys(self.reasons + more.reasons)),
+            seconds=self.seconds + more.seconds,
+        )
 
-def sampled(problem: Problem, *, count: int, seed: int, workers: int | None, progress: Progress) -> Samples:
+
+def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int | None, progress: Progress) -> Samples:
     """The torque at `count` Latin hypercube points; the same numbers for any number of processes.
 
+    seed : numbers that the points follow from
     workers : processes; None: one for each core that this process may use, or none where the work is short; 1: none
     Raises InputError where more than 1 % of the samples have no torque.
     """
-    cube = qmc.LatinHypercube(len(problem.inputs), rng=np.random.default_rng(seed))
+    cube = qmc.LatinHypercube(len(problem.inputs), rng=np.random.default_rng(list(seed)))
     scores = ndtri(cube.random(count))
     width = cores() if workers is None else workers
     if workers is None and count * problem.seconds < SHORT:

@@ -52,6 +52,13 @@ Accuracy = Annotated[
 Folder = Annotated[
     Path | None, typer.Option("--out", help="New folder for page or pictures, tables, series in time and JSON.")
 ]
+WithInterval = Annotated[
+    bool, typer.Option("--interval", help="The 95 % interval of the torque too: some hundred torques, on all cores.")
+]
+Samples = Annotated[
+    int | None,
+    typer.Option(help="Torques that the interval is computed from; without it 512, or more until its ends are known."),
+]
 AsJson = Annotated[bool, typer.Option("--json", help="Machine-readable result on standard output, nothing else there.")]
 Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N"; from the scene without it.')]
 Loads = Annotated[
@@ -77,6 +84,13 @@ def read_scene(name: str | None) -> Scene:
 def read_tolerance(given: str | None, scene: Scene) -> float:
     """The tolerance of an option, or the scene's."""
     return scene.tolerance if given is None else read_option("--tolerance", TOLERANCE, given)
+
+
+def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["enough"] | None:
+    """The samples of an interval; None: no interval. Raises InputError for samples without an interval."""
+    if given is not None and not with_interval:
+        raise InputError(f"--samples {given} goes with --interval; give both, or leave it out")
+    return "enough" if with_interval and given is None else given
 
 
 def read_option(option: str, dimension: Dimension, given: str) -> float:

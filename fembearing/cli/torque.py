@@ -5,23 +5,35 @@ from dataclasses import replace
 import typer
 
 from fembearing.cli.console import DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
-from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance
+from fembearing.cli.options import (
+    AsJson,
+    Folder,
+    Samples,
+    SceneName,
+    Tolerance,
+    WithInterval,
+    read_samples,
+    read_scene,
+    read_tolerance,
+)
 
 
 def torque(
     scene: SceneName = None,
     tolerance: Tolerance = None,
     folder: Folder = None,
+    with_interval: WithInterval = False,
+    samples: Samples = None,
     as_json: AsJson = False,
 ) -> None:
     """Friction torque of a scene by effect, and which effects were computed or left out."""
-    given = read_scene(scene)
+    given, count = read_scene(scene), read_samples(samples, with_interval=with_interval)
     given = replace(given, tolerance=read_tolerance(tolerance, given))
     from fembearing.report.terminal.torque import print_torque
     from fembearing.report.torque_folder import torque_with_folder
 
     with shown_progress() as progress:
-        result, lacking = torque_with_folder(given, out=folder, progress=progress)
+        result, lacking = torque_with_folder(given, out=folder, samples=count, progress=progress)
     if as_json:
         print_json(result.to_json())
     else:

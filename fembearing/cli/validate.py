@@ -5,7 +5,17 @@ from typing import Annotated
 import typer
 
 from fembearing.cli.console import CHECK_FAILED, DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
-from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance
+from fembearing.cli.options import (
+    AsJson,
+    Folder,
+    Samples,
+    SceneName,
+    Tolerance,
+    WithInterval,
+    read_samples,
+    read_scene,
+    read_tolerance,
+)
 
 STATUS = {"pass": DONE, "fail": CHECK_FAILED, "outside validity": CHECK_FAILED, "undecided": NOT_SOLVED}
 
@@ -18,17 +28,19 @@ def validate(
     with_cost: Annotated[
         bool, typer.Option("--cost", help="Measure every method to compute each quantity too.")
     ] = False,
+    with_interval: WithInterval = False,
+    samples: Samples = None,
     as_json: AsJson = False,
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
-    given = read_scene(scene)
+    given, count = read_scene(scene), read_samples(samples, with_interval=with_interval)
     limit = read_tolerance(tolerance, given)
     from fembearing.report.document.build import report_of
     from fembearing.report.folder import validate as run
     from fembearing.report.terminal.validation import print_validation
 
     with shown_progress() as progress:
-        result = run(given, out=folder, tolerance=limit, hard=hard, cost=with_cost, progress=progress)
+        result = run(given, out=folder, tolerance=limit, hard=hard, cost=with_cost, samples=count, progress=progress)
     document = report_of(result)
     if as_json:
         print_json(document.to_json())

@@ -23,7 +23,7 @@ from fembearing.compare.memory import peak_memory
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
 from fembearing.compare.torque.change import TorqueChange, change_of_torque
 from fembearing.compare.torque.published import BesidePaper, beside_paper
-from fembearing.compare.torque.scene_torque import SceneTorque, static_doubt, torque_of_scene
+from fembearing.compare.torque.scene_torque import Samples, SceneTorque, static_doubt, torque_of_scene
 from fembearing.compare.torque.sensitivity import Sensitivity, sensitivity_of
 from fembearing.mesh.recipe import Geometry
 from fembearing.progress import Progress, part_of, silent
@@ -90,6 +90,7 @@ def check_scene(
     tolerance: float | None = None,
     hard: bool = False,
     cost: bool = False,
+    samples: Samples = None,
     progress: Progress = silent,
 ) -> Validation:
     """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
@@ -97,6 +98,7 @@ def check_scene(
     tolerance : relative; the scene's unless given
     hard : run the table of hard cases too
     cost : measure every method of every ladder too
+    samples : of the 95 % interval of the torque, or "enough"; None: no interval
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """
@@ -106,7 +108,8 @@ def check_scene(
     jobs = RACES if scene.cage is None else RACES + POCKET
     torque = None
     if scene.has_friction or "on" in scene.effects.values():
-        torque = torque_of_scene(scene)  # refuses what it cannot model before anything is solved
+        # Refuses what it cannot model before anything is solved.
+        torque = torque_of_scene(scene, samples=samples, progress=lambda _share, step: progress(0.0, step))
     for pair, *_ in jobs:
         contact_of(scene, pair=pair)  # and so do the contacts
     shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs)])

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from analytic.scene import Scene
 from fembearing.compare.cost.scene_cost import Cost
+from fembearing.compare.torque.scene_torque import Samples
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.progress import Progress, part_of, silent
 from fembearing.report.new_folder import whole_folder
@@ -21,6 +22,7 @@ def validate(
     tolerance: float | None = None,
     hard: bool = False,
     cost: bool = False,
+    samples: Samples = None,
     progress: Progress = silent,
 ) -> Validation:
     """Check every contact of a scene, and write the report.
@@ -29,13 +31,15 @@ def validate(
     tolerance : relative; the scene's unless given
     hard : run the table of hard cases too
     cost : measure every method of every ladder too
+    samples : of the 95 % interval of the torque, or "enough"; None: no interval
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved or a folder that cannot be made, ConvergenceError for a contact
     that does not settle.
     """
     with nullcontext() if out is None else whole_folder(Path(out)) as folder:
         checked = 1.0 if folder is None else CHECKED
-        result = check_scene(scene, tolerance=tolerance, hard=hard, cost=cost, progress=part_of(progress, 0.0, checked))
+        solving = part_of(progress, 0.0, checked)
+        result = check_scene(scene, tolerance=tolerance, hard=hard, cost=cost, samples=samples, progress=solving)
         if folder is not None:
             progress(CHECKED, "report")
             result = write_report(result, folder)

@@ -13,6 +13,7 @@ if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from analytic.result import PairPart
     from analytic.scene import Clearances as SceneClearances
     from fembearing.report.document.contact import Contact, Ring
+    from fembearing.report.document.prediction import PredictedPoint, Prediction
     from fembearing.report.document.torque import Clearances, OperatingPoint
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
@@ -25,6 +26,13 @@ VARIED = {  # the parts of the model's uncertainty
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
 CLEARANCES = ("unmounted", "mounted", "operating")
 MEGAPASCAL = Unit("MPa", 1e-6)
+MADE_OF = {  # the parts of the 95 % interval
+    "total": "all together",
+    "numerical": "numerical alone",
+    "input": "inputs alone",
+    "model": "formulas alone",
+    **{f"model.{name}": f"of them: {words}" for name, words in VARIED.items()},
+}
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
 SHARES = (
@@ -72,7 +80,7 @@ def ring_line(ring: "Ring") -> str:
     )
 
 
-def loads_of(point: "OperatingPoint", names: Sequence[str]) -> str:
+def loads_of(point: "OperatingPoint | PredictedPoint", names: Sequence[str]) -> str:
     """The loads of these names at an operating point, for example "1000 N axial, 50 N radial"."""
     words = {"axial_load": "N axial", "radial_load": "N radial", "moment": "N m moment"}
     return ", ".join(f"{getattr(point, name):.4g} {words[name]}" for name in names)
@@ -83,7 +91,7 @@ def varying_loads(points: Sequence["OperatingPoint"]) -> list[str]:
     return [name for name in LOADS if len({getattr(point, name) for point in points}) > 1]
 
 
-def present_loads(points: Sequence["OperatingPoint"]) -> list[str]:
+def present_loads(points: Sequence["OperatingPoint | PredictedPoint"]) -> list[str]:
     """The axial load, and the names of the other loads that are not 0 at every operating point."""
     return [name for name in LOADS if name == "axial_load" or any(getattr(point, name) for point in points)]
 
@@ -183,6 +191,25 @@ def pair_of(pair: "PairPart") -> str:
         f"{held}. Loads of each bearing along and across its own axis; ball: load of its heaviest; middles "
         f"{MILLI.written(found.distance, '.4g')} apart; dFa/dz: axial stiffness of the pair."
     )
+
+
+def input_name(key: str) -> str:
+    """The name of an uncertain input for narrow places: its key in words."""
+    if key.startswith("model."):
+        return VARIED[key.partition(".")[2]]
+    table, _, rest = key.partition(".")
+    words = rest.replace(".", " ").replace("_", " ") or "numerical uncertainty"
+    return f"{words} (cage)" if table == "cage" else words
+
+
+def interval_words(prediction: "Prediction") -> str:
+    """How the interval was computed and what it does not know, in sentences."""
+    return (
+        f"95 % interval by {prediction.samples} Latin hypercube samples, seed {prediction.seed}, in "
+        f"{prediction.seconds:.0f} s; the standard error of an end is at most {100 * prediction.largest_error:.2g} %. "
+        f"{prediction.failures} Spreads are mostly judgement; --json and the report name the source of each. Not in "
+        f"it: {'; '.join(prediction.not_varied)}."
+    ).replace("  ", " ")
 
 
 def short_name(method: str) -> str:

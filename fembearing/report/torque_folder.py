@@ -4,26 +4,30 @@ import json
 from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from analytic.scene import Scene
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
-from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
-from fembearing.progress import Progress, silent
+from fembearing.compare.torque.scene_torque import Samples, SceneTorque, torque_of_scene
+from fembearing.progress import Progress, part_of, silent
 from fembearing.provenance import provenance_of
 from fembearing.report.new_folder import whole_folder
+
+if TYPE_CHECKING:
+    from analytic.prediction.prediction import Prediction
 
 COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and when the series are
 
 
 def torque_with_folder(
-    scene: Scene, *, out: Path | None = None, progress: Progress = silent
+    scene: Scene, *, out: Path | None = None, samples: Samples = None, progress: Progress = silent
 ) -> tuple[SceneTorque, str | None]:
     """Compute the torque, and write its folder.
 
     out : folder that must not exist yet; None writes nothing
+    samples : of the 95 % interval, or "enough"; None: no interval
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Gives the torque, and a sentence on what the folder lacks and why: None where it lacks nothing.
     Raises InputError for a scene that has no torque or a folder that cannot be made, MotionError where a cage's motion
@@ -31,7 +35,8 @@ def torque_with_folder(
     """
     with nullcontext() if out is None else whole_folder(out) as folder:
         progress(0.0, "torque")
-        result = torque_of_scene(scene)
+        computed = part_of(progress, 0.0, COMPUTED)
+        result = torque_of_scene(scene, samples=samples, progress=computed)
         lacking = None if folder is None else write_torque(result, folder, progress=progress)
     return result, lacking
 
@@ -39,7 +44,8 @@ def torque_with_folder(
 def write_torque(
     result: SceneTorque, folder: Path, *, renderer: Sequence[str] | None = None, progress: Progress = silent
 ) -> str | None:
-    """Write torque.json, and of each operating point whose cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
+    """Write torque.json, with an interval interval.png, and of each operating point whose cage moved NUMBER-cage.nc,
+    -cage.png and -cage-forces.png.
 
     renderer : the command that draws; VTK's without it
     Gives what the folder lacks, as `torque_with_folder`.
@@ -60,8 +66,19 @@ def write_torque(
         "cage_motion": {"points": written, "lacking": lacking},
         "run": provenance_of(result.scene),
     }
+    if result.prediction is not None:
+        _write_prediction(result.prediction, folder)
     (folder / "torque.json").write_text(json.dumps(content, indent=1, allow_nan=False), "utf-8")
     return lacking
+
+
+def _write_prediction(prediction: "Prediction", folder: Path) -> None:
+    """Write interval.png: what the interval is made of, and the inputs that make it."""
+    from fembearing.report.document.prediction import Prediction as Table
+    from fembearing.report.figures.prediction import interval_figure
+    from fembearing.report.figures.style import png
+
+    (folder / "interval.png").write_bytes(png(interval_figure(Table.model_validate(prediction.to_json()))))
 
 
 def _write_motions(

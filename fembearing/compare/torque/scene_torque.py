@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -13,6 +13,12 @@ from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
+from fembearing.progress import Progress, silent
+
+if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
+    from analytic.prediction.prediction import Prediction
+
+Samples = int | Literal["enough"] | None  # of an interval: a number, until its ends are known well enough, or none
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -25,6 +31,7 @@ class SceneTorque:
     other_candidate: FrictionTorque | None = (
         None  # with the balls that the ratings fit nearly as well, if there are any
     )
+    prediction: "Prediction | None" = None  # the interval; None: not asked for
 
     @property
     def inputs(self) -> tuple[StatedInput, ...]:
@@ -71,6 +78,7 @@ class SceneTorque:
             "doubts": list(self.doubts),
             "inputs": [_input_to_json(each) for each in self.inputs],
             "other_candidate": self._other_to_json(),
+            "prediction": None if self.prediction is None else self.prediction.to_json(),
         }
 
     def _other_to_json(self) -> dict[str, Any] | None:
@@ -106,13 +114,23 @@ def static_doubt(race: str, peak_pressure: Any) -> Iterator[str]:
         )
 
 
-def torque_of_scene(scene: Scene) -> SceneTorque:
-    """The torque of a scene. Raises InputError as friction_torque does."""
+def torque_of_scene(scene: Scene, *, samples: Samples = None, progress: Progress = silent) -> SceneTorque:
+    """The torque of a scene.
+
+    samples : of its 95 % interval, or "enough"; None: no interval;  progress : called with the share of the samples done
+    Raises InputError as friction_torque, and with samples as predict.
+    """
     friction = with_model_uncertainty(scene, friction_torque(scene))
     other = scene.bearing.other_candidate
+    prediction = None
+    if samples is not None:
+        from analytic.prediction.prediction import predict
+
+        prediction = predict(scene, samples=None if samples == "enough" else samples, progress=progress)
     return SceneTorque(
         scene=scene,
         friction=friction,
         catalogue=beside_catalogue(scene),
         other_candidate=None if other is None else friction_torque(replace(scene, bearing=other)),
+        prediction=prediction,
     )

@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from fembearing.report.document.prediction import Prediction
 from fembearing.report.document.table import (
     Label,
     Numbers,
@@ -178,6 +179,7 @@ class Torque(Table):
     doubts: list[str]
     inputs: list[StatedInput]
     other_candidate: OtherCandidate | None
+    prediction: Prediction | None = None  # a report of before has none
 
     @model_validator(mode="after")
     def the_band_is_whole(self) -> "Torque":
@@ -188,6 +190,8 @@ class Torque(Table):
         for side in (band.low, band.high):
             if side is not None and len(side) != len(self.points):
                 raise ValueError(f"has {len(side)} values of catalogue_band at {len(self.points)} points")
+        if self.prediction is not None and len(self.prediction.points) != len(self.points):
+            raise ValueError(f"has a prediction of {len(self.prediction.points)} points, and {len(self.points)} points")
         return self
 
 

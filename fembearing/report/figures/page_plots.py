@@ -13,6 +13,7 @@ from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.cost import cost_figure
 from fembearing.report.figures.friction import friction_plot
+from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.style import png
@@ -67,6 +68,7 @@ PLOTS: tuple[Plot, ...] = (
     Plot(section="verdicts", heading="Stiffness: load over approach", draw=approach_plot),
     Plot(section="torque", heading="Torque by effect", draw=torque_plot),
     Plot(section="torque", heading="Friction, film and asperities", draw=friction_plot),
+    Plot(section="torque", heading="95 % interval of the torque", draw=prediction_plot),
     Plot(section="torque", heading="Sensitivity to inputs", draw=sensitivity_plot),
     Plot(section="torque", heading="Orbit of the cage and its forces", draw=cage_plot),
     Plot(section="convergence", heading="Order of convergence", draw=convergence_plot),

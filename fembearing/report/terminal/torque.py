@@ -56,6 +56,11 @@ def print_torque(out: Console, result: SceneTorque) -> None:
         out.print(f"{clearances_of(friction.clearances)}\n", markup=False)
     if friction.pair is not None:
         _print_pair(out, friction.pair, points)
+    if result.prediction is not None:
+        from fembearing.report.document.prediction import Prediction  # pydantic: only an interval pays for it
+        from fembearing.report.terminal.prediction import print_prediction
+
+        print_prediction(out, Prediction.model_validate(result.prediction.to_json()), points)
     _print_contacts(out, friction, points)
     _print_cage(out, friction, points)
     _print_effects(out, friction)
