@@ -1,6 +1,6 @@
 """The torque of every shipped scene, old and new: python validation/model_version.py [--write]
 
-The table tests/analytic/shipped_torques.csv holds the torques of one model version. It detects that a formula changed a
+The table validation/reports/model_version.csv holds the torques of one model version. It detects that a formula changed a
 torque; it is our own output and validates nothing. Whoever changes a torque raises MODEL_VERSION in analytic/torque.py,
 copies the table that this program prints into CHANGELOG.md, and runs it with --write.
 """
@@ -11,14 +11,16 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from rich.console import Console
+
 from analytic import catalog
+from analytic.result import RPM
 from analytic.scenefile.read import load_scene
 from analytic.torque import MODEL_VERSION, friction_torque
 
-ROOT = Path(__file__).resolve().parents[1]
-STORED = ROOT / "tests" / "analytic" / "shipped_torques.csv"
+SCENES = Path(__file__).parent / "scenes"
+STORED = Path(__file__).parent / "reports" / "model_version.csv"
 HEAD = ("model_version", "scene", "inner_speed_rad_s", "total_N_m")
-RPM = 30 / 3.141592653589793
 
 
 class Row(NamedTuple):
@@ -32,7 +34,7 @@ class Row(NamedTuple):
 
 def computed() -> Iterator[Row]:
     """The torques of this version."""
-    for name in (*catalog.names("scenes"), *sorted(str(p) for p in (ROOT / "validation" / "scenes").glob("*.toml"))):
+    for name in (*catalog.names("scenes"), *sorted(str(p) for p in SCENES.glob("*.toml"))):
         friction = friction_torque(load_scene(name))
         for speed, total in zip(friction.inner_speed.tolist(), friction.torque.total.tolist(), strict=True):
             yield Row(MODEL_VERSION, Path(name).stem, speed, total)
@@ -52,13 +54,14 @@ def main() -> None:
     write = parser.parse_args().write
     before = {(row.scene, row.inner_speed): row for row in (stored() if STORED.exists() else [])}
     rows = list(computed())
-    print(f"| scene | speed, rpm | old, N mm | new, N mm (model version {MODEL_VERSION}) | change |")
-    print("| --- | --- | --- | --- | --- |")
+    out = Console(highlight=False, soft_wrap=True, markup=False)
+    out.print(f"| scene | speed, rpm | old, N mm | new, N mm (model version {MODEL_VERSION}) | change |")
+    out.print("| --- | --- | --- | --- | --- |")
     for row in rows:
         old = before.get((row.scene, row.inner_speed))
         was = "-" if old is None else f"{old.total * 1e3:.5g} (version {old.version})"
         change = "-" if old is None else f"{row.total / old.total - 1:+.2%}"
-        print(f"| {row.scene} | {row.inner_speed * RPM:.5g} | {was} | {row.total * 1e3:.5g} | {change} |")
+        out.print(f"| {row.scene} | {row.inner_speed * RPM.factor:.5g} | {was} | {row.total * 1e3:.5g} | {change} |")
     if write:
         with STORED.open("w", encoding="utf-8", newline="") as file:
             file.write("# A detector of changes, our own output: see validation/model_version.py, which writes it.\n")

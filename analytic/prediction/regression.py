@@ -113,5 +113,7 @@ def _left_out_errors(terms: Array, fitted: Array) -> Array:
 
 def _lost(basis: Basis, scores: Array, fitted: Array) -> float:
     """Mean share of the variance that left-out predictions miss."""
+    if fitted.shape[1] == 0:  # nothing varies: any basis is as good
+        return 0.0
     errors = _left_out_errors(basis.at(scores), fitted)
     return float(np.mean(np.sum(errors**2, axis=0) / np.sum((fitted - fitted.mean(axis=0)) ** 2, axis=0)))

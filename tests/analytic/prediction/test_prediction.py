@@ -1,0 +1,258 @@
+"""The interval of real scenes: closed forms where the torque is linear, workers, spreads and messages."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import analytic
+from analytic.errors import InputError
+from analytic.inputs import UNCERTAIN, uncertain_value
+from analytic.oil.variation import Variation
+from analytic.prediction import evaluation
+from analytic.prediction.prediction import SAMPLES, Prediction, predict
+from analytic.prediction.spreads import DEFAULTS, UncertainInput, uncertain_inputs
+from analytic.prediction.varied_scene import varied_scene
+from analytic.scene import Losses, Scene
+from analytic.scenefile.read import parse_scene
+from analytic.torque import friction_torque
+from tests.analytic.scenefile.scene_texts import OILED
+
+GROOVES = ("bearing.inner.conformity", "bearing.outer.conformity")
+SPREADS = {"friction.coefficient": 0.02, "friction.hysteresis_loss": 0.002, "losses.seals": 1.5e-3}
+
+
+def dry(**spreads: float) -> Scene:
+    """Race torque proportional to the coefficient, hysteresis to its loss, and seals: the total is linear in them."""
+    scene = analytic.load_scene("paper_6205")
+    off = dict.fromkeys(("creep", "cage", "finite_geometry"), "off")
+    nothing = {each.key: 0.0 for each in uncertain_inputs(scene)}
+    return replace(
+        scene,
+        contact_angle=replace(scene.contact_angle, rule="given", value=0.31, free=None),
+        operation=analytic.operation(axial_load=[800.0], inner_speed=[30.0]),
+        losses=Losses(seals=4e-3),
+        spin_rule="inner_control",
+        sliding="single_coefficient",
+        effects={**scene.effects, **off},
+        tolerance=1.0,
+        uncertainty={k: v for k, v in nothing.items() if "free" not in k}
+        | {"bearing.contact_angle.value": 0.0}
+        | spreads,
+    )
+
+
+@pytest.fixture(scope="module")
+def predicted() -> Prediction:
+    return predict(dry(**SPREADS), samples=256, seed=5, workers=1)
+
+
+def test_a_torque_that_is_linear_in_its_inputs_has_its_closed_interval_and_indices(predicted: Prediction) -> None:
+    """Sliding goes with the coefficient, hysteresis with its loss; the numerical uncertainty is a factor."""
+    torque = predicted.nominal.torque
+    assert torque.spin is not None
+    assert torque.conformity is not None
+    assert torque.hysteresis is not None
+    sizes = {
+        "friction.coefficient": (float(torque.spin[0] + torque.conformity[0]), 0.02 / 0.1),
+        "friction.hysteresis_loss": (float(torque.hysteresis[0]), 0.002 / 0.007),
+        "losses.seals": (4e-3, 1.5 / 4),
+    }
+    normal = np.random.default_rng(11).standard_normal((1_000_000, 4))
+    parts = [size * np.exp(spread * z) for (size, spread), z in zip(sizes.values(), normal.T, strict=False)]
+    numerical = [each.deviation for each in predicted.inputs if each.key == "numerical"]
+    total = sum(parts) * np.exp(sum(numerical) * normal[:, 3])
+    low, high = np.quantile(total, (0.025, 0.975))
+    assert predicted.total.low[0] == pytest.approx(low, abs=3 * predicted.total.low_error[0])
+    assert predicted.total.high[0] == pytest.approx(high, abs=3 * predicted.total.high_error[0])
+    assert predicted.total.low_error[0] < 0.03 * low
+    assert predicted.explained[0] > 0.98
+    variances = {key: size**2 * np.exp(s**2) * (np.exp(s**2) - 1) for key, (size, s) in sizes.items()}
+    # The variance by the numerical factor is that of the whole torque.
+    whole = float(np.var(total))
+    for place, each in enumerate(predicted.inputs):
+        if each.key in variances:
+            share = variances[each.key] / whole
+            assert predicted.indices.first[place, 0] == pytest.approx(share, abs=0.03), each.key
+            assert predicted.indices.total[place, 0] == pytest.approx(share, abs=0.03), each.key
+
+
+def test_one_uncertain_part_has_the_interval_of_its_lognormal_distribution(predicted: Prediction) -> None:
+    seals = predicted.parts["declared"]
+    ends = 4e-3 * np.exp(np.array([-1, 1]) * 1.959964 * 1.5 / 4)
+    np.testing.assert_allclose([seals.low[0], seals.high[0]], ends, rtol=0.02)  # 256 samples, one-dimensional
+
+
+def test_alone_the_parts_of_the_interval_are_those_of_their_inputs(predicted: Prediction) -> None:
+    nominal = predicted.nominal.torque.total[0]
+    low, high = predicted.made_of["numerical"][:, 0]
+    u = predicted.nominal.numerical_uncertainty[0]
+    np.testing.assert_allclose([low, high], nominal * np.exp(np.array([-0.98, 0.98]) * u), rtol=5e-3)  # 1.96 u/2
+    assert "model" not in predicted.made_of  # no oil: no formula varies
+    assert predicted.made_of["input"][0, 0] < low < nominal < high < predicted.made_of["input"][1, 0]
+
+
+@pytest.mark.slow
+def test_the_number_of_processes_does_not_change_a_number() -> None:
+    scene = dry(**SPREADS)
+    alone, together = (predict(scene, samples=60, seed=9, workers=workers).to_json() for workers in (1, 2))
+    times = ("seconds", "evaluation_seconds")
+    assert {k: v for k, v in alone.items() if k not in times} == {k: v for k, v in together.items() if k not in times}
+
+
+def test_a_seed_gives_the_same_numbers_and_another_one_others() -> None:
+    scene = dry(**SPREADS)
+    first, again, other = (predict(scene, samples=50, seed=seed, workers=1).total.high[0] for seed in (3, 3, 4))
+    assert first == again != other
+
+
+def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("analytic.prediction.prediction.SAMPLES", 64)
+    found = predict(dry(**SPREADS), workers=1)
+    assert found.samples in {64 * 2**n for n in range(1, 7)}
+    assert found.total.largest_error <= 0.03
+
+
+def test_every_default_spread_names_its_source_or_says_that_it_is_a_judgement() -> None:
+    assert DEFAULTS.keys() <= UNCERTAIN.keys()
+    for key, default in DEFAULTS.items():
+        named = re.search(r"judgement|\[\w+\]|computed", default.source)
+        assert named, key
+        assert default.deviation > 0
+    oiled = parse_scene(OILED, origin="here")
+    assert all(each.source and each.deviation > 0 for each in uncertain_inputs(oiled))
+
+
+def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_default() -> None:
+    text = OILED.partition("[bearing]")[0] + '[bearing]\ncatalog = "6206"\n'
+    text += '[operation]\naxial_load = "700 N"\ninner_speed = "500 rpm"\n[lubricant]\nname = "ISO VG 46"\n'
+    text += '[surface]\nfinish = "ground and honed"\n[uncertainty]\nlubricant.eyring_stress = "12 %"\n'
+    scene = parse_scene(text, origin="here")
+    found = {each.key: each for each in uncertain_inputs(scene)}
+    assert scene.lubricant is not None
+    assert found["lubricant.eyring_stress"].deviation == pytest.approx(0.12 * scene.lubricant.eyring_stress)
+    assert found["lubricant.eyring_stress"].source == "the scene"
+    assert found["bearing.clearance"].deviation == scene.bearing.origins["clearance"].uncertainty
+    assert "ISO5753" in found["bearing.clearance"].source
+    assert found["model.film"].deviation == 0.15
+    assert "bearing.width" not in found
+
+
+@pytest.mark.parametrize(
+    ("lines", "complaint"),
+    [
+        ('lubricant.viscosity = "-6 %"', r"uncertainty.lubricant.viscosity = '-6 %' is out of range; give 0 to 300 %"),
+        ('lubricant.viscosity = "301 %"', r"is out of range; give 0 to 300 %"),
+        ('lubricant.viscosity = "9 Pa s"', r"is above 300 % of the value, 0.\d+ Pa\*s"),
+        ("lubricant.viscosity = 0.1", r"has no unit; give a standard deviation, 0 or more, for example \"6 %\""),
+        (
+            'lubricant.viscocity = "6 %"',
+            r"uncertainty.lubricant.viscocity = '6 %' is an unknown key; did you mean visc",
+        ),
+        ('lubricant.temperature = "2 degC"', r"is out of range; .* for example \"2 K\""),
+        ('bearing.clearance = "3 %"', r"is a share, but this input needs the standard deviation itself"),
+        ('friction.coefficient = "3 %"', r"is of an input that this scene does not have"),
+    ],
+)
+def test_a_wrong_spread_gives_one_line(lines: str, complaint: str) -> None:
+    with pytest.raises(InputError) as caught:
+        parse_scene(f"{OILED}[uncertainty]\n{lines}\n", origin="here")
+    assert re.search(complaint, str(caught.value)), caught.value
+    assert "\n" not in str(caught.value)
+    assert str(caught.value).count("uncertainty.") == 1
+
+
+def test_a_wrong_spread_from_python_gives_one_line() -> None:
+    scene = dry(**SPREADS)
+    for spreads, complaint in (
+        ({"oil.viscosity": 0.1}, "uncertainty.oil.viscosity is of no input that varies; known: "),
+        ({"losses.drag": 0.1}, "uncertainty.losses.drag is of an input that this scene does not have"),
+        ({"losses.seals": -1e-3}, "uncertainty.losses.seals = -0.001 N m: give a standard deviation of at least 0"),
+        ({"losses.seals": 13e-3}, "uncertainty.losses.seals = 0.013 N m: is above 300 % of the value, 0.012 N m"),
+    ):
+        with pytest.raises(InputError, match=re.escape(complaint)):
+            uncertain_inputs(replace(scene, uncertainty=spreads))
+
+
+def test_too_few_samples_are_refused_with_the_least_number() -> None:
+    with pytest.raises(InputError, match=rf"samples = 39: .* needs at least 40; {SAMPLES} are usual"):
+        predict(dry(**SPREADS), samples=39, workers=1)
+    with pytest.raises(InputError, match="workers = 0: give a whole number from 1"):
+        predict(dry(**SPREADS), workers=0)
+
+
+def test_samples_without_a_torque_are_counted_and_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    seals = 4e-3 * np.exp(1.5 / 4 * np.array([2.4, 1.0]))  # beyond them 0.8 % and 16 % of the samples
+
+    def failing(limit: float) -> None:
+        def torque(scene: Scene, *, variation: Variation | None = None) -> object:
+            assert scene.losses.seals is not None
+            if scene.losses.seals > limit:
+                raise InputError("the seal is stuck")
+            return friction_torque(scene) if variation is None else friction_torque(scene, variation=variation)
+
+        monkeypatch.setattr(evaluation, "friction_torque", torque)
+
+    failing(seals[0])
+    found = predict(dry(**SPREADS), samples=128, workers=1)
+    assert found.failed == 1  # 0.8 % of 128, evenly spread
+    assert found.reasons == ("the seal is stuck (1 times)",)
+    failing(seals[1])
+    with pytest.raises(InputError, match=r"20 of 128 samples have no torque, more than 1 %.*the seal is stuck"):
+        predict(dry(**SPREADS), samples=128, workers=1)
+
+
+def test_the_scene_with_the_values_that_it_has_is_the_same() -> None:
+    scene = parse_scene(OILED, origin="here")
+    values = {each.key: each.value for each in uncertain_inputs(scene)}
+    same, variation = varied_scene(scene, values)
+    assert variation == Variation()
+    for key in values:
+        assert uncertain_value(same, key) == pytest.approx(uncertain_value(scene, key), rel=1e-12)
+    before, after = (friction_torque(each).torque.total for each in (scene, same))
+    np.testing.assert_allclose(after, before, rtol=1e-9)  # rounding of the dimensions
+
+
+@pytest.mark.parametrize("key", [key for key in UNCERTAIN if not key.startswith(("model", "arrangement", "cage"))])
+def test_an_input_takes_the_value_that_it_is_given(key: str) -> None:
+    scene = dry() if key.startswith(("friction.coefficient", "losses", "bearing.contact")) else None
+    scene = scene or parse_scene(OILED, origin="here")
+    if key == "bearing.contact_angle.free":
+        scene = analytic.load_scene("paper_6205")
+    if key.startswith(("losses", "operation")):
+        loads = {"axial_load": 300.0, "radial_load": -200.0, "moment": 0.7, "inner_speed": 20.0}
+        scene = replace(scene, losses=Losses(seals=3e-3, drag=2e-3), operation=analytic.operation(**loads))
+    if key.startswith("surface.hardness") and scene.surface is not None:
+        scene = replace(scene, surface=replace(scene.surface, hardness=7e9))
+    value = uncertain_value(scene, key)
+    if value is None:
+        pytest.skip("the scene has no such input")
+    other, _ = varied_scene(scene, {key: 1.0625 * value})
+    assert uncertain_value(other, key) == pytest.approx(1.0625 * value, rel=1e-9)
+    moved = {each for each in UNCERTAIN if _differs(uncertain_value(scene, each), uncertain_value(other, each))}
+    # A clearance that closes at a nominal angle follows the size of balls and grooves, so that the angle stays.
+    closes = scene.bearing.origins["clearance"].status == "derived" if "clearance" in scene.bearing.origins else False
+    follows = {"bearing.clearance"} if closes and key in ("bearing.ball_diameter", *GROOVES) else set()
+    assert moved == {key} | follows
+    if follows:
+        assert _free_angle(other) == pytest.approx(_free_angle(scene), rel=1e-9)
+
+
+def _free_angle(scene: Scene) -> float:
+    """At which balls touch both races without load, by the triangle of the groove centres."""
+    bearing = scene.bearing
+    return float(np.arccos(1 - bearing.diametral_clearance / (2 * bearing.groove_centre_distance)))
+
+
+def _differs(one: float | None, other: float | None) -> bool:
+    return one is not None and other is not None and abs(other - one) > 1e-9 * abs(one)
+
+
+def test_a_lognormal_input_stays_above_its_floor_and_a_normal_one_is_even() -> None:
+    groove = UncertainInput(key="k", value=0.52, unit="", deviation=0.004, source="s", floor=0.5)
+    score = np.array([-6.0, -1.0, 0.0, 1.0])
+    assert np.all(groove.at(score) > 0.5)
+    np.testing.assert_allclose(groove.at(score)[2:], [0.52, 0.5 + 0.02 * np.exp(0.2)])
+    heat = UncertainInput(key="k", value=313.0, unit="K", deviation=2.0, source="s", floor=None)
+    np.testing.assert_allclose(heat.at(score), 313.0 + 2 * score)
