@@ -83,6 +83,8 @@ def _quantile(share: float, smooth: Array, own: Array, predicted: Array) -> tupl
     value = float(places[order[place]])
     # Samples that lie on one side of q and are predicted on the other; one more, as none found does not mean none.
     crossed = np.count_nonzero((own < value) != (predicted < value)) + 1
-    edges = np.quantile(smooth, (max(share - STEP, 0.0), min(share + STEP, 1.0)))
+    # The density at q is that of the regression with what it misses.
+    whole = smooth + np.resize(own - predicted, smooth.size)
+    edges = np.quantile(whole, (share - STEP, share + STEP))
     slope = float(edges[1] - edges[0]) / (2 * STEP)
     return value, slope * np.sqrt(crossed) / count
