@@ -155,7 +155,7 @@ def _of_oil(scene: Scene, table: str, key: str) -> float | None:
 def _value(table: object, key: str) -> float | None:
     """The value of a key, SI."""
     if isinstance(table, Bearing) and key == "clearance":
-        return table.diametral_clearance if clearances is None else clearances.unmounted
+        return table.diametral_clearance
     part = table
     *path, last = key.split(".")
     for name in path:

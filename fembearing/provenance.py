@@ -29,7 +29,16 @@ PACKAGES = (
 )
 
 # Keys whose values may differ between two runs of one scene with the same seeds; the rest of the JSON is the same.
-TIMES = ("seconds", "spread", "warm_up", "predicted", "price", "chosen", "choices")  # and choices that depend on them
+TIMES = (
+    "seconds",
+    "evaluation_seconds",
+    "spread",
+    "warm_up",
+    "predicted",
+    "price",
+    "chosen",
+    "choices",
+)  # and choices that depend on them
 MEMORY = ("memory", "peak_memory")
 ORIGIN = ("date", "command", "python", "platform", "processor", "cores", "versions")
 VARYING = frozenset((*TIMES, *MEMORY, *ORIGIN))

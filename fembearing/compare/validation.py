@@ -145,16 +145,18 @@ def check_scene(
         cage_records=() if friction is None else _recorded(scene, friction),
         seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
-        provenance=provenance_of(scene, seeds=_seeds(scene, friction, cost=cost)),
+        provenance=provenance_of(scene, seeds=_seeds(scene, torque, cost=cost)),
     )
 
 
-def _seeds(scene: Scene, friction: FrictionTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:
+def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:
     """The seeds of all that is random in a check."""
-    cage, surface = scene.cage, scene.surface
+    cage, surface, friction = scene.cage, scene.surface, None if torque is None else torque.friction
     seeds: dict[str, Sequence[int]] = {}
     if cage is not None and friction is not None and friction.cage is not None and any(friction.cage.motion):
         seeds["motion of the cage"] = range(cage.seeds)
+    if torque is not None and torque.prediction is not None:
+        seeds["samples of the interval"] = (torque.prediction.seed,)
     if cost and surface is not None and surface.autocorrelation is not None:
         seeds["generated surface"] = (SEED,)
     return seeds

@@ -6,7 +6,8 @@
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
     operation.inner_speed = ["100 rpm", "300 rpm"]
 
-For a contact, `pair`, `ball_load`, `geometry` and `accuracy` may stand above [axes] too, for the whole sweep.
+For a torque, `samples = 512` above [axes] computes its 95 % interval, from so many torques at each point. For a
+contact, `pair`, `ball_load`, `geometry` and `accuracy` may stand above [axes] too, for the whole sweep.
 """
 
 import os
@@ -35,6 +36,7 @@ OWN_QUANTITIES = {
 OWN_WORDS = {"pair": get_args(Pair), "geometry": ("real", "hertzian", "wall")}
 OF_CONTACT = ("pair", "ball_load", "geometry", "accuracy")
 DIRECTION = "down"  # the key of [operation] whose list is one value
+SAMPLES = "samples"
 RANGE = ("from", "to", "count", "spacing")
 MOST_COUNT = 1_000_000  # values of one axis
 BYTES_A_POINT = 400  # of the whole dataset in memory, or of a map while it is drawn
@@ -69,6 +71,7 @@ class Grid:
     document: dict[str, Any]  # of the scene
     folder: str  # base of the relative paths in the scene
     fixed: dict[str, Value]  # keys of OF_CONTACT for the whole sweep
+    samples: int | None  # of the torque's 95 % interval at each point; None: no interval
     axes: tuple[Axis, ...]
     text: str  # of the grid file
     origin: str
@@ -153,7 +156,7 @@ def load_grid(path: str | os.PathLike[str]) -> Grid:
 
 def _grid(text: str, *, origin: str, folder: Path) -> Grid:
     given = parse_text(text, origin=origin)
-    known = ("what", "scene", "axes", *OF_CONTACT)
+    known = ("what", "scene", "axes", SAMPLES, *OF_CONTACT)
     for key in given:
         if key not in known:
             raise InputError(f"{plain(key)} is an unknown key; known: {', '.join(known)}")
@@ -165,6 +168,11 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
     for key in (*fixed, *(axis.key for axis in axes)):
         if key in OF_CONTACT and what != "contact":
             raise InputError(f'{key} is of a contact; write what = "contact", or leave it out')
+    samples = given.get(SAMPLES)
+    if samples is not None and (isinstance(samples, bool) or not isinstance(samples, int) or samples < 1):
+        raise InputError(f"samples = {shown(samples)} is no number of samples; give a whole number, for example 512")
+    if samples is not None and what != "torque":
+        raise InputError('samples are of the interval of a torque; write what = "torque", or leave them out')
     _require_distinct([axis.key for axis in axes], fixed)
     document, scene_folder = _document(given.get("scene"), folder)
     _require_one_point(document, axes)
@@ -174,6 +182,7 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
         document=document,
         folder=str(scene_folder),
         fixed=fixed,
+        samples=samples,
         axes=axes,
         text=text,
         origin=origin,

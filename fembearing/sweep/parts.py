@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.errors import FembearingError
-from analytic.result import COLUMNS
+from analytic.result import COLUMNS, Column, FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.sliding.methods import SERIES
 from analytic.torque import friction_torque
@@ -28,6 +28,13 @@ LONGEST = 25_000  # points of a series in one piece: about 3 s
 MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: about 5 s
 MOST_SCENES = 50  # in one piece: about 3 s
 MOST_WARNINGS = 20  # kept for a piece
+INTERVAL = {  # what a grid with samples has besides
+    "torque_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
+    "torque_median": Column("N m", "median of the friction torque"),
+    "torque_high": Column("N m", "upper end of the 95 % interval of the friction torque"),
+    "torque_low_error": Column("N m", "standard error of the lower end"),
+    "torque_high_error": Column("N m", "standard error of the upper end"),
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,6 +60,8 @@ def pieces(grid: Grid) -> Iterator[Piece]:
     length, size = grid.length, grid.size
     if grid.what == "contact" or _cage_may_move(grid):
         ends = range(size + 1)
+    elif grid.samples is not None:  # some hundred torques of each series
+        ends = range(0, size + 1, length)
     elif length >= SERIES:
         each = ceil(length / LONGEST)
         inside = [length * number // each for number in range(each)]
@@ -65,7 +74,9 @@ def pieces(grid: Grid) -> Iterator[Piece]:
 
 def column_notes(grid: Grid) -> dict[str, Any]:
     """Unit and meaning of each computed column."""
-    return COLUMNS if grid.what == "torque" else of_contact.COLUMNS
+    if grid.what == "contact":
+        return of_contact.COLUMNS
+    return COLUMNS if grid.samples is None else COLUMNS | INTERVAL
 
 
 def compute_part(grid: Grid, piece: Piece) -> Part:
@@ -139,7 +150,22 @@ def _torque(
         )
     for name, values in result.columns().items():
         part.columns[name][at] = values
-    return result.warnings
+    if grid.samples is None:
+        return result.warnings
+    return (*result.warnings, *_interval(series, result, grid.samples, at, part))
+
+
+def _interval(series: Scene, result: FrictionTorque, samples: int, at: NDArray[np.intp], part: Part) -> tuple[str, ...]:
+    """Compute the interval of the total; why there is none."""
+    from analytic.prediction.prediction import predicted_interval  # with SciPy's statistics: half a second
+
+    try:
+        interval = predicted_interval(series, result, samples=samples)
+    except FembearingError as problem:
+        return (f"no interval: {problem}",)
+    for name, values in vars(interval).items():
+        part.columns[f"torque_{name}"][at] = values
+    return ()
 
 
 def _at(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> Scene:

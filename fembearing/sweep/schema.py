@@ -4,7 +4,7 @@ from pathlib import Path
 
 from analytic.scenefile.schema import DIALECT, Schema, table_schema
 from analytic.scenefile.tables import SceneTable
-from fembearing.sweep.grid import MOST_COUNT, OF_CONTACT, OWN_QUANTITIES, OWN_WORDS, RANGE
+from fembearing.sweep.grid import MOST_COUNT, OF_CONTACT, OWN_QUANTITIES, OWN_WORDS, RANGE, SAMPLES
 
 FILE = Path(__file__).with_name("grid.schema.json")
 STEPS: Schema = {
@@ -41,6 +41,7 @@ def grid_schema() -> Schema:
         "properties": {
             "what": {"enum": ["torque", "contact"], "default": "torque"},
             "scene": {"anyOf": [named, scene]},
+            SAMPLES: {"type": "integer", "minimum": 1, "description": "of the 95 % interval of the torque"},
             **top,
             "axes": axes | {"description": "one line for each key that varies", "minProperties": 1},
         },

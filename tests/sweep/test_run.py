@@ -12,6 +12,7 @@ import pytest
 
 from analytic import catalog
 from analytic.errors import InputError
+from analytic.prediction.prediction import predict
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.sweep import parts
@@ -354,3 +355,40 @@ def test_a_scene_that_fails_everywhere_is_a_mistake(grid_file: Write, tmp_path: 
     path = grid_file('bearing.ball_material.hardness = ["6 GPa", "7 GPa"]')  # the catalog's word is no table
     with pytest.raises(InputError, match=r"bearing\.ball_material\.youngs_modulus is missing"):
         run_sweep(path, out=tmp_path / "out")
+
+
+@pytest.mark.usefixtures("in_process")
+def test_a_grid_with_samples_has_the_interval_of_each_point(grid_file: Write, tmp_path: Path) -> None:
+    axes = 'operation.axial_load = ["300 N", "700 N"]\nfriction.coefficient = [0.05, 0.1]\n'
+    path = grid_file(axes, head="samples = 48")
+    found = run_sweep(path, out=tmp_path / "out").dataset()
+    assert found["torque_low"].attrs["units"] == "N m"
+    assert np.all(found["torque_low"] < found["torque_total"])
+    assert np.all(found["torque_total"] < found["torque_high"])
+    assert np.all(found["torque_high_error"] > 0)
+    scene = load_grid(path).scene(1)
+    operation = replace(scene.operation, axial_load=np.array([300.0, 700.0]), inner_speed=scene.operation.inner_speed)
+    alone = predict(replace(scene, operation=operation.as_series()), samples=48, workers=1)
+    # The same samples of the same series: the regressions of one quantity and of all parts share its basis.
+    np.testing.assert_allclose(found["torque_low"].sel(coefficient=0.1), alone.total.low, rtol=1e-9)
+
+
+@pytest.mark.usefixtures("in_process")
+def test_too_few_samples_leave_the_interval_out_and_say_why(grid_file: Write, tmp_path: Path) -> None:
+    found = run_sweep(grid_file("friction.coefficient = [0.05]\n", head="samples = 9"), out=tmp_path / "out").dataset()
+    assert "torque_low" not in found
+    assert found["torque_total"].size == 1
+    assert "no interval: samples = 9: an interval of 95 % with" in found.attrs["warnings"]
+
+
+@pytest.mark.parametrize(
+    ("head", "complaint"),
+    [
+        ("samples = 0", "samples = 0 is no number of samples; give a whole number, for example 512"),
+        ("samples = true", "samples = True is no number"),
+        ('samples = 64\nwhat = "contact"', "samples are of the interval of a torque"),
+    ],
+)
+def test_wrong_samples_give_one_line(grid_file: Write, head: str, complaint: str) -> None:
+    with pytest.raises(InputError, match=complaint):
+        load_grid(grid_file("friction.coefficient = [0.05]\n", head=head))

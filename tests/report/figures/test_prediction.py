@@ -1,0 +1,101 @@
+"""The interval in document, terminal and figure: what is shown is what was computed."""
+
+from io import StringIO
+from typing import Any
+
+import pytest
+from pydantic import ValidationError
+from rich.console import Console
+
+from fembearing.report.document.prediction import Prediction
+from fembearing.report.figures.prediction import interval_figure
+from fembearing.report.terminal.prediction import print_prediction
+
+
+def point(speed: float, nominal: float, totals: list[float]) -> dict[str, Any]:
+    ends = {"low": 0.6 * nominal, "median": nominal, "high": 1.9 * nominal, "low_error": 2e-4, "high_error": 7e-4}
+    return {
+        "inner_speed": speed,
+        "axial_load": 640.0,
+        "radial_load": 0.0,
+        "moment": 0.0,
+        "nominal": nominal,
+        "total": ends,
+        "parts": {"race": ends},
+        "made_of": {
+            "numerical": [0.98 * nominal, 1.03 * nominal],
+            "input": [0.7 * nominal, 1.5 * nominal],
+            "model": [0.8 * nominal, 1.4 * nominal],
+            "model.film": [0.9 * nominal, 1.1 * nominal],
+        },
+        "indices": {
+            "first": [0.11, 0.55, 0.0],
+            "total": totals,
+            "first_error": [0.01, 0.02, 0.001],
+            "total_error": [0.03, 0.04, 0.002],
+        },
+        "explained": 0.97,
+    }
+
+
+def content() -> dict[str, Any]:
+    made = {"value": 1.5, "deviation": 0.2, "source": "judgement", "floor": 0.0}
+    return {
+        "covered": 0.95,
+        "points": [point(10.0, 0.021, [0.14, 0.61, 0.0]), point(50.0, 0.034, [0.44, 0.31, 0.001])],
+        "inputs": [
+            made | {"key": "lubricant.viscosity", "unit": "Pa*s", "kind": "input"},
+            made | {"key": "model.film", "unit": "", "kind": "model"},
+            made | {"key": "numerical", "unit": "", "kind": "numerical"},
+        ],
+        "not_varied": ["the moon"],
+        "samples": 300,
+        "failed": 2,
+        "reasons": ["a ball fell out (2 times)"],
+        "seed": 77,
+        "seconds": 12.0,
+        "evaluation_seconds": 22.0,
+    }
+
+
+def test_the_terminal_shows_ends_parts_inputs_and_failures() -> None:
+    out = StringIO()
+    print_prediction(Console(file=out, width=80), Prediction.model_validate(content()), [0, 1])
+    said = out.getvalue()
+    assert max(map(len, said.splitlines())) <= 80
+    rows = [line.split() for line in said.splitlines()]
+    assert ["1", "21", "12.6-39.9", "0.2,", "0.7", "20.6-21.6", "14.7-31.5", "16.8-29.4"] in rows
+    words = " ".join(said.split())
+    for word in (
+        "film formula 55 +- 2 61 +- 4 55 +- 2 31 +- 4",
+        "95 % interval by 300 Latin hypercube samples, seed 77, in 12 s",
+        "the standard error of an end is at most 1.8 %",  # 7e-4 of 1.9 x 0.021
+        "2 of 300 samples have no torque and are left out: a ball fell out (2 times).",
+        "Not in it: the moon.",
+        "film formula 18.9-23.1 and 30.6-37.4",
+    ):
+        assert word in words, word
+
+
+def test_the_figure_has_the_ends_of_every_part_and_the_indices_of_the_inputs_that_matter() -> None:
+    figure = interval_figure(Prediction.model_validate(content()))
+    panels = figure.axes
+    assert len(panels) == 4
+    slow, fast, slow_indices, _ = panels
+    bars = [(bar.get_x(), bar.get_x() + bar.get_width()) for bar in slow.patches]
+    wanted = [(0.6, 1.9), (0.98, 1.03), (0.7, 1.5), (0.8, 1.4), (0.9, 1.1)]
+    assert bars == [pytest.approx((21 * low, 21 * high)) for low, high in wanted]
+    assert "rpm" in fast.get_title()
+    names = [label.get_text() for label in slow_indices.get_yticklabels()]
+    assert names == ["film formula", "viscosity"]  # the numerical one is below half a per cent at both points
+    widths = [bar.get_width() for bar in slow_indices.patches]
+    assert widths == pytest.approx([61, 55, 14, 11])
+
+
+def test_indices_of_other_inputs_are_refused() -> None:
+    damaged = content()
+    damaged["points"][1]["indices"]["total"] = [0.1]
+    with pytest.raises(ValidationError, match="indices of other than its 3 inputs"):
+        Prediction.model_validate(damaged)
+    with pytest.raises(ValidationError, match="extra_forbidden"):
+        Prediction.model_validate(content() | {"mood": "good"})
