@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.errors import FembearingError
 from analytic.prediction.spreads import NUMERICAL, UncertainInput
-from analytic.prediction.varied_scene import varied_scene
+from analytic.prediction.variants import varied_scene
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Array, Scene
 from analytic.torque import NO_CAGE, friction_torque

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from math import ceil
 from time import perf_counter
 from types import MappingProxyType
 from typing import Any
@@ -26,7 +27,7 @@ from analytic.result import COORDINATES, FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 
-SAMPLES, MOST_SAMPLES = 512, 4096  # by default: twice as many until the ends are known well enough, and at most
+SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
 ENOUGH = 0.03  # standard error of each end of the total's interval, over that end
 SEED = 1
 NOT_VARIED = (
@@ -107,7 +108,7 @@ def predict(
 ) -> Prediction:
     """The friction torque of a scene with its 95 % interval by Latin hypercube sampling.
 
-    samples : evaluations of the torque; None: 512, and twice as many up to 4096 until the standard error of each end
+    samples : evaluations of the torque; None: 512, and more, about 4096 at most, until the standard error of each end
         of the total's interval is at most 3 % of that end
     seed : of the points
     workers : processes; None: one for each core that this process may use. The result does not depend on it
@@ -127,10 +128,13 @@ def predict(
     found = sampled(problem, count=first, seed=(seed, 0), workers=workers, progress=progress)
     while samples is None and found.count < MOST_SAMPLES:
         totals = found.torque[:, 0]
-        if interval_of(regression_of(found.scores, totals), scores, totals).largest_error <= ENOUGH:
+        error = interval_of(regression_of(found.scores, totals), scores, totals).largest_error
+        if error <= ENOUGH:
             break
+        # The error falls with the root of the number; a tenth more, so that the next round is the last one.
+        more = ceil(found.count * min(1.0, 1.1 * (error / ENOUGH) ** 2 - 1))
         seeds = (seed, found.count)
-        found = found.together(sampled(problem, count=found.count, seed=seeds, workers=workers, progress=progress))
+        found = found.together(sampled(problem, count=more, seed=seeds, workers=workers, progress=progress))
     parts = {}
     for place, name in enumerate(problem.parts):
         parts[name] = interval_of(regression_of(found.scores, found.torque[:, place]), scores, found.torque[:, place])

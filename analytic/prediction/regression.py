@@ -101,7 +101,7 @@ def _plain(fitted: Array, is_log: Array) -> Array:
 
 
 def _coefficients(terms: Array, fitted: Array) -> Array:
-    return np.linalg.lstsq(terms, fitted)[0]
+    return np.asarray(np.linalg.lstsq(terms, fitted)[0], dtype=np.float64)
 
 
 def _left_out_errors(terms: Array, fitted: Array) -> Array:

@@ -6,7 +6,7 @@ are those of the inputs; `analytic.inputs` lists them.
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field, create_model
 
@@ -74,7 +74,13 @@ def _table(name: str, keys: Mapping[str, Varied]) -> type[Table]:
     return create_model(name, __base__=Table, **fields)
 
 
-UncertaintyTable = _table("uncertainty", UNCERTAIN)
+if TYPE_CHECKING:  # its fields follow from UNCERTAIN
+
+    class UncertaintyTable(Table):
+        pass
+
+else:
+    UncertaintyTable = _table("uncertainty", UNCERTAIN)
 
 
 def given_spreads(table: Table, scene: Scene) -> tuple[dict[str, float], list[tuple[str, str]]]:

@@ -53,7 +53,8 @@ Folder = Annotated[
     Path | None, typer.Option("--out", help="New folder for page or pictures, tables, series in time and JSON.")
 ]
 WithInterval = Annotated[
-    bool, typer.Option("--interval", help="The 95 % interval of the torque too: some hundred torques, on all cores.")
+    bool,
+    typer.Option("--interval", help="The 95 % interval of the torque too: from 512 torques and more, on all cores."),
 ]
 Samples = Annotated[
     int | None,

@@ -8,11 +8,9 @@ from fembearing.cli.console import CHECK_FAILED, DONE, NOT_SOLVED, out, print_js
 from fembearing.cli.options import (
     AsJson,
     Folder,
-    Samples,
     SceneName,
     Tolerance,
     WithInterval,
-    read_samples,
     read_scene,
     read_tolerance,
 )
@@ -29,18 +27,25 @@ def validate(
         bool, typer.Option("--cost", help="Measure every method to compute each quantity too.")
     ] = False,
     with_interval: WithInterval = False,
-    samples: Samples = None,
     as_json: AsJson = False,
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
-    given, count = read_scene(scene), read_samples(samples, with_interval=with_interval)
+    given = read_scene(scene)
     limit = read_tolerance(tolerance, given)
     from fembearing.report.document.build import report_of
     from fembearing.report.folder import validate as run
     from fembearing.report.terminal.validation import print_validation
 
     with shown_progress() as progress:
-        result = run(given, out=folder, tolerance=limit, hard=hard, cost=with_cost, samples=count, progress=progress)
+        result = run(
+            given,
+            out=folder,
+            tolerance=limit,
+            hard=hard,
+            cost=with_cost,
+            samples="enough" if with_interval else None,
+            progress=progress,
+        )
     document = report_of(result)
     if as_json:
         print_json(document.to_json())

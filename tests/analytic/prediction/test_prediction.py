@@ -13,7 +13,7 @@ from analytic.oil.variation import Variation
 from analytic.prediction import evaluation
 from analytic.prediction.prediction import SAMPLES, Prediction, predict
 from analytic.prediction.spreads import DEFAULTS, UncertainInput, uncertain_inputs
-from analytic.prediction.varied_scene import varied_scene
+from analytic.prediction.variants import varied_scene
 from analytic.scene import Losses, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
@@ -110,7 +110,7 @@ def test_a_seed_gives_the_same_numbers_and_another_one_others() -> None:
 def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("analytic.prediction.prediction.SAMPLES", 64)
     found = predict(dry(**SPREADS), workers=1)
-    assert found.samples in {64 * 2**n for n in range(1, 7)}
+    assert found.samples > 64
     assert found.total.largest_error <= 0.03
 
 
