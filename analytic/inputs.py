@@ -45,7 +45,9 @@ LENGTH, FORCE = Varied(unit="m", example='"1 %"'), Varied(unit="N", example='"1 
 PURE = Varied(unit="", example='"10 %"')
 CONFORMITY = Varied(unit="", example="0.002", floor=TIGHTEST_GROOVE)
 ANGLE = Varied(unit="rad", example='"1.5 deg"', floor=None)
-UNCERTAIN: dict[str, Varied] = {  # by the keys of [uncertainty]; those of `model` are factors on formulas
+# By the keys of [uncertainty]; `Scene.uncertainty` has standard deviations, SI, in place of the defaults. Those of
+# `model` are factors on formulas.
+UNCERTAIN: dict[str, Varied] = {
     "bearing.ball_diameter": LENGTH,
     "bearing.pitch_diameter": LENGTH,
     "bearing.clearance": Varied(unit="m", example='"2 um"', floor=None),
@@ -101,8 +103,11 @@ def uncertain_value(scene: Scene, key: str) -> float | None:
         return float(np.max(np.abs(getattr(scene.operation, rest)))) or None
     if key == "bearing.contact_angle.free":
         return angle.free if angle.rule == "solved" else None
+    is_washer = scene.bearing.kind == "thrust"  # equal grooves, and 90 degrees by its kind
     if key == "bearing.contact_angle.value":
-        return angle.value if angle.rule == "given" else None
+        return angle.value if angle.rule == "given" and not is_washer else None
+    if key == "bearing.outer.conformity" and is_washer:
+        return None
     if key == "bearing.clearance" and (angle.rule == "given" or angle.free is not None):
         return None
     if table in ("bearing", "arrangement", "cage"):

@@ -38,7 +38,6 @@ Grade = Literal["printed", "A", "B", "C", "D"]
 BearingKind = Literal["radial", "thrust"]
 Sliding = Literal["auto"] | SlidingMethod
 
-
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
@@ -339,8 +338,7 @@ class Scene:
     sliding: Sliding = "auto"  # method that integrates sliding; auto: chosen by the tolerance
     microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
     effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
-    # Standard deviations of inputs by the keys of `analytic.inputs.UNCERTAIN`, SI, in place of the defaults.
-    uncertainty: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    uncertainty: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))  # SI, see `analytic.inputs`
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
     down: tuple[float, float, float] | None = None  # direction of gravity along x, y, z, of length 1; None: unknown
     warnings: tuple[str, ...] = ()

@@ -1,8 +1,8 @@
 """The torque of every shipped scene, old and new: python validation/model_version.py [--write]
 
 The table validation/reports/model_version.csv holds the torques of one model version. It detects that a formula changed
-a torque; it is our own output and validates nothing. Whoever changes a torque raises MODEL_VERSION in analytic/torque.py,
-copies the table that this program prints into CHANGELOG.md, and runs it with --write.
+a torque; it is our own output and validates nothing. Whoever changes a torque raises MODEL_VERSION in
+analytic/torque.py, copies the table that this program prints into CHANGELOG.md, and runs it with --write.
 """
 
 import argparse

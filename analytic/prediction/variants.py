@@ -53,20 +53,23 @@ def _nominal(scene: Scene, key: str) -> float:
 def _bearing(bearing: Bearing, values: Mapping[str, float]) -> Bearing:
     """Balls, grooves and their places; a clearance that closes at a nominal angle keeps that angle.
 
-    The ball's mass and the shoulders follow its diameter.
+    The ball's mass and the shoulders follow its diameter. Both washers of a thrust bearing have one groove.
     """
     ball = values.get("ball_diameter", bearing.ball_diameter)
     pitch = values.get("pitch_diameter", bearing.pitch_diameter)
-    clearance = values.get("clearance", bearing.diametral_clearance)
+    washers = bearing.kind == "thrust"
     grown = ball / bearing.ball_diameter
     radii = {}
     for race in RACES:
         own = getattr(bearing, race).groove_radius / bearing.ball_diameter
-        radii[race] = values.get(f"{race}.conformity", own) * ball
-    closes = bearing.origins.get("clearance")
-    if closes is not None and closes.status == "derived":
-        clearance *= (sum(radii.values()) - ball) / bearing.groove_centre_distance
-    opening = ball + clearance / 2
+        radii[race] = values.get("inner.conformity" if washers else f"{race}.conformity", own) * ball
+    opening = 0.0  # of the bottoms of both grooves, on the diameter
+    if not washers:
+        clearance = values.get("clearance", bearing.diametral_clearance)
+        closes = bearing.origins.get("clearance")
+        if closes is not None and closes.status == "derived":
+            clearance *= (sum(radii.values()) - ball) / bearing.groove_centre_distance
+        opening = ball + clearance / 2
     grooves = {
         race: replace(
             groove := getattr(bearing, race),

@@ -9,7 +9,7 @@ import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import parse_scene
-from fembearing.cli.console import NOT_SOLVED
+from fembearing.cli.console import INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.terminal.torque import print_torque
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
@@ -186,3 +186,36 @@ def test_validate_has_the_torque_of_the_command_torque(command, tmp_path: Path) 
     assert len({point["torque"]["cage"] for point in torque["points"]}) == 2
     for key in ("points", "effects", "warnings", "catalogue_band", "doubts", "tolerance", "provenance"):
         assert validated["torque"][key] == torque[key], key
+
+
+COULOMB = SERIES.partition("[lubricant]")[0] + '[friction]\ncoefficient = 0.1\nspin_rule = "inner_control"\n'
+
+
+def test_with_an_interval_the_json_the_tables_and_the_folder_have_it(command, tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_text(COULOMB, "utf-8")
+    given = ("torque", str(tmp_path / "a.toml"), "--interval", "--samples", "64")
+    _, out, _ = command(*given, "--json")
+    found = json.loads(out)["prediction"]
+    assert (found["samples"], len(found["points"])) == (64, 2)
+    ends = found["points"][1]["total"]
+    assert ends["low"] < found["points"][1]["nominal"] < ends["high"]
+    assert {each["key"] for each in found["inputs"]} >= {"friction.coefficient", "operation.axial_load"}
+    _, out, _ = command(*given, "--out", str(tmp_path / "new"))
+    assert "95 % interval of the total, N mm" in out
+    assert (tmp_path / "new" / "interval.png").read_bytes()[:4] == b"\x89PNG"
+    written = json.loads((tmp_path / "new" / "torque.json").read_text("utf-8"))["prediction"]
+    assert written["points"] == found["points"]
+
+
+@pytest.mark.parametrize(
+    ("options", "complaint"),
+    [
+        (("--samples", "64"), "--samples 64 goes with --interval"),
+        (("--interval", "--samples", "12"), "samples = 12: an interval of 95 % with"),
+    ],
+)
+def test_wrong_samples_give_one_line(command, options: tuple[str, ...], complaint: str) -> None:
+    status, out, err = command("torque", *options)
+    assert (status, out) == (INPUT_AT_FAULT, "")
+    assert complaint in err
+    assert err.count("\n") == 1

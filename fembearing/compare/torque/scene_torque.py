@@ -117,7 +117,8 @@ def static_doubt(race: str, peak_pressure: Any) -> Iterator[str]:
 def torque_of_scene(scene: Scene, *, samples: Samples = None, progress: Progress = silent) -> SceneTorque:
     """The torque of a scene.
 
-    samples : of its 95 % interval, or "enough"; None: no interval;  progress : called with the share of the samples done
+    samples : of its 95 % interval, or "enough"; None: no interval
+    progress : called with the share of the samples done
     Raises InputError as friction_torque, and with samples as predict.
     """
     friction = with_model_uncertainty(scene, friction_torque(scene))

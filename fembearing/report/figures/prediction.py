@@ -22,9 +22,9 @@ def prediction_plot(document: Report) -> tuple[Figure | None, str]:
         return None, NO_INTERVAL
     return interval_figure(prediction), (
         "Above: the 95 % interval of the total, and what it would be if only its numerical uncertainty, only the "
-        "inputs or only the formulas were uncertain; the line is the torque as computed. The parts do not add up. Below: the "
-        "share of the variance of the total that each input makes, alone (dark) and with its products with others "
-        "(light), with two standard errors. "
+        "inputs or only the formulas were uncertain; the line is the torque as computed. The parts do not add up. "
+        "Below: the share of the variance of the total that each input makes, alone (dark) and with its products with "
+        "others (light), with two standard errors. "
         f"{prediction.samples} samples, seed {prediction.seed}; the regression that the shares are read from predicts "
         f"{100 * min(point.explained for point in prediction.points):.0f} % or more of the variance."
     )

@@ -26,7 +26,7 @@ def linear(z: Array) -> Array:
 
 def kinked(z: Array) -> Array:
     """What no polynomial fits: lognormal in two inputs, with a step in a third one."""
-    return np.exp(0.2 * z[:, 0] + 0.15 * z[:, 1]) + 0.2 * (z[:, 2] > 0.5)
+    return np.asarray(np.exp(0.2 * z[:, 0] + 0.15 * z[:, 1]) + 0.2 * (z[:, 2] > 0.5), dtype=np.float64)
 
 
 def test_a_linear_torque_has_its_closed_interval_and_indices() -> None:

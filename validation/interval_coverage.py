@@ -1,4 +1,4 @@
-"""How many measured points lie in the stated intervals: python validation/coverage.py
+"""How many measured points lie in the stated intervals: python validation/interval_coverage.py
 
 Every interval is that of the model as it is, with the spreads that it states; nothing is recentred on what it is tested
 on. A measured point is compared with the model's interval widened by the stated scatter of the measurement. The
@@ -14,10 +14,13 @@ from rich.console import Console
 from rich.table import Table
 
 import film
+import measured
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import COVERAGE
+from analytic.prediction.prediction import predict
 
 SEEN = "its spread was chosen with these films in view"
+ONE_RIG = "the spread of rolling was judged with these torques known, and is centred at the formula"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -37,6 +40,7 @@ class Coverage:
 def coverages() -> Iterator[Coverage]:
     """Of every source."""
     yield from films()
+    yield from torques()
 
 
 def films() -> Iterator[Coverage]:
@@ -62,6 +66,26 @@ def films() -> Iterator[Coverage]:
                 below=int(np.count_nonzero((ratio < -half)[rows])),
                 above=int(np.count_nonzero((ratio > half)[rows])),
                 note=SEEN,
+            )
+
+
+def torques() -> Iterator[Coverage]:
+    """Torques of three balls between washers [Balan2015]: the mean of the spin-downs at each speed."""
+    for diameter in measured.RIGS:
+        rig = measured.compare(diameter)
+        interval = predict(rig.scene).total
+        wide = COVERAGE * rig.measurement
+        for name, half in (("inputs and formulas", np.zeros_like(wide)), ("inputs and formulas, scatter", wide)):
+            below, above = rig.measured < interval.low - half, rig.measured > interval.high + half
+            yield Coverage(
+                source="[Balan2015]",
+                what=f"torque, balls of {diameter:g} mm",
+                interval=name,
+                points=below.size,
+                covered=int(np.count_nonzero(~below & ~above)),
+                below=int(np.count_nonzero(below)),
+                above=int(np.count_nonzero(above)),
+                note=ONE_RIG,
             )
 
 
