@@ -91,11 +91,14 @@ def torques() -> Iterator[Coverage]:
 
 def main() -> None:
     out = Console(width=120, highlight=False)
-    table = Table("source", "measured", "interval of 95 %", "inside", "below", "above", "note")
-    for each in coverages():
+    table = Table("source", "measured", "interval of 95 %", "inside", "below", "above")
+    found = list(coverages())
+    for each in found:
         inside = f"{each.covered} of {each.points}"
-        table.add_row(each.source, each.what, each.interval, inside, str(each.below), str(each.above), each.note)
+        table.add_row(each.source, each.what, each.interval, inside, str(each.below), str(each.above))
     out.print(table)
+    for line in dict.fromkeys(f"{each.source}: {each.note}." for each in found):
+        out.print(line, markup=False)
     out.print("No measured torque of a whole bearing with complete conditions was found, so none is in this table.")
 
 
