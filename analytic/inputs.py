@@ -41,8 +41,9 @@ class Varied:
     floor: float | None = 0.0
 
 
-LENGTH, FORCE = Varied(unit="m", example='"1 %"'), Varied(unit="N", example='"1 %"')
-PURE = Varied(unit="", example='"10 %"')
+LENGTH = Varied(unit="m", example='"0.02 mm", or "5 %"')
+FORCE = Varied(unit="N", example='"10 N", or "1 %"')
+PURE = Varied(unit="", example="0.01")
 CONFORMITY = Varied(unit="", example="0.002", floor=TIGHTEST_GROOVE)
 ANGLE = Varied(unit="rad", example='"1.5 deg"', floor=None)
 # By the keys of [uncertainty]; `Scene.uncertainty` has standard deviations, SI, in place of the defaults. Those of
@@ -59,20 +60,20 @@ UNCERTAIN: dict[str, Varied] = {
     "arrangement.offset": LENGTH,
     "operation.axial_load": FORCE,
     "operation.radial_load": FORCE,
-    "operation.moment": Varied(unit="N m", example='"1 %"'),
-    "lubricant.viscosity": Varied(unit="Pa*s", example='"6 %"'),
+    "operation.moment": Varied(unit="N m", example='"0.1 N m", or "1 %"'),
+    "lubricant.viscosity": Varied(unit="Pa*s", example='"0.004 Pa s", or "6 %"'),
     "lubricant.temperature": Varied(unit="K", example='"2 K"', floor=None),
-    "lubricant.pressure_viscosity": Varied(unit="1/Pa", example='"10 %"'),
-    "lubricant.eyring_stress": Varied(unit="Pa", example='"30 %"'),
+    "lubricant.pressure_viscosity": Varied(unit="1/Pa", example='"2e-9 1/Pa", or "10 %"'),
+    "lubricant.eyring_stress": Varied(unit="Pa", example='"1.5 MPa", or "30 %"'),
     "lubricant.limiting_shear": PURE,
     "surface.rms_roughness": LENGTH,
     "surface.autocorrelation.length": LENGTH,
     "surface.boundary_friction": PURE,
-    "surface.hardness": Varied(unit="Pa", example='"5 %"'),
+    "surface.hardness": Varied(unit="Pa", example='"0.4 GPa", or "5 %"'),
     "friction.coefficient": PURE,
     "friction.hysteresis_loss": PURE,
-    "losses.seals": Varied(unit="N m", example='"20 %"'),
-    "losses.drag": Varied(unit="N m", example='"20 %"'),
+    "losses.seals": Varied(unit="N m", example='"1 N mm", or "20 %"'),
+    "losses.drag": Varied(unit="N m", example='"1 N mm", or "20 %"'),
     "cage.friction_coefficient": PURE,
     "model.film": PURE,
     "model.gap": PURE,

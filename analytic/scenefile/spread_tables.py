@@ -17,7 +17,8 @@ from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.table import Table
 
 SHARE = Dimension(unit="", low=0, high=LARGEST_SHARE, example='"10 %"')
-MOST = {"K": 100.0, "rad": 1.0}  # standard deviation; of other units anything, as the share of the value is limited
+# Standard deviation, by the unit. That it is at most 300 % of the value is checked too.
+MOST = {"": 3.0, "m": 0.01, "rad": 1.0, "N": 1e6, "N m": 1e4, "K": 100.0, "Pa": 1e10, "1/Pa": 1e-7, "Pa*s": 10.0}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,16 +43,12 @@ class Spread(Dimension):
             return GivenSpread(value=SHARE.read(given), is_share=True)
         return GivenSpread(value=self.read(given), is_share=False)
 
-    @property
-    def accepted(self) -> str:
-        return f"give a standard deviation, 0 or more, for example {self.example}"
-
 
 def _field(varied: Varied) -> Any:
     dimension = Spread(
         unit=varied.unit,
         low=0.0,
-        high=MOST.get(varied.unit, 1e12),
+        high=MOST[varied.unit],
         example=varied.example,
         takes_share=varied.floor == 0,
     )

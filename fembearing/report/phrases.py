@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from analytic.result import Unit
 from fembearing.compare.cost.ladder import Ladder
-from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, Quantity, unit_for
+from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, NEWTON_MILLIMETRE, RPM, Quantity, unit_for
 
 if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from analytic.result import PairPart
@@ -200,6 +200,21 @@ def input_name(key: str) -> str:
     table, _, rest = key.partition(".")
     words = rest.replace(".", " ").replace("_", " ") or "numerical uncertainty"
     return f"{words} (cage)" if table == "cage" else words
+
+
+def interval_at(point: "PredictedPoint") -> str:
+    """The 95 % interval of the total, in the unit of a table."""
+    return "-".join(f"{end * NEWTON_MILLIMETRE.factor:.3g}" for end in (point.total.low, point.total.high))
+
+
+def predicted_torque(prediction: "Prediction") -> str:
+    """The torque with its interval at the slowest and the fastest point, in a sentence."""
+    each = [
+        f"{NEWTON_MILLIMETRE.written(point.nominal, '.3g')} ({interval_at(point)}) at "
+        f"{RPM.written(point.inner_speed, '.4g')}"
+        for point in prediction.ends
+    ]
+    return f"Friction torque with its 95 % interval: {', '.join(each)}."
 
 
 def interval_words(prediction: "Prediction") -> str:

@@ -90,7 +90,7 @@ class Prediction(Table):
         """The largest standard error of an end of the total, over that end."""
         each = [(p.total.low, p.total.low_error) for p in self.points]
         each += [(p.total.high, p.total.high_error) for p in self.points]
-        return max(error / abs(end) for end, error in each if end)
+        return max((error / abs(end) for end, error in each if end), default=0.0)
 
     @model_validator(mode="after")
     def every_input_has_its_indices(self) -> "Prediction":
@@ -98,4 +98,8 @@ class Prediction(Table):
         for point in self.points:
             if {len(values) for _, values in point.indices} != {len(self.inputs)}:
                 raise ValueError(f"has indices of other than its {len(self.inputs)} inputs")
+            if not {"input", "model", "numerical"} >= {n for n in point.made_of if "." not in n}:
+                raise ValueError(f"is made of unknown parts: {', '.join(point.made_of)}")
+            if point.made_of.keys() != self.points[0].made_of.keys():
+                raise ValueError("is made of other parts at other points")
         return self

@@ -6,7 +6,7 @@ from rich.console import Console
 
 from fembearing.quantities import NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.prediction import Prediction
-from fembearing.report.phrases import MADE_OF, input_name, interval_words
+from fembearing.report.phrases import MADE_OF, input_name, interval_at, interval_words
 from fembearing.report.terminal.table import table_of
 
 NM = NEWTON_MILLIMETRE.factor
@@ -23,7 +23,7 @@ def print_prediction(out: Console, prediction: Prediction, points: Sequence[int]
         table.add_row(
             str(number + 1),
             f"{point.nominal * NM:.4g}",
-            f"{total.low * NM:.3g}-{total.high * NM:.3g}",
+            interval_at(point),
             f"{total.low_error * NM:.1g}, {total.high_error * NM:.1g}",
             *(_between(made.get(kind)) for kind in ("numerical", "input", "model")),
         )

@@ -10,7 +10,7 @@ from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import HardCase, Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
-from fembearing.report.phrases import friction_of, loads_of, present_loads
+from fembearing.report.phrases import friction_of, interval_at, interval_words, loads_of, present_loads
 from fembearing.report.terminal.contacts import print_contact
 from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.torque import percent, point_columns, shown_points
@@ -56,7 +56,9 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
     low, high = torque.catalogue_band.low, torque.catalogue_band.high
     sides = None if low is None or high is None else list(zip(low, high, strict=True))
     factor = NEWTON_MILLIMETRE.factor
-    heads = ("#", *columns, f"total, {NEWTON_MILLIMETRE.name}", "+-", *(() if sides is None else ("catalogue",)))
+    predicted = torque.prediction
+    optional = (*(() if predicted is None else ("95 %",)), *(() if sides is None else ("catalogue",)))
+    heads = ("#", *columns, f"total, {NEWTON_MILLIMETRE.name}", "+-", *optional)
     table = table_of(heads, title=", ".join(["Friction torque", *fixed]), fixed=heads)
     shown = shown_points(len(points))
     for number in shown:
@@ -65,6 +67,7 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
             *(values[number] for values in columns.values()),
             f"{points[number].torque.total * factor:.4g}",
             percent(points[number].uncertainty.numerical),
+            *(() if predicted is None else (interval_at(predicted.points[number]),)),
             *(() if sides is None else (f"{sides[number][0] * factor:.3g}-{sides[number][1] * factor:.3g}",)),
         )
     out.print(table)
@@ -75,6 +78,8 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
         f"{friction}.\n",
         style="dim",
     )
+    if predicted is not None:
+        out.print(f"{interval_words(predicted)}\n", style="dim", markup=False)
 
 
 def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:

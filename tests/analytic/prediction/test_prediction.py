@@ -145,12 +145,15 @@ def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_defaul
         ('lubricant.viscosity = "-6 %"', r"uncertainty.lubricant.viscosity = '-6 %' is out of range; give 0 to 300 %"),
         ('lubricant.viscosity = "301 %"', r"is out of range; give 0 to 300 %"),
         ('lubricant.viscosity = "9 Pa s"', r"is above 300 % of the value, 0.\d+ Pa\*s"),
-        ("lubricant.viscosity = 0.1", r"has no unit; give a standard deviation, 0 or more, for example \"6 %\""),
+        (
+            "lubricant.viscosity = 0.1",
+            r"has no unit; give 0 to 10 Pa s, for example \"0.004 Pa s\", or",
+        ),
         (
             'lubricant.viscocity = "6 %"',
             r"uncertainty.lubricant.viscocity = '6 %' is an unknown key; did you mean visc",
         ),
-        ('lubricant.temperature = "2 degC"', r"is out of range; .* for example \"2 K\""),
+        ('lubricant.temperature = "2 degC"', r"is out of range; give 0 to 100 K, for example \"2 K\""),
         ('bearing.clearance = "3 %"', r"is a share, but this input needs the standard deviation itself"),
         ('friction.coefficient = "3 %"', r"is of an input that this scene does not have"),
     ],

@@ -5,11 +5,13 @@ import json
 import random
 from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 from pydantic import ValidationError
 
+from analytic.prediction.prediction import predict
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.compare.torque.cage_record import record_cage
@@ -20,9 +22,11 @@ from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.friction import friction_plot
 from fembearing.report.figures.page_plots import PLOTS
+from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.torque import torque_plot
+from fembearing.report.page.write import write_page
 from tests.report.pictures.test_cage_pictures import MOVING
 
 Document = dict[str, Any]  # what report.json holds
@@ -34,16 +38,20 @@ OF_PLOTS = {  # a key, and the module's function that reads it
     "film": friction_plot,
     "asperity_share": friction_plot,
     "torque": torque_plot,
+    "prediction": prediction_plot,
 }
 
 
 @pytest.fixture(scope="module")
 def document(checked: Validation) -> Document:
-    """With a cage that moved."""
+    """With a cage that moved, and an interval."""
     scene = parse_scene(MOVING, origin="here")
     record = record_cage(scene, friction_torque(scene), 0)
     assert record is not None
-    return json.loads(json.dumps(report_of(replace(checked, cage_records=(record,))).to_json(), allow_nan=False))
+    assert checked.torque is not None
+    torque = replace(checked.torque, prediction=predict(checked.scene, samples=64, workers=1))
+    whole = replace(checked, cage_records=(record,), torque=torque)
+    return json.loads(json.dumps(report_of(whole).to_json(), allow_nan=False))
 
 
 def places(value: object, way: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
@@ -106,6 +114,17 @@ def test_every_plot_is_drawn_from_the_document(document: Document) -> None:
         figure, caption = plot.draw(read)
         assert figure is not None
         assert caption.endswith(".")
+
+
+def test_the_page_begins_with_the_torque_and_its_interval(document: Document, tmp_path: Path) -> None:
+    read = Report.model_validate(document)
+    write_page(read, folder=tmp_path, file=tmp_path / "report.html")
+    text = (tmp_path / "report.html").read_text("utf-8")
+    point = document["torque"]["prediction"]["points"][0]
+    low, high = (f"{point['total'][end] * 1e3:.3g}" for end in ("low", "high"))
+    assert f"Friction torque with its 95 % interval: {point['nominal'] * 1e3:.3g} N mm ({low}-{high}) at" in text
+    assert f'<td class="number">{low}-{high}</td>' in text
+    assert "64 Latin hypercube samples" in text
 
 
 def test_no_damage_is_answered_by_a_traceback(document: Document) -> None:

@@ -9,7 +9,7 @@ from analytic.result import COORDINATES
 from fembearing.quantities import NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
-from fembearing.report.phrases import digits, listed, present_loads, shown, uncertainty_of
+from fembearing.report.phrases import digits, interval_at, listed, present_loads, shown, uncertainty_of
 
 NM = NEWTON_MILLIMETRE.factor
 
@@ -65,18 +65,21 @@ def _largest_parts(points: Sequence[Point]) -> dict[str, float]:
 
 
 def _totals(torque: Torque, parts: Sequence[str]) -> list[tuple[str, ...]]:
-    """Contact angle, parts, total, its numerical uncertainty and the catalogue band of each point."""
+    """Contact angle, parts, total, its numerical uncertainty, its interval and the catalogue band of each point."""
     band = torque.catalogue_band
     both = zip(band.low or (), band.high or (), strict=True)
+    predicted = torque.prediction
+    intervals = [()] * len(torque.points) if predicted is None else [(interval_at(p),) for p in predicted.points]
     bands = [(f"{low * NM:.3g}-{high * NM:.3g}",) for low, high in both] or [()] * len(torque.points)
     return [
         (
             f"{point.contact_angle:.4f}",
             *(digits(getattr(point.torque, name), NM, 4) for name in (*parts, "total")),
             shown(point.uncertainty.numerical, ".2%"),
+            *interval,
             *sides,
         )
-        for point, sides in zip(torque.points, bands, strict=True)
+        for point, interval, sides in zip(torque.points, intervals, bands, strict=True)
     ]
 
 
