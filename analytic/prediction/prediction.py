@@ -108,7 +108,7 @@ def predict(
 ) -> Prediction:
     """The friction torque of a scene with its 95 % interval by Latin hypercube sampling.
 
-    samples : evaluations of the torque; None: 512, and more, about 4096 at most, until the standard error of each end
+    samples : evaluations of the torque; None: 512, and more, at most 4096, until the standard error of each end
         of the total's interval is at most 3 % of that end
     seed : of the points
     workers : processes; None: one for each core that this process may use. The result does not depend on it
@@ -133,6 +133,7 @@ def predict(
             break
         # The error falls with the root of the number; a tenth more, so that the next round is the last one.
         more = ceil(found.count * min(1.0, 1.1 * (error / ENOUGH) ** 2 - 1))
+        more = min(more, MOST_SAMPLES - found.count)
         seeds = (seed, found.count)
         found = found.together(sampled(problem, count=more, seed=seeds, workers=workers, progress=progress))
     parts = {}
