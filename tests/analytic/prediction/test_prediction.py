@@ -14,7 +14,7 @@ from analytic.prediction import evaluation
 from analytic.prediction.prediction import SAMPLES, Prediction, predict
 from analytic.prediction.spreads import DEFAULTS, UncertainInput, uncertain_inputs
 from analytic.prediction.variants import varied_scene
-from analytic.scene import Losses, Scene
+from analytic.scene import Arrangement, Losses, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.scenefile.scene_texts import OILED
@@ -240,6 +240,24 @@ def test_an_input_takes_the_value_that_it_is_given(key: str) -> None:
     assert moved == {key} | follows
     if follows:
         assert _free_angle(other) == pytest.approx(_free_angle(scene), rel=1e-9)
+
+
+def test_the_formulas_take_their_factors() -> None:
+    """The law of the gap and the spread of surfaces are both factors on the pressure of the asperities."""
+    scene = parse_scene(OILED, origin="here")
+    factors = {"model.film": 1.1, "model.rolling": 1.3, "model.gap": 1.25, "model.surfaces": 1.6}
+    _, variation = varied_scene(scene, factors)
+    assert variation == Variation(film=1.1, rolling=1.3, asperity_pressure=2.0)
+
+
+def test_a_cage_and_a_pair_take_their_values() -> None:
+    cage = analytic.load_scene("paper_6205")
+    assert cage.cage is not None
+    cage = replace(cage, cage=replace(cage.cage, friction_coefficient=0.07))
+    pair = replace(cage, arrangement=Arrangement(kind="O", preload=150.0))
+    for scene, key, value in ((cage, "cage.friction_coefficient", 0.09), (pair, "arrangement.preload", 170.0)):
+        other, _ = varied_scene(scene, {key: value})
+        assert uncertain_value(other, key) == value
 
 
 def _free_angle(scene: Scene) -> float:
