@@ -4,6 +4,7 @@ from collections.abc import Callable
 from types import ModuleType
 
 import numpy as np
+import pytest
 
 
 def test_measured_films_lie_in_the_stated_interval(script: Callable[[str], ModuleType]) -> None:
@@ -16,6 +17,7 @@ def test_measured_films_lie_in_the_stated_interval(script: Callable[[str], Modul
     assert slow.covered > found["slower films", "film formula"].covered
 
 
+@pytest.mark.slow
 def test_measured_torques_are_counted_against_an_interval_that_is_not_moved(
     script: Callable[[str], ModuleType],
 ) -> None:
