@@ -28,7 +28,7 @@ RIVALS = (
 )
 OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
 NO_DIMENSIONS = ("catalog", "name", "kind", "material", "ball_material")
-STEEL = "100Cr6"  # of every bearing of the catalogue: through-hardened, as makers print it
+BEARING_STEEL = "100Cr6"  # of every bearing of the catalogue: through-hardened, as makers print it
 SPAN = 12**0.5  # of a uniform distribution, over its standard deviation
 ANGLE_SPREAD = np.radians(1.5)  # standard deviation of a nominal contact angle; judgement, no tolerance was read
 
@@ -112,7 +112,7 @@ def _gaps_and_doubles(
             'is missing; give a length like "10 um", a group like "CN", or contact_angle = { nominal = "15 deg" }',
         )
     if all("bottom_radius" in _dict(own, ring) for ring in RINGS):
-        for key in {"pitch_diameter", "clearance"} & {*own}:
+        for key in (key for key in ("pitch_diameter", "clearance") if key in own):
             yield f"bearing.{key}", "follows from the bottom_radius of both rings; leave one of them out"
     if isinstance(given.clearance, str) and row is not None and row.nominal_angle is not None:
         angle_of_row = f'contact_angle = {{ nominal = "{np.degrees(row.nominal_angle):g} deg" }}'
@@ -207,13 +207,14 @@ def _entry(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, An
 
 def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
     rings: dict[str, dict[str, Any]] = {}
-    for name, conformity, half_width in zip(RINGS, row.conformity, row.shoulder_half_width, strict=True):
-        rings[name] = {"conformity": conformity, "material": STEEL}
-        if half_width is not None:
-            rings[name]["shoulder_half_width"] = _length(half_width)
-    for name, half_width in zip(RINGS, row.far_half_width, strict=True):
-        if half_width is not None:
-            rings[name]["far_shoulder_half_width"] = _length(half_width)
+    for name, conformity, height, far in zip(
+        RINGS, row.conformity, row.shoulder_height, row.far_half_width, strict=True
+    ):
+        rings[name] = {"conformity": conformity, "material": BEARING_STEEL}
+        if height is not None:  # the height, which stays what it is with other balls
+            rings[name]["shoulder_height"] = _length(height)
+            if far is not None:
+                rings[name]["far_shoulder_height"] = _length(height if far else 0.0)
     if row.nominal_angle is None:
         play: dict[str, Any] = {"clearance": row.clearance_group or "CN"}
     else:
@@ -229,7 +230,7 @@ def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
     return {
         "name": row.designation,
         "ball_count": row.ball_count,
-        "ball_material": STEEL,
+        "ball_material": BEARING_STEEL,
         **{key: _length(value) for key, value in lengths.items() if value is not None},
         **{key: f"{value!r} N" for key, value in ratings.items() if value is not None},
         **rings,

@@ -164,7 +164,8 @@ def _conflicts(
     ):
         problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
         yield fault_at(document, "operation.axial_load", problem)
-    yield from (fault_at(document, "operation.axial_load", problem) for problem in _apart(table))
+    if len(set(lengths.values())) <= 1:
+        yield from (fault_at(document, "operation.axial_load", problem) for problem in _apart(table, row))
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
         yield "cage needs exactly one of pocket_clearance and pocket_diameter"
     if table.friction is not None and table.friction.coefficient is None and table.lubricant is None:
@@ -181,29 +182,29 @@ def _conflicts(
             yield fault_at(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
 
 
-def _apart(table: SceneTable) -> Iterator[str]:
-    """Why a single bearing of a nominal contact angle cannot carry a radial load alone."""
-    loads, angle = table.operation, table.bearing.contact_angle.nominal
-    if angle is None or table.arrangement is not None:
+def _seating(table: SceneTable, row: CatalogBearing | None) -> Iterator[tuple[float, float]]:
+    """(thrust, radial load times tan(angle)), N, of each point of a single angular contact bearing of the catalogue."""
+    if row is None or row.nominal_angle is None or table.arrangement is not None:
         return
-    alone = [abs(side) for axial, side in np.broadcast(loads.axial_load, loads.radial_load) if side and not axial]
+    tangent = float(np.tan(row.nominal_angle))
+    for thrust, side in np.broadcast(table.operation.axial_load, table.operation.radial_load):
+        yield float(thrust), abs(float(side)) * tangent
+
+
+def _apart(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
+    """Why a radial load alone is none that a single angular contact bearing carries."""
+    alone = [spread for thrust, spread in _seating(table, row) if spread and not thrust]
     if alone:
-        yield (
-            f"leaves a bearing of {np.degrees(angle):g} deg under {max(alone):g} N of radial load alone, and it slides "
-            f"apart; give some {SEATED * max(alone) * np.tan(angle):.0f} N of thrust, or an [arrangement]"
-        )
+        needed = float(f"{SEATED * max(alone):.3g}")
+        yield f"lets an angular contact bearing slide apart; give some {needed:g} N of thrust, or an [arrangement]"
 
 
-def _loose(table: SceneTable) -> Iterator[str]:
-    """A warning where too little thrust loads fewer than half of the balls of a bearing of a nominal contact angle."""
-    loads, angle = table.operation, table.bearing.contact_angle.nominal
-    if angle is None or table.arrangement is not None:
-        return
-    points = [(float(axial), abs(float(side))) for axial, side in np.broadcast(loads.axial_load, loads.radial_load)]
-    if any(axial < HALF_SEATED * side * np.tan(angle) for axial, side in points):
+def _loose(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
+    """A warning where too little thrust loads fewer than half of the balls."""
+    if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(table, row)):
         yield (
-            f"the thrust loads fewer than half of the balls of a bearing of {np.degrees(angle):g} deg: give 1.25 times "
-            f"the radial load times tan(angle) or more, 1.7 times to load all"
+            "the thrust loads fewer than half of the balls of this angular contact bearing: give 1.25 times the radial "
+            "load times tan(contact angle) or more; 1.7 times loads all of them"
         )
 
 
@@ -264,7 +265,7 @@ def _scene(
         losses=losses,
         effects=MappingProxyType(table.effects.model_dump()),
         calibration=table.calibration,
-        warnings=(*(() if row is None else row.warnings), *_loose(table), *fit.warnings(bearing, cage), *notes),
+        warnings=(*(() if row is None else row.warnings), *_loose(table, row), *fit.warnings(bearing, cage), *notes),
     )
     spreads, unfitting = given_spreads(table.uncertainty, scene)
     return replace(scene, uncertainty=MappingProxyType(spreads)), [*misfits, *unplaced, *unfitting]

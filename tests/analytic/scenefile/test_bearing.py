@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 import analytic
-from analytic.catalog.bearing_rows import find_bearing
+from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.errors import InputError
 from analytic.scene import Bearing
+from analytic.scenefile.fit import bearing_misfits
 from tests.analytic.scenefile.scene_texts import refusal, scene
 
 HEAD = 'name = "by hand"\ntolerance = "3 %"\n[operation]\naxial_load = "700 N"\ninner_speed = "90 rpm"\n[bearing]\n'
@@ -129,6 +130,12 @@ def test_thrust_that_seats_too_few_balls_is_named() -> None:
     assert not any("fewer than half" in warning for warning in half)
 
 
+def test_a_deep_groove_bearing_carries_a_radial_load_at_any_nominal_angle() -> None:
+    text = HEAD.replace('axial_load = "700 N"', 'radial_load = "1 kN"')
+    made = scene(text + 'catalog = "6205"\ncontact_angle = { nominal = "11 deg" }\n')
+    assert not any("fewer than half" in warning for warning in made.warnings)
+
+
 def test_the_suffix_gives_clearance_and_seals() -> None:
     plain, sealed = named("6206"), named("6206-2RS1/C3")
     assert plain.seals is None
@@ -156,6 +163,16 @@ def test_grade_c_has_two_candidates_unless_the_scene_says_the_balls() -> None:
     assert other.pitch_diameter == pytest.approx(made.pitch_diameter, rel=1e-12)
     assert named("6306", "ball_count = 8\n").other_candidate is None
     assert named("6206").other_candidate is None
+
+
+def test_every_other_candidate_is_a_bearing() -> None:
+    """Its grooves are as high as those of the first one: 7206 BEP has shoulders wider than the groove of its second."""
+    others = [named(name) for name in bearing_names() if find_bearing(name).grade == "C"]
+    assert len(others) > 50
+    for made in others:
+        other = made.other_candidate
+        assert other is not None, made.name
+        assert list(bearing_misfits(other, gap_key="bearing.clearance", own={})) == [], made.name
 
 
 def test_grade_d_is_refused_with_what_to_measure() -> None:
@@ -195,7 +212,12 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
         (HEAD + 'catalog = "7205 BEP"\nclearance = "C3"\n', ("clearance = 'C3'", "deep groove", "40 deg")),
         (
             HEAD.replace('axial_load = "700 N"', 'radial_load = "1 kN"') + 'catalog = "7205 BEP"\n',
-            ("40 deg", "1000 N", "slides apart", "1426 N", "[arrangement]"),
+            ("operation.axial_load", "slide apart", "1430 N", "[arrangement]"),
+        ),
+        (
+            HEAD.replace('axial_load = "700 N"', 'axial_load = ["0 N", "1 N"]\nradial_load = ["1 N", "2 N", "3 N"]')
+            + 'catalog = "7205 BEP"\n',
+            ("axial_load has 2 and operation.radial_load has 3", "equal lengths"),
         ),
         (HAND + PLAY + 'inner.bottom_radius = "20 mm"\n', ("bearing.outer.bottom_radius is missing", "both rings")),
         (HAND.replace('pitch_diameter = "50 mm"\n', PLAY), ("bearing.pitch_diameter is missing", '"39 mm"')),
