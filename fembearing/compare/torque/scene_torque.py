@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from analytic.effects.table import STATIC_LIMIT
+from analytic.errors import FembearingError
 from analytic.inputs import StatedInput, stated_inputs
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Bearing, Scene
@@ -122,7 +123,7 @@ def torque_of_scene(scene: Scene, *, samples: Samples = None, progress: Progress
     Raises InputError as friction_torque, and with samples as predict.
     """
     friction = with_model_uncertainty(scene, friction_torque(scene))
-    other = scene.bearing.other_candidate
+    other, friction = _with_other_balls(scene, friction)
     prediction = None
     if samples is not None:
         from analytic.prediction.prediction import predict
@@ -132,6 +133,18 @@ def torque_of_scene(scene: Scene, *, samples: Samples = None, progress: Progress
         scene=scene,
         friction=friction,
         catalogue=beside_catalogue(scene),
-        other_candidate=None if other is None else friction_torque(replace(scene, bearing=other)),
+        other_candidate=other,
         prediction=prediction,
     )
+
+
+def _with_other_balls(scene: Scene, friction: FrictionTorque) -> tuple[FrictionTorque | None, FrictionTorque]:
+    """The torque of the other candidate, if there is one; where it has none, a warning says why."""
+    bearing = scene.bearing.other_candidate
+    if bearing is None:
+        return None, friction
+    try:
+        return friction_torque(replace(scene, bearing=bearing)), friction
+    except FembearingError as problem:
+        warning = f"with {_balls(bearing)}, which the ratings fit nearly as well, there is no torque: {problem}"
+        return None, replace(friction, warnings=(*friction.warnings, warning))
