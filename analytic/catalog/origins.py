@@ -37,7 +37,7 @@ def origins_of(row: Row, *, scaled: bool) -> dict[str, Origin]:
         for ring, words in (("inner", "as on the loaded side"), ("outer", "turned off to the groove for the assembly")):
             origin = Origin(status="assumed", uncertainty=None, source=f"{words}; no print says so")
             far[f"{ring}.far_shoulder_half_width"] = origin
-    return far | {
+    return {
         "ball_count": _ball_origin(row, 1.0 if row["grade"] == "C" else 0.0),
         "ball_diameter": _ball_origin(row, BALL_UNCERTAINTY[row["grade"]] * ball),
         "pitch_diameter": _pitch_origin(row),
@@ -47,7 +47,7 @@ def origins_of(row: Row, *, scaled: bool) -> dict[str, Origin]:
         "outer.shoulder_half_width": _shoulder_origin(row, heights[1], OUTER_CONFORMITY * ball, scaled),
         **dict.fromkeys(("bore_diameter", "outside_diameter", "width"), printed),
         **dict.fromkeys(("static_load_rating", "dynamic_load_rating"), printed),
-    }
+    } | far
 
 
 def half_width(height: float | None, groove_radius: float) -> float | None:
