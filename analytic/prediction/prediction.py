@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+from scipy.special import ndtri
 
 from analytic.errors import InputError
 from analytic.prediction.evaluation import Problem, problem_of
@@ -146,7 +147,7 @@ def predict(
         inputs=problem.inputs,
         total=parts.pop("total"),
         parts=MappingProxyType(parts),
-        made_of=MappingProxyType(_made_of(regression, scores, problem.inputs, nominal.torque.total)),
+        made_of=MappingProxyType(_made_of(regression, scores, problem, nominal.torque.total)),
         indices=indices_of(regression, found.scores, totals),
         explained=regression.explained,
         samples=found.count,
@@ -180,16 +181,19 @@ def _problem(scene: Scene, nominal: FrictionTorque, samples: int | None) -> Prob
     return problem
 
 
-def _made_of(
-    regression: Regression, scores: Array, inputs: tuple[UncertainInput, ...], nominal: Array
-) -> dict[str, Array]:
-    """The interval of the total if only some inputs are uncertain, each (2, n); nominal : (n,), N m."""
-    keys = [each.key for each in inputs]
-    kinds = np.array([each.kind for each in inputs])
+def _made_of(regression: Regression, scores: Array, problem: Problem, nominal: Array) -> dict[str, Array]:
+    """The interval of the total if only some inputs are uncertain, each (2, n); nominal : (n,), N m.
+
+    The numerical factor is lognormal, so that its interval is known; the others are those of the regression.
+    """
+    keys = [each.key for each in problem.inputs]
+    kinds = np.array([each.kind for each in problem.inputs])
     missed = nominal - regression.at(np.zeros((1, len(keys))))  # by the regression where every input has its value
-    groups = {kind: kinds == kind for kind in (NUMERICAL, "input", "model") if np.any(kinds == kind)}
+    groups = {kind: kinds == kind for kind in ("input", "model") if np.any(kinds == kind)}
     groups |= {key: np.array(keys) == key for key in keys if key.startswith("model.")}
     ends = {}
+    if NUMERICAL in keys:
+        ends[NUMERICAL] = nominal * np.exp(np.multiply.outer(ndtri(ENDS), problem.numerical))
     for name, varies in groups.items():
         values = regression.at(np.where(varies, scores, 0.0))
         ends[name] = np.quantile(values, ENDS, axis=0) + missed
