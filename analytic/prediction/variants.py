@@ -14,6 +14,7 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
     """The scene with these values, and the variation of the formulas.
 
     values : by the keys of `analytic.inputs.UNCERTAIN`, SI
+    An angle below 0 leans to the other side of the groove and counts by its size.
     """
     tables: dict[str, dict[str, float]] = {}
     for key, value in values.items():
@@ -21,7 +22,8 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
         tables.setdefault(table, {})[rest] = value
     changed: dict[str, Any] = {}
     if "bearing" in tables:
-        of_angle = {key.partition(".")[2]: v for key, v in tables["bearing"].items() if key.startswith("contact_angle")}
+        inside = tables["bearing"].items()
+        of_angle = {key.partition(".")[2]: abs(v) for key, v in inside if key.startswith("contact_angle")}
         changed["contact_angle"] = replace(scene.contact_angle, **of_angle)
         changed["bearing"] = _bearing(scene.bearing, tables["bearing"])
     if "operation" in tables:

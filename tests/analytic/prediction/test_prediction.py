@@ -179,6 +179,27 @@ def test_a_wrong_spread_from_python_gives_one_line() -> None:
             uncertain_inputs(replace(scene, uncertainty=spreads))
 
 
+@pytest.mark.parametrize(
+    "angle",
+    [
+        ContactAngle(rule="given", value=0.02),
+        ContactAngle(rule="solved", free=0.0),
+        ContactAngle(rule="solved", free=0.01),
+    ],
+)
+def test_an_angle_near_0_has_its_default_spread_to_both_sides(angle: ContactAngle) -> None:
+    """The standard deviation is 0.03 rad, so that many of the angles are below 0: they count by their size."""
+    key = f"bearing.contact_angle.{'value' if angle.rule == 'given' else 'free'}"
+    known = dict.fromkeys(SPREADS, 0.0)
+    off = {key: value for key, value in dry(**known).uncertainty.items() if "contact_angle" not in key}
+    scene = replace(dry(), contact_angle=angle, uncertainty=off)
+    assert [each.key for each in uncertain_inputs(scene)] == [key]
+    found = predict(scene, samples=64, workers=1)
+    assert found.failed == 0
+    mirrored = [varied_scene(scene, {key: value})[0].contact_angle for value in (-0.04, 0.04)]
+    assert mirrored[0] == mirrored[1]
+
+
 def test_too_few_samples_are_refused_with_the_least_number() -> None:
     with pytest.raises(InputError, match=rf"samples = 39: .* needs at least 40; {SAMPLES} are usual"):
         predict(dry(**SPREADS), samples=39, workers=1)
