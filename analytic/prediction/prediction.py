@@ -167,17 +167,23 @@ def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int) -
     return interval_of(regression_of(found.scores, totals), normal_points(len(problem.inputs)), totals)
 
 
+def require_samples(samples: int, inputs: tuple[UncertainInput, ...]) -> None:
+    """Raises InputError for fewer samples than the ends of an interval and its regression need."""
+    least = least_samples(len(inputs))
+    if samples < least:
+        raise InputError(
+            f"samples = {samples}: an interval of {100 * COVERED:g} % with {len(inputs)} uncertain inputs "
+            f"needs at least {least}; {SAMPLES} are usual"
+        )
+
+
 def _problem(scene: Scene, nominal: FrictionTorque, samples: int | None) -> Problem:
     """What is evaluated. Raises InputError for what has no interval, or too few samples for one."""
     problem = problem_of(scene, nominal, uncertain_inputs(scene))
     if not problem.inputs:
         raise InputError("no input of the scene is uncertain, so that there is no interval: see [uncertainty]")
-    least = least_samples(len(problem.inputs))
-    if samples is not None and samples < least:
-        raise InputError(
-            f"samples = {samples}: an interval of {100 * COVERED:g} % with {len(problem.inputs)} uncertain inputs "
-            f"needs at least {least}; {SAMPLES} are usual"
-        )
+    if samples is not None:
+        require_samples(samples, problem.inputs)
     return problem
 
 

@@ -152,20 +152,21 @@ def _torque(
         part.columns[name][at] = values
     if grid.samples is None:
         return result.warnings
-    return (*result.warnings, *_interval(series, result, grid.samples, at, part))
+    _interval(series, result, grid.samples, at, part)
+    return result.warnings
 
 
-def _interval(series: Scene, result: FrictionTorque, samples: int, at: NDArray[np.intp], part: Part) -> tuple[str, ...]:
-    """Compute the interval of the total; why there is none."""
+def _interval(series: Scene, result: FrictionTorque, samples: int, at: NDArray[np.intp], part: Part) -> None:
+    """Compute the interval of the total. Points without one keep their torque, with the reason."""
     from analytic.prediction.prediction import predicted_interval  # with SciPy's statistics: half a second
 
     try:
         interval = predicted_interval(series, result, samples=samples)
     except FembearingError as problem:
-        return (f"no interval: {problem}",)
+        part.reasons.update(dict.fromkeys(at.tolist(), f"no interval: {_reason(problem)}"))
+        return
     for name, values in vars(interval).items():
         part.columns[f"torque_{name}"][at] = values
-    return ()
 
 
 def _at(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> Scene:

@@ -10,6 +10,7 @@ from typing import Any
 
 from analytic.errors import InputError
 from analytic.numerics.processes import LostWorkerError, each_done
+from analytic.scene import Scene
 from fembearing.compare.contact.mesh_seconds import about
 from fembearing.progress import Progress, silent
 from fembearing.sweep.cluster import each_done_by_cluster
@@ -74,7 +75,7 @@ def run_sweep(
             return _outcome(store, read, begun, computed=0, **finished)
         all_pieces = list(pieces(read))
         missing = [piece for piece in all_pieces if store.load(piece) is None]
-        read.first_scene()  # raises where no point is a valid scene
+        _require_samples(read, read.first_scene())  # which raises where no point is a valid scene
         lost = _compute(store, read, missing, workers=workers, scheduler=scheduler, progress=progress)
         progress(1.0, "gathering")
         reasons: list[str] = []
@@ -90,6 +91,19 @@ def run_sweep(
             store.finish(counts)
         done = sum(piece.stop - piece.start for piece in missing if piece not in lost)
         return _outcome(store, read, begun, computed=done, **counts)
+
+
+def _require_samples(grid: Grid, scene: Scene) -> None:
+    """Raises InputError for fewer samples than the interval needs, before any point is computed."""
+    if grid.samples is None:
+        return
+    from analytic.prediction.prediction import require_samples  # with SciPy's statistics: half a second
+    from analytic.prediction.spreads import uncertain_inputs
+
+    try:
+        require_samples(grid.samples, uncertain_inputs(scene))
+    except InputError as problem:
+        raise InputError(f"{grid.origin}: {problem}") from None
 
 
 def _compute(

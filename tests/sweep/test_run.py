@@ -374,11 +374,24 @@ def test_a_grid_with_samples_has_the_interval_of_each_point(grid_file: Write, tm
 
 
 @pytest.mark.usefixtures("in_process")
-def test_too_few_samples_leave_the_interval_out_and_say_why(grid_file: Write, tmp_path: Path) -> None:
-    found = run_sweep(grid_file("friction.coefficient = [0.05]\n", head="samples = 9"), out=tmp_path / "out").dataset()
-    assert "torque_low" not in found
-    assert found["torque_total"].size == 1
-    assert "no interval: samples = 9: an interval of 95 % with" in found.attrs["warnings"]
+def test_too_few_samples_are_refused_before_any_point(grid_file: Write, tmp_path: Path) -> None:
+    path = grid_file("friction.coefficient = [0.05]\n", head="samples = 9")
+    with pytest.raises(
+        InputError, match=r"toml: samples = 9: an interval of 95 % with \d uncertain inputs needs at lea"
+    ):
+        run_sweep(path, out=tmp_path / "out")
+
+
+@pytest.mark.usefixtures("in_process")
+def test_a_point_without_its_interval_keeps_its_torque_and_counts_as_failed(grid_file: Write, tmp_path: Path) -> None:
+    """An angle that is so uncertain passes the shoulder in many samples, which then have no torque."""
+    axes = 'uncertainty.bearing.contact_angle.free = ["0.02 rad", "1 rad"]'
+    run = run_sweep(grid_file(axes, head="samples = 64"), out=tmp_path / "out")
+    found = run.dataset().squeeze()
+    assert run.failed == 1
+    assert re.match(r"no interval: \d+ of 64 samples have no torque", run.reasons[0])
+    assert np.all(np.isfinite(found["torque_total"]))
+    np.testing.assert_array_equal(np.isfinite(found["torque_low"]), [True, False])
 
 
 @pytest.mark.parametrize(
