@@ -127,13 +127,15 @@ def checked_deviation(key: str, value: float, deviation: float) -> float:
     value : of the input
     """
     varied = UNCERTAIN[key]
+    unit = f" {varied.unit}" if varied.unit else ""
     if not 0 <= deviation < np.inf:
-        raise InputError(f"uncertainty.{key} = {deviation:g} {varied.unit}: give a standard deviation of at least 0")
+        raise InputError(f"uncertainty.{key} = {deviation:g}{unit}: give a standard deviation of at least 0")
     if varied.floor is not None and deviation > LARGEST_SHARE * (value - varied.floor):
         most = LARGEST_SHARE * (value - varied.floor)
+        above = f" above {varied.floor:g}" if varied.floor else ""
         raise InputError(
-            f"uncertainty.{key} = {deviation:.4g} {varied.unit}: is above {100 * LARGEST_SHARE:g} % of the value, "
-            f"{most:.4g} {varied.unit}; an input that is so uncertain is not known, give a smaller one"
+            f"uncertainty.{key} = {deviation:.4g}{unit}: is more than {100 * LARGEST_SHARE:g} % of the value{above}, "
+            f"{most:.4g}{unit}; an input that is so uncertain is not known, give a smaller one"
         )
     return deviation
 

@@ -86,7 +86,7 @@ def given_spreads(table: Table, scene: Scene) -> tuple[dict[str, float], list[tu
     for key, given in _leaves(table):
         value = uncertain_value(scene, key)
         if value is None:
-            problem = "is of an input that this scene does not have, or that its torque does not ask for; leave it out"
+            problem = "is of an input that this scene lacks or its torque does not depend on; leave it out"
             misfits.append((f"uncertainty.{key}", problem))
             continue
         try:

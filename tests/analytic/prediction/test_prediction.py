@@ -145,7 +145,7 @@ def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_defaul
     [
         ('lubricant.viscosity = "-6 %"', r"uncertainty.lubricant.viscosity = '-6 %' is out of range; give 0 to 300 %"),
         ('lubricant.viscosity = "301 %"', r"is out of range; give 0 to 300 %"),
-        ('lubricant.viscosity = "9 Pa s"', r"is above 300 % of the value, 0.\d+ Pa\*s"),
+        ('lubricant.viscosity = "9 Pa s"', r"is more than 300 % of the value, 0.\d+ Pa\*s"),
         (
             "lubricant.viscosity = 0.1",
             r"has no unit; give 0 to 10 Pa s, for example \"0.004 Pa s\", or",
@@ -156,7 +156,9 @@ def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_defaul
         ),
         ('lubricant.temperature = "2 degC"', r"is out of range; give 0 to 100 K, for example \"2 K\""),
         ('bearing.clearance = "3 %"', r"is a share, but this input needs the standard deviation itself"),
-        ('friction.coefficient = "3 %"', r"is of an input that this scene does not have"),
+        ('friction.coefficient = "3 %"', r"is of an input that this scene lacks"),
+        # The 6205 has grooves of 0.52 times its balls, 0.02 above the tightest groove.
+        ("bearing.inner.conformity = 0.07", r"= 0.07 is more than 300 % of the value above 0.5, 0.0\d+; an input that"),
     ],
 )
 def test_a_wrong_spread_gives_one_line(lines: str, complaint: str) -> None:
@@ -173,7 +175,7 @@ def test_a_wrong_spread_from_python_gives_one_line() -> None:
         ({"oil.viscosity": 0.1}, "uncertainty.oil.viscosity is of no input that varies; known: "),
         ({"losses.drag": 0.1}, "uncertainty.losses.drag is of an input that this scene does not have"),
         ({"losses.seals": -1e-3}, "uncertainty.losses.seals = -0.001 N m: give a standard deviation of at least 0"),
-        ({"losses.seals": 13e-3}, "uncertainty.losses.seals = 0.013 N m: is above 300 % of the value, 0.012 N m"),
+        ({"losses.seals": 13e-3}, "uncertainty.losses.seals = 0.013 N m: is more than 300 % of the value, 0.012 N m"),
     ):
         with pytest.raises(InputError, match=re.escape(complaint)):
             uncertain_inputs(replace(scene, uncertainty=spreads))
