@@ -41,6 +41,7 @@ SHARES = (
 )
 MEASURED_RANGE = "12 to 48 %"  # of validation/reports/measured.csv, which a test compares
 MEASURED = f"In the one rig with measured torques, three balls in oil, the torque is {MEASURED_RANGE} too low."
+LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inputs say nothing
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 
@@ -215,6 +216,14 @@ def predicted_torque(prediction: "Prediction") -> str:
         for point in prediction.ends
     ]
     return f"Friction torque with its 95 % interval: {', '.join(each)}."
+
+
+def explained_words(prediction: "Prediction") -> str:
+    """How far to trust the shares of the inputs, in a sentence."""
+    known = f"The regression that the shares are read from predicts {100 * prediction.explained:.0f} % or more of the "
+    if prediction.explained < LEAST_EXPLAINED:
+        return f"{known}variance: which inputs matter is not known; more samples or smaller spreads may tell."
+    return f"{known}variance; the rest is attributed to no input, and is not in the standard errors."
 
 
 def interval_words(prediction: "Prediction") -> str:

@@ -92,6 +92,11 @@ class Prediction(Table):
         each += [(p.total.high, p.total.high_error) for p in self.points]
         return max((error / abs(end) for end, error in each if end), default=0.0)
 
+    @property
+    def explained(self) -> float:
+        """The least share of the variance, at any point, that the indices are of; 0 where the regression fails."""
+        return max(0.0, min(point.explained for point in self.points))
+
     @model_validator(mode="after")
     def every_input_has_its_indices(self) -> "Prediction":
         """Refuse indices of other inputs than those listed."""

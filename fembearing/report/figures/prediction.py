@@ -7,7 +7,7 @@ from fembearing.quantities import NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.prediction import PredictedPoint, Prediction
 from fembearing.report.document.report import Report
 from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY
-from fembearing.report.phrases import MADE_OF, input_name, loads_of, present_loads
+from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads
 
 NM = NEWTON_MILLIMETRE.factor
 MOST = 10  # inputs that are drawn
@@ -25,8 +25,7 @@ def prediction_plot(document: Report) -> tuple[Figure | None, str]:
         "inputs or only the formulas were uncertain; the line is the torque as computed. The parts do not add up. "
         "Below: the share of the variance of the total that each input makes, alone (dark) and with its products with "
         "others (light), with two standard errors. "
-        f"{prediction.samples} samples, seed {prediction.seed}; the regression that the shares are read from predicts "
-        f"{100 * min(point.explained for point in prediction.points):.0f} % or more of the variance."
+        f"{prediction.samples} samples, seed {prediction.seed}. {explained_words(prediction)}"
     )
 
 

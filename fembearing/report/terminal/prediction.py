@@ -6,7 +6,7 @@ from rich.console import Console
 
 from fembearing.quantities import NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.prediction import Prediction
-from fembearing.report.phrases import MADE_OF, input_name, interval_at, interval_words
+from fembearing.report.phrases import MADE_OF, explained_words, input_name, interval_at, interval_words
 from fembearing.report.terminal.table import table_of
 
 NM = NEWTON_MILLIMETRE.factor
@@ -43,7 +43,7 @@ def print_prediction(out: Console, prediction: Prediction, points: Sequence[int]
             ),
         )
     out.print(ranked)
-    out.print("In all: with its products with others. +-: standard errors.", style="dim")
+    out.print(f"In all: with its products with others. +-: standard errors. {explained_words(prediction)}", style="dim")
     formulas = [
         f"{MADE_OF[name].removeprefix('of them: ')} {' and '.join(_between(point.made_of[name]) for point in ends)}"
         for name in ends[0].made_of

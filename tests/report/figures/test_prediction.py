@@ -78,9 +78,19 @@ def test_the_terminal_shows_ends_parts_inputs_and_failures() -> None:
         "the standard error of an end is at most 1.8 %",  # 7e-4 of 1.9 x 0.021
         "2 of 300 samples have no torque and are left out: a ball fell out (2 times).",
         "Not in it: the moon.",
+        "predicts 97 % or more of the variance; the rest is attributed to no input",
         "film formula 18.9-23.1 and 30.6-37.4",
     ):
         assert word in words, word
+
+
+def test_shares_of_a_regression_that_predicts_nothing_are_said_to_be_unknown() -> None:
+    """Left-out predictions can miss by more than the mean does: their share of the variance is then below 0."""
+    failed = content()
+    failed["points"][1]["explained"] = -1600.7
+    out = StringIO()
+    print_prediction(Console(file=out, width=80), Prediction.model_validate(failed), [0, 1])
+    assert "predicts 0 % or more of the variance: which inputs matter is not known" in " ".join(out.getvalue().split())
 
 
 def test_the_figure_has_the_ends_of_every_part_and_the_indices_of_the_inputs_that_matter() -> None:
