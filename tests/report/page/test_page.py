@@ -180,6 +180,15 @@ def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: V
     assert "K_pb" not in page.text
 
 
+def test_a_clearance_is_that_of_a_radial_bearing_alone(checked: Validation, page: Page, tmp_path: Path) -> None:
+    """The grooves of washers lie on one circle, so that the formula of the clearance says nothing there."""
+    washers = replace(checked.scene, bearing=replace(checked.scene.bearing, kind="thrust"))
+    other = page_of(replace(with_scene(checked, washers), torque=None, torque_change=None), tmp_path)
+    assert "diametral clearance" in page.text
+    assert "pitch diameter" in other.text
+    assert "diametral clearance" not in other.text
+
+
 def test_hard_cases_and_a_missing_renderer_are_shown(checked: Validation, tmp_path: Path) -> None:
     hard = (HardOutcome(case="an odd one", outcome="wrong", detail="3, expected 2"),)
     page = Page(written_page(replace(checked, hard=hard), tmp_path, trouble="VTK ended with signal 6"))
