@@ -128,6 +128,7 @@ def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> Frictio
             **{**parts, "total": total, "declared": summed(each.torque.declared, at_rest or 0.0)},
         ),
         numerical_uncertainty=np.where(unknown > 0, np.inf, share_in(finite, total)),
+        ring=None,
         pair=PairPart(
             kind=scene.arrangement.kind,
             equilibrium=found,

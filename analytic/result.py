@@ -12,6 +12,7 @@ from analytic.cage.torque import CAGE_KEYS, CagePart
 from analytic.effects.ledger import Effect
 from analytic.effects.table import CHOSEN, DECLARED
 from analytic.loads.pair import PairEquilibrium
+from analytic.loads.ring_state import RingState
 from analytic.scene import ArrangementKind, Array, Clearances, Scene, Sliding
 
 POINT = "point"  # the dimension of a dataset
@@ -188,6 +189,7 @@ class FrictionTorque:
     gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
     clearances: Clearances | None = None  # how the bearing came to its clearance; None: its seats are not given
     pair: PairPart | None = None  # each bearing by itself; None: there is one
+    ring: RingState | None = None  # displacement and stiffness of the ring, every ball; None for a pair
 
     def at(self, points: NDArray[np.intp]) -> "FrictionTorque":
         """The torque at some operating points; effects, warnings and what else belongs to the whole series stay."""
@@ -320,6 +322,7 @@ class FrictionTorque:
                 "model_parts": parts,
             },
             "cage": dict.fromkeys(CAGE_KEYS) if self.cage is None else self.cage.at(index),
+            "ring": None if self.ring is None else self.ring.to_json(index),
         }
 
 
@@ -329,6 +332,8 @@ def _rows(value: Any, points: NDArray[np.intp]) -> Any:
         return value[points]
     if isinstance(value, CagePart):
         return value.of_points(points)
+    if isinstance(value, RingState):
+        return value.at(points)
     if isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
         return replace(value, **{name: _rows(part, points) for name, part in vars(value).items()})
     return value

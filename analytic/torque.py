@@ -26,6 +26,7 @@ from analytic.effects.warnings import torque_warnings
 from analytic.effects.washers import held_in_the_middle
 from analytic.errors import FembearingError, InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
+from analytic.loads.ring_state import state_of_ring
 from analytic.oil.inlets import Inlets, starvation_source
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.pair import pair_in_series, pair_torque
@@ -116,6 +117,7 @@ def friction_torque(
         boundary_share=OnRaces(**_on_races(None if mixed is None else mixed.boundary_share, at)),
         inner=_loaded(balls, 0, at),
         outer=_loaded(balls, 1, at),
+        ring=state_of_ring(scene.bearing, scene.contact_angle, balls),
         effects=ledger.effects(parts, total),
         sliding="auto" if sliding is None else sliding.method,
         clearances=scene.clearances,

@@ -71,7 +71,7 @@ def settled_ball(
     still = BallBalance(
         energy=0.4 * load * approach,
         force=load[..., None] * normal,
-        tangent=_spring_tangent(1.5 * stiffness * np.sqrt(approach), load / length, normal),
+        tangent=contact_tangent(1.5 * stiffness * np.sqrt(approach), load / length, normal),
         inner_load=load,
         outer_load=load,
         inner_angle=angle,
@@ -148,14 +148,11 @@ def _pushed_balls(
         remedy="Check the speed and the ball's mass for a slipped unit.",
     )
     inner, outer = balls.inner, balls.outer
-    # A force too small to press a ball in leaves it free: then both springs are slack, and so are two in a row.
-    slack = np.trace(balls.tangent, axis1=-2, axis2=-1) == 0
-    held = balls.tangent + slack[:, None, None] * np.eye(2)
     toward = np.where(inner.load[:, None] > 0, given.span - balls.place, given.span)
     return BallBalance(
         energy=balls.energy,
         force=inner.force,
-        tangent=inner.tangent @ np.linalg.solve(held, outer.tangent),  # two springs in a row
+        tangent=in_series(inner.tangent, outer.tangent),
         inner_load=inner.load,
         outer_load=outer.load,
         inner_angle=np.arctan2(toward[:, 1], toward[:, 0]),
@@ -197,12 +194,22 @@ def _contact(vector: Array, natural_length: float, stiffness: Array) -> _Spring:
     return _Spring(
         load=load,
         force=load[:, None] * normal,
-        tangent=_spring_tangent(1.5 * stiffness * root, load / length, normal),
+        tangent=contact_tangent(1.5 * stiffness * root, load / length, normal),
         energy=0.4 * load * approach,
     )
 
 
-def _spring_tangent(normal_stiffness: Array, side_stiffness: Array, normal: Array) -> Array:
+def in_series(inner: Array, outer: Array) -> Array:
+    """Tangent of two contact springs with the ball between them, (..., 2, 2), N/m.
+
+    A force too small to press a ball in leaves it free: then both springs are slack, and so are two in a row.
+    """
+    both = inner + outer
+    slack = np.trace(both, axis1=-2, axis2=-1) == 0
+    return inner @ np.linalg.solve(both + slack[..., None, None] * np.eye(2), outer)
+
+
+def contact_tangent(normal_stiffness: Array, side_stiffness: Array, normal: Array) -> Array:
     """Tangent of a spring, N/m: its own stiffness along the normal, load over length at right angles to it."""
     outer_product = normal[..., :, None] * normal[..., None, :]
     return (

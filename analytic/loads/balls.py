@@ -46,6 +46,7 @@ class LoadedBalls:
     ball_radius: float  # r, m
     load: Array  # (2, n, m) Q, N, >= 0
     contact_angle: Array  # (2, n, m) al, rad, >= 0 but where both angles are near 0
+    side: Array  # (n, m) 1, or -1 where the ball is pressed the other way: its angles have the other sign
     contact: HertzContact  # (2, n, m)
     curvature_rolling: Array  # (2, n, m) 1/R_x, relative, 1/m
     curvature_transverse: Array  # (2, n, m) 1/R_y, 1/m
@@ -84,6 +85,7 @@ class LoadedBalls:
             self,
             load=self.load[:, points],
             contact_angle=self.contact_angle[:, points],
+            side=self.side[points],
             contact=HertzContact(**contact),
             curvature_rolling=self.curvature_rolling[:, points],
             curvature_transverse=self.curvature_transverse[:, points],
@@ -241,7 +243,8 @@ def balls_between(
     motion : per unit ring speed, likewise
     """
     shape = load.shape[1:]
-    angle = np.where(angle.sum(axis=0) < 0, -angle, angle)
+    side = np.where(angle.sum(axis=0) < 0, -1.0, 1.0)
+    angle = side * angle
     grooves = (bearing.inner, bearing.outer)
     curvatures = [
         race_curvatures(bearing, race, contact_angle=np.abs(of_race))
@@ -253,6 +256,7 @@ def balls_between(
         ball_radius=bearing.ball_radius,
         load=load,
         contact_angle=angle,
+        side=side,
         contact=HertzContact(
             **{
                 name: np.stack([getattr(contact, name).reshape(shape) for contact in contacts])

@@ -5,6 +5,7 @@ freedoms and the angles are; `analytic.loads.ball_balance` settles each ball.
 """
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,6 +63,32 @@ class RingState(ConvexState):
     balls: BallBalance  # (n, Z)
 
 
+class GrooveTravel(NamedTuple):
+    """How the inner groove at each of Z balls follows the five freedoms of the inner part."""
+
+    arm: float  # R, m
+    azimuth: Array  # (Z,) rad
+    offset: Array  # (Z,) along z where nothing is displaced, m
+    travel: Array  # (Z, 2, 5) radial and axial, by each freedom; tilts times R
+
+
+def groove_travel(bearing: Bearing, rows: tuple[Row, ...] = (Row(),)) -> GrooveTravel:
+    """The travel of the grooves; fewer than three balls in a row hold z alone."""
+    arm = bearing.inner.bottom_radius + bearing.inner.groove_radius
+    around = 2 * np.pi * np.arange(bearing.ball_count) / bearing.ball_count
+    azimuth = np.tile(around, len(rows))
+    side, position, offset = (
+        np.repeat([getattr(row, name) for row in rows], bearing.ball_count) for name in ("side", "position", "offset")
+    )
+    cosine, sine, zero = np.cos(azimuth), np.sin(azimuth), np.zeros(azimuth.size)
+    away = position / arm
+    radial = np.stack([zero, cosine, sine, -away * sine, away * cosine])
+    axial = side * np.stack([zero + 1, zero, zero, sine, -cosine])
+    if bearing.ball_count < LEAST_BALLS:
+        radial[1:], axial[1:] = 0.0, 0.0
+    return GrooveTravel(arm, azimuth, offset, np.stack([radial.T, axial.T], axis=1))
+
+
 class RowsOfBalls:
     """The balls seen from the inner part: how far the groove at each ball travels, and which force that takes."""
 
@@ -76,20 +103,11 @@ class RowsOfBalls:
         rows: tuple[Row, ...] = (Row(),),
     ) -> None:
         self.bearing, self.play, self.correction, self.turning = bearing, play, correction, turning
-        self.arm = bearing.inner.bottom_radius + bearing.inner.groove_radius  # R, m
-        around = 2 * np.pi * np.arange(bearing.ball_count) / bearing.ball_count
-        self.azimuth = np.tile(around, len(rows))
-        side, position, self.offset = (
-            np.repeat([getattr(row, name) for row in rows], bearing.ball_count)
-            for name in ("side", "position", "offset")
-        )
-        cosine, sine, zero = np.cos(self.azimuth), np.sin(self.azimuth), np.zeros(self.azimuth.size)
-        away = position / self.arm
-        self.radial = np.stack([zero, cosine, sine, -away * sine, away * cosine])  # (5, Z): u_r of each freedom
-        self.axial = side * np.stack([zero + 1, zero, zero, sine, -cosine])  # (5, Z): u_a
-        if bearing.ball_count < LEAST_BALLS:
-            self.radial[1:], self.axial[1:] = 0.0, 0.0
-        self.travel = np.stack([self.radial.T, self.axial.T], axis=1)  # (Z, 2, 5)
+        geometry = groove_travel(bearing, rows)
+        self.arm, self.azimuth, self.offset, self.travel = geometry
+        self.radial, self.axial = self.travel[:, 0].T, self.travel[:, 1].T  # (5, Z): u_r and u_a of each freedom
+        cosine, sine = np.cos(self.azimuth), np.sin(self.azimuth)
+        side = np.repeat([row.side for row in rows], bearing.ball_count)
         x, y, z = ball_weight
         self.weight = np.stack([x * cosine + y * sine, side * z], axis=-1)  # (Z, 2): radial and axial, N
 

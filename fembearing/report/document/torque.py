@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from fembearing.report.document.prediction import Prediction
+from fembearing.report.document.ring import RingState
 from fembearing.report.document.table import (
     Label,
     Numbers,
@@ -102,6 +103,7 @@ class Point(OperatingPoint):
     contact: BothRaces
     uncertainty: Uncertainty
     cage: CageState
+    ring: RingState | None  # None for a pair
 
 
 class Effect(Table):

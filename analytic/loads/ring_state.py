@@ -1,0 +1,120 @@
+"""The ring and its balls as a result: place and stiffness of the inner ring, load and angle of every ball.
+
+They follow from the loads and contact angles of the balls alone, whatever method solved for these. Axes, signs and the
+point that displacement and moment refer to are those of `analytic.loads.ring`.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.loads.ball_balance import contact_tangent, in_series
+from analytic.loads.balls import LoadedBalls
+from analytic.loads.ring_balance import groove_travel
+from analytic.loads.thrust import play_and_free_angle
+from analytic.scene import Array, Bearing, ContactAngle
+
+FREEDOMS = ("axial", "x", "y", "tilt_x", "tilt_y")
+UNLOADED = 1e-9  # load over that of the heaviest ball, below which a ball says nothing of the ring's place
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RingState:
+    """The inner ring against the outer one at n operating points, with the Z balls between them."""
+
+    bearing: Bearing
+    angle: ContactAngle
+    load: Array  # (n, 2, Z) Q on inner and outer race, N
+    contact_angle: Array  # (n, 2, Z) rad, negative where the ball is pressed towards -z
+    approach: Array  # (n, 2, Z) delta, m
+
+    def at(self, points: NDArray[np.intp]) -> "RingState":
+        """The state at some operating points."""
+        rows = {name: getattr(self, name)[points] for name in ("load", "contact_angle", "approach")}
+        return replace(self, **rows)
+
+    @property
+    def azimuth(self) -> Array:
+        """(Z,) of each ball, rad, from x towards y."""
+        return groove_travel(self.bearing).azimuth
+
+    @cached_property
+    def displacement(self) -> Array | None:
+        """(n, 5) along z, x and y, m; tilt about x and y, rad; from concentric rings with their grooves in line.
+
+        In a thrust bearing it begins where the washers just touch the balls. Where the loaded balls leave a freedom, as
+        where one ball alone carries load, it is the smallest displacement that fits. None for a contact angle that the
+        scene gives, which no displacement belongs to.
+        """
+        bearing = self.bearing
+        distance = bearing.groove_centre_distance
+        if bearing.kind == "thrust":
+            beyond = np.array([0.0, distance])
+        elif self.angle.rule == "given":
+            return None
+        else:
+            beyond = np.array([distance - play_and_free_angle(bearing, self.angle)[0], 0.0])
+        geometry = groove_travel(bearing)
+        # The way from the outer groove's centre by the ball's to the inner one's, less that of the rings in line.
+        moved = (self._arms[..., None] * self._normal).sum(axis=1) - beyond  # (n, Z, 2)
+        scale = np.array([1.0, 1.0, 1.0, geometry.arm, geometry.arm])
+        place = np.zeros((len(moved), 5))
+        loaded = np.min(self.load, axis=1) > UNLOADED * np.max(self.load, axis=(1, 2))[:, None]
+        for row, balls in enumerate(loaded):
+            if balls.any():
+                travel = geometry.travel[balls].reshape(-1, 5)
+                place[row] = np.linalg.lstsq(travel, moved[row, balls].ravel(), rcond=1e-12)[0]
+        return place / scale
+
+    @cached_property
+    def stiffness(self) -> Array:
+        """(n, 5, 5) of force and moment by displacement and tilt, N/m, N and N m, with each contact's K held.
+
+        Symmetric. The balls' own forces are held too. Fewer than three balls leave the freedoms but z a stiffness of 0.
+        """
+        geometry = groove_travel(self.bearing)
+        pressed = self.load > 0
+        along = np.divide(1.5 * self.load, self.approach, out=np.zeros_like(self.load), where=pressed)
+        inner, outer = np.moveaxis(contact_tangent(along, self.load / self._arms, self._normal), 1, 0)
+        balls = geometry.travel.swapaxes(-1, -2) @ in_series(inner, outer) @ geometry.travel
+        scale = np.array([1.0, 1.0, 1.0, geometry.arm, geometry.arm])
+        return balls.sum(axis=1) * np.outer(scale, scale)
+
+    @property
+    def _arms(self) -> Array:
+        """(n, 2, Z) from the centre of the ball to that of each groove, m."""
+        lengths = [
+            groove.groove_radius - self.bearing.ball_radius for groove in (self.bearing.inner, self.bearing.outer)
+        ]
+        return np.reshape(lengths, (2, 1)) + self.approach
+
+    @property
+    def _normal(self) -> Array:
+        """(n, 2, Z, 2) of each contact: radial and axial."""
+        return np.stack([np.cos(self.contact_angle), np.sin(self.contact_angle)], axis=-1)
+
+    def to_json(self, point: int) -> dict[str, Any]:
+        """One operating point as plain types, SI; angles of unloaded contacts are None."""
+        place = self.displacement
+        balls: dict[str, Sequence[float | None]] = {"azimuth": self.azimuth.tolist()}
+        for side, race in enumerate(("inner", "outer")):
+            load, angle = self.load[point, side], self.contact_angle[point, side]
+            balls[f"{race}_load"] = load.tolist()
+            balls[f"{race}_angle"] = [float(each) if q > 0 else None for each, q in zip(angle, load, strict=True)]
+        return {
+            "displacement": None if place is None else dict(zip(FREEDOMS, place[point].tolist(), strict=True)),
+            "stiffness": self.stiffness[point].tolist(),
+            "balls": balls,
+        }
+
+
+def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: LoadedBalls) -> RingState:
+    """The state of ring and balls; balls : all of the bearing, under thrust one that stands for all."""
+    count = (2, balls.load.shape[1], bearing.ball_count)
+    each = (balls.load, balls.side * balls.contact_angle, balls.contact.approach)
+    load, contact_angle, approach = (np.broadcast_to(values, count).swapaxes(0, 1) for values in each)
+    return RingState(bearing=bearing, angle=angle, load=load, contact_angle=contact_angle, approach=approach)
