@@ -1,11 +1,12 @@
 """The inputs of a scene: where they come from, how uncertain they are, and which of them a prediction varies."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.scene import Bearing, Groove, Origin, Scene
+from analytic.scene import Bearing, Groove, Material, Origin, Scene
 
 UNITS = {
     **dict.fromkeys(("ball_count", "conformity", "limiting_shear", "boundary_friction"), "1"),
@@ -16,6 +17,12 @@ UNITS = {
     "pressure_viscosity": "1/Pa",
     "thermal_conductivity": "W/m/K",
     "density": "kg/m^3",
+    "temperature": "K",
+    **dict.fromkeys(("free", "value"), "rad"),
+    **dict.fromkeys(("axial_load", "radial_load", "preload"), "N"),
+    **dict.fromkeys(("moment", "seals", "drag"), "N m"),
+    **dict.fromkeys(("coefficient", "friction_coefficient", "hysteresis_loss"), "1"),
+    **dict.fromkeys(("start", "material", "ball_material"), ""),
 }
 LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the value is not known
 TIGHTEST_GROOVE = 0.5  # conformity of a groove that fits the ball
@@ -26,8 +33,8 @@ class StatedInput:
     """One input: what it is, and how far to trust it."""
 
     key: str  # of the scene file, "bearing.ball_diameter"
-    value: float | None  # None: not known
-    unit: str  # SI; "1" for a pure number
+    value: float | str | None  # a word of the scene file where it is no number; None: not known
+    unit: str  # SI; "1" for a pure number, "" for a word
     origin: Origin  # its uncertainty is a standard deviation, in the same unit
 
 
@@ -82,15 +89,53 @@ UNCERTAIN: dict[str, Varied] = {
 }
 
 
+# By the keys of [assumed].
+ASSUMABLE = (
+    *(key for key in UNCERTAIN if not key.startswith("model.")),
+    *("cage.pocket_clearance", "cage.wall_thickness", "cage.material", "cage.start"),
+)
+
+
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
-    """The inputs of bearing, oil and surface that have an origin, in the order of the scene file."""
-    tables = (("bearing", scene.bearing), ("lubricant", scene.lubricant), ("surface", scene.surface))
-    return tuple(
-        StatedInput(key=f"{name}.{key}", value=_stated(scene, table, key), unit=_unit(key), origin=origin)
-        for name, table in tables
+    """The inputs that have an origin: those of bearing, oil and surface, and what the scene says it assumes."""
+    known = known_inputs(scene)
+    assumed = {
+        key: replace(known[key], origin=_assumed(known[key].origin, scene.assumed[key])) for key in scene.assumed
+    }
+    return tuple((_with_origin(scene) | assumed).values())
+
+
+def known_inputs(scene: Scene) -> dict[str, StatedInput]:
+    """By key: the inputs with an origin, and the others that a scene may declare as assumed; these count as given."""
+    given = Origin(status="given", uncertainty=None, source="the scene")
+    values: dict[str, float | str | None] = {key: uncertain_value(scene, key) for key in ASSUMABLE if key in UNCERTAIN}
+    if scene.cage is not None:
+        values["cage.pocket_clearance"] = scene.cage.pocket_diameter - scene.bearing.ball_diameter
+        values["cage.wall_thickness"] = scene.cage.wall_thickness
+        values["cage.material"] = scene.cage.material.name
+        values["cage.start"] = scene.cage.start
+    others = {
+        key: StatedInput(key=key, value=value, unit=_unit(key), origin=given)
+        for key, value in values.items()
+        if value is not None
+    }
+    return others | _with_origin(scene)
+
+
+def _with_origin(scene: Scene) -> dict[str, StatedInput]:
+    tables = {name: getattr(scene, name) for name in ("bearing", "lubricant", "surface")}
+    return {
+        f"{name}.{key}": StatedInput(
+            key=f"{name}.{key}", value=_stated(scene, table, key), unit=_unit(key), origin=origin
+        )
+        for name, table in tables.items()
         if table is not None
         for key, origin in table.origins.items()
-    )
+    }
+
+
+def _assumed(origin: Origin, source: str) -> Origin:
+    return replace(origin, status="assumed", source=source)
 
 
 def uncertain_value(scene: Scene, key: str) -> float | None:
@@ -140,11 +185,12 @@ def checked_deviation(key: str, value: float, deviation: float) -> float:
     return deviation
 
 
-def _stated(scene: Scene, table: object, key: str) -> float | None:
-    """The value of a key as it is stated, SI; the clearance is that before mounting."""
+def _stated(scene: Scene, table: object, key: str) -> float | str | None:
+    """The value of a key as it is stated, SI or a word; the clearance is that before mounting."""
     if isinstance(table, Bearing) and key == "clearance" and scene.clearances is not None:
         return scene.clearances.unmounted
-    return _value(table, key)
+    value = _value(table, key)
+    return value.name if isinstance(value, Material) else value
 
 
 def _of_oil(scene: Scene, table: str, key: str) -> float | None:
@@ -160,8 +206,8 @@ def _of_oil(scene: Scene, table: str, key: str) -> float | None:
     return (_value(surface, key) or None) if mixed and has_part else None
 
 
-def _value(table: object, key: str) -> float | None:
-    """The value of a key, SI."""
+def _value(table: object, key: str) -> Any:
+    """The value of a key: a number in SI, a material, or None."""
     if isinstance(table, Bearing) and key == "clearance":
         return table.diametral_clearance
     part = table

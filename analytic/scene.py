@@ -108,10 +108,7 @@ class Land:
 
 @dataclass(frozen=True, kw_only=True)
 class Cage:
-    """The ball cage: a sheet with a spherical pocket around each ball, and how it moves.
-
-    A motion of the cage needs `start`.
-    """
+    """The ball cage: a sheet with a spherical pocket around each ball, and how it moves."""
 
     pocket_diameter: float  # D_p, m
     pocket_depth: float  # k, m
@@ -339,6 +336,7 @@ class Scene:
     microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
     effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
     uncertainty: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))  # SI, see `analytic.inputs`
+    assumed: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))  # sources, by key
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
     down: tuple[float, float, float] | None = None  # direction of gravity along x, y, z, of length 1; None: unknown
     warnings: tuple[str, ...] = ()

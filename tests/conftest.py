@@ -88,14 +88,14 @@ class Checked(NamedTuple):
 @pytest.fixture(scope="session")
 def checked_with_progress(shallow: "Callable[[str], Recipe]") -> Checked:
     """The built-in scene, checked on coarse meshes with a tolerance that needs no finer one."""
-    from analytic.scenefile.read import builtin_scene, load_scene
+    from analytic.scenefile.read import load_scene
     from fembearing.compare.contact import scene_contact
     from fembearing.compare.validation import check_scene
 
     shares: list[float] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scene_contact, "load_recipe", shallow)
-        scene = load_scene(builtin_scene("paper_6205"))
+        scene = load_scene("6205-dry")
         return Checked(check_scene(scene, tolerance=0.9, progress=lambda share, _: shares.append(float(share))), shares)
 
 

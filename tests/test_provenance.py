@@ -3,12 +3,12 @@
 import json
 from dataclasses import replace
 
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.provenance import provenance_of
 
 
 def test_a_result_holds_its_scene_in_full() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     content = json.loads(json.dumps(provenance_of(scene)))["scene_content"]
     assert content["operation"]["axial_load"] == scene.operation.axial_load.tolist()
     assert content["bearing"]["inner"]["groove_radius"] == scene.bearing.inner.groove_radius
@@ -17,8 +17,8 @@ def test_a_result_holds_its_scene_in_full() -> None:
 
 
 def test_the_hash_depends_on_the_scene_alone() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
-    again = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
+    again = load_scene("6205-dry")
     other = replace(scene, bearing=replace(scene.bearing, ball_diameter=scene.bearing.ball_diameter * (1 + 1e-12)))
     first, second, third = (provenance_of(one)["scene_sha256"] for one in (scene, again, other))
     assert first == second != third

@@ -24,9 +24,8 @@ import meshio
 import numpy as np
 import typer
 
-from analytic import friction_torque, load_scene
+from analytic import catalog, friction_torque, load_scene
 from analytic.errors import FembearingError
-from analytic.scenefile.read import builtin_scene
 from analytic.surface.heightmap import measure, read_height_map
 from fembearing.compare.memory import peak_memory, peak_while
 from fembearing.mesh.meshfile import read_body
@@ -55,7 +54,7 @@ BYTES = (
     *(b"\x00", b"\xff\xfe", b"\xef\xbb\xbf", b"\r", b"\n", b"'''", b'"""'),
     *(b"[", b"]", b"=", b"#", b"{", b"}", b"<", b">"),
 )
-SCENES = (builtin_scene("paper_6205"), *sorted((ROOT / "validation" / "scenes").glob("*.toml")))
+SCENES = (catalog.path("scenes", "6205-dry"), *sorted((ROOT / "validation" / "scenes").glob("*.toml")))
 MESHES = tuple(sorted((ROOT / "meshes" / "reference").glob("*.vtu")))
 
 

@@ -19,7 +19,7 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic.scene import Array
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from paper_cage import (
     CLEARANCE,
     FASTEST,
@@ -67,7 +67,7 @@ def main() -> None:
     free = on_free_balls(cage_scene("calibrated", at_finish(load("calibrated"), SMOOTH), inner_speed=FASTEST))
     write_json(readings, jumps, mixed, folder / "paper.json")
     draw_pocket(needed, mixed, fit.rough["inner_speed"], pocket)
-    write_page(readings, table_1(load_scene(builtin_scene("paper_6205"))), surfaces, mixed, free, folder / "paper.md")
+    write_page(readings, table_1(load_scene("6205-dry")), surfaces, mixed, free, folder / "paper.md")
 
 
 def mixed_coefficients(fit: Comparison) -> dict[tuple[str, float], Array]:

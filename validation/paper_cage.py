@@ -19,7 +19,7 @@ from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import DrivenCage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Array, Cage, CageStart, ContactAngle, Decision, Operation, Scene
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 
 ROUGH, SMOOTH = 1e-6, 0.1e-6  # Sq, m
@@ -61,7 +61,7 @@ def at_finish(scene: Scene, rms_roughness: float) -> Scene:
 
 
 def catalog_cage() -> Cage:
-    cage = load_scene(builtin_scene("paper_6205")).cage
+    cage = load_scene("6205-dry").cage
     assert cage is not None
     return cage
 
@@ -73,7 +73,7 @@ def printed_pocket() -> Cage:
 
 def loose_cage(*, clearance: float, start: CageStart, friction_coefficient: float | None) -> Cage:
     """The catalog's cage in pockets of one sphere; clearance : of the diameter, m; None: mixed lubrication."""
-    diameter = load_scene(builtin_scene("paper_6205")).bearing.ball_diameter + clearance
+    diameter = load_scene("6205-dry").bearing.ball_diameter + clearance
     return replace(
         catalog_cage(),
         pocket_diameter=diameter,

@@ -27,7 +27,8 @@ RIVALS = (
     ("far_shoulder_half_width", "far_shoulder_height", "far_shoulder_diameter"),
 )
 OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
-NO_DIMENSIONS = ("catalog", "name", "kind", "material", "ball_material")
+MATERIALS = ("ball_material", *(f"{ring}.material" for ring in RINGS))
+NO_DIMENSIONS = ("catalog", "name", "kind")
 BEARING_STEEL = "100Cr6"  # of every bearing of the catalogue: through-hardened, as makers print it
 SPAN = 12**0.5  # of a uniform distribution, over its standard deviation
 ANGLE_SPREAD = np.radians(1.5)  # standard deviation of a nominal contact angle; judgement, no tolerance was read
@@ -344,7 +345,7 @@ def _origins(own: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Or
     if "inner.bottom_radius" in said:
         said |= {"pitch_diameter", "clearance"}
     given = Origin(status="given", uncertainty=None, source="the scene")
-    return origins | dict.fromkeys(said, given)
+    return origins | {key: given for key in said if key not in MATERIALS or key in origins}
 
 
 def _said_by(key: str) -> str:

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from analytic import catalog
 from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.errors import InputError
 from analytic.scene import (
@@ -28,6 +27,7 @@ from analytic.scene import (
     Scene,
 )
 from analytic.scenefile import fit
+from analytic.scenefile.assumed_table import given_assumptions
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
 from analytic.scenefile.find import find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
@@ -43,7 +43,7 @@ from analytic.scenefile.tables import (
     OperationTable,
     SceneTable,
 )
-from analytic.scenefile.text import parse_text, shown
+from analytic.scenefile.text import parse_text
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
 # Thrust over radial load times tan(angle) at which all balls of a bearing, and half of them, are loaded: 1.67 and 1.22
@@ -61,16 +61,6 @@ def load_scene(scene: str | os.PathLike[str]) -> Scene:
     """
     found = find_scene(scene)
     return parse_scene(found.text, origin=found.origin, folder=found.folder)
-
-
-def builtin_scene(name: str) -> Path:
-    """The path of a built-in scene, for load_scene. Raises InputError for an unknown name."""
-    known = catalog.names("scenes")
-    if name not in known:
-        raise InputError(
-            f"no built-in scene {shown(name)}; give one of {', '.join(known)}, or the path of a scene file"
-        )
-    return catalog.path("scenes", name)
 
 
 def parse_scene(text: str, *, origin: str, folder: Path = Path()) -> Scene:
@@ -268,7 +258,9 @@ def _scene(
         warnings=(*(() if row is None else row.warnings), *_loose(table, row), *fit.warnings(bearing, cage), *notes),
     )
     spreads, unfitting = given_spreads(table.uncertainty, scene)
-    return replace(scene, uncertainty=MappingProxyType(spreads)), [*misfits, *unplaced, *unfitting]
+    sources, unmatched = given_assumptions(table.assumed, scene)
+    scene = replace(scene, uncertainty=MappingProxyType(spreads), assumed=MappingProxyType(sources))
+    return scene, [*misfits, *unplaced, *unfitting, *unmatched]
 
 
 def _gap_key(given: BearingTable) -> str:

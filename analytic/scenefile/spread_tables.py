@@ -4,17 +4,14 @@ A percentage is a share of the input's value; a quantity, or a pure number, is t
 are those of the inputs; `analytic.inputs` lists them.
 """
 
-from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any
-
-from pydantic import Field, create_model
 
 from analytic.errors import InputError
 from analytic.inputs import LARGEST_SHARE, UNCERTAIN, Varied, checked_deviation, uncertain_value
 from analytic.scene import Scene
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.table import Table
+from analytic.scenefile.table import Table, given_paths, table_of_paths
 
 SHARE = Dimension(unit="", low=0, high=LARGEST_SHARE, example='"10 %"')
 # Standard deviation, by the unit. That it is at most 300 % of the value is checked too.
@@ -55,35 +52,19 @@ def _field(varied: Varied) -> Any:
     return Annotated[GivenSpread | None, dimension], None
 
 
-def _table(name: str, keys: Mapping[str, Varied]) -> type[Table]:
-    """A table of these keys, which are paths."""
-    parts: dict[str, dict[str, Varied]] = {}
-    for key, varied in keys.items():
-        first, _, rest = key.partition(".")
-        parts.setdefault(first, {})[rest] = varied
-    fields: dict[str, Any] = {}
-    for first, inside in parts.items():
-        if "" in inside:
-            fields[first] = _field(inside[""])
-        else:
-            table = _table(f"{name}_{first}", inside)
-            fields[first] = table, Field(default=table(), description=f"give a table of {', '.join(inside)}")
-    return create_model(name, __base__=Table, **fields)
-
-
 if TYPE_CHECKING:  # its fields follow from UNCERTAIN
 
     class UncertaintyTable(Table):
         pass
 
 else:
-    UncertaintyTable = _table("uncertainty", UNCERTAIN)
+    UncertaintyTable = table_of_paths("uncertainty", {key: _field(varied) for key, varied in UNCERTAIN.items()})
 
 
 def given_spreads(table: Table, scene: Scene) -> tuple[dict[str, float], list[tuple[str, str]]]:
     """Standard deviations by key, SI, and (key, problem) for those that do not fit the scene."""
     spreads, misfits = {}, []
-    for key, given in _leaves(table):
+    for key, given in given_paths(table):
         value = uncertain_value(scene, key)
         if value is None:
             problem = "is of an input that this scene lacks or its torque does not depend on; leave it out"
@@ -95,12 +76,3 @@ def given_spreads(table: Table, scene: Scene) -> tuple[dict[str, float], list[tu
         except InputError as problem:
             misfits.append((f"uncertainty.{key}", str(problem).partition(": ")[2]))
     return spreads, misfits
-
-
-def _leaves(table: Table, before: str = "") -> Iterator[tuple[str, GivenSpread]]:
-    """The keys that are given."""
-    for name, given in table:
-        if isinstance(given, Table):
-            yield from _leaves(given, f"{before}{name}.")
-        elif given is not None:
-            yield before + name, given

@@ -1,9 +1,19 @@
 """What every table of a scene file is."""
 
-from typing import get_args
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, get_args
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 from pydantic.fields import FieldInfo
+
+
+def _text(given: object) -> str:
+    if not isinstance(given, str) or not given.strip() or len(given) > 200 or not given.isprintable():
+        raise ValueError("is no name or text; give printable text of 1 to 200 characters")
+    return given
+
+
+Text = Annotated[str, BeforeValidator(_text), Field(description="give a name")]
 
 
 class Table(BaseModel):
@@ -16,3 +26,28 @@ def table_of(field: FieldInfo) -> type[Table] | None:
         if isinstance(kind, type) and issubclass(kind, Table):
             return kind
     return None
+
+
+def table_of_paths(name: str, fields: Mapping[str, Any]) -> type[Table]:
+    """A table whose keys are paths, as "surface.hardness"; fields : annotation and default of each."""
+    parts: dict[str, dict[str, Any]] = {}
+    for key, field in fields.items():
+        first, _, rest = key.partition(".")
+        parts.setdefault(first, {})[rest] = field
+    inside: dict[str, Any] = {}
+    for first, rest in parts.items():
+        if "" in rest:
+            inside[first] = rest[""]
+        else:
+            table = table_of_paths(f"{name}_{first}", rest)
+            inside[first] = table, Field(default=table(), description=f"give a table of {', '.join(rest)}")
+    return create_model(name, __base__=Table, **inside)
+
+
+def given_paths(table: Table, before: str = "") -> Iterator[tuple[str, Any]]:
+    """The paths of a table of paths that are given, with their values."""
+    for name, given in table:
+        if isinstance(given, Table):
+            yield from given_paths(given, f"{before}{name}.")
+        elif given is not None:
+            yield before + name, given

@@ -31,17 +31,12 @@ from analytic.scene import (
     Surface,
     Traction,
 )
+from analytic.scenefile.assumed_table import AssumedTable
 from analytic.scenefile.material import material_entry
 from analytic.scenefile.quantity import Dimension, QuantityOrWord
 from analytic.scenefile.spread_tables import UncertaintyTable
-from analytic.scenefile.table import Table
+from analytic.scenefile.table import Table, Text
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity
-
-
-def _text(given: object) -> str:
-    if not isinstance(given, str) or not given.strip() or len(given) > 200 or not given.isprintable():
-        raise ValueError("is not a name; give printable text of 1 to 200 characters")
-    return given
 
 
 def _whole(things: str, *, low: int, high: int, example: int) -> BeforeValidator:
@@ -93,7 +88,6 @@ def _row_of(table: Literal["base_oils", "finishes"], *, thing: str) -> BeforeVal
     return BeforeValidator(read)
 
 
-Text = Annotated[str, BeforeValidator(_text), Field(description="give a name")]
 Count = Annotated[
     int, _whole("balls", low=1, high=1000, example=9), Field(description="give a whole number, for example 9")
 ]
@@ -377,4 +371,7 @@ class SceneTable(Table):
     effects: EffectsTable = Field(default=EffectsTable(), description='give a table [effects] of "auto", "on", "off"')
     uncertainty: UncertaintyTable = Field(
         default=UncertaintyTable(), description='give a table [uncertainty] of lubricant.viscosity = "6 %" and others'
+    )
+    assumed: AssumedTable = Field(
+        default=AssumedTable(), description='give a table [assumed] of lubricant.viscosity = "the source" and others'
     )

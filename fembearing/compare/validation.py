@@ -44,7 +44,7 @@ class Validation:
     contacts: tuple[ContactSolution, ...]
     torque: SceneTorque | None  # that of the command `torque`; None where the scene gives no friction
     torque_change: TorqueChange | None  # what finite-element contacts change; likewise
-    published: BesidePaper
+    published: BesidePaper | None  # None: of another case than the paper's
     hard: tuple[HardOutcome, ...]  # empty unless they were run
     ladders: tuple[Ladder, ...]  # all of the scene's where they were measured, else the methods that the check ran
     measured: bool  # whether every ladder was measured, with repeats

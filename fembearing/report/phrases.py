@@ -130,10 +130,12 @@ def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:
     return "neither a coefficient nor both lubricant and surface in the scene: no torque"
 
 
-def value_of(value: float | None, uncertainty: float | None, unit: str) -> str:
+def value_of(value: float | str | None, uncertainty: float | None, unit: str) -> str:
     """The value of an input with its unit and its standard deviation, as far as they are known."""
     if value is None:
         return "not known"
+    if isinstance(value, str):
+        return value
     shown = unit_for(unit, abs(value))
     number = f"{value * shown.factor:.5g}"
     spread = f" +- {uncertainty * shown.factor:.2g}" if uncertainty else ""

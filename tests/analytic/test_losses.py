@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic import catalog
 from analytic.errors import InputError
 from analytic.scene import Losses, Operation, Scene
-from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import present
 
@@ -16,7 +17,7 @@ from tests.analytic.specimens import present
 def scene() -> Scene:
     """At 500 and 900 N."""
     series = Operation(axial_load=np.array([500.0, 900.0]), inner_speed=np.array([31.0, 47.0]))
-    return replace(load_scene(builtin_scene("paper_6205")), operation=series)
+    return replace(load_scene("6205-dry"), operation=series)
 
 
 def test_declared_losses_are_added_and_listed(scene: Scene) -> None:
@@ -42,7 +43,7 @@ def test_declared_losses_are_added_and_listed(scene: Scene) -> None:
 
 
 def test_a_scene_file_declares_losses() -> None:
-    text = builtin_scene("paper_6205").read_text("utf-8")
+    text = catalog.path("scenes", "6205-dry").read_text("utf-8")
     found = parse_scene(text + '\n[losses]\nseals = "5 N mm"\ndrag = "0.3 N cm"\n', origin="here")
     assert found.losses == Losses(seals=5e-3, drag=3e-3)
     assert parse_scene(text, origin="here").losses == Losses()

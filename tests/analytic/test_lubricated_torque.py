@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.stats import norm
 
+from analytic import catalog
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import elliptic_contact
@@ -16,7 +17,7 @@ from analytic.errors import InputError
 from analytic.oil.film import central_film, inlet_heating_factor
 from analytic.oil.variation import Variation
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
-from analytic.scenefile.read import builtin_scene, parse_scene
+from analytic.scenefile.read import parse_scene
 from analytic.surface.asperity import asperity_contact, separation_at
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
@@ -213,7 +214,7 @@ def test_what_does_not_fit_together_is_refused(scene: Scene, change: dict, words
 
 
 def test_a_scene_file_with_oil_needs_no_coefficient(tmp_path: Path) -> None:
-    text, _ = builtin_scene("paper_6205").read_text("utf-8").split("[friction]")
+    text, _ = catalog.path("scenes", "6205-dry").read_text("utf-8").split("[friction]")
     friction = '[friction]\nhysteresis_loss = 0.006\nspin_rule = "outer_control"\n'
     scene = parse_scene(text + friction + LUBRICANT + SURFACE, origin="here", folder=tmp_path)
     assert scene.has_friction

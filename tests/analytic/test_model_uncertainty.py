@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import Variation
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
 from tests.analytic.specimens import present
@@ -16,7 +16,7 @@ SCENES = Path(__file__).parents[2] / "validation" / "scenes"
 
 
 def test_without_a_film_nothing_is_known() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     found = friction_torque(scene)
     assert with_model_uncertainty(scene, found).model_uncertainty is None
     assert found.to_json()["points"][0]["uncertainty"]["model"] is None

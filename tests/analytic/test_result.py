@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic import catalog
 from analytic.effects.table import ENTRIES
 from analytic.errors import InputError
 from analytic.scene import Bearing, ContactAngle, Scene
-from analytic.scenefile.read import builtin_scene, parse_scene
+from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import DRY_PARTS, dry, part, thrust, without
 
@@ -140,7 +141,7 @@ def test_what_cannot_be_answered_is_refused(scene: Scene, change: dict, words: s
 
 
 def test_a_scene_file_names_loss_and_spin_rule() -> None:
-    text = builtin_scene("paper_6205").read_text("utf-8")
+    text = catalog.path("scenes", "6205-dry").read_text("utf-8")
     assert parse_scene(text, origin="here").hysteresis_loss == 0.007
     given, _ = text.split("[friction]")
     table = '[friction]\ncoefficient = 0.08\nspin_rule = "outer_control"\n'

@@ -15,7 +15,7 @@ from analytic.errors import InputError
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Decision, Scene, SpinRule
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import AS_HERTZ, DRY_PARTS, dry, part, thrust, without
 
@@ -258,7 +258,7 @@ def test_without_spin_the_balls_only_roll(scene: Scene) -> None:
 
 def test_the_builtin_scene_from_its_file() -> None:
     """Of independent calculations: by closed kinematics, and what free balls with elastic creep add to the slip."""
-    scene = replace(load_scene(builtin_scene("paper_6205")), effects={"finite_geometry": "off"})
+    scene = replace(load_scene("6205-dry"), effects={"finite_geometry": "off"})
     ruled = analytic.friction_torque(replace(scene, spin_rule="balanced"))
     np.testing.assert_allclose(ruled.torque.race, [39.1e-3] * 5, atol=0.051e-3)  # three digits
     np.testing.assert_allclose(ruled.contact_angle, [0.3031] * 5, atol=0.5e-4)

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing import cli
 from fembearing.compare import validation
 from fembearing.compare.contact import discrepancy
@@ -283,7 +283,7 @@ def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, 
     )
     monkeypatch.setattr(hard_cases, "HARD_CASES", cases)
     measured = cost.Cost(
-        scene=load_scene(builtin_scene("paper_6205")),
+        scene=load_scene("6205-dry"),
         tolerance=0.9,
         ladders=(),
         seconds=0.5,

@@ -115,7 +115,7 @@ def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Pa
     assert set(band) == {"low", "high", "values", "note"}
     assert len(band["low"]) == len(band["values"]["SKF"]) == 2
     assert np.all(np.array(band["low"]) < band["high"])
-    status, out, _ = command("torque", "--json")
+    status, out, _ = command("torque", "6205-dry", "--json")
     assert json.loads(out)["catalogue_band"]["low"] is None
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.compare.torque.change import change_of_torque
 from fembearing.compare.validation import Validation, check_scene
 from tests.analytic.specimens import present
@@ -65,5 +65,5 @@ def test_what_cannot_be_had_is_refused_before_anything_is_solved(spoiled: Callab
     """A solve tells its progress before it starts."""
     told: list[str] = []
     with pytest.raises(InputError, match=words):
-        check_scene(spoiled(load_scene(builtin_scene("paper_6205"))), progress=lambda _, step: told.append(step))
+        check_scene(spoiled(load_scene("6205-dry")), progress=lambda _, step: told.append(step))
     assert told == []

@@ -9,7 +9,6 @@ import analytic
 import fembearing
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
-from analytic.scenefile.read import builtin_scene
 from fembearing.mesh import recipe as recipes
 from fembearing.mesh.recipe import load_recipe, parse_recipe
 
@@ -18,7 +17,7 @@ SHIPPED = Path(fembearing.__file__).parent / "meshes"
 
 @pytest.fixture
 def scene() -> Scene:
-    return analytic.load_scene(builtin_scene("paper_6205"))
+    return analytic.load_scene("6205-dry")
 
 
 @pytest.mark.parametrize(("name", "geometry"), [("race", "real"), ("hertzian", "hertzian"), ("wall", "wall")])

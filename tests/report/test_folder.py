@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from analytic.errors import InputError
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing import cli
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
@@ -78,7 +78,7 @@ def test_what_exists_is_not_overwritten(tmp_path: Path, monkeypatch: pytest.Monk
     else:
         out.symlink_to(tmp_path / "nowhere")
     with pytest.raises(InputError, match=r"there.* exists already"):
-        validate(load_scene(builtin_scene("paper_6205")), out=out)
+        validate(load_scene("6205-dry"), out=out)
     assert [path.name for path in tmp_path.iterdir()] == ["there"]
 
 
@@ -92,7 +92,7 @@ def test_a_folder_that_cannot_be_made_is_refused_first(
     monkeypatch.setattr(module, "check_scene", never)
     (tmp_path / "file").write_text("mine")
     with pytest.raises(InputError, match="cannot be made in") as refusal:
-        validate(load_scene(builtin_scene("paper_6205")), out=tmp_path / out)
+        validate(load_scene("6205-dry"), out=tmp_path / out)
     assert "\n" not in str(refusal.value)
 
 

@@ -12,7 +12,7 @@ import xarray
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from fembearing import cli
 from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
 from fembearing.provenance import provenance_of
@@ -78,7 +78,7 @@ def test_a_series_tells_where_it_comes_from_and_agrees_with_the_torque(made: Mad
 
 
 def test_without_a_moving_cage_there_are_numbers_and_the_reason(tmp_path: Path) -> None:
-    _, lacking = torque_with_folder(load_scene(builtin_scene("paper_6205")), out=tmp_path / "made")
+    _, lacking = torque_with_folder(load_scene("6205-dry"), out=tmp_path / "made")
     assert lacking is not None
     assert "the cage did not move" in lacking
     assert "cage.start is not given" in lacking
@@ -106,14 +106,14 @@ def test_nothing_is_left_of_a_folder_that_fails(tmp_path: Path, monkeypatch: pyt
 
     monkeypatch.setattr(module, "provenance_of", fail)
     with pytest.raises(KeyboardInterrupt):
-        torque_with_folder(load_scene(builtin_scene("paper_6205")), out=tmp_path / "made")
+        torque_with_folder(load_scene("6205-dry"), out=tmp_path / "made")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_what_exists_is_refused_before_anything_is_computed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "torque_of_scene", None)  # would not be called
     with pytest.raises(InputError, match="exists already"):
-        torque_with_folder(load_scene(builtin_scene("paper_6205")), out=tmp_path)
+        torque_with_folder(load_scene("6205-dry"), out=tmp_path)
 
 
 def test_the_command_says_where_the_folder_is_and_what_it_lacks(

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from fembearing.compare.contact import discrepancy, scene_contact
 from fembearing.compare.contact.discrepancy import ContactSolution
@@ -53,7 +53,7 @@ def test_contacts_of_half_spaces_agree_with_hertz(
 
 
 def test_a_torque_becomes_a_dataset_and_a_table() -> None:
-    result = friction_torque(load_scene(builtin_scene("paper_6205")))
+    result = friction_torque(load_scene("6205-dry"))
     found = result.to_xarray()
     np.testing.assert_array_equal(found["torque_total"], result.torque.total)
     np.testing.assert_array_equal(found["peak_pressure_outer"], result.outer.peak_pressure)

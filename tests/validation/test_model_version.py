@@ -32,5 +32,5 @@ def test_the_changelog_knows_the_model_version() -> None:
 
 
 def test_a_result_carries_the_model_version() -> None:
-    friction = friction_torque(load_scene("paper_6205"))
+    friction = friction_torque(load_scene("6205-dry"))
     assert friction.to_json()["provenance"]["model_version"] == str(MODEL_VERSION)

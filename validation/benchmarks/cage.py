@@ -23,7 +23,7 @@ from analytic.cage.steady import DrivenCage, rest_torque, whirl_force, whirl_spe
 from analytic.cage.torque import driven_cage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Cage, CageStart
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from machine import machine, versions
 
 SPEED = 500 * np.pi / 30  # rad/s
@@ -49,7 +49,7 @@ def main() -> None:
 
 def example() -> DrivenCage:
     """The cage of the built-in scene, with the scene's friction coefficient of the races."""
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     bearing, cage = scene.bearing, scene.cage
     assert cage is not None
     moving = ball_kinematics(

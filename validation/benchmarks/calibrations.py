@@ -16,7 +16,7 @@ from rich.progress import track
 from analytic.contact.geometry import race_contact
 from analytic.contact.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.compare.contact.grid_convergence import FINEST, HALF
 from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.contact.load_series import OFF_MESH
@@ -112,7 +112,7 @@ def strip_shares(distance: float) -> tuple[float, float]:
 
     distance : of the shoulder from the centre of the contact, m
     """
-    bearing, recipe = load_scene(builtin_scene("paper_6205")).bearing, load_recipe("hertzian")
+    bearing, recipe = load_scene("6205-dry").bearing, load_recipe("hertzian")
     contact = replace(race_contact(bearing, "inner", contact_angle=0.3031, ball_load=372.0), shoulder=distance)
     semi_axes = fitted_solution(contact, recipe=recipe).pair.semi_axes
     ours = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[2], semi_axes=semi_axes).shoulder

@@ -19,7 +19,6 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic import hertz_contact, load_scene
-from analytic.scenefile.read import builtin_scene
 from fembearing import solve_contact, solve_load_series
 from machine import machine
 
@@ -58,7 +57,7 @@ def time_validate() -> None:
 
 def time_load_series() -> None:
     """Forty loads within a factor of six against one in their middle, warm; then within a factor of a hundred."""
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     series = {"1": [245.0], "40": np.geomspace(100, 600, 40), "40 wide": np.geomspace(10, 1000, 40)}
     for pair in ("inner", "outer"):
         solve_load_series(scene, pair=pair, loads=series["1"])
@@ -77,7 +76,7 @@ def time_load_series() -> None:
 
 
 def errors_of_idealisation() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     names = ("approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure")
     heads = ("approach, %", "a, %", "b, %", "p0, %")
     table = Table("pair", "load, N", *heads, "seconds", "unknowns")

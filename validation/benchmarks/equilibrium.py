@@ -23,7 +23,6 @@ from analytic import hertz_contact, load_scene, ring_equilibrium, thrust_equilib
 from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, pair_equilibrium
 from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Material, Operation
-from analytic.scenefile.read import builtin_scene
 
 PUBLISHED = Path(__file__).parents[1] / "published"
 SOLVED = ContactAngle(rule="solved")
@@ -52,7 +51,7 @@ def seconds(call: Callable[[], object], *, repeats: int) -> float:
 
 
 def processor_times() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     bearing, rule = scene.bearing, scene.contact_angle
     random = np.random.default_rng(5)
     many = random.uniform(20, 2000, 100_000)
@@ -83,7 +82,7 @@ def processor_times() -> None:
 
 
 def thrust_limit() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     loads = np.geomspace(1e-3, 1e5, 33)
     ring = ring_equilibrium(scene.bearing, scene.contact_angle, axial_load=loads)
     thrust = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=loads)

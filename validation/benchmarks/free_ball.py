@@ -18,7 +18,6 @@ from analytic.free_ball.rotation import Creep, FreeTurning, Nodes, Surfaces
 from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.oil.traction import CoulombTraction
 from analytic.scene import Operation, Scene
-from analytic.scenefile.read import builtin_scene
 
 REPEATS = 30
 SERIES = 100_000
@@ -26,7 +25,7 @@ CREEPS: tuple[Creep, ...] = ("none", "closed", "marched")
 
 
 def main() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     table = Table("what", "creep", "ms", title="Free balls")
     thrust = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([523.6])).as_series()
     aside = Operation(

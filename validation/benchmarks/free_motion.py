@@ -26,7 +26,7 @@ from analytic.cage.steady import DrivenCage
 from analytic.cage.torque import driven_cage
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.scene import CageStart, ContactAngle, Operation
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from machine import machine, versions
 
 RPM = np.pi / 30  # rad/s
@@ -56,7 +56,7 @@ def main() -> None:
 
 def example(*, axial_load: float = 1000.0, rpm: float = 500.0, friction: float = 0.1) -> tuple[DrivenCage, Races]:
     """The built-in bearing and cage, one coefficient at both races, 0.1 in the pockets."""
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     assert scene.cage is not None
     speed = rpm * RPM
     operation = Operation(axial_load=np.array([axial_load]), inner_speed=np.array([speed]))

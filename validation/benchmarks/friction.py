@@ -40,7 +40,6 @@ from analytic.scene import (
     SpinRule,
     Surface,
 )
-from analytic.scenefile.read import builtin_scene
 from analytic.sliding.ball import SlipRule, slip_friction
 from analytic.sliding.long_ellipse import MicroslipTorque
 from analytic.sliding.methods import QUADRATURES, Quadrature, Sliders, SlidingModel
@@ -108,7 +107,7 @@ def ladder(out: Console) -> None:
 
 
 def oiled_races(roughness: float, speed: Array, traction: Law = "eyring_constant") -> LubricatedRaces:
-    bearing = load_scene(builtin_scene("paper_6205")).bearing
+    bearing = load_scene("6205-dry").bearing
     balls = thrust_balls(
         bearing,
         ContactAngle(rule="given", value=ANGLE),

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from analytic.scene import Autocorrelation, ContactAngle, Operation, Scene, Surface
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 
-CAGE = load_scene(builtin_scene("paper_6205")).cage
+CAGE = load_scene("6205-dry").cage
 BASE = load_scene(Path(__file__).parents[1] / "scenes" / "6205_physical.toml")
 SHOULDER = 3.6e-3  # m, high, so that the contact of an open groove stays on its race
 LUBRICATED, THRUST_ONLY = 0.7, 0.6  # shares of the scenes

@@ -15,7 +15,7 @@ from rich.progress import track
 from rich.table import Table
 
 from analytic.scene import Contact
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.compare.contact.scene_contact import contact_of
 from fembearing.compare.contact.subsurface import NAMES, compare_subsurface
@@ -60,7 +60,7 @@ def main(
 def random_contact(rng: np.random.Generator) -> Contact:
     """Balls of the 6205 on other grooves, one in four on a spherical seat."""
     pair = "inner" if rng.random() < 0.5 else "outer"
-    contact = contact_of(load_scene(builtin_scene("paper_6205")), pair=pair, load=float(rng.uniform(50.0, 1000.0)))
+    contact = contact_of(load_scene("6205-dry"), pair=pair, load=float(rng.uniform(50.0, 1000.0)))
     ball, race = (replace(contact.ball_material, poisson_ratio=float(ratio)) for ratio in rng.uniform(0, 0.4999, 2))
     race = replace(race, youngs_modulus=float(rng.uniform(60e9, 300e9)))
     contact = replace(contact, ball_material=ball, race_material=race)

@@ -39,7 +39,6 @@ from analytic import friction_torque, hertz_contact, load_scene, ring_equilibriu
 from analytic.effects.table import COMPUTED
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Operation, Scene
-from analytic.scenefile.read import builtin_scene
 from machine import machine, versions
 
 VALIDATION = Path(__file__).parents[1]
@@ -101,7 +100,7 @@ def scenes() -> dict[str, Scene]:
     physical = load_scene(VALIDATION / "scenes" / "6205_physical.toml")
     assert physical.lubricant is not None
     constant = replace(physical, lubricant=replace(physical.lubricant, traction="eyring_constant"))
-    given = replace(load_scene(builtin_scene("paper_6205")), cage=None)
+    given = replace(load_scene("6205-dry"), cage=None)
     laws = {"given coefficient": given, "constant Eyring stress": constant, "sinh traction": physical}
     return {name: replace(scene, tolerance=TOLERANCE) for name, scene in laws.items()}
 

@@ -11,7 +11,7 @@ import numpy as np
 from analytic.contact.geometry import race_contact
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Contact, Decision, Material, Operation, Scene
-from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 
 LARGE, SMALL, MODULUS = 310.0, 9.7, 1.13e11  # 1/m, 1/m, Pa: a steel ball on the inner race of a small bearing
@@ -39,7 +39,7 @@ axial_load = "{load}"
 
 @cache
 def scene_6205() -> Scene:
-    return load_scene(builtin_scene("paper_6205"))
+    return load_scene("6205-dry")
 
 
 def bearing() -> Bearing:

@@ -42,8 +42,8 @@ class Printed:
 class Compared(Printed):
     """A number of the paper with that of the scene."""
 
-    ours: float | None  # None where the scene has no such number
-    deviation: float | None  # from the paper's, relative
+    ours: float
+    deviation: float  # from the paper's, relative
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,12 +56,9 @@ class Chosen:
 
 @dataclass(frozen=True, kw_only=True)
 class BesidePaper:
-    """The paper's numbers, and the scene's where it is the same case."""
+    """The numbers of the paper that a scene of the same case has too, at its own speeds and roughness."""
 
     paper: str
-    same_bearing: bool  # as the paper's
-    same_load: bool  # likewise
-    absent: str | None  # why no number of the scene is compared
     calibration: str | None  # what was chosen until it came out, in the scene's words
     chosen: dict[str, Chosen]
     rows: tuple[Compared, ...]
@@ -83,38 +80,24 @@ def printed_numbers() -> tuple[Printed, ...]:
     )
 
 
-def beside_paper(scene: Scene, friction: FrictionTorque | None) -> BesidePaper:
-    """The paper's numbers next to a scene's.
+def beside_paper(scene: Scene, friction: FrictionTorque | None) -> BesidePaper | None:
+    """The paper's numbers next to a scene's; None where the scene is another case, or has none of them.
 
     friction : torque of the scene, by its own effects; None where it has none
     """
-    absent = _other_case(scene, friction)
-    return BesidePaper(
-        paper=PAPER,
-        same_bearing=is_papers_bearing(scene.bearing),
-        same_load=is_papers_load(scene.operation),
-        absent=absent,
-        calibration=scene.calibration,
-        chosen={} if absent else _chosen(scene),
-        rows=tuple(
-            _compared(printed, None if absent or friction is None else _ours(printed, scene, friction))
-            for printed in printed_numbers()
-        ),
-    )
+    if friction is None or not is_papers_case(scene):
+        return None
+    ours = ((printed, _ours(printed, scene, friction)) for printed in printed_numbers())
+    rows = tuple(_compared(printed, value) for printed, value in ours if value is not None)
+    if not rows:
+        return None
+    return BesidePaper(paper=PAPER, calibration=scene.calibration, chosen=_chosen(scene), rows=rows)
 
 
-def _other_case(scene: Scene, friction: FrictionTorque | None) -> str | None:
-    """In what the scene is not the paper's case."""
-    if not is_papers_bearing(scene.bearing):
-        return "the scene has another bearing"
-    if not is_papers_load(scene.operation):
-        return f"the paper has {THRUST:g} N of thrust alone, and the scene another load"
-    if scene.surface is None or scene.lubricant is None or scene.friction_coefficient is not None:
-        return (
-            "the paper's friction coefficient comes from mixed lubrication; the scene gives a coefficient, or lacks a "
-            "lubricant or a surface"
-        )
-    return "the scene has no torque" if friction is None else None
+def is_papers_case(scene: Scene) -> bool:
+    """Whether bearing, load and the way to friction are the paper's: by mixed lubrication, not by a coefficient."""
+    is_mixed = scene.surface is not None and scene.lubricant is not None and scene.friction_coefficient is None
+    return is_mixed and is_papers_bearing(scene.bearing) and is_papers_load(scene.operation)
 
 
 def is_papers_bearing(bearing: Bearing) -> bool:
@@ -144,12 +127,12 @@ def _chosen(scene: Scene) -> dict[str, Chosen]:
     return {name: Chosen(value=float(value), unit=unit) for name, (value, unit) in values.items() if value is not None}
 
 
-def _compared(printed: Printed, ours: float | None) -> Compared:
-    return Compared(**asdict(printed), ours=ours, deviation=None if ours is None else ours / printed.value - 1)
+def _compared(printed: Printed, ours: float) -> Compared:
+    return Compared(**asdict(printed), ours=ours, deviation=ours / printed.value - 1)
 
 
 def _ours(printed: Printed, scene: Scene, friction: FrictionTorque) -> float | None:
-    """The scene's number at the same speed and roughness."""
+    """The scene's number at the same speed and roughness; None where it has none."""
     roughness = None if scene.surface is None else scene.surface.rms_roughness
     if roughness is None or not np.isclose(roughness, printed.rms_roughness, rtol=SAME):
         return None

@@ -61,27 +61,24 @@ class Chosen(Table):
 
 
 class Printed(Table):
-    """A number of the paper with that of the scene; None where the scene has none."""
+    """A number of the paper with that of the scene."""
 
     quantity: Annotated[str, Field(pattern="_(torque|force)$")]
     rms_roughness: float
     inner_speed: float
     value: float
     note: str
-    ours: float | None
-    deviation: float | None
+    ours: float
+    deviation: float
 
 
 class Published(Table):
     """The paper's numbers."""
 
     paper: str
-    same_bearing: bool
-    same_load: bool
-    absent: str | None
     calibration: str | None
     chosen: dict[str, Chosen]
-    rows: list[Printed]
+    rows: Annotated[list[Printed], Field(min_length=1)]
 
 
 class Method(Table):
@@ -180,7 +177,7 @@ class Report(Table):
     cage_motion: list[MovedCage | CageAtRest] | None
     cage_records: list[CageRecord]
     sensitivity: Sensitivity | None
-    published: Published
+    published: Published | None
     cost: Cost
     hard: list[HardCase]
     warnings: list[str]

@@ -136,7 +136,7 @@ class StatedInput(Table):
     """An input with where it comes from; its uncertainty is a standard deviation."""
 
     key: str
-    value: float | None
+    value: float | Label | None
     unit: str
     status: Literal["given", "printed", "derived", "assumed", "not known"]
     uncertainty: float | None

@@ -83,11 +83,13 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
     return " and ".join(word for word in words if word) or "not known"
 
 
-def _paper(panel: Axes, axis: SeriesAxis, published: Published) -> str:
-    """Draw the paper's totals where the scene has its bearing and its load; gives a sentence on what they are."""
-    if not (published.same_bearing and published.same_load and axis.label == SPEED):
+def _paper(panel: Axes, axis: SeriesAxis, published: Published | None) -> str:
+    """Draw the paper's totals where the scene has its case; gives a sentence on what they are."""
+    if published is None or axis.label != SPEED:
         return ""
     rows = [row for row in published.rows if row.quantity == "total_torque"]
+    if not rows:
+        return ""
     roughness = sorted({row.rms_roughness for row in rows}, reverse=True)
     for mark, rms in zip(PAPER_MARKS, roughness, strict=False):
         drawn = [(row.inner_speed * RPM.factor, row.value * NM) for row in rows if row.rms_roughness == rms]
@@ -98,8 +100,6 @@ def _paper(panel: Axes, axis: SeriesAxis, published: Published) -> str:
         " Open marks: totals that the paper prints, its cage in motion among them; computed there, not measured, with "
         "an oil and a hardness that it does not name."
     )
-    if published.absent:
-        words += f" Of another case: {published.absent}."
     if published.calibration:
         words += f" This scene is a calibration ({published.calibration}): that it comes near is no agreement."
     return words

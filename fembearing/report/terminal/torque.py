@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from rich.console import Console
 from rich.markup import escape
+from rich.padding import Padding
 
 from analytic.cage.grip import LARGEST_GRIP
 from analytic.result import COLUMNS, COORDINATES, FrictionTorque, PairPart
@@ -254,16 +255,21 @@ def _print_effects(out: Console, friction: FrictionTorque) -> None:
 
 
 def _print_inputs(out: Console, result: SceneTorque) -> None:
-    """The inputs that the scene does not give itself, with where they come from."""
+    """The inputs that are not given as known, with where they come from."""
     stated = [each for each in result.inputs if each.origin.status != "given"]
     if not stated:
         return
     words = ("input", "value", "status")
-    table = table_of(words, title="Inputs that the scene does not give itself", left=words, fixed=words)
+    table = table_of(words, title="Inputs that are printed, derived or assumed", left=words, fixed=words)
     for each in stated:
         table.add_row(each.key, value_of(each.value, each.origin.uncertainty, each.unit), each.origin.status)
     out.print(table)
-    out.print("+-: one standard deviation. --json and the report name the sources.\n", style="dim")
+    out.print("+-: one standard deviation. --json and the report name every source.\n", style="dim")
+    if sources := result.scene.assumed:
+        out.print("Assumed by this scene:")
+        for key, source in sources.items():
+            out.print(Padding(f"{key}: {escape(source)}", (0, 0, 0, 2)))
+        out.print()
 
 
 def percent(value: float | None) -> str:

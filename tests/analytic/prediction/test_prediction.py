@@ -25,7 +25,7 @@ SPREADS = {"friction.coefficient": 0.02, "friction.hysteresis_loss": 0.002, "los
 
 def dry(**spreads: float) -> Scene:
     """Race torque proportional to the coefficient, hysteresis to its loss, and seals: the total is linear in them."""
-    scene = analytic.load_scene("paper_6205")
+    scene = analytic.load_scene("6205-dry")
     off = dict.fromkeys(("creep", "cage", "finite_geometry"), "off")
     nothing = {each.key: 0.0 for each in uncertain_inputs(scene)}
     return replace(
@@ -246,7 +246,7 @@ def test_an_input_takes_the_value_that_it_is_given(key: str) -> None:
     scene = dry() if key.startswith(("friction.coefficient", "losses", "bearing.contact")) else None
     scene = scene or parse_scene(OILED, origin="here")
     if key == "bearing.contact_angle.free":
-        scene = analytic.load_scene("paper_6205")
+        scene = analytic.load_scene("6205-dry")
     if key.startswith(("losses", "operation")):
         loads = {"axial_load": 300.0, "radial_load": -200.0, "moment": 0.7, "inner_speed": 20.0}
         scene = replace(scene, losses=Losses(seals=3e-3, drag=2e-3), operation=analytic.operation(**loads))
@@ -278,7 +278,7 @@ def test_the_formulas_take_their_factors() -> None:
 
 
 def test_a_cage_and_a_pair_take_their_values() -> None:
-    cage = analytic.load_scene("paper_6205")
+    cage = analytic.load_scene("6205-dry")
     assert cage.cage is not None
     cage = replace(cage, cage=replace(cage.cage, friction_coefficient=0.07))
     pair = replace(cage, arrangement=Arrangement(kind="O", preload=150.0))

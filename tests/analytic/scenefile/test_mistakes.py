@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 
 from analytic.errors import InputError
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from analytic.scenefile.text import LARGEST_FILE
 from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
 
@@ -239,7 +239,7 @@ def test_several_mistakes_are_reported_together() -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (None, "give the path of a scene file (built in: paper_6205)"),
+        (None, "give the path of a scene file (built in: 6205-dry, paper_6205)"),
         (b"\xff\xfe\x00n", "byte 0 is not UTF-8"),
         (b"#" * (LARGEST_FILE + 1), f"more than {LARGEST_FILE} bytes"),
         (b"\x00\x01\x02", "not TOML"),
@@ -272,11 +272,6 @@ def test_a_name_with_an_extension_is_a_file_and_no_bearing(name: str) -> None:
 def test_a_file_with_a_byte_order_mark_is_read(tmp_path: Path) -> None:
     (tmp_path / "scene.toml").write_bytes(b"\xef\xbb\xbf" + PLAIN.encode())
     assert load_scene(str(tmp_path / "scene.toml")).name == "a series"
-
-
-def test_an_unknown_builtin_scene_is_refused() -> None:
-    with pytest.raises(InputError, match="'6305'; give one of paper_6205"):
-        builtin_scene("6305")
 
 
 # Fuzzing: garbled scene files give a Scene or a message of one line, never another exception.

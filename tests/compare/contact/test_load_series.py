@@ -9,7 +9,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Contact
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact
 from fembearing.compare.contact.grid_convergence import CAUTIOUS, LEAST
 from fembearing.compare.contact.hertz import hertz_quantities
@@ -129,7 +129,7 @@ def test_a_series_is_refined_to_the_required_accuracy(contacts: dict[str, Contac
 @pytest.mark.parametrize("geometry", ["real", "wall"])
 def test_a_pocket_has_a_series_too(geometry: Geometry) -> None:
     """Against single solves: the seat stiffens as its contact widens; the sheet bends on its rim at any load."""
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     loads = [5.0, 12.0, 28.0] if geometry == "wall" else [5.0, 17.0, 60.0]
     series = solve_load_series(scene, pair="pocket", loads=loads, geometry=geometry)
     for point in (series.points[0], series.points[-1]):
@@ -229,5 +229,5 @@ def test_loads_above_the_static_limit_have_one_warning(
 )
 def test_mistakes_are_one_line(loads: list[float], words: str) -> None:
     with pytest.raises(InputError, match=words) as caught:
-        solve_load_series(load_scene(builtin_scene("paper_6205")), pair="inner", loads=loads)
+        solve_load_series(load_scene("6205-dry"), pair="inner", loads=loads)
     assert "\n" not in str(caught.value)

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from analytic.errors import InputError
-from analytic.scenefile.read import builtin_scene, load_scene, parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from fembearing.compare.contact import ring as module
 from fembearing.compare.contact.discrepancy import solve_contact
 from fembearing.compare.contact.grid_convergence import Estimate
@@ -54,7 +54,7 @@ def test_the_infinite_half_space_takes_the_place_of_the_block(monkeypatch: pytes
 
 @pytest.mark.slow
 def test_the_ring_does_not_change_the_contact() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     plain, ringed = (solve_contact(scene, pair="inner", tolerance=0.9, geometry=shape) for shape in ("real", "ring"))
     assert plain.ring is None
     assert ringed.ring is not None

@@ -10,7 +10,7 @@ from analytic.errors import InputError
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import ContactAngle, Operation, Scene
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from fembearing.compare.contact.scene_contact import contact_of
 
@@ -24,7 +24,7 @@ def scene() -> Scene:
         radial_load=np.array([700.0, 1500.0]),
         moment=np.array([0.0, 1.3]),
     )
-    return replace(load_scene(builtin_scene("paper_6205")), contact_angle=ContactAngle(rule="solved"), operation=series)
+    return replace(load_scene("6205-dry"), contact_angle=ContactAngle(rule="solved"), operation=series)
 
 
 def test_under_thrust_it_is_any_ball_at_the_heaviest_point(scene: Scene) -> None:

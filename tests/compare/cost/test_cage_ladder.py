@@ -11,7 +11,7 @@ import pytest
 from analytic.cage.steady import DrivenCage
 from analytic.errors import InputError
 from analytic.scene import Operation, Scene
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.compare.cost import cage_ladder
 from fembearing.compare.cost.cage_ladder import cage_methods
 from fembearing.compare.cost.ladder import Ladder, measured
@@ -22,7 +22,7 @@ SPEEDS = np.array([31.0, -83.0, 47.0])
 
 @pytest.fixture
 def scene() -> Scene:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     assert scene.cage is not None
     operation = Operation(axial_load=np.array([700.0, 900.0, 1100.0]), inner_speed=SPEEDS)
     return replace(scene, operation=operation, cage=replace(scene.cage, steps_per_contact=44, seeds=5, duration=0.3))

@@ -9,7 +9,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Autocorrelation, Contact, ContactAngle, HeightMapFile, Scene, Surface
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.compare.cost import formula_ladders
 from fembearing.compare.cost.formula_ladders import (
     friction_methods,
@@ -27,7 +27,7 @@ pytestmark = pytest.mark.usefixtures("timed_once")
 
 @pytest.fixture(scope="module")
 def scene() -> Scene:
-    return load_scene(builtin_scene("paper_6205"))
+    return load_scene("6205-dry")
 
 
 @pytest.fixture(scope="module")

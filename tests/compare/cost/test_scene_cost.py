@@ -7,7 +7,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import ContactAngle, Scene
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from fembearing.compare.cost import scene_cost as cost
 from fembearing.compare.cost.scene_cost import measure_cost
 from fembearing.mesh.recipe import load_recipe
@@ -15,7 +15,7 @@ from fembearing.mesh.recipe import load_recipe
 
 @pytest.fixture(scope="module")
 def scene() -> Scene:
-    return load_scene(builtin_scene("paper_6205"))
+    return load_scene("6205-dry")
 
 
 @pytest.mark.usefixtures("timed_once")

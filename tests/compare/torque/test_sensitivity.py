@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.scene import ContactAngle, Operation, Scene
-from analytic.scenefile.read import builtin_scene, load_scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from fembearing.compare.torque.sensitivity import Input, Sensitivity, sensitivity_of, variations, with_clearance
 from fembearing.plain_types import plain
@@ -29,7 +29,7 @@ def the(found: Sensitivity, name: str) -> Input:
 @pytest.fixture(scope="module")
 def dry() -> Scene:
     """Without friction, its contact angle given: the balls' load is the thrust's share, whatever the contacts do."""
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     return replace(
         scene, friction_coefficient=None, hysteresis_loss=None, contact_angle=ContactAngle(rule="given", value=0.31)
     )
@@ -149,7 +149,7 @@ def test_clearance_is_moved_by_the_outer_groove(oiled: Scene, torques: Sensitivi
 
 
 def test_loads_move_together() -> None:
-    scene = load_scene(builtin_scene("paper_6205"))
+    scene = load_scene("6205-dry")
     both = replace(scene, operation=replace(scene.operation, radial_load=300.0))
     (loads,) = (each for each in variations(both) if "load" in each.name)
     assert loads.name == "axial load, with it radial load"

@@ -54,7 +54,7 @@ def document() -> Document:
     points = [point(number, speed=speed) for number, speed in enumerate(SPEEDS)]
     return {
         "torque": {"points": points, "gap_roughness": GAP},
-        "published": published(same_bearing=False),
+        "published": None,
         "cage_records": [],
     }
 
@@ -114,9 +114,6 @@ def published(**changes: Any) -> dict[str, Any]:
     other = {"quantity": "race_torque", "rms_roughness": 1e-6, "inner_speed": 100 * RPM, "value": 17e-3}
     return {
         "rows": [other, *rows],
-        "same_bearing": True,
-        "same_load": True,
-        "absent": None,
         "calibration": None,
     } | changes
 
@@ -129,10 +126,9 @@ def test_the_papers_totals_stand_beside_and_a_calibration_is_named(document: Doc
         np.testing.assert_allclose(drawn, np.column_stack([[100, 500], 1e3 * np.array(values)]), rtol=1e-12)
     assert "calibration (viscosity to the race torque)" in found[1]
     assert "not measured" in found[1]
-    document["published"] = published(absent="it has mixed lubrication")
+    document["published"] = published()
     assert "calibration" not in torque_plot(as_document(document))[1]
-    assert "Of another case: it has mixed lubrication." in torque_plot(as_document(document))[1]
-    document["published"] = published(same_load=False)
+    document["published"] = None
     plain = torque_plot(as_document(document))
     assert "paper" not in plain[1]
     assert not any("paper" in label for label in labels_of(panel_of(plain)))

@@ -1,0 +1,62 @@
+"""The table [assumed]: inputs of a scene that nobody knows, with their sources; the built-in scene names all of them."""
+
+import pytest
+
+from analytic.inputs import stated_inputs
+from analytic.scenefile.read import load_scene
+from fembearing.compare.torque.published import NOT_GIVEN
+from tests.analytic.scenefile.scene_texts import OILED, refusal, scene
+
+ASSUMED = OILED + '[assumed]\nlubricant.temperature = "a guess"\nsurface.hardness = "a book"\n'
+
+
+def test_an_assumed_input_has_its_value_and_its_source() -> None:
+    plain, told = ({each.key: each for each in stated_inputs(scene(text))} for text in (OILED, ASSUMED))
+    assert set(told) - set(plain) == {"lubricant.temperature", "surface.hardness"}
+    parsed = scene(ASSUMED)
+    assert parsed.lubricant is not None
+    assert parsed.surface is not None
+    temperature, hardness = told["lubricant.temperature"], told["surface.hardness"]
+    assert (temperature.value, temperature.unit) == (parsed.lubricant.temperature, "K")
+    assert (temperature.origin.status, temperature.origin.source) == ("assumed", "a guess")
+    assert (hardness.value, hardness.unit, hardness.origin.source) == (parsed.surface.hardness, "Pa", "a book")
+    assert all(told[key] == plain[key] for key in plain)
+
+
+def test_a_value_of_the_catalogue_keeps_its_standard_deviation() -> None:
+    text = OILED + '[assumed]\nsurface.rms_roughness = "a drawing"\n'
+    plain, told = ({each.key: each for each in stated_inputs(scene(one))} for one in (OILED, text))
+    before, after = plain["surface.rms_roughness"], told["surface.rms_roughness"]
+    assert (after.value, after.origin.uncertainty) == (before.value, before.origin.uncertainty)
+    assert (after.origin.status, after.origin.source) == ("assumed", "a drawing")
+    assert list(told) == list(plain)  # in its place
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ('cage.start = "slowly"', ("assumed.cage.start", "does not have; leave it out")),
+        ('operation.radial_load = "a guess"', ("assumed.operation.radial_load", "does not have")),
+        ("surface.hardness = 7.8", ("assumed.surface.hardness = 7.8", "give printable text")),
+        ('surface.hardnes = "a book"', ("assumed.surface.hardnes", "did you mean hardness?")),
+        ('model.film = "a book"', ("assumed.model", "unknown key")),
+    ],
+)
+def test_what_cannot_be_assumed_is_refused_in_one_line(line: str, words: tuple[str, ...]) -> None:
+    message = refusal(f"{OILED}[assumed]\n{line}\n")
+    assert "\n" not in message
+    for word in words:
+        assert word in message
+
+
+def test_the_built_in_scene_names_everything_that_the_paper_leaves_open() -> None:
+    built_in = load_scene("paper_6205")
+    inputs = {each.key: each for each in stated_inputs(built_in)}
+    left_open = {f"{table}.{key}" for table, key, _ in NOT_GIVEN if table != "autocorrelation"}
+    left_open |= {"surface.autocorrelation.length", "friction.hysteresis_loss", "bearing.ball_material"}
+    left_open |= {f"cage.{key}" for key in ("pocket_clearance", "wall_thickness", "friction_coefficient", "start")}
+    assert {key for key in left_open if inputs[key].origin.status != "assumed"} == set()
+    assert all(each.origin.source for each in inputs.values())
+    assert [key for key, each in inputs.items() if each.origin.status == "given"] == ["surface.rms_roughness"]
+    assert inputs["cage.pocket_clearance"].value == pytest.approx(0.2e-3, rel=1e-9)  # round-off of a difference
+    assert (inputs["cage.start"].value, inputs["cage.start"].unit) == ("rest", "")
