@@ -152,13 +152,13 @@ def cases() -> Iterator[tuple[str, list[str], str | None]]:
     yield (
         "sweep-torque",
         ["sweep", "--json", "--out", "swept"],
-        'what = "torque"\nscene = "paper_6205"\n'
+        'what = "torque"\nscene = "6205-dry"\n'
         + sweep.format('operation.inner_speed = ["100 rpm", "3000 rpm"]\nbearing.conformity = [0.515, 0.53]'),
     )
     yield (
         "sweep-contact",
         ["sweep", "--json", "--out", "swept"],
-        'what = "contact"\nscene = "paper_6205"\n'
+        'what = "contact"\nscene = "6205-dry"\n'
         + sweep.format('operation.inner_speed = ["100 rpm"]\npair = ["inner", "outer"]'),
     )
 

@@ -43,7 +43,7 @@ def scene_6205() -> Scene:
 
 
 def bearing() -> Bearing:
-    """The built-in 6205."""
+    """The built-in 6205 with a friction coefficient."""
     return scene_6205().bearing
 
 

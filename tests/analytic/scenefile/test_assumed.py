@@ -1,4 +1,4 @@
-"""The table [assumed]: inputs of a scene that nobody knows, with their sources; the built-in scene names all of them."""
+"""The table [assumed]: inputs that nobody knows, with their sources; the built-in scene names all of its own."""
 
 import pytest
 
@@ -7,19 +7,19 @@ from analytic.scenefile.read import load_scene
 from fembearing.compare.torque.published import NOT_GIVEN
 from tests.analytic.scenefile.scene_texts import OILED, refusal, scene
 
-ASSUMED = OILED + '[assumed]\nlubricant.temperature = "a guess"\nsurface.hardness = "a book"\n'
+ASSUMED = OILED + '[assumed]\nlubricant.temperature = "a guess"\nsurface.boundary_friction = "a book"\n'
 
 
 def test_an_assumed_input_has_its_value_and_its_source() -> None:
     plain, told = ({each.key: each for each in stated_inputs(scene(text))} for text in (OILED, ASSUMED))
-    assert set(told) - set(plain) == {"lubricant.temperature", "surface.hardness"}
+    assert set(told) - set(plain) == {"lubricant.temperature", "surface.boundary_friction"}
     parsed = scene(ASSUMED)
     assert parsed.lubricant is not None
     assert parsed.surface is not None
-    temperature, hardness = told["lubricant.temperature"], told["surface.hardness"]
+    temperature, friction = told["lubricant.temperature"], told["surface.boundary_friction"]
     assert (temperature.value, temperature.unit) == (parsed.lubricant.temperature, "K")
     assert (temperature.origin.status, temperature.origin.source) == ("assumed", "a guess")
-    assert (hardness.value, hardness.unit, hardness.origin.source) == (parsed.surface.hardness, "Pa", "a book")
+    assert (friction.value, friction.unit, friction.origin.source) == (parsed.surface.boundary_friction, "1", "a book")
     assert all(told[key] == plain[key] for key in plain)
 
 
