@@ -22,7 +22,7 @@ from fembearing.compare.hard.table import HardOutcome, run_hard_cases
 from fembearing.compare.memory import peak_memory
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
 from fembearing.compare.torque.change import TorqueChange, change_of_torque
-from fembearing.compare.torque.published import BesidePaper, beside_paper
+from fembearing.compare.torque.published import BesidePaper, beside_paper, is_papers_case
 from fembearing.compare.torque.scene_torque import Samples, SceneTorque, static_doubt, torque_of_scene
 from fembearing.compare.torque.sensitivity import Sensitivity, sensitivity_of
 from fembearing.mesh.recipe import Geometry
@@ -135,7 +135,7 @@ def check_scene(
         contacts=(inner, outer, *contacts[2:]),
         torque=torque,
         torque_change=None if torque is None else change_of_torque(scene, inner=inner, outer=outer),
-        published=beside_paper(scene, friction),
+        published=beside_paper(scene, friction) if is_papers_case(scene) else None,
         hard=run_hard_cases(progress=part_of(progress, extra[0], extra[1])) if hard else (),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, extra[1], 1.0)).ladders
         if cost

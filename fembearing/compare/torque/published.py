@@ -59,6 +59,7 @@ class BesidePaper:
     """The numbers of the paper that a scene of the same case has too, at its own speeds and roughness."""
 
     paper: str
+    absent: str | None  # why no number of the scene is compared
     calibration: str | None  # what was chosen until it came out, in the scene's words
     chosen: dict[str, Chosen]
     rows: tuple[Compared, ...]
@@ -80,24 +81,44 @@ def printed_numbers() -> tuple[Printed, ...]:
     )
 
 
-def beside_paper(scene: Scene, friction: FrictionTorque | None) -> BesidePaper | None:
-    """The paper's numbers next to a scene's; None where the scene is another case, or has none of them.
+def beside_paper(scene: Scene, friction: FrictionTorque | None) -> BesidePaper:
+    """The paper's numbers next to a scene's.
 
     friction : torque of the scene, by its own effects; None where it has none
     """
-    if friction is None or not is_papers_case(scene):
-        return None
-    ours = ((printed, _ours(printed, scene, friction)) for printed in printed_numbers())
-    rows = tuple(_compared(printed, value) for printed, value in ours if value is not None)
-    if not rows:
-        return None
-    return BesidePaper(paper=PAPER, calibration=scene.calibration, chosen=_chosen(scene), rows=rows)
+    absent = _other_case(scene)
+    rows: tuple[Compared, ...] = ()
+    if absent is None and friction is not None:
+        ours = ((printed, _ours(printed, scene, friction)) for printed in printed_numbers())
+        rows = tuple(_compared(printed, value) for printed, value in ours if value is not None)
+    if absent is None and not rows:
+        absent = "the scene has neither of its speeds, 100 and 500 rpm, at one of its finishes, Sq 0.1 and 1 um"
+    return BesidePaper(
+        paper=PAPER,
+        absent=absent,
+        calibration=scene.calibration,
+        chosen={} if absent else _chosen(scene),
+        rows=rows,
+    )
 
 
 def is_papers_case(scene: Scene) -> bool:
-    """Whether bearing, load and the way to friction are the paper's: by mixed lubrication, not by a coefficient."""
-    is_mixed = scene.surface is not None and scene.lubricant is not None and scene.friction_coefficient is None
-    return is_mixed and is_papers_bearing(scene.bearing) and is_papers_load(scene.operation)
+    """Whether bearing, load and the way to the friction coefficient are the paper's."""
+    return _other_case(scene) is None
+
+
+def _other_case(scene: Scene) -> str | None:
+    """In what the scene is not the paper's case."""
+    if not is_papers_bearing(scene.bearing):
+        return "the scene has another bearing"
+    if not is_papers_load(scene.operation):
+        return f"the paper has {THRUST:g} N of thrust alone, and the scene another load"
+    if scene.surface is None or scene.lubricant is None or scene.friction_coefficient is not None:
+        return (
+            "the paper's friction coefficient comes from mixed lubrication; the scene gives a coefficient, or lacks a "
+            "lubricant or a surface"
+        )
+    return None
 
 
 def is_papers_bearing(bearing: Bearing) -> bool:

@@ -76,9 +76,10 @@ class Published(Table):
     """The paper's numbers."""
 
     paper: str
+    absent: str | None
     calibration: str | None
     chosen: dict[str, Chosen]
-    rows: Annotated[list[Printed], Field(min_length=1)]
+    rows: list[Printed]
 
 
 class Method(Table):

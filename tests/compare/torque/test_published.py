@@ -10,7 +10,7 @@ from analytic import catalog
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from fembearing.compare.torque.published import BesidePaper, Chosen, beside_paper, printed_numbers
+from fembearing.compare.torque.published import BesidePaper, Chosen, beside_paper, is_papers_case, printed_numbers
 from fembearing.plain_types import plain
 from tests.analytic.specimens import present
 
@@ -25,7 +25,7 @@ def calibrated() -> Scene:
 
 @pytest.fixture(scope="module")
 def beside(calibrated: Scene) -> BesidePaper:
-    return present(beside_paper(calibrated, friction_torque(calibrated)))
+    return beside_paper(calibrated, friction_torque(calibrated))
 
 
 def test_the_numbers_are_those_that_the_paper_prints() -> None:
@@ -43,6 +43,7 @@ def test_a_scene_stands_beside_the_numbers_of_its_own_speed_and_roughness(
     calibrated: Scene, beside: BesidePaper
 ) -> None:
     race = friction_torque(calibrated).torque.race
+    assert beside.absent is None
     # Without a cage the scene has neither its torque nor its force, and no such total.
     assert [(row.quantity, row.rms_roughness) for row in beside.rows] == [("race_torque", 1e-6)] * 2
     assert [row.ours for row in beside.rows] == [race[0], race[4]]  # 100 and 500 rpm of five speeds
@@ -58,25 +59,35 @@ def test_what_was_fitted_is_named_and_what_was_chosen_too(calibrated: Scene, bes
 
 
 @pytest.mark.parametrize(
-    "change",
+    ("change", "words"),
     [
-        {"friction_coefficient": 0.07},
-        {"surface": None},
-        {"operation": Operation(axial_load=np.array([990.0]), inner_speed=np.array([50.0]))},
-        {"operation": Operation(axial_load=np.array([1e3]), inner_speed=np.array([50.0]), radial_load=30.0)},
-        "balls",
-        "roughness",
+        ({"friction_coefficient": 0.07}, "mixed lubrication"),
+        ({"surface": None}, "mixed lubrication"),
+        (
+            {"operation": Operation(axial_load=np.array([990.0]), inner_speed=np.array([50.0]))},
+            "1000 N of thrust alone",
+        ),
+        (
+            {"operation": Operation(axial_load=np.array([1e3]), inner_speed=np.array([50.0]), radial_load=30.0)},
+            "1000 N of thrust alone",
+        ),
+        ("balls", "another bearing"),
     ],
 )
-def test_another_case_stands_beside_nothing(calibrated: Scene, change: dict | str) -> None:
-    friction = friction_torque(calibrated)
-    assert beside_paper(calibrated, friction) is not None
-    if change == "balls":
+def test_another_case_stands_beside_nothing(calibrated: Scene, change: dict | str, words: str) -> None:
+    if isinstance(change, str):
         scene = replace(calibrated, bearing=replace(calibrated.bearing, ball_count=8))
-    elif change == "roughness":  # that the paper does not have
-        scene = replace(calibrated, surface=replace(present(calibrated.surface), rms_roughness=0.7e-6))
     else:
-        assert isinstance(change, dict)
         scene = replace(calibrated, **change)
-    assert beside_paper(scene, friction) is None
-    assert beside_paper(calibrated, None) is None
+    assert is_papers_case(calibrated)
+    assert not is_papers_case(scene)
+    found = beside_paper(scene, friction_torque(calibrated))
+    assert words in (found.absent or "")
+    assert (found.rows, found.chosen) == ((), {})
+
+
+def test_another_roughness_stands_beside_nothing(calibrated: Scene) -> None:
+    scene = replace(calibrated, surface=replace(present(calibrated.surface), rms_roughness=0.7e-6))
+    found = beside_paper(scene, friction_torque(calibrated))
+    assert "Sq 0.1 and 1 um" in (found.absent or "")
+    assert found.rows == ()

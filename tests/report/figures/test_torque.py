@@ -114,6 +114,7 @@ def published(**changes: Any) -> dict[str, Any]:
     other = {"quantity": "race_torque", "rms_roughness": 1e-6, "inner_speed": 100 * RPM, "value": 17e-3}
     return {
         "rows": [other, *rows],
+        "absent": None,
         "calibration": None,
     } | changes
 

@@ -37,7 +37,6 @@ ORDER = (
     "Mesh convergence",
     "Contact pressure",
     "What accuracy costs",
-    "Published numbers",
     "Hard cases",
     "What to run next",
     "Provenance",
