@@ -56,6 +56,20 @@ def test_validate_judges_every_quantity_of_all_three_pairs(validated: dict[str, 
 
 
 @pytest.mark.slow
+def test_the_answer_without_a_name_is_whole(validated: dict[str, Any]) -> None:
+    """Nothing is missing, every assumption has its source, and the paper's numbers at Sq 0.1 um stand beside ours."""
+    torque = validated["torque"]
+    missing = [each["name"] for each in torque["effects"] if "not given" in each["reason"] or "add a" in each["reason"]]
+    assert missing == []
+    assert not any("add a" in warning or "is left out" in warning for warning in torque["warnings"])
+    assumed = {each["key"]: each["source"] for each in torque["inputs"] if each["status"] == "assumed"}
+    assert assumed["cage.start"]
+    assert "ISO VG 68" in assumed["lubricant.viscosity"]
+    assert all(assumed.values())
+    assert [row["rms_roughness"] for row in validated["published"]["rows"]] == [pytest.approx(1e-7)] * 8
+
+
+@pytest.mark.slow
 def test_the_sheet_of_the_pocket_is_shown_with_its_thick_seat(validated: dict[str, Any]) -> None:
     """A half space under sheet metal makes K_pb too large; the sheet is not judged."""
     seat, sheet = validated["contacts"][2:]
