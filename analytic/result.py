@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
-from html import escape
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -11,20 +10,13 @@ from numpy.typing import NDArray
 from analytic.cage.torque import CAGE_KEYS, CagePart
 from analytic.effects.ledger import Effect
 from analytic.effects.table import CHOSEN, DECLARED
+from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
 from analytic.loads.pair import PairEquilibrium
 from analytic.loads.ring_state import RingState
 from analytic.scene import ArrangementKind, Array, Clearances, Scene, Sliding
 
 POINT = "point"  # the dimension of a dataset
 MOST_ROWS = 12  # of the table in a notebook
-
-
-class Column(NamedTuple):
-    """What the numbers of a column are."""
-
-    unit: str  # SI; "1" of a pure number
-    meaning: str
-    symbol: str = ""
 
 
 class Unit(NamedTuple):
@@ -242,25 +234,24 @@ class FrictionTorque:
         nothing = np.full(self.inner_speed.shape, np.nan)
         return {name: nothing if values[name] is None else np.asarray(values[name]) for name in COLUMNS}
 
-    def to_xarray(self) -> Any:
+    def to_dataset(self) -> Any:
         """An xarray.Dataset over the operating points, with units and meanings as attributes.
 
         It lacks the columns that hold nothing, because their part was left out or is not modelled.
         """
-        import xarray  # on demand: it takes a second
-
-        def variable(values: Array, column: Column) -> tuple[str, Array, dict[str, str]]:
-            return POINT, values, {"units": column.unit, "long_name": column.meaning}
-
-        return xarray.Dataset(
-            {
-                name: variable(values, COLUMNS[name])
-                for name, values in self.columns().items()
-                if not np.all(np.isnan(values))
-            },
-            coords={name: variable(getattr(self, name), column) for name, column in COORDINATES.items()},
-            attrs={**self.provenance, "warnings": "\n".join(self.warnings)},
+        return dataset_of(
+            {name: Labelled((POINT,), values, COLUMNS[name]) for name, values in self.columns().items()},
+            coordinates={name: Labelled((POINT,), getattr(self, name), column) for name, column in COORDINATES.items()},
+            attributes=self.attributes(),
         )
+
+    def attributes(self) -> dict[str, str]:
+        """What a dataset says of itself: how it was computed, and its warnings."""
+        return {**self.provenance, "warnings": "\n".join(self.warnings)}
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of `to_dataset`: a row for each operating point, SI."""
+        return frame_of(self.to_dataset(), POINT)
 
     def _repr_html_(self) -> str:
         """A table for a notebook: a row for each operating point, the torque in N mm by effect."""
@@ -337,16 +328,6 @@ def _rows(value: Any, points: NDArray[np.intp]) -> Any:
     if isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
         return replace(value, **{name: _rows(part, points) for name, part in vars(value).items()})
     return value
-
-
-def html_table(head: list[str], rows: list[list[str]], caption: str) -> str:
-    """Rows of text as an HTML table."""
-
-    def row(cells: list[str], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
-
-    body = "".join(row(cells, "td") for cells in rows)
-    return f"<table><caption>{escape(caption)}</caption><thead>{row(head, 'th')}</thead><tbody>{body}</tbody></table>"
 
 
 def _finite(value: float) -> float | None:

@@ -11,6 +11,7 @@ import numpy as np
 from scipy.special import ndtri
 
 from analytic.errors import InputError
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.evaluation import Problem, problem_of
 from analytic.prediction.indices import SobolIndices, indices_of
 from analytic.prediction.interval import (
@@ -24,13 +25,19 @@ from analytic.prediction.interval import (
 from analytic.prediction.regression import Regression, regression_of
 from analytic.prediction.sampling import Progress, sampled, silent
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
-from analytic.result import COORDINATES, FrictionTorque
+from analytic.result import COORDINATES, POINT, FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
 ENOUGH = 0.03  # standard error of each end of the total's interval, over that end
 SEED = 1
+ENDS_IN_WORDS = {"low": "lower end of the 95 % interval", "high": "upper end of the 95 % interval"}
+INTERVAL = {
+    **ENDS_IN_WORDS,
+    "median": "median",
+    **{f"{end}_error": f"standard error of the {words}" for end, words in ENDS_IN_WORDS.items()},
+}
 NOT_VARIED = (
     "laws and formulas other than those of film, gap, surfaces and rolling: traction, spin, creep, heating, starvation "
     "and viscosity over temperature",
@@ -85,6 +92,38 @@ class Prediction:
             "seconds": self.seconds,
             "evaluation_seconds": self.evaluation_seconds,
         }
+
+    def to_dataset(self) -> Any:
+        """An xarray.Dataset over operating points and inputs, SI, with units and meanings as attributes."""
+        points = {name: Labelled((POINT,), getattr(self.nominal, name), each) for name, each in COORDINATES.items()}
+        torque = "friction torque"
+        rows = {"torque_total": Labelled((POINT,), self.nominal.torque.total, Column("N m", torque))}
+        for name, interval in {"total": self.total, **self.parts}.items():
+            of = torque if name == "total" else f"{torque} by {name}"
+            for end, values in vars(interval).items():
+                rows[f"torque_{name}_{end}"] = Labelled((POINT,), values, Column("N m", f"{INTERVAL[end]}, {of}"))
+        for end, words in enumerate(ENDS_IN_WORDS.items()):
+            ends = [each[end] for each in self.made_of.values()]
+            meaning = f"{words[1]} if nothing else were uncertain, {torque}"
+            rows[f"made_of_{words[0]}"] = Labelled(("cause", POINT), ends, Column("N m", meaning))
+        for name, values in vars(self.indices).items():
+            kind, _, error = name.partition("_")
+            meaning = f"{'standard error of the ' if error else ''}Sobol index of the {torque}, {kind}"
+            rows[f"index_{name}"] = Labelled(("input", POINT), values, Column("1", meaning))
+        return dataset_of(
+            rows
+            | {"explained": Labelled((POINT,), self.explained, Column("1", "variance that the regression predicts"))},
+            coordinates=points
+            | {
+                "input": Labelled(("input",), [each.key for each in self.inputs], Column("", "uncertain input")),
+                "cause": Labelled(("cause",), list(self.made_of), Column("", "what alone is uncertain")),
+            },
+            attributes={**self.nominal.provenance, "samples": self.samples, "failed": self.failed, "seed": self.seed},
+        )
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of the intervals: a row for each operating point, SI. Inputs stand in `to_dataset`."""
+        return frame_of(self.to_dataset(), POINT)
 
     def _point(self, point: int) -> dict[str, Any]:
         indices = {name: [float(each) for each in values[:, point]] for name, values in vars(self.indices).items()}

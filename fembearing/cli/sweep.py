@@ -54,7 +54,7 @@ def _maps(result: "Sweep") -> list[Path]:
         from fembearing.report.new_folder import whole_folder
 
         with whole_folder(folder) as apart:
-            write_maps(result.dataset(*PLOTTED), apart)
+            write_maps(result.to_dataset(*PLOTTED), apart)
     return sorted(folder.iterdir())
 
 

@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 
 from analytic.errors import InputError
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import FrictionTorque
 from analytic.scene import Pair, Scene
+from fembearing.compare.contact.columns import COLUMNS, VERDICT
 from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact, with_ring
 from fembearing.compare.contact.scene_contact import contact_of
 from fembearing.compare.contact.verdict import Verdict, worst
@@ -82,6 +84,26 @@ class Validation:
         torque = () if self.torque is None else self.torque.friction.warnings
         fitted = () if self.torque_change is None else self.torque_change.fitted.warnings
         return tuple(dict.fromkeys([*contacts, *torque, *fitted, *self.trouble]))
+
+    def to_dataset(self) -> Any:
+        """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has one of its own."""
+        rows = [contact.columns() for contact in self.contacts]
+        words = {
+            "pair": ("body that the ball presses", [contact.contact.pair for contact in self.contacts]),
+            "geometry": ("shape of the meshes", [contact.geometry for contact in self.contacts]),
+            VERDICT: ("on uncorrected Hertz", [contact.shown_verdict for contact in self.contacts]),
+        }
+        return dataset_of(
+            {name: Labelled(("contact",), [row[name] for row in rows], each) for name, each in COLUMNS.items()},
+            coordinates={
+                name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()
+            },
+            attributes={"scene": self.scene.name, "tolerance": self.tolerance, VERDICT: self.verdict},
+        )
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of `to_dataset`: a row for each contact, SI."""
+        return frame_of(self.to_dataset(), "contact")
 
 
 def check_scene(

@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.errors import FembearingError
-from analytic.result import COLUMNS, Column, FrictionTorque
+from analytic.labelled import Column
+from analytic.result import COLUMNS, FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.sliding.methods import SERIES
 from analytic.torque import friction_torque

@@ -36,7 +36,7 @@ class Sweep:
     reasons: tuple[str, ...]  # why points failed, the first `SHOWN_REASONS` different ones
     seconds: float
 
-    def dataset(self, *names: str) -> Any:
+    def to_dataset(self, *names: str) -> Any:
         """The results as an xarray.Dataset in memory: all variables, or those of `names` that it holds."""
         import xarray  # on demand: it takes a second
 

@@ -88,7 +88,7 @@ def test_a_mistake_ends_with_status_2_and_one_line(sweep: Callable[..., Any], gr
 
 @pytest.mark.usefixtures("in_process")
 def test_a_map_shows_the_dataset_in_common_units(grid_file: Write, tmp_path: Path) -> None:
-    dataset = run_sweep(grid_file(AXES.replace("100 N", "20 N")), out=tmp_path / "out").dataset()
+    dataset = run_sweep(grid_file(AXES.replace("100 N", "20 N")), out=tmp_path / "out").to_dataset()
     figure = map_figure(dataset, "torque_total")
     panel, bar = figure.axes
     (mesh,) = (part for part in panel.collections if type(part).__name__ == "QuadMesh")

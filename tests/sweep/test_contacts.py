@@ -30,7 +30,7 @@ def test_contacts_of_half_spaces_agree_with_hertz(
         'pair = ["inner", "outer"]\nball_load = ["90 N"]',
         head='what = "contact"\ngeometry = "hertzian"\naccuracy = 0.03',
     )
-    found = run_sweep(path, out=tmp_path / "out").dataset().squeeze("ball_load")
+    found = run_sweep(path, out=tmp_path / "out").to_dataset().squeeze("ball_load")
     assert len(solved) == 2
     assert found["pair"].values.tolist() == ["inner", "outer"]
     for name in QUANTITIES:
@@ -41,7 +41,7 @@ def test_contacts_of_half_spaces_agree_with_hertz(
     assert float(found["load"][0]) == 90
     assert set(found["verdict"].values) == {"pass"}
 
-    alone = solved[0].to_xarray()
+    alone = solved[0].to_dataset()
     assert alone.attrs["pair"] == "inner"
     for name in QUANTITIES:
         assert float(alone[name]) == float(found[name][0]) == solved[0].estimates[name].value
@@ -54,7 +54,7 @@ def test_contacts_of_half_spaces_agree_with_hertz(
 
 def test_a_torque_becomes_a_dataset_and_a_table() -> None:
     result = friction_torque(load_scene("6205-dry"))
-    found = result.to_xarray()
+    found = result.to_dataset()
     np.testing.assert_array_equal(found["torque_total"], result.torque.total)
     np.testing.assert_array_equal(found["peak_pressure_outer"], result.outer.peak_pressure)
     np.testing.assert_array_equal(found["inner_speed"], result.inner_speed)

@@ -35,7 +35,7 @@ Write = Callable[..., Path]
 @pytest.mark.parametrize("rule", ["balanced", "free"])
 def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: Path, rule: str) -> None:
     path = grid_file(AXES, scene=SCENE.replace('spin_rule = "balanced"', f'spin_rule = "{rule}"'))
-    found = run_sweep(path, out=tmp_path / "out").dataset()
+    found = run_sweep(path, out=tmp_path / "out").to_dataset()
     assert found["torque_total"].dims == ("coefficient", "inner_speed", "conformity", "axial_load")
     base = load_grid(path).scene(0)
     diameter = base.bearing.ball_diameter
@@ -85,7 +85,7 @@ def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
         "surface.rms_roughness": ["0.05 um", "310 nm"],
     }
     lines = "\n".join(f"{key} = {values}" for key, values in axes.items())
-    found = run_sweep(grid_file(lines, head='scene = "oiled.toml"', scene=""), out=tmp_path / "out").dataset()
+    found = run_sweep(grid_file(lines, head='scene = "oiled.toml"', scene=""), out=tmp_path / "out").to_dataset()
     assert found["torque_total"].dims == ("bearing", "viscosity", "rms_roughness")
     assert found["bearing"].values.tolist() == axes["bearing.catalog"]
     np.testing.assert_array_equal(found["viscosity"], [0.013, 0.077])
@@ -104,7 +104,7 @@ def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
 @pytest.mark.usefixtures("in_process")
 def test_the_dataset_has_units_and_its_origin(grid_file: Write, tmp_path: Path) -> None:
     path = grid_file(AXES)
-    found = run_sweep(path, out=tmp_path / "out").dataset()
+    found = run_sweep(path, out=tmp_path / "out").to_dataset()
     assert found["torque_total"].attrs["units"] == "N m"
     assert found["inner_speed"].attrs == {
         "units": "rad/s",
@@ -123,7 +123,7 @@ def test_the_dataset_has_units_and_its_origin(grid_file: Write, tmp_path: Path) 
 @pytest.mark.usefixtures("short_pieces")
 def test_an_interrupted_sweep_continues(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
     path, out = grid_file(AXES), tmp_path / "out"
-    whole = run_sweep(path, out=tmp_path / "whole").dataset()
+    whole = run_sweep(path, out=tmp_path / "whole").to_dataset()
     in_process.clear()
 
     def stop_half_way(share: float, _step: str) -> None:
@@ -142,7 +142,7 @@ def test_an_interrupted_sweep_continues(grid_file: Write, tmp_path: Path, in_pro
     assert told[0] == (0.5, "24 of 48 points")
     for file, stat in files.items():
         assert (file.stat().st_ino, file.stat().st_mtime_ns) == (stat.st_ino, stat.st_mtime_ns)
-    assert found.dataset().drop_attrs().identical(whole.drop_attrs())
+    assert found.to_dataset().drop_attrs().identical(whole.drop_attrs())
     again = run_sweep(path, out=out)
     assert (again.computed, again.kept, again.failed) == (0, 48, 0)
     assert len(in_process) == 6
@@ -151,7 +151,7 @@ def test_an_interrupted_sweep_continues(grid_file: Write, tmp_path: Path, in_pro
 @pytest.mark.usefixtures("short_pieces")
 def test_missing_files_of_a_folder_are_computed_again(grid_file: Write, tmp_path: Path, in_process: list[Any]) -> None:
     path, out = grid_file(AXES), tmp_path / "out"
-    whole = run_sweep(path, out=out).dataset()
+    whole = run_sweep(path, out=out).to_dataset()
     first, second, *_ = sorted((out / "parts").iterdir())
     first.write_bytes(first.read_bytes()[:900])  # as a power failure leaves it
     second.unlink()
@@ -160,10 +160,10 @@ def test_missing_files_of_a_folder_are_computed_again(grid_file: Write, tmp_path
     (out / "done.json").unlink()
     found = run_sweep(path, out=out)
     assert (found.computed, found.kept, len(in_process)) == (16, 32, 8)
-    assert found.dataset().drop_attrs().identical(whole.drop_attrs())
+    assert found.to_dataset().drop_attrs().identical(whole.drop_attrs())
     assert [file.name for file in out.rglob(".*")] == [".lock"]
     (out / "sweep.nc").write_bytes(b"")
-    assert run_sweep(path, out=out).dataset().drop_attrs().identical(whole.drop_attrs())
+    assert run_sweep(path, out=out).to_dataset().drop_attrs().identical(whole.drop_attrs())
     (out / "done.json").write_text("{}", "utf-8")
     assert run_sweep(path, out=out).computed == 0
     (out / "sweep.json").write_text('{"made_from": 3}', "utf-8")
@@ -192,11 +192,11 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path:
 def test_few_columns_in_memory_make_the_same_dataset(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    together = run_sweep(grid_file(AXES), out=tmp_path / "together").dataset()
+    together = run_sweep(grid_file(AXES), out=tmp_path / "together").to_dataset()
     monkeypatch.setattr("fembearing.sweep.dataset.BYTES_TOGETHER", 3 * 8 * 48)
     apart = run_sweep(grid_file(AXES), out=tmp_path / "apart")
-    assert apart.dataset().drop_attrs(deep=False).identical(together.drop_attrs(deep=False))
-    assert list(apart.dataset("torque_total", "nothing").data_vars) == ["torque_total"]
+    assert apart.to_dataset().drop_attrs(deep=False).identical(together.drop_attrs(deep=False))
+    assert list(apart.to_dataset("torque_total", "nothing").data_vars) == ["torque_total"]
 
 
 @pytest.mark.usefixtures("short_pieces")
@@ -204,13 +204,13 @@ def test_the_order_in_which_pieces_finish_does_not_matter(
     grid_file: Write, tmp_path: Path, in_process: list[Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = grid_file(AXES)
-    forward = run_sweep(path, out=tmp_path / "forward").dataset()
+    forward = run_sweep(path, out=tmp_path / "forward").to_dataset()
 
     def backward(function: Any, tasks: dict[Any, Any], **_: Any) -> Any:
         yield from ((key, function(*task)) for key, task in reversed(tasks.items()))
 
     monkeypatch.setattr("fembearing.sweep.run.each_done", backward)
-    assert run_sweep(path, out=tmp_path / "backward").dataset().drop_attrs().identical(forward.drop_attrs())
+    assert run_sweep(path, out=tmp_path / "backward").to_dataset().drop_attrs().identical(forward.drop_attrs())
     assert in_process
 
 
@@ -287,10 +287,10 @@ def test_points_that_fail_give_a_reason_and_leave_the_others_alone(grid_file: Wr
     """A load that drives balls over the shoulder, within a series; a groove as narrow as the ball, in its own scene."""
     rest = 'bearing.conformity = {}\noperation.axial_load = {}\noperation.inner_speed = ["90 rpm"]'
     good = rest.format([0.52], ["200 N", "500 N"])
-    known = run_sweep(grid_file(good), out=tmp_path / "good").dataset()
+    known = run_sweep(grid_file(good), out=tmp_path / "good").to_dataset()
     more = rest.format([0.5, 0.52], ["200 N", "90 MN", "500 N"])
     result = run_sweep(grid_file(more), out=tmp_path / "more")
-    found = result.dataset()
+    found = result.to_dataset()
     assert (result.failed, result.lost, len(result.reasons)) == (4, 0, 2)
     failed = found["failure"].values[..., 0] != ""
     np.testing.assert_array_equal(failed, [[True, True, True], [False, True, False]])
@@ -313,10 +313,10 @@ def test_good_points_are_computed_however_many_fail(grid_file: Write, tmp_path: 
     found = run_sweep(grid_file(f"operation.axial_load = {[*loads, '99 MN']}"), out=tmp_path / "out")
     assert (found.points, found.failed) == (13, 7)
     good = [number % 2 == 1 for number in range(13)]
-    np.testing.assert_array_equal(np.isfinite(found.dataset()["torque_total"]), good)
+    np.testing.assert_array_equal(np.isfinite(found.to_dataset()["torque_total"]), good)
     none = run_sweep(grid_file('operation.axial_load = ["90 MN", "91 MN"]'), out=tmp_path / "none")
     assert (none.failed, none.computed) == (2, 2)
-    assert "torque_total" not in none.dataset()
+    assert "torque_total" not in none.to_dataset()
 
 
 @pytest.mark.usefixtures("in_process")
@@ -331,7 +331,7 @@ def test_a_bug_in_a_scene_is_reported_at_its_points(
         return whole(grid, variant)
 
     monkeypatch.setattr(Grid, "scene", broken)
-    found = run_sweep(grid_file("bearing.conformity = [0.515, 0.52, 0.53]"), out=tmp_path / "out").dataset()
+    found = run_sweep(grid_file("bearing.conformity = [0.515, 0.52, 0.53]"), out=tmp_path / "out").to_dataset()
     assert found["failure"].values.tolist() == ["", "KeyError: 'groove'", ""]
 
 
@@ -346,7 +346,7 @@ def test_a_bug_at_one_point_is_reported_there_with_its_class(
 
     monkeypatch.setattr(parts, "friction_torque", broken)
     axes = 'operation.axial_load = ["100 N", "200 N", "300 N", "400 N", "500 N"]'
-    found = run_sweep(grid_file(axes), out=tmp_path / "out").dataset()
+    found = run_sweep(grid_file(axes), out=tmp_path / "out").to_dataset()
     assert found["failure"].values.tolist() == ["", "", "ZeroDivisionError: by nothing", "", ""]
 
 
@@ -361,7 +361,7 @@ def test_a_scene_that_fails_everywhere_is_a_mistake(grid_file: Write, tmp_path: 
 def test_a_grid_with_samples_has_the_interval_of_each_point(grid_file: Write, tmp_path: Path) -> None:
     axes = 'operation.axial_load = ["300 N", "700 N"]\nfriction.coefficient = [0.05, 0.1]\n'
     path = grid_file(axes, head="samples = 48")
-    found = run_sweep(path, out=tmp_path / "out").dataset()
+    found = run_sweep(path, out=tmp_path / "out").to_dataset()
     assert found["torque_low"].attrs["units"] == "N m"
     assert np.all(found["torque_low"] < found["torque_total"])
     assert np.all(found["torque_total"] < found["torque_high"])
@@ -387,7 +387,7 @@ def test_a_point_without_its_interval_keeps_its_torque_and_counts_as_failed(grid
     """An angle that is so uncertain passes the shoulder in many samples, which then have no torque."""
     axes = 'uncertainty.bearing.contact_angle.free = ["0.02 rad", "1 rad"]'
     run = run_sweep(grid_file(axes, head="samples = 64"), out=tmp_path / "out")
-    found = run.dataset().squeeze()
+    found = run.to_dataset().squeeze()
     assert run.failed == 1
     assert re.match(r"no interval: \d+ of 64 samples have no torque", run.reasons[0])
     assert np.all(np.isfinite(found["torque_total"]))

@@ -64,7 +64,7 @@ def test_a_worker_killed_once_costs_only_time(
     found = run_sweep(path, out=tmp_path / "out", workers=1, progress=kill_one)
     assert killed
     assert (found.computed, found.failed, found.lost) == (448, 0, 0)
-    data = found.dataset()["torque_total"].transpose("coefficient", "axial_load")
+    data = found.to_dataset()["torque_total"].transpose("coefficient", "axial_load")
     assert bool((data.diff("coefficient") > 0).all())  # every part at its place: torque grows with friction
 
 
@@ -81,7 +81,7 @@ def test_points_of_a_worker_that_dies_are_tried_again_next_time(
     monkeypatch.setattr("fembearing.sweep.run.each_done", dying)
     first = run_sweep(path, out=out)
     assert (first.computed, first.kept, first.lost, first.failed) == (14, 0, 7, 7)
-    assert set(first.dataset()["failure"].sel(coefficient=0.07).values) == {"killed"}
+    assert set(first.to_dataset()["failure"].sel(coefficient=0.07).values) == {"killed"}
     deadly.clear()
     second = run_sweep(path, out=out)
     assert (second.computed, second.kept, second.lost, second.failed) == (7, 14, 0, 0)
@@ -171,7 +171,7 @@ def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
     distributed = pytest.importorskip("distributed", exc_type=ImportError)
     dask = pytest.importorskip("dask")
     path = grid_file(SERIES + "friction.coefficient = { from = 0.02, to = 0.13, count = 60 }\n")
-    whole = run_sweep(path, out=tmp_path / "here").dataset()
+    whole = run_sweep(path, out=tmp_path / "here").to_dataset()
     assert len(in_process) == 2
     options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": None, "silence_logs": "CRITICAL"}
     with dask.config.set({"distributed.scheduler.allowed-failures": 0}), distributed.LocalCluster(**options) as cluster:
@@ -194,7 +194,7 @@ def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
             next(going)
     assert isinstance(done.pop("deadly"), LostWorkerError)
     assert done == {number: -number for number in range(4)}
-    assert found.dataset().drop_attrs().identical(whole.drop_attrs())
+    assert found.to_dataset().drop_attrs().identical(whole.drop_attrs())
 
 
 def test_a_scheduler_that_is_not_there_is_one_line(

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from analytic.result import Column, html_table
+from analytic.labelled import Column, Labelled, dataset_of, html_table
 from fembearing.quantities import CONTACT, QUANTITIES
 
 COLUMNS: dict[str, Column] = {
@@ -29,15 +29,8 @@ def contact_dataset(values: Mapping[str, float], attributes: Mapping[str, Any]) 
 
     values : of COLUMNS
     """
-    import xarray  # on demand: it takes a second
-
-    return xarray.Dataset(
-        {
-            name: ((), value, {"units": COLUMNS[name].unit, "long_name": COLUMNS[name].meaning})
-            for name, value in values.items()
-        },
-        attrs=dict(attributes),
-    )
+    variables = {name: Labelled((), value, COLUMNS[name]) for name, value in values.items()}
+    return dataset_of(variables, coordinates={}, attributes=attributes)
 
 
 def contact_html(values: Mapping[str, float], caption: str) -> str:

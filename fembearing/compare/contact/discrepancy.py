@@ -213,7 +213,7 @@ class ContactSolution:
             "unknowns": float(self.meshes[-1].unknowns),
         }
 
-    def to_xarray(self) -> Any:
+    def to_dataset(self) -> Any:
         """An xarray.Dataset of what is compared, with units."""
         attributes = {
             "pair": self.contact.pair,

@@ -10,10 +10,13 @@ import time
 from dataclasses import asdict, dataclass, replace
 from typing import Any, NamedTuple
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.scene import Contact, Pair, Scene
+from fembearing.compare.contact.columns import COLUMNS, VERDICT
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.contact.mesh_refinement import (
@@ -147,6 +150,37 @@ class LoadSeries:
             "cost": {"seconds": self.seconds, "meshes": self.meshes, "peak_memory": self.peak_memory},
             "warnings": list(self.warnings),
         }
+
+    def to_dataset(self) -> Any:
+        """An xarray.Dataset over the loads, SI, with units and meanings as attributes."""
+        described = {name: COLUMNS[name] for name in COLUMNS if name.endswith("approach")} | {
+            "tangent": Column("N/m", "dF/d(approach), finite elements"),
+            "uncertainty_tangent": Column("1", "numerical uncertainty of dF/d(approach), relative"),
+            "hertz_tangent": Column("N/m", "dF/d(approach), Hertz"),
+            VERDICT: Column("", "on Hertz's approach"),
+        }
+        rows = [
+            {
+                "approach": point.approach.value,
+                "uncertainty_approach": point.approach.total,
+                "hertz_approach": point.hertz_approach,
+                "discrepancy_approach": point.discrepancy,
+                "tangent": np.nan if point.tangent is None else point.tangent,
+                "uncertainty_tangent": np.nan if point.tangent_uncertainty is None else point.tangent_uncertainty,
+                "hertz_tangent": point.hertz_tangent,
+                VERDICT: point.verdict,
+            }
+            for point in self.points
+        ]
+        return dataset_of(
+            {name: Labelled(("load",), [row[name] for row in rows], column) for name, column in described.items()},
+            coordinates={"load": Labelled(("load",), [point.load for point in self.points], COLUMNS["load"])},
+            attributes={"pair": self.contact.pair, "geometry": self.geometry, "tolerance": self.tolerance},
+        )
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of `to_dataset`: a row for each load, SI."""
+        return frame_of(self.to_dataset(), "load")
 
 
 def solve_load_series(

@@ -9,7 +9,8 @@ import numpy as np
 from analytic.effects.table import STATIC_LIMIT
 from analytic.errors import FembearingError
 from analytic.inputs import StatedInput, stated_inputs
-from analytic.result import FrictionTorque
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
+from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
 from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
@@ -19,6 +20,12 @@ from fembearing.progress import Progress, silent
 if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
     from analytic.prediction.prediction import Prediction
 
+BESIDE: dict[str, Column] = {  # what stands beside the torque, one number at each operating point
+    "interval_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
+    "interval_high": Column("N m", "upper end of the 95 % interval of the friction torque"),
+    "catalogue_low": Column("N m", "lower end of the catalogue band"),
+    "catalogue_high": Column("N m", "upper end of the catalogue band"),
+}
 Samples = int | Literal["enough"] | None  # of an interval: a number, until its ends are known well enough, or none
 
 
@@ -70,6 +77,31 @@ class SceneTorque:
         band, total = self.catalogue.band, self.friction.torque.total
         if band is not None and (outside := np.count_nonzero((total < band.low) | (total > band.high))):
             yield f"The torque is outside the catalogue band at {outside} of {total.size} operating points."
+
+    def columns(self) -> dict[str, Labelled]:
+        """Every number that stands at each operating point, SI: the points, and what is computed and known there."""
+        given = {name: (getattr(self.friction, name), column) for name, column in COORDINATES.items()}
+        computed = {name: (values, COLUMNS[name]) for name, values in self.friction.columns().items()}
+        beside = {name: (values, BESIDE[name]) for name, values in self._beside()}
+        return {
+            name: Labelled((POINT,), values, column) for name, (values, column) in (given | computed | beside).items()
+        }
+
+    def _beside(self) -> Iterator[tuple[str, Array]]:
+        interval = None if self.prediction is None else self.prediction.total
+        for name, group in (("interval", interval), ("catalogue", self.catalogue.band)):
+            if group is not None:
+                yield from ((f"{name}_{end}", getattr(group, end)) for end in ("low", "high"))
+
+    def to_dataset(self) -> Any:
+        """An xarray.Dataset over the operating points, SI, with units and meanings as attributes."""
+        columns = self.columns()
+        coordinates = {name: columns.pop(name) for name in COORDINATES}
+        return dataset_of(columns, coordinates=coordinates, attributes=self.friction.attributes())
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of `to_dataset`: a row for each operating point, SI."""
+        return frame_of(self.to_dataset(), POINT)
 
     def to_json(self) -> dict[str, Any]:
         """The torque as plain types, SI, with the catalogue band, None where there is none."""

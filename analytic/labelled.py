@@ -1,0 +1,70 @@
+"""Results as labelled arrays, data frames and tables of a notebook: every number with its unit and meaning."""
+
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+
+class Column(NamedTuple):
+    """What the numbers of a column are."""
+
+    unit: str  # SI; "1" of a pure number
+    meaning: str
+    symbol: str = ""
+
+
+class Labelled(NamedTuple):
+    """Numbers with the names of their dimensions."""
+
+    dimensions: tuple[str, ...]
+    values: ArrayLike
+    column: Column
+
+
+def dataset_of(
+    variables: Mapping[str, Labelled], *, coordinates: Mapping[str, Labelled], attributes: Mapping[str, Any]
+) -> Any:
+    """An xarray.Dataset with `units` and `long_name` of each variable as attributes.
+
+    It lacks the variables that hold nothing, because their part was left out or is not modelled.
+    """
+    import xarray  # on demand: it takes a second
+
+    def variable(given: Labelled) -> tuple[tuple[str, ...], ArrayLike, dict[str, str]]:
+        return given.dimensions, given.values, {"units": given.column.unit, "long_name": given.column.meaning}
+
+    return xarray.Dataset(
+        {name: variable(given) for name, given in variables.items() if not _is_empty(given.values)},
+        coords={name: variable(given) for name, given in coordinates.items()},
+        attrs=dict(attributes),
+    )
+
+
+def frame_of(dataset: Any, dimension: str) -> Any:
+    """A pandas.DataFrame with a row for each element of one dimension, coordinates first; `attrs["units"]` has units.
+
+    Variables that have other dimensions are left out.
+    """
+    rows = dataset.drop_dims([name for name in dataset.dims if name != dimension])
+    coordinates = [name for name in rows.coords if name not in rows.indexes]
+    frame = rows.to_dataframe()[[*coordinates, *rows.data_vars]]
+    frame.attrs["units"] = {name: rows[name].attrs["units"] for name in frame.columns if "units" in rows[name].attrs}
+    return frame
+
+
+def html_table(head: Sequence[str], rows: Sequence[Sequence[str]], caption: str) -> str:
+    """Rows of text as an HTML table."""
+
+    def row(cells: Sequence[str], tag: str) -> str:
+        return "<tr>" + "".join(f"<{tag}>{escape(cell)}</{tag}>" for cell in cells) + "</tr>"
+
+    body = "".join(row(cells, "td") for cells in rows)
+    return f"<table><caption>{escape(caption)}</caption><thead>{row(head, 'th')}</thead><tbody>{body}</tbody></table>"
+
+
+def _is_empty(values: ArrayLike) -> bool:
+    array = np.asarray(values)
+    return array.dtype.kind == "f" and array.size > 0 and bool(np.all(np.isnan(array)))
