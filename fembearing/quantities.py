@@ -14,6 +14,7 @@ GIGA, MILLI, MICRO = Unit("GPa", 1e-9), Unit("mm", 1e3), Unit("um", 1e6)
 STIFFNESS = Unit("GN/m^1.5", 1e-9)
 TANGENT = Unit("N/um", 1e-6)
 MILLISECOND = Unit("ms", 1e3)
+PERCENT = Unit("%", 100.0)
 LINE_LOAD = Unit("N/mm", 1e-3)
 
 
@@ -82,3 +83,18 @@ QUANTITIES: dict[str, Quantity] = {
     "rms_roughness": Quantity("rms roughness", "Sq", "m", MICRO, "rms roughness"),
     "conformity": Quantity("conformity", "", "1", Unit("", 1.0), "conformity, groove radius over ball diameter"),
 }
+SHARES = ("uncertainty_", "asperity_share", "boundary_share")  # pure numbers that are shown in percent
+OF_A_RACE = ("_inner", "_outer")
+
+
+def shown_unit(name: str, unit: str) -> Unit:
+    """The unit in which a column of a torque is shown, whatever its size.
+
+    name, unit : of the column, SI
+    """
+    if name.startswith(SHARES):
+        return PERCENT
+    stem = name.removesuffix(OF_A_RACE[0]).removesuffix(OF_A_RACE[1])
+    if unit in ("m", "Pa") or stem == "load":
+        return QUANTITIES[stem].shown
+    return unit_for(unit, 0.0)

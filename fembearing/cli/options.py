@@ -52,6 +52,14 @@ Accuracy = Annotated[
 Folder = Annotated[
     Path | None, typer.Option("--out", help="New folder for page or pictures, tables, series in time and JSON.")
 ]
+Target = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        help="New folder for torque.json, torque.csv, torque.png and series in time; or one file: .csv, .json, .png, "
+        ".pdf, .html.",
+    ),
+]
 WithInterval = Annotated[
     bool,
     typer.Option("--interval", help="The 95 % interval of the torque too: from 512 torques and more, on all cores."),

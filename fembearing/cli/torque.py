@@ -7,9 +7,9 @@ import typer
 from fembearing.cli.console import DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
 from fembearing.cli.options import (
     AsJson,
-    Folder,
     Samples,
     SceneName,
+    Target,
     Tolerance,
     WithInterval,
     read_samples,
@@ -21,7 +21,7 @@ from fembearing.cli.options import (
 def torque(
     scene: SceneName = None,
     tolerance: Tolerance = None,
-    folder: Folder = None,
+    target: Target = None,
     with_interval: WithInterval = False,
     samples: Samples = None,
     as_json: AsJson = False,
@@ -30,17 +30,17 @@ def torque(
     given, count = read_scene(scene), read_samples(samples, with_interval=with_interval)
     given = replace(given, tolerance=read_tolerance(tolerance, given))
     from fembearing.report.terminal.torque import print_torque
-    from fembearing.report.torque_folder import torque_with_folder
+    from fembearing.report.torque_folder import torque_with_files
 
     with shown_progress() as progress:
-        result, lacking = torque_with_folder(given, out=folder, samples=count, progress=progress)
+        result, lacking = torque_with_files(given, out=target, samples=count, progress=progress)
     if as_json:
         print_json(result.to_json())
     else:
         print_torque(out, result)
         print_warnings(result.friction.warnings)
-        if folder is not None:
-            out.print(f"folder: {folder}", soft_wrap=True, markup=False)
+        if target is not None:
+            out.print(f"{'file' if target.suffix else 'folder'}: {target}", soft_wrap=True, markup=False)
     if lacking is not None:
         typer.echo(f"fembearing: {lacking}", err=True)
     raise typer.Exit(DONE if result.within_tolerance else NOT_SOLVED)

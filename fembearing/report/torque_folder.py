@@ -1,8 +1,10 @@
-"""The folder of a torque: its numbers, and for each point whose cage moved a series in time, a plot and a picture."""
+"""What a torque is written to: a folder with all, or one file.
 
-import json
+The folder has the numbers, the table, the figure, and for each point whose cage moved a series in time, a plot and a
+picture.
+"""
+
 from collections.abc import Sequence
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,8 +14,8 @@ from analytic.scene import Scene
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
 from fembearing.compare.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 from fembearing.progress import Progress, part_of, silent
-from fembearing.provenance import provenance_of
-from fembearing.report.new_folder import whole_folder
+from fembearing.report.new_folder import whole_file, whole_folder
+from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file
 
 if TYPE_CHECKING:
     from analytic.prediction.prediction import Prediction
@@ -21,34 +23,44 @@ if TYPE_CHECKING:
 COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and when the series are
 
 
-def torque_with_folder(
+def torque_with_files(
     scene: Scene, *, out: Path | None = None, samples: Samples = None, progress: Progress = silent
 ) -> tuple[SceneTorque, str | None]:
-    """Compute the torque, and write its folder.
+    """Compute the torque, and write it.
 
-    out : folder that must not exist yet; None writes nothing
+    out : folder, or file whose ending says what it holds (`torque_file`); it must not exist yet. None writes nothing
     samples : of the 95 % interval, or "enough"; None: no interval
     progress : called with the share done, 0 to 1, and a word on the step at hand
-    Gives the torque, and a sentence on what the folder lacks and why: None where it lacks nothing.
-    Raises InputError for a scene that has no torque or a folder that cannot be made, MotionError where a cage's motion
+    Gives the torque, and a sentence on what a folder lacks and why: None where it lacks nothing.
+    Raises InputError for a scene that has no torque or a name that cannot be written, MotionError where a cage's motion
     comes apart.
     """
-    with nullcontext() if out is None else whole_folder(out) as folder:
+
+    def computed(most: float) -> SceneTorque:
         progress(0.0, "torque")
-        computed = part_of(progress, 0.0, COMPUTED)
-        result = torque_of_scene(scene, samples=samples, progress=computed)
-        lacking = None if folder is None else write_torque(result, folder, progress=progress)
-    return result, lacking
+        return torque_of_scene(scene, samples=samples, progress=part_of(progress, 0.0, most))
+
+    if out is None:
+        return computed(1.0), None
+    if out.suffix:
+        content = content_of(out)
+        with whole_file(out) as file:
+            result = computed(RECORDED)
+            file.write_bytes(content(result))
+        return result, None
+    with whole_folder(out) as folder:
+        result = computed(COMPUTED)
+        return result, write_torque(result, folder, progress=progress)
 
 
 def write_torque(
     result: SceneTorque, folder: Path, *, renderer: Sequence[str] | None = None, progress: Progress = silent
 ) -> str | None:
-    """Write torque.json, with an interval interval.png, and of each operating point whose cage moved NUMBER-cage.nc,
-    -cage.png and -cage-forces.png.
+    """Write torque.json, torque.csv and torque.png, with an interval interval.png, and of each operating point whose
+    cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
 
     renderer : the command that draws; VTK's without it
-    Gives what the folder lacks, as `torque_with_folder`.
+    Gives what the folder lacks, as `torque_with_files`.
     """
     records = []
     points = result.friction.inner_speed.size
@@ -62,13 +74,12 @@ def write_torque(
         written, lacking = _write_motions(records, folder, renderer)
     else:
         written, lacking = [], _why_at_rest(result)
-    content = result.to_json() | {
-        "cage_motion": {"points": written, "lacking": lacking},
-        "run": provenance_of(result.scene),
-    }
     if result.prediction is not None:
         _write_prediction(result.prediction, folder)
-    (folder / "torque.json").write_text(json.dumps(content, indent=1, allow_nan=False), "utf-8")
+    (folder / "torque.csv").write_bytes(table_file(result))
+    (folder / "torque.png").write_bytes(figure_file(result))
+    motion = {"points": written, "lacking": lacking}
+    (folder / "torque.json").write_bytes(numbers_file(result, cage_motion=motion))
     return lacking
 
 

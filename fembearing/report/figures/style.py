@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from io import BytesIO
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -27,10 +27,19 @@ DOTS = 110  # per inch
 MANY = 25  # points on a line: more have no marks
 
 
-def png(figure: Figure) -> bytes:
-    """The figure as a file."""
+def png(figure: Figure, *, sharp: bool = False) -> bytes:
+    """The figure as a file; sharp : twice as many dots, for a narrow figure that is also printed."""
+    return _saved(figure, dpi=2 * DOTS if sharp else DOTS, format="png")
+
+
+def pdf(figure: Figure) -> bytes:
+    """The figure as a file of lines and letters."""
+    return _saved(figure, format="pdf")
+
+
+def _saved(figure: Figure, **how: Any) -> bytes:
     content = BytesIO()
-    figure.savefig(content, dpi=DOTS, format="png")
+    figure.savefig(content, **how)
     return content.getvalue()
 
 

@@ -31,8 +31,8 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     axis = axis_of(document.torque.points)
     figure = Figure(figsize=(9, 5.4), layout="constrained")
     panel = figure.subplots()
-    _parts(panel, axis)
-    known = _total(panel, axis)
+    draw_parts(panel, axis)
+    known = draw_total(panel, axis)
     printed = _paper(panel, axis, document.published)
     axis.apply(panel)
     panel.set_ylabel(TORQUE.heading)
@@ -46,8 +46,8 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     return figure, caption + printed
 
 
-def _parts(panel: Axes, axis: SeriesAxis) -> None:
-    """The parts, stacked."""
+def draw_parts(panel: Axes, axis: SeriesAxis) -> None:
+    """Draw the parts, stacked."""
     below = np.zeros(axis.values.size)
     for name, (words, colour) in PARTS.items():
         part = axis.of("torque", name)
@@ -61,7 +61,7 @@ def _parts(panel: Axes, axis: SeriesAxis) -> None:
         below = above
 
 
-def _total(panel: Axes, axis: SeriesAxis) -> str:
+def draw_total(panel: Axes, axis: SeriesAxis) -> str:
     """Draw the total with its uncertainty; gives what that uncertainty covers."""
     total = axis.of("torque", "total")
     assert total is not None  # the total is always there

@@ -1,0 +1,126 @@
+"""The friction torque by effect in a narrow figure of its own, whose letters stay legible on a telephone.
+
+Over speed or load where that alone varies; else a bar for each operating point, and for one point a bar for each part.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from fembearing.compare.torque.scene_torque import SceneTorque
+from fembearing.quantities import QUANTITIES, RPM
+from fembearing.report.document.torque import Point
+from fembearing.report.figures.series_axis import SPEED, SeriesAxis, axis_of
+from fembearing.report.figures.style import BLACK, GREY
+from fembearing.report.figures.torque import PARTS, draw_parts, draw_total
+from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
+
+TORQUE = QUANTITIES["torque"]
+NM = TORQUE.shown.factor
+WIDTH = 4.6  # inches: letters of 10 points are 12 pixels high where the figure is 390 pixels wide
+BAR = 0.32  # inches of height for a bar with its name
+MOST_NAMES = 24  # of bars
+ROOM = 1.35  # of the longest bar: for the number beside it
+
+
+def figure_of_torque(result: SceneTorque) -> Figure:
+    """The figure of a torque at all of its operating points."""
+    points = [Point.model_validate(point) for point in result.to_json()["points"]]
+    bearings = "" if result.friction.pair is None else "two "
+    name = f"{bearings}{result.scene.bearing.name}"
+    if len(points) == 1:
+        return _one_point(points[0], name)
+    axis = axis_of(points)
+    return _over(axis, name) if axis.joined else _bars(axis, name)
+
+
+def _over(axis: SeriesAxis, name: str) -> Figure:
+    """Parts stacked over speed or load."""
+    figure = Figure(figsize=(WIDTH, 4.4), layout="constrained")
+    panel = figure.subplots()
+    draw_parts(panel, axis)
+    draw_total(panel, axis)
+    axis.apply(panel)
+    panel.set_ylabel(TORQUE.heading)
+    panel.set_ylim(0, None)
+    panel.grid(alpha=0.3)
+    fixed = [load for load in present_loads(axis.points) if load not in varying_loads(axis.points)]
+    same = [loads_of(axis.points[0], fixed)] if fixed else []
+    if axis.label != SPEED:
+        same.append(RPM.written(axis.points[0].inner_speed, ".4g"))
+    _finish(figure, panel, ", ".join([name, *same]))
+    return figure
+
+
+def _bars(axis: SeriesAxis, name: str) -> Figure:
+    """A bar of parts for each operating point, the first one on top."""
+    count = len(axis.points)
+    figure = Figure(figsize=(WIDTH, 1.8 + BAR * min(count, MOST_NAMES)), layout="constrained")
+    panel = figure.subplots()
+    place, before = np.arange(count), np.zeros(count)
+    for part, (words, colour) in PARTS.items():
+        values = axis.of("torque", part)
+        if values is not None:
+            panel.barh(place, NM * values, 0.7, left=before, color=colour, alpha=0.75, label=words)
+            before = before + NM * values
+    total = axis.of("torque", "total")
+    assert total is not None  # the total is always there
+    numerical = axis.of("uncertainty", "numerical")
+    half = None if numerical is None else NM * total * numerical
+    panel.errorbar(NM * total, place, xerr=half, fmt="o", color=BLACK, capsize=3, markersize=4, label="total")
+    step = -(-count // MOST_NAMES)
+    panel.set_yticks(place[::step], _names(axis.points)[::step], fontsize=9)
+    panel.set_ylim(count - 0.4, -0.6)
+    panel.set_xlim(0, None)
+    panel.set_xlabel(TORQUE.heading)
+    panel.grid(alpha=0.3, axis="x")
+    fixed = [load for load in present_loads(axis.points) if load not in varying_loads(axis.points)]
+    _finish(figure, panel, ", ".join([name, *([loads_of(axis.points[0], fixed)] if fixed else [])]))
+    return figure
+
+
+def _one_point(point: Point, name: str) -> Figure:
+    """A bar for each part and one for the total, each with its number."""
+    parts = [(words, colour, getattr(point.torque, part)) for part, (words, colour) in PARTS.items()]
+    rows = [row for row in parts if row[2] is not None] + [("total", GREY, point.torque.total)]
+    figure = Figure(figsize=(WIDTH, 1.3 + BAR * len(rows)), layout="constrained")
+    panel = figure.subplots()
+    place = np.arange(len(rows))
+    values = NM * np.array([row[2] for row in rows])
+    panel.barh(place, values, 0.7, color=[row[1] for row in rows])
+    numerical = point.uncertainty.numerical
+    for number, value in enumerate(values):
+        words = f"{value:.4g}" if value >= 1e-3 * values[-1] or value == 0 else f"{value:.1g}"
+        if number == len(rows) - 1 and numerical is not None:
+            words += f" $\\pm$ {100 * numerical:.2g} %"
+        panel.annotate(words, (value, number), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
+    panel.set_yticks(place, [row[0] for row in rows])
+    panel.invert_yaxis()
+    panel.set_xlim(0, ROOM * values.max() or 1.0)
+    panel.set_xlabel(TORQUE.heading)
+    panel.grid(alpha=0.3, axis="x")
+    panel.set_axisbelow(True)
+    loads = loads_of(point, [load for load in LOADS if getattr(point, load)] or ["axial_load"])
+    figure.suptitle(f"{name}, {loads}, {RPM.written(point.inner_speed, '.4g')}", fontsize=10, wrap=True)
+    return figure
+
+
+def _names(points: Sequence[Point]) -> list[str]:
+    """What differs between operating points, of each of them."""
+    loads = varying_loads(points)
+    speeds = len({point.inner_speed for point in points}) > 1 or not loads
+    return [
+        ", ".join(
+            ([RPM.written(point.inner_speed, ".4g")] if speeds else []) + ([loads_of(point, loads)] if loads else [])
+        )
+        for point in points
+    ]
+
+
+def _finish(figure: Figure, panel: Axes, title: str) -> None:
+    """Title above and legend below, where no data are."""
+    figure.suptitle(title, fontsize=10, wrap=True)
+    handles, words = panel.get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside lower center", ncols=2, frameon=False, fontsize=9)

@@ -1,0 +1,67 @@
+"""One file of a torque: the table, the numbers, the figure or a page, by the ending of its name."""
+
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from analytic.errors import InputError
+from fembearing.compare.torque.scene_torque import SceneTorque
+from fembearing.provenance import provenance_of
+from fembearing.report.torque_table import csv_of
+
+Content = Callable[[SceneTorque], bytes]
+
+
+def content_of(target: Path) -> Content:
+    """What a file of this name holds. Raises InputError for an ending that is not known, with those that are."""
+    content = CONTENTS.get(target.suffix.casefold())
+    if content is None:
+        raise InputError(
+            f"--out {str(target)!r} ends with {target.suffix!r}: give a file that ends with {', '.join(CONTENTS)}, or a "
+            "name without an ending for a folder with all"
+        )
+    return content
+
+
+def table_file(result: SceneTorque) -> bytes:
+    """CSV."""
+    return csv_of(result).encode()
+
+
+def numbers_file(result: SceneTorque, **more: Any) -> bytes:
+    """JSON, SI; more : what else it holds."""
+    content = result.to_json() | more | {"run": provenance_of(result.scene)}
+    return json.dumps(content, indent=1, allow_nan=False).encode()
+
+
+def figure_file(result: SceneTorque) -> bytes:
+    """The figure as PNG."""
+    from fembearing.report.figures.style import png  # with matplotlib: only a figure pays for it
+    from fembearing.report.figures.torque_alone import figure_of_torque
+
+    return png(figure_of_torque(result), sharp=True)
+
+
+def vector_file(result: SceneTorque) -> bytes:
+    """The figure as PDF."""
+    from fembearing.report.figures.style import pdf
+    from fembearing.report.figures.torque_alone import figure_of_torque
+
+    return pdf(figure_of_torque(result))
+
+
+def page_file(result: SceneTorque) -> bytes:
+    """The page."""
+    from fembearing.report.page.torque_alone import torque_page
+
+    return torque_page(result, figure_file(result)).encode()
+
+
+CONTENTS: Mapping[str, Content] = {
+    ".csv": table_file,
+    ".json": numbers_file,
+    ".png": figure_file,
+    ".pdf": vector_file,
+    ".html": page_file,
+}

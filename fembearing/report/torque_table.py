@@ -1,0 +1,54 @@
+"""The numbers of a torque as a table: a row for each operating point, in the units that people use."""
+
+import csv
+from io import StringIO
+from typing import NamedTuple
+
+import numpy as np
+
+from analytic.labelled import Column
+from analytic.result import Unit
+from analytic.scene import Array
+from fembearing.compare.torque.scene_torque import SceneTorque
+from fembearing.quantities import shown_unit
+
+POINT = "point"  # the first column: the number of the operating point, from 1
+
+
+class ShownColumn(NamedTuple):
+    """A column in the unit in which it is shown."""
+
+    column: Column
+    unit: Unit
+    values: Array  # (n,) in this unit; NaN where nothing is known
+
+    @property
+    def heading(self) -> str:
+        """Meaning and unit."""
+        return f"{self.column.meaning}, {self.unit.name}" if self.unit.name else self.column.meaning
+
+
+def shown_columns(result: SceneTorque) -> dict[str, ShownColumn]:
+    """Every column of a torque that holds something, by its name in datasets."""
+    shown = {}
+    for name, (_, values, column) in result.columns().items():
+        known = np.where(np.isfinite(values), values, np.nan)  # an uncertainty that is not known is infinite
+        if not np.all(np.isnan(known)):
+            unit = shown_unit(name, column.unit)
+            shown[name] = ShownColumn(column, unit, known * unit.factor)
+    return shown
+
+
+def csv_of(result: SceneTorque) -> str:
+    """The table as CSV, to 15 digits: names as in datasets and JSON, each with its unit in brackets.
+
+    A cell is empty where nothing is known.
+    """
+    columns = shown_columns(result)
+    text = StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([POINT, *(f"{name} [{each.unit.name or '1'}]" for name, each in columns.items())])
+    rows = zip(*(each.values.tolist() for each in columns.values()), strict=True)
+    for number, row in enumerate(rows, start=1):
+        writer.writerow([number, *("" if np.isnan(value) else f"{value:.15g}" for value in row)])
+    return text.getvalue()
