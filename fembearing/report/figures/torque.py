@@ -32,7 +32,7 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     figure = Figure(figsize=(9, 5.4), layout="constrained")
     panel = figure.subplots()
     draw_parts(panel, axis)
-    known = draw_total(panel, axis)
+    known = _total(panel, axis)
     printed = _paper(panel, axis, document.published)
     axis.apply(panel)
     panel.set_ylabel(TORQUE.heading)
@@ -61,7 +61,7 @@ def draw_parts(panel: Axes, axis: SeriesAxis) -> None:
         below = above
 
 
-def draw_total(panel: Axes, axis: SeriesAxis) -> str:
+def _total(panel: Axes, axis: SeriesAxis) -> str:
     """Draw the total with its uncertainty; gives what that uncertainty covers."""
     total = axis.of("torque", "total")
     assert total is not None  # the total is always there

@@ -9,12 +9,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.scene import Array
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.quantities import QUANTITIES, RPM
 from fembearing.report.document.torque import Point
 from fembearing.report.figures.series_axis import SPEED, SeriesAxis, axis_of
-from fembearing.report.figures.style import BLACK, GREY
-from fembearing.report.figures.torque import PARTS, draw_parts, draw_total
+from fembearing.report.figures.style import BLACK
+from fembearing.report.figures.torque import PARTS, draw_parts
 from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
 
 TORQUE = QUANTITIES["torque"]
@@ -22,7 +23,9 @@ NM = TORQUE.shown.factor
 WIDTH = 4.6  # inches: letters of 10 points are 12 pixels high where the figure is 390 pixels wide
 BAR = 0.32  # inches of height for a bar with its name
 MOST_NAMES = 24  # of bars
-ROOM = 1.35  # of the longest bar: for the number beside it
+ROOM = 1.25  # of the longest bar: for the number beside it
+SMALL = 1e-3  # of the total: a smaller part has one digit
+DARK = "0.25"
 
 
 def figure_of_torque(result: SceneTorque) -> Figure:
@@ -41,7 +44,11 @@ def _over(axis: SeriesAxis, name: str) -> Figure:
     figure = Figure(figsize=(WIDTH, 4.4), layout="constrained")
     panel = figure.subplots()
     draw_parts(panel, axis)
-    draw_total(panel, axis)
+    total, half = _total(axis)
+    panel.plot(axis.values, total, "-" + axis.mark, color=BLACK, markersize=4, label="total")
+    for index, sign in enumerate((-1, 1)):
+        label = "_" if index else "its uncertainty"
+        panel.plot(axis.values, total * (1 + sign * half), "--", color=BLACK, linewidth=0.8, label=label)
     axis.apply(panel)
     panel.set_ylabel(TORQUE.heading)
     panel.set_ylim(0, None)
@@ -65,11 +72,9 @@ def _bars(axis: SeriesAxis, name: str) -> Figure:
         if values is not None:
             panel.barh(place, NM * values, 0.7, left=before, color=colour, alpha=0.75, label=words)
             before = before + NM * values
-    total = axis.of("torque", "total")
-    assert total is not None  # the total is always there
-    numerical = axis.of("uncertainty", "numerical")
-    half = None if numerical is None else NM * total * numerical
-    panel.errorbar(NM * total, place, xerr=half, fmt="o", color=BLACK, capsize=3, markersize=4, label="total")
+    total, half = _total(axis)
+    look = {"fmt": "o", "color": BLACK, "capsize": 3, "markersize": 4}
+    panel.errorbar(total, place, xerr=total * half, label="total, uncertainty", **look)
     step = -(-count // MOST_NAMES)
     panel.set_yticks(place[::step], _names(axis.points)[::step], fontsize=9)
     panel.set_ylim(count - 0.4, -0.6)
@@ -84,17 +89,14 @@ def _bars(axis: SeriesAxis, name: str) -> Figure:
 def _one_point(point: Point, name: str) -> Figure:
     """A bar for each part and one for the total, each with its number."""
     parts = [(words, colour, getattr(point.torque, part)) for part, (words, colour) in PARTS.items()]
-    rows = [row for row in parts if row[2] is not None] + [("total", GREY, point.torque.total)]
-    figure = Figure(figsize=(WIDTH, 1.3 + BAR * len(rows)), layout="constrained")
+    rows = [row for row in parts if row[2] is not None] + [("total", DARK, point.torque.total)]
+    figure = Figure(figsize=(WIDTH, 1.5 + BAR * len(rows)), layout="constrained")
     panel = figure.subplots()
     place = np.arange(len(rows))
     values = NM * np.array([row[2] for row in rows])
     panel.barh(place, values, 0.7, color=[row[1] for row in rows])
-    numerical = point.uncertainty.numerical
     for number, value in enumerate(values):
-        words = f"{value:.4g}" if value >= 1e-3 * values[-1] or value == 0 else f"{value:.1g}"
-        if number == len(rows) - 1 and numerical is not None:
-            words += f" $\\pm$ {100 * numerical:.2g} %"
+        words = f"{value:.4g}" if value >= SMALL * values[-1] or value == 0 else f"{value:.1g}"
         panel.annotate(words, (value, number), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
     panel.set_yticks(place, [row[0] for row in rows])
     panel.invert_yaxis()
@@ -103,8 +105,24 @@ def _one_point(point: Point, name: str) -> Figure:
     panel.grid(alpha=0.3, axis="x")
     panel.set_axisbelow(True)
     loads = loads_of(point, [load for load in LOADS if getattr(point, load)] or ["axial_load"])
-    figure.suptitle(f"{name}, {loads}, {RPM.written(point.inner_speed, '.4g')}", fontsize=10, wrap=True)
+    title = f"{name}, {loads}, {RPM.written(point.inner_speed, '.4g')}"
+    figure.suptitle(f"{title}\n{_uncertainty(point)}", fontsize=10, wrap=True)
     return figure
+
+
+def _uncertainty(point: Point) -> str:
+    """How uncertain the total is, in words."""
+    numerical, model = point.uncertainty.numerical, point.uncertainty.model
+    words = "numerical uncertainty unknown" if numerical is None else f"$\\pm$ {100 * numerical:.2g} % numerical"
+    return words if model is None else f"{words}, $\\pm$ {100 * model:.2g} % by the formulas"
+
+
+def _total(axis: SeriesAxis) -> tuple[Array, Array]:
+    """(n,) each: the total as it is shown, and its uncertainty, relative, as far as it is known."""
+    total = axis.of("torque", "total")
+    assert total is not None  # the total is always there
+    parts = [axis.of("uncertainty", name) for name in ("numerical", "model")]
+    return NM * total, np.sum([part for part in parts if part is not None], axis=0) * np.ones_like(total)
 
 
 def _names(points: Sequence[Point]) -> list[str]:
