@@ -3,6 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from analytic.units import UNITS, has_unit, why_no_unit
+
 
 class FembearingError(Exception):
     """Base class; the command line prints these errors without a traceback."""
@@ -70,6 +72,8 @@ def require_non_negative(**values: ArrayLike) -> None:
 def _real(name: str, value: ArrayLike) -> NDArray[np.float64]:
     if type(value) is float or (isinstance(value, np.ndarray) and value.dtype == np.float64):
         return np.asarray(value)
+    if has_unit(value):
+        raise InputError(why_no_unit(name, value, UNITS.get(name)))
     if np.iscomplexobj(value):
         raise InputError(f"{name} must be a real number, got a complex one; check how it was computed")
     try:

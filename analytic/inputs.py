@@ -7,23 +7,8 @@ import numpy as np
 
 from analytic.errors import InputError
 from analytic.scene import Bearing, Groove, Material, Origin, Scene
+from analytic.units import unit_of
 
-UNITS = {
-    **dict.fromkeys(("ball_count", "conformity", "limiting_shear", "boundary_friction"), "1"),
-    **dict.fromkeys(("static_load_rating", "dynamic_load_rating"), "N"),
-    **dict.fromkeys(("eyring_stress", "hardness"), "Pa"),
-    "ball_mass": "kg",
-    "viscosity": "Pa s",
-    "pressure_viscosity": "1/Pa",
-    "thermal_conductivity": "W/m/K",
-    "density": "kg/m^3",
-    "temperature": "K",
-    **dict.fromkeys(("free", "value"), "rad"),
-    **dict.fromkeys(("axial_load", "radial_load", "preload"), "N"),
-    **dict.fromkeys(("moment", "seals", "drag"), "N m"),
-    **dict.fromkeys(("coefficient", "friction_coefficient", "hysteresis_loss"), "1"),
-    **dict.fromkeys(("start", "material", "ball_material"), ""),
-}
 LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the value is not known
 TIGHTEST_GROOVE = 0.5  # conformity of a groove that fits the ball
 
@@ -115,7 +100,7 @@ def known_inputs(scene: Scene) -> dict[str, StatedInput]:
         values["cage.material"] = scene.cage.material.name
         values["cage.start"] = scene.cage.start
     others = {
-        key: StatedInput(key=key, value=value, unit=_unit(key), origin=given)
+        key: StatedInput(key=key, value=value, unit=unit_of(key), origin=given)
         for key, value in values.items()
         if value is not None
     }
@@ -126,7 +111,7 @@ def _with_origin(scene: Scene) -> dict[str, StatedInput]:
     tables = {name: getattr(scene, name) for name in ("bearing", "lubricant", "surface")}
     return {
         f"{name}.{key}": StatedInput(
-            key=f"{name}.{key}", value=_stated(scene, table, key), unit=_unit(key), origin=origin
+            key=f"{name}.{key}", value=_stated(scene, table, key), unit=unit_of(key), origin=origin
         )
         for name, table in tables.items()
         if table is not None
@@ -217,8 +202,3 @@ def _value(table: object, key: str) -> Any:
     if isinstance(table, Bearing) and isinstance(part, Groove) and last == "conformity":
         return part.groove_radius / table.ball_diameter
     return getattr(part, last)
-
-
-def _unit(key: str) -> str:
-    """The unit of a key in SI; a length, if it is not listed."""
-    return UNITS.get(key.rpartition(".")[2], "m")

@@ -1,12 +1,13 @@
 """The result of a friction torque: its parts, contacts, effects and warnings, as arrays, JSON and named columns."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.brief import Brief, points_of, span
 from analytic.cage.torque import CAGE_KEYS, CagePart
 from analytic.effects.ledger import Effect
 from analytic.effects.table import CHOSEN, DECLARED
@@ -72,7 +73,7 @@ COLUMNS: dict[str, Column] = {
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class TorqueParts:
+class TorqueParts(Brief):
     """N m, each (n,); None where a part was left out or is not modelled."""
 
     total: Array  # the sum of what was computed and declared
@@ -86,7 +87,7 @@ class TorqueParts:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class FrictionCoefficients:
+class FrictionCoefficients(Brief):
     """Of each contact, (n,); None where there is no such contact, or where nothing that slides was computed."""
 
     inner: Array | None = None
@@ -95,7 +96,7 @@ class FrictionCoefficients:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class OnRaces:
+class OnRaces(Brief):
     """A quantity of the contacts on both races, each (n,); None where it is not known."""
 
     inner: Array | None = None
@@ -103,7 +104,7 @@ class OnRaces:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LoadedContact:
+class LoadedContact(Brief):
     """One ball on one race, each (n,)."""
 
     load: Array  # Q, N
@@ -114,7 +115,7 @@ class LoadedContact:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class PairPart:
+class PairPart(Brief):
     """What each bearing of a pair does at the n operating points of the pair."""
 
     kind: ArrangementKind
@@ -147,7 +148,7 @@ class PairPart:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class FrictionTorque:
+class FrictionTorque(Brief):
     """The friction torque at every operating point of a scene; arrays have the shape (n,).
 
     Of a pair of bearings the parts are sums over both, and what belongs to one ball is that of the pair's heaviest.
@@ -182,6 +183,11 @@ class FrictionTorque:
     clearances: Clearances | None = None  # how the bearing came to its clearance; None: its seats are not given
     pair: PairPart | None = None  # each bearing by itself; None: there is one
     ring: RingState | None = None  # displacement and stiffness of the ring, every ball; None for a pair
+
+    def _facts(self) -> Iterator[str]:
+        yield self.provenance["scene"]
+        yield points_of({name: getattr(self, name) for name in COORDINATES})
+        yield f"{span(self.torque.total, NEWTON_MILLIMETRE.factor)} {NEWTON_MILLIMETRE.name}"
 
     def at(self, points: NDArray[np.intp]) -> "FrictionTorque":
         """The torque at some operating points; effects, warnings and what else belongs to the whole series stay."""

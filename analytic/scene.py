@@ -5,16 +5,16 @@ Axes of a contact: z along the load, x along rolling, y transverse (along the pr
 centre of the contact. A radius is positive where the body is convex.
 """
 
-import copyreg
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.brief import points_of
 from analytic.errors import InputError
+from analytic.noun import Noun, nothing
 
 Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
@@ -41,20 +41,8 @@ Sliding = Literal["auto"] | SlidingMethod
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
-def read_only(mapping: Mapping) -> MappingProxyType:
-    return MappingProxyType(mapping)
-
-
-# Scenes and results are sent between processes, and read-only mappings cannot be pickled without this.
-copyreg.pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))
-
-
-def no_origins() -> "Mapping[str, Origin]":
-    return MappingProxyType({})
-
-
 @dataclass(frozen=True, kw_only=True)
-class Material:
+class Material(Noun):
     """An isotropic elastic solid."""
 
     name: str
@@ -67,7 +55,7 @@ class Material:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Origin:
+class Origin(Noun):
     """Where a dimension or a property comes from, and how far to trust it."""
 
     status: Status
@@ -76,7 +64,7 @@ class Origin:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Groove:
+class Groove(Noun):
     """The raceway of one ring: a torus, with a flat land beyond each shoulder.
 
     Thrust loads one side of the groove; the shoulder there is the near one, the other is the far one. A far half-width
@@ -98,7 +86,7 @@ class Groove:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Land:
+class Land(Noun):
     """The ring whose shoulders guide the cage: the rims of the cage touch them before its pockets touch the balls."""
 
     ring: Literal["inner", "outer"]
@@ -107,7 +95,7 @@ class Land:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cage:
+class Cage(Noun):
     """The ball cage: a sheet with a spherical pocket around each ball, and how it moves."""
 
     pocket_diameter: float  # D_p, m
@@ -129,7 +117,7 @@ class Cage:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Bearing:
+class Bearing(Noun):
     """A ball bearing: radial, or a thrust bearing of two equal washers at 90 degrees, of which `inner` turns."""
 
     name: str
@@ -149,7 +137,7 @@ class Bearing:
     seals: str | None = None  # in words; None: open, or not known
     seals_rub: bool = False  # whether they touch the inner ring and brake it
     grade: Grade | None = None  # of what the catalogue derives; None: not of the catalogue
-    origins: Mapping[str, Origin] = field(default_factory=no_origins, compare=False)  # of the dimensions, by their keys
+    origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # of the dimensions, by their keys
     other_candidate: "Bearing | None" = None  # that the ratings fit nearly as well; None: the catalogue is sure
 
     @property
@@ -175,7 +163,7 @@ class Bearing:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Clearances:
+class Clearances(Noun):
     """The diametral clearance of a bearing on its way into operation, m, and what its seats do; negative is preload."""
 
     unmounted: float
@@ -189,7 +177,7 @@ class Clearances:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Arrangement:
+class Arrangement(Noun):
     """Two equal bearings on one rigid shaft, set against each other or side by side; give preload or offset, or none.
 
     O: back to back, the lines of contact of the two bearings meet the shaft outside; X: face to face, inside; tandem:
@@ -202,6 +190,7 @@ class Arrangement:
     distance: float | None = None  # between the middles of both bearings, m; None: the bearing's width
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         said = [key for key in ("preload", "offset") if getattr(self, key) is not None]
         if self.kind == "tandem" and said:
             why = "both bearings carry the same direction, and nothing presses back"
@@ -213,7 +202,7 @@ class Arrangement:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ContactAngle:
+class ContactAngle(Noun):
     """How the contact angle is determined.
 
     `given`: `value` is the loaded angle. `solved`: the angle follows from the load. The unloaded angle is then `free`;
@@ -226,7 +215,7 @@ class ContactAngle:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Lubricant:
+class Lubricant(Noun):
     """The oil at the inlets of the contacts."""
 
     viscosity: float  # eta_0, at the reference temperature and ambient pressure, Pa s
@@ -242,11 +231,11 @@ class Lubricant:
     supply: Supply = "oil_bath"  # how oil returns to the track
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
     compressible: bool = False  # whether pressure squeezes the oil in the film
-    origins: Mapping[str, Origin] = field(default_factory=no_origins, compare=False)  # by field; empty: not noted
+    origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
 
 
 @dataclass(frozen=True, kw_only=True)
-class Autocorrelation:
+class Autocorrelation(Noun):
     """Autocorrelation rho(r) of the heights of a random surface at the distance r; rho(0) = 1."""
 
     kind: Literal["gaussian", "exponential"]  # exp(-(r/length)^2), exp(-r/length)
@@ -255,7 +244,7 @@ class Autocorrelation:
 
 
 @dataclass(frozen=True, kw_only=True)
-class HeightMapFile:
+class HeightMapFile(Noun):
     """A measured surface."""
 
     path: str  # .npy or .csv, heights in m
@@ -263,7 +252,7 @@ class HeightMapFile:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Surface:
+class Surface(Noun):
     """Roughness of ball and races: declared statistics of random heights, or the height map of a race.
 
     Give `height_map`, or `rms_roughness` and `autocorrelation`. The ball has the same, scaled to `ball_rms_roughness`.
@@ -277,11 +266,11 @@ class Surface:
     boundary_friction: float = 0.12  # mu_b, of asperities in contact
     gap: GapModel = "elastic"  # room for the oil: between surfaces that deform, or that are cut off where they overlap
     asperities: AsperityLaw = "zhao_maietta_chang"  # of truncated surfaces; greenwood_williamson: they never yield
-    origins: Mapping[str, Origin] = field(default_factory=no_origins, compare=False)  # by field; empty: not noted
+    origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
 
 
 @dataclass(frozen=True, kw_only=True)
-class Losses:
+class Losses(Noun):
     """Torques about the bearing axis that the scene declares, as no formula here gives them; None: not declared."""
 
     seals: float | None = None  # N m, >= 0
@@ -290,13 +279,16 @@ class Losses:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Operation:
+class Operation(Noun):
     """The operating points of a series; every array has the same shape (n,)."""
 
     axial_load: Array  # N
     inner_speed: Array  # w, rad/s; the outer ring stands still
     radial_load: Array | float = 0.0  # N, along x, which points to the first ball
     moment: Array | float = 0.0  # N m, about y; it tilts the +x side of the inner ring against the axial load
+
+    def _facts(self) -> Iterator[str]:
+        yield points_of(vars(self))
 
     @property
     def is_thrust(self) -> bool:
@@ -315,7 +307,7 @@ class Operation:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Scene:
+class Scene(Noun):
     """A bearing, its operating points, and the accuracy of the result."""
 
     bearing: Bearing
@@ -334,12 +326,15 @@ class Scene:
     spin_rule: SpinRule = "free"  # how a ball turns; free: by mechanics, else its spin is shared by a rule
     sliding: Sliding = "auto"  # method that integrates sliding; auto: chosen by the tolerance
     microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
-    effects: Mapping[str, Decision] = field(default_factory=lambda: MappingProxyType({}))
-    uncertainty: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))  # SI, see `analytic.inputs`
-    assumed: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))  # sources, by key
+    effects: Mapping[str, Decision] = field(default_factory=nothing)
+    uncertainty: Mapping[str, float] = field(default_factory=nothing)  # SI, see `analytic.inputs`
+    assumed: Mapping[str, str] = field(default_factory=nothing)  # sources, by key
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
     down: tuple[float, float, float] | None = None  # direction of gravity along x, y, z, of length 1; None: unknown
     warnings: tuple[str, ...] = ()
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.name, self.bearing.name, points_of(vars(self.operation)), f"tolerance {self.tolerance:g}")
 
     @property
     def has_friction(self) -> bool:

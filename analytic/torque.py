@@ -47,10 +47,15 @@ PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
 
 
 def friction_torque(
-    scene: Scene, *, correction: ContactCorrection | None = None, variation: Variation = NOMINAL
+    scene: Scene,
+    *,
+    tolerance: float | str | None = None,
+    correction: ContactCorrection | None = None,
+    variation: Variation = NOMINAL,
 ) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
+    tolerance : of the torque, relative, or a text as "1 %"; the scene's unless given
     correction : factors on Hertz's contacts, in place of those of the finite geometry; under the rule `solved` they
         change contact angle and ball loads too
     variation : of the formulas of oil and surfaces, to show the effect of their uncertainty
@@ -68,6 +73,10 @@ def friction_torque(
     input, or loads the balls beyond a shoulder.
     """
     started = perf_counter()
+    if tolerance is not None:
+        from analytic.scenefile.by_name import with_tolerance  # with pydantic and pint: only who asks for it pays
+
+        scene = with_tolerance(scene, tolerance)
     _require_friction(scene)
     if scene.arrangement is not None:
         both = pair_in_series(scene, scene.arrangement, correction)

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from analytic.brief import Brief
 from analytic.cage.motion import CageMotion
 from analytic.errors import require_positive
 from analytic.scene import Array
@@ -13,7 +14,7 @@ AXES = ("x", "y", "z")  # of the fixed frame; z is the bearing's axis
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CageSeries:
+class CageSeries(Brief):
     """One motion at n instants in the fixed frame, with Z balls."""
 
     time: Array  # (n,) s

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.brief import Brief
 from analytic.cage.drive import GRAVITY, CageDrive, pocket_shape_of, pocket_stiffness_of
 from analytic.cage.grip import LARGEST_GRIP, LOST_TO_RACES, SQUEEZE_SPREAD, used_share
 from analytic.cage.pocket_friction import PocketFriction
@@ -42,7 +43,7 @@ CAGE_KEYS = (
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CagePart:
+class CagePart(Brief):
     """What the cage adds at each operating point, (n,)."""
 
     torque: Array  # N m

@@ -18,7 +18,8 @@ from analytic.catalog.designation import Designation, plain_name, read_designati
 from analytic.catalog.origins import INNER_CONFORMITY, OUTER_CONFORMITY, half_width, origins_of
 from analytic.catalog.suffixes import Suffix, clearance_of
 from analytic.errors import InputError
-from analytic.scene import Origin, read_only
+from analytic.noun import read_only
+from analytic.scene import Origin
 
 Row = Mapping[str, str]
 Grade = Literal["printed", "A", "B", "C", "D"]

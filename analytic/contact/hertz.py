@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import ellipe, ellipkm1, elliprd
 
+from analytic.brief import Brief
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
 from analytic.scene import Array, Contact, Material
 
@@ -26,7 +27,7 @@ NEAR_CIRCLE = 1e-4  # -ln s below which the slope of Newton's function is that o
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class HertzContact:
+class HertzContact(Brief):
     """The contact of one or many pairs of bodies; every field has the broadcast shape of the arguments."""
 
     semi_axis_x: Array  # in the direction of rolling, m

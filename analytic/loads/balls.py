@@ -11,6 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
@@ -38,7 +39,7 @@ class LoadEffects:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LoadedBalls:
+class LoadedBalls(Brief):
     """n operating points, m balls in columns."""
 
     method: Literal["thrust", "ring"]  # by which they were loaded

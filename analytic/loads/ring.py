@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import InputError, require_finite, require_positive
@@ -27,7 +28,7 @@ from analytic.scene import Array, Bearing, ContactAngle
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class RingEquilibrium:
+class RingEquilibrium(Brief):
     """Balls and ring under load; (...) is the broadcast shape of the loads and the speed, Z the number of balls."""
 
     free_angle: float | None  # al0, rad; None for a preloaded bearing

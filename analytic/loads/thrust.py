@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import HertzContact, loaded_contact
@@ -34,7 +35,7 @@ ROUND_OFF = 4 * np.finfo(np.float64).eps
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ThrustEquilibrium:
+class ThrustEquilibrium(Brief):
     """Every ball of a bearing under thrust; arrays have the shape (n,) of the axial load."""
 
     free_angle: float | None  # al0, rad; None where there is none: rule "given", or preload

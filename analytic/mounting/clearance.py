@@ -21,6 +21,7 @@ from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.errors import InputError, require_finite
 from analytic.mounting.thick_ring import ThickRing, fit_pressure
+from analytic.noun import Noun
 from analytic.scene import Bearing, Clearances, Groove, Material
 
 REFERENCE_TEMPERATURE = 293.15  # K: 20 degC, at which lengths are measured
@@ -28,7 +29,7 @@ LARGEST_STRAIN = 0.005  # interference over diameter: rings of hardened steel bu
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mounting:
+class Mounting(Noun):
     """Seats of a bearing and the temperatures of its parts.
 
     Interferences are effective: what is left of the measured ones after the asperities of the seats are pressed flat.

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import norm, sobol_indices
 
+from analytic.brief import Brief
 from analytic.prediction.regression import GROUPS, Regression
 from analytic.scene import Array
 
@@ -17,7 +18,7 @@ SEED = 2
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class SobolIndices:
+class SobolIndices(Brief):
     """Of the total at n operating points, for d inputs: each (d, n)."""
 
     first: Array  # by the input alone

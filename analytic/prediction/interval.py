@@ -11,6 +11,7 @@ import numpy as np
 from scipy.special import ndtri
 from scipy.stats import qmc
 
+from analytic.brief import Brief
 from analytic.prediction.regression import Regression
 from analytic.scene import Array
 
@@ -22,7 +23,7 @@ SEED = 1  # of the regression's points, the same for every scene
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Interval:
+class Interval(Brief):
     """Of one quantity at n operating points, each (n,), N m."""
 
     low: Array  # 2.5 % of the values lie below

@@ -1,6 +1,6 @@
 """A friction torque with its 95 % interval: what it is made of, and which inputs make it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from math import ceil
 from time import perf_counter
@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from scipy.special import ndtri
 
+from analytic.brief import Brief, span
 from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.evaluation import Problem, problem_of
@@ -25,8 +26,9 @@ from analytic.prediction.interval import (
 from analytic.prediction.regression import Regression, regression_of
 from analytic.prediction.sampling import Progress, sampled, silent
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
-from analytic.result import COORDINATES, POINT, FrictionTorque
+from analytic.result import COORDINATES, NEWTON_MILLIMETRE, POINT, FrictionTorque
 from analytic.scene import Array, Scene
+from analytic.scenefile.by_name import with_tolerance
 from analytic.torque import friction_torque
 
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
@@ -47,7 +49,7 @@ NOT_VARIED = (
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Prediction:
+class Prediction(Brief):
     """The torque at the n operating points of a scene, and how far to trust it."""
 
     nominal: FrictionTorque  # with the inputs as they are
@@ -65,6 +67,13 @@ class Prediction:
     seed: int
     seconds: float  # that all took
     evaluation_seconds: float  # of it, in torques alone, summed over the processes
+
+    def _facts(self) -> Iterator[str]:
+        shown = NEWTON_MILLIMETRE
+        ends = (span(each, shown.factor) for each in (self.nominal.torque.total, self.total.low, self.total.high))
+        total, low, high = ends
+        yield self.nominal.provenance["scene"]
+        yield f"{total} {shown.name}, 95 % from {low} to {high} {shown.name}, {self.samples} samples"
 
     @property
     def ranked(self) -> list[int]:
@@ -141,6 +150,7 @@ class Prediction:
 def predict(
     scene: Scene,
     *,
+    tolerance: float | str | None = None,
     samples: int | None = None,
     seed: int = SEED,
     workers: int | None = None,
@@ -148,6 +158,7 @@ def predict(
 ) -> Prediction:
     """The friction torque of a scene with its 95 % interval by Latin hypercube sampling.
 
+    tolerance : of the torque, as in friction_torque
     samples : evaluations of the torque; None: 512, and more, at most 4096, until the standard error of each end
         of the total's interval is at most 3 % of that end
     seed : of the points
@@ -159,6 +170,8 @@ def predict(
     need, and where more than 1 % of the samples have no torque.
     """
     begun = perf_counter()
+    if tolerance is not None:
+        scene = with_tolerance(scene, tolerance)
     nominal = friction_torque(scene)
     if workers is not None and workers < 1:
         raise InputError(f"workers = {workers}: give a whole number from 1, or leave it out for one a core")

@@ -1,6 +1,10 @@
-"""The parts of a scene for Python, by the keys and names of a scene file: numbers are SI, texts have units."""
+"""The parts of a scene for Python, by the keys and names of a scene file: numbers are SI, texts have units.
+
+A quantity of pint, in its own registry, stands for the text that it prints.
+"""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 from warnings import warn
 
@@ -8,13 +12,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError
-from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Surface
+from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.material import catalog_material
 from analytic.scenefile.oil import completed_lubricant
 from analytic.scenefile.read import scene_of
 from analytic.scenefile.text import shown
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity, ViscosityPoint
+from analytic.units import has_unit
 
 # What a scene needs beside the table that is read.
 ANYTHING = {"name": "from Python", "tolerance": 0.05, "operation": {"axial_load": "1 N", "inner_speed": "0 rpm"}}
@@ -42,8 +47,8 @@ def bearing(designation: str | None = None, **dimensions: Any) -> Bearing:
 def _with_units(table: Mapping[str, Any], path: str) -> dict[str, Any]:
     """The table with numbers in SI as the texts that a scene has in their place."""
     written = {}
-    for key, value in table.items():
-        place = f"{path}.{key}"
+    for key, given in table.items():
+        place, value = f"{path}.{key}", _as_text(given)
         if isinstance(value, Mapping):
             written[key] = _with_units(value, place)
         elif isinstance(value, float | int) and not isinstance(value, bool):
@@ -74,6 +79,7 @@ def operation(
 
 def _in_si(path: str, given: ArrayLike | str | Sequence[str]) -> Array:
     """Numbers, which are in SI already, or quantities in texts: one or a list."""
+    given = _as_text(given)
     if isinstance(given, str):
         return np.asarray(_checked(path, given))
     if isinstance(given, list | tuple) and any(isinstance(each, str) for each in given):
@@ -121,7 +127,7 @@ def lubricant(
 
 
 def _viscosity(given: float | str | Sequence[str]) -> GivenViscosity:
-    path = "lubricant.viscosity"
+    path, given = "lubricant.viscosity", _as_text(given)
     if isinstance(given, str | list | tuple):
         try:
             return OIL_VISCOSITY.field_value(given if isinstance(given, str) else [*given])
@@ -151,7 +157,7 @@ def material(name: str, **overrides: float | str) -> Material:
 
 def _checked(path: str, value: object) -> Any:
     """The value of a key in SI: of a number, which is in SI already, of a text with a unit, or a word."""
-    key = scene_key(path)
+    key, value = scene_key(path), _as_text(value)
     unit = ""
     try:
         if key.dimension is None or isinstance(value, bool) or not isinstance(value, int | float):
@@ -161,3 +167,20 @@ def _checked(path: str, value: object) -> Any:
     except ValueError as problem:
         si = f" (a number is in {unit})" if unit else ""
         raise InputError(f"{path} = {shown(value)}{si} {problem}") from None
+
+
+def with_tolerance(scene: Scene, tolerance: object) -> Scene:
+    """The scene with another tolerance: a number, a text as "1 %", or a quantity. Raises InputError as a scene file."""
+    return replace(scene, tolerance=_checked("tolerance", tolerance))
+
+
+def _as_text(value: Any) -> Any:
+    """A quantity of pint as a scene has it, "20.0 degree_Celsius", an array of it as a list; else the value itself."""
+    if isinstance(value, list | tuple):
+        return [_as_text(each) for each in value] if has_unit(value) else value
+    if not has_unit(value):
+        return value
+    numbers, unit = np.asarray(value.magnitude), f"{value.units:C}"
+    if numbers.ndim > 1 or numbers.dtype.kind not in "fiu":
+        return value
+    return [f"{number!r} {unit}" for number in numbers.tolist()] if numbers.ndim else f"{numbers.item()!r} {unit}"

@@ -9,8 +9,9 @@ from math import hypot, log, sqrt
 from typing import Any
 
 from analytic.errors import InputError
+from analytic.noun import read_only
 from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, viscosity_line
-from analytic.scene import Lubricant, Origin, Status, read_only
+from analytic.scene import Lubricant, Origin, Status
 from analytic.scenefile.known_oil import COLD, HOT, Density, KnownOil, base_oil, named_oil
 from analytic.scenefile.tables import LubricantTable
 from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint

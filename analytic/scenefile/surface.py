@@ -5,7 +5,8 @@ from math import pi, sqrt
 from pathlib import Path
 
 from analytic import catalog
-from analytic.scene import Autocorrelation, HeightMapFile, Origin, Status, Surface, read_only
+from analytic.noun import read_only
+from analytic.scene import Autocorrelation, HeightMapFile, Origin, Status, Surface
 from analytic.scenefile.keys import fault_at
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.tables import SurfaceTable

@@ -1,17 +1,19 @@
 """The main job: every contact of a scene, formula against finite elements, and its friction torque."""
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
+from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import FrictionTorque
 from analytic.scene import Pair, Scene
+from analytic.scenefile.by_name import with_tolerance
 from fembearing.compare.contact.columns import COLUMNS, VERDICT
 from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact, with_ring
 from fembearing.compare.contact.scene_contact import contact_of
@@ -39,7 +41,7 @@ ENOUGH = 0.2  # uncertainty that a reference must reach, as a share of the toler
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Validation:
+class Validation(Brief):
     """A scene that was checked. The first two contacts are the inner and the outer race; a pocket is seat and sheet."""
 
     scene: Scene  # with the tolerance of the check
@@ -56,6 +58,10 @@ class Validation:
     sensitivity: Sensitivity | None = None  # None: not computed
     cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
     trouble: tuple[str, ...] = ()  # met while the report was written
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.scene.name, f"{len(self.contacts)} contacts", self.verdict)
+        yield f"tolerance {self.tolerance:g}, {self.seconds:.3g} s"
 
     @property
     def tolerance(self) -> float:
@@ -86,7 +92,7 @@ class Validation:
         return tuple(dict.fromkeys([*contacts, *torque, *fitted, *self.trouble]))
 
     def to_dataset(self) -> Any:
-        """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has one of its own."""
+        """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has its own."""
         rows = [contact.columns() for contact in self.contacts]
         words = {
             "pair": ("body that the ball presses", [contact.contact.pair for contact in self.contacts]),
@@ -126,7 +132,7 @@ def check_scene(
     """
     start = time.perf_counter()
     if tolerance is not None:
-        scene = replace(scene, tolerance=tolerance)
+        scene = with_tolerance(scene, tolerance)
     jobs = RACES if scene.cage is None else RACES + POCKET
     torque = None
     if scene.has_friction or "on" in scene.effects.values():

@@ -18,8 +18,8 @@ def content_of(target: Path) -> Content:
     content = CONTENTS.get(target.suffix.casefold())
     if content is None:
         raise InputError(
-            f"--out {str(target)!r} ends with {target.suffix!r}: give a file that ends with {', '.join(CONTENTS)}, or a "
-            "name without an ending for a folder with all"
+            f"--out {str(target)!r} ends with {target.suffix!r}: give a file that ends with {', '.join(CONTENTS)}, or "
+            "a name without an ending for a folder with all"
         )
     return content
 

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.numerics.processes import LostWorkerError, each_done
 from analytic.scene import Scene
@@ -23,7 +24,7 @@ SHOWN_REASONS = 5
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sweep:
+class Sweep(Brief):
     """The outcome of a sweep."""
 
     folder: str

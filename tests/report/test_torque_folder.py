@@ -17,10 +17,11 @@ from fembearing import cli
 from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
 from fembearing.provenance import provenance_of
 from fembearing.report import torque_folder as module
-from fembearing.report.torque_folder import torque_with_folder, write_torque
+from fembearing.report.torque_folder import torque_with_files, write_torque
 from tests.analytic.specimens import present
 from tests.report.pictures.test_cage_pictures import MOVING
 
+ALWAYS = {"torque.json", "torque.csv", "torque.png"}
 TWO = MOVING.replace('inner_speed = "500 rpm"', 'inner_speed = ["500 rpm", "200 rpm"]')
 DIES = (sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGABRT)")  # as VTK without GL does
 
@@ -37,14 +38,14 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
     scene = parse_scene(TWO, origin="here")
     folder = tmp_path_factory.mktemp("torque") / "made"
     steps: list[float] = []
-    result, lacking = torque_with_folder(scene, out=folder, progress=lambda share, _: steps.append(share))
+    result, lacking = torque_with_files(scene, out=folder, progress=lambda share, _: steps.append(share))
     assert lacking is None
     return Made(scene, result, folder, steps)
 
 
 def test_each_point_has_series_plot_and_picture(made: Made) -> None:
     files = {f"{point}-cage{end}" for point in (1, 2) for end in (".nc", ".png", "-forces.png")}
-    assert {path.name for path in made.folder.iterdir()} == files | {"torque.json"}
+    assert {path.name for path in made.folder.iterdir()} == files | ALWAYS
     assert [path.name for path in made.folder.parent.iterdir()] == ["made"]  # nothing beside it
     content = json.loads((made.folder / "torque.json").read_text("utf-8"))
     assert content["points"] == json.loads(json.dumps(made.result.to_json()["points"]))
@@ -78,15 +79,15 @@ def test_a_series_tells_where_it_comes_from_and_agrees_with_the_torque(made: Mad
 
 
 def test_without_a_moving_cage_there_are_numbers_and_the_reason(tmp_path: Path) -> None:
-    _, lacking = torque_with_folder(load_scene("6205-dry"), out=tmp_path / "made")
+    _, lacking = torque_with_files(load_scene("6205-dry"), out=tmp_path / "made")
     assert lacking is not None
     assert "the cage did not move" in lacking
     assert "cage.start is not given" in lacking
-    assert [path.name for path in (tmp_path / "made").iterdir()] == ["torque.json"]
+    assert {path.name for path in (tmp_path / "made").iterdir()} == ALWAYS
     content = json.loads((tmp_path / "made" / "torque.json").read_text("utf-8"))
     assert content["cage_motion"] == {"points": [], "lacking": lacking}
     bare = parse_scene(MOVING.partition("[cage]")[0], origin="here")
-    assert "no cage is given" in str(torque_with_folder(bare, out=tmp_path / "bare")[1])
+    assert "no cage is given" in str(torque_with_files(bare, out=tmp_path / "bare")[1])
 
 
 @pytest.mark.parametrize(("renderer", "word"), [(DIES, "signal 6"), (("/nowhere/python",), "could not be started")])
@@ -94,7 +95,7 @@ def test_where_vtk_cannot_draw_all_else_is_there(tmp_path: Path, renderer: tuple
     lacking = present(write_torque(torque_of_scene(parse_scene(MOVING, origin="here")), tmp_path, renderer=renderer))
     assert "there is no picture of the cage" in lacking
     assert word in lacking
-    assert {path.name for path in tmp_path.iterdir()} == {"torque.json", "1-cage.nc", "1-cage-forces.png"}
+    assert {path.name for path in tmp_path.iterdir()} == ALWAYS | {"1-cage.nc", "1-cage-forces.png"}
     content = json.loads((tmp_path / "torque.json").read_text("utf-8"))["cage_motion"]
     assert content["lacking"] == lacking
     assert content["points"][0]["picture"] is None
@@ -104,16 +105,16 @@ def test_nothing_is_left_of_a_folder_that_fails(tmp_path: Path, monkeypatch: pyt
     def fail(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(module, "provenance_of", fail)
+    monkeypatch.setattr(module, "numbers_file", fail)
     with pytest.raises(KeyboardInterrupt):
-        torque_with_folder(load_scene("6205-dry"), out=tmp_path / "made")
+        torque_with_files(load_scene("6205-dry"), out=tmp_path / "made")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_what_exists_is_refused_before_anything_is_computed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "torque_of_scene", None)  # would not be called
     with pytest.raises(InputError, match="exists already"):
-        torque_with_folder(load_scene("6205-dry"), out=tmp_path)
+        torque_with_files(load_scene("6205-dry"), out=tmp_path)
 
 
 def test_the_command_says_where_the_folder_is_and_what_it_lacks(
@@ -133,12 +134,15 @@ def test_the_command_says_where_the_folder_is_and_what_it_lacks(
             json.loads(captured.out)  # nothing else on it
 
 
-def test_a_torque_without_a_moving_cage_loads_nothing_that_draws_or_packs(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("name", "drawing"), [("made", {"matplotlib"}), ("made.csv", set()), ("made.json", set())])
+def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(
+    tmp_path: Path, name: str, drawing: set[str]
+) -> None:
     show = (
         "import sys; from fembearing import cli; sys.argv[1:] = ['torque', '--json', '--out', sys.argv[1]]\n"
         "try: cli.main()\nfinally: print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
     )
-    run = [sys.executable, "-c", show, str(tmp_path / "made")]
+    run = [sys.executable, "-c", show, str(tmp_path / name)]
     loaded = set(subprocess.run(run, capture_output=True, check=True, text=True).stderr.split())
     assert "fembearing" in loaded
-    assert not {"matplotlib", "vtk", "vtkmodules", "pyvista", "xarray", "netCDF4"} & loaded
+    assert {"matplotlib", "vtk", "vtkmodules", "pyvista", "xarray", "netCDF4"} & loaded == drawing

@@ -2,13 +2,17 @@
 
 import math
 import time
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from analytic.brief import Brief
+from analytic.errors import require_non_negative
 from analytic.scene import Contact, Pair, Scene
+from analytic.scenefile.by_name import with_tolerance
 from fembearing.compare.contact.approach_curve import ApproachCurve, approach_over_load
 from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact_html
 from fembearing.compare.contact.comparison_error import Comparison, comparison_of
@@ -33,7 +37,7 @@ SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes; the stiffness foll
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class ContactSolution:
+class ContactSolution(Brief):
     """A contact by the production formula and by finite elements.
 
     Estimates, discrepancies and verdicts are keyed by the field names of `Quantities`. The verdicts are on uncorrected
@@ -55,6 +59,10 @@ class ContactSolution:
     approach_curve: ApproachCurve
     pressure_profile: Profiles
     peak_memory: int | None  # of the process when the contact was solved, bytes
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.contact.pair, self.geometry, f"{self.contact.load:.4g} N", self.shown_verdict)
+        yield f"approach {1e6 * self.reference.approach:.5g} um, Hertz {100 * self.discrepancy['approach']:+.2f} %"
 
     @property
     def reference(self) -> Quantities:
@@ -270,10 +278,11 @@ def solve_contact(
     Raises InputError for a contact that cannot be meshed, ConvergenceError for one that does not converge.
     """
     contact = contact_of(scene, pair=pair, load=load)
+    tolerance = scene.tolerance if tolerance is None else with_tolerance(scene, tolerance).tolerance
+    require_non_negative(accuracy=tolerance if accuracy is None else accuracy)
     recipe = recipe_of(geometry, pair=pair)
     if geometry == "ring":
         known_ring(contact)
-    tolerance = scene.tolerance if tolerance is None else tolerance
     with traced_to_load(scene, pair=pair, load=load):
         solution = compare_contact(contact, recipe=recipe, tolerance=tolerance, accuracy=accuracy, progress=progress)
         if geometry == "ring":

@@ -7,15 +7,18 @@ own meshes.
 """
 
 import time
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import InputError
+from analytic.brief import Brief, span
+from analytic.errors import InputError, require_non_negative
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.scene import Contact, Pair, Scene
+from analytic.scenefile.by_name import with_tolerance
 from fembearing.compare.contact.columns import COLUMNS, VERDICT
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import hertz_quantities
@@ -82,7 +85,7 @@ class LoadPoint:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LoadSeries:
+class LoadSeries(Brief):
     """A contact under a series of loads, in the order given."""
 
     contact: Contact  # under the first load
@@ -95,6 +98,10 @@ class LoadSeries:
     seconds: float
     peak_memory: int | None  # of the process when the series was solved, bytes
     warnings: tuple[str, ...]
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.contact.pair, self.geometry, f"{span([point.load for point in self.points])} N")
+        yield from (f"{len(self.points)} loads", self.shown_verdict)
 
     @property
     def meshes(self) -> int:
@@ -204,12 +211,13 @@ def solve_load_series(
     that does not converge.
     """
     given = checked_loads(loads)
+    tolerance = scene.tolerance if tolerance is None else with_tolerance(scene, tolerance).tolerance
+    require_non_negative(accuracy=tolerance if accuracy is None else accuracy)
     if geometry == "ring":
         raise InputError("geometry 'ring' is that of one load, not of a series: give one --load")
     recipe = recipe_of(geometry, pair=pair)
     largest = float(given.max())
     contact = replace(contact_of(scene, pair=pair, load=largest), load=float(given[0]))
-    tolerance = scene.tolerance if tolerance is None else tolerance
     with traced_to_load(scene, pair=pair, load=largest):
         series = compare_series(
             contact, recipe=recipe, loads=given, tolerance=tolerance, accuracy=accuracy, progress=progress

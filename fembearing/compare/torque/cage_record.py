@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from analytic.brief import Brief
 from analytic.cage.free_motion import FreeCageMotion
 from analytic.cage.motion import CageMotion
 from analytic.cage.series import CageSeries, recorded_motion
@@ -22,7 +23,7 @@ DIRECTIONS = 180  # in which the edge of the cage's room is computed
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CageRecord:
+class CageRecord(Brief):
     """A cage that moved at one operating point."""
 
     scene: Scene

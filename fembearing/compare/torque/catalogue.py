@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.scene import Scene
 from fembearing.compare.torque.catalogue_models import CatalogueBand, bearing_series, scene_band
@@ -12,7 +13,7 @@ from fembearing.plain_types import plain
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class BesideCatalogue:
+class BesideCatalogue(Brief):
     """The band of the models, or the reason for which there is none."""
 
     band: CatalogueBand | None  # arrays (n,), N m

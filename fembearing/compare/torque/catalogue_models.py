@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.brief import Brief
 from analytic.catalog.bearing_rows import series_of_size
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.oil.rolling import (
@@ -75,7 +76,7 @@ class CatalogueCase(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CatalogueBand:
+class CatalogueBand(Brief):
     """Torques of one bearing about its axis, N m; every array has the broadcast shape of the case."""
 
     low: Array  # the least of the values

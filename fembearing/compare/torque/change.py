@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.finite_geometry import RaceCorrections
 from analytic.effects.table import CHOSEN
@@ -29,7 +30,7 @@ PARTS = ("total", "race", "spin", "conformity", "hysteresis", "rolling")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class FittedChange:
+class FittedChange(Brief):
     """The torque with contacts corrected for finite geometry, at every operating point."""
 
     torque: FrictionTorque
@@ -60,7 +61,7 @@ class FittedChange:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class TorqueChange:
+class TorqueChange(Brief):
     """The torque with Hertz's contacts, and again with finite-element semi-axes and approach.
 
     Both leave out the effects of LEFT_OUT, so that neither is the total that the production model gives.

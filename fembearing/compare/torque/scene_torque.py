@@ -6,11 +6,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from analytic.brief import Brief, span
 from analytic.effects.table import STATIC_LIMIT
 from analytic.errors import FembearingError
 from analytic.inputs import StatedInput, stated_inputs
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
-from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
+from analytic.result import COLUMNS, COORDINATES, NEWTON_MILLIMETRE, POINT, FrictionTorque
 from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
@@ -30,7 +31,7 @@ Samples = int | Literal["enough"] | None  # of an interval: a number, until its 
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class SceneTorque:
+class SceneTorque(Brief):
     """Torque, uncertainties and catalogue band of one scene."""
 
     scene: Scene
@@ -40,6 +41,11 @@ class SceneTorque:
         None  # with the balls that the ratings fit nearly as well, if there are any
     )
     prediction: "Prediction | None" = None  # the interval; None: not asked for
+
+    def _facts(self) -> Iterator[str]:
+        yield self.scene.name
+        yield f"{span(self.friction.torque.total, NEWTON_MILLIMETRE.factor)} {NEWTON_MILLIMETRE.name}"
+        yield f"+- {span(self.friction.numerical_uncertainty, 100.0)} %, tolerance {100 * self.scene.tolerance:g} %"
 
     @property
     def inputs(self) -> tuple[StatedInput, ...]:

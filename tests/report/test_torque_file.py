@@ -1,0 +1,186 @@
+"""One file of a torque: the numbers of the table are those of the JSON, every ending gives its kind, whole or not."""
+
+import csv
+import json
+import re
+from io import BytesIO, StringIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+from analytic.errors import InputError
+from analytic.scenefile.read import parse_scene
+from fembearing import cli
+from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
+from fembearing.report import torque_folder
+from fembearing.report.torque_file import CONTENTS
+from fembearing.report.torque_folder import torque_with_files
+from fembearing.report.torque_table import csv_of, shown_columns
+from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
+from tests.analytic.specimens import present
+
+SERIES = changed('"700 N"', '["900 N", "400 N", "650 N"]', changed(SPEEDS, '["500 rpm", "2000 rpm", "900 rpm"]', OILED))
+DRY = SERIES.partition("[lubricant]")[0] + "[friction]\ncoefficient = 0.1\n"
+# What one of each unit is in SI, by definition.
+SI = {
+    "rpm": 2 * np.pi / 60,
+    "N": 1.0,
+    "N mm": 1e-3,
+    "%": 1e-2,
+    "deg": np.pi / 180,
+    "um": 1e-6,
+    "mm": 1e-3,
+    "GPa": 1e9,
+    "1": 1.0,
+}
+DIGITS = 1e-12  # relative: 15 digits are printed, and a unit costs one or two of the 17 that a number has
+
+
+@pytest.fixture(scope="module", params=[SERIES + '[losses]\nseals = "5 N mm"\n', DRY], ids=["oiled", "dry"])
+def result(request: pytest.FixtureRequest) -> SceneTorque:
+    return torque_of_scene(parse_scene(request.param, origin="here"))
+
+
+def in_json(content: dict[str, Any], point: int, name: str) -> float | None:
+    """The number of a column where the JSON has it."""
+    row = content["points"][point]
+    if name in row:
+        return row[name]
+    if name == "ball_load":
+        return max(row["contact"][race]["load"] for race in ("inner", "outer"))
+    group, _, rest = name.partition("_")
+    if group in ("torque", "uncertainty"):
+        return row[group][rest]
+    if group == "catalogue":
+        return content["catalogue_band"][rest][point]
+    stem, _, race = name.rpartition("_")
+    return row["contact"][race][stem] if stem in row["contact"]["inner"] else row[stem][race]
+
+
+def test_the_table_has_every_number_of_the_json_in_the_unit_of_its_head(result: SceneTorque) -> None:
+    content = json.loads(json.dumps(result.to_json()))
+    (count, *heads), *rows = csv.reader(StringIO(csv_of(result)))
+    assert count == "point"
+    assert [row[0] for row in rows] == ["1", "2", "3"]
+    names = []
+    for column, head in enumerate(heads, start=1):
+        name, unit = present(re.fullmatch(r"(\w+) \[(.+)\]", head)).groups()
+        names.append(name)
+        for point, row in enumerate(rows):
+            expected = in_json(content, point, name)
+            found = float(row[column]) * SI[unit] if row[column] else None
+            assert found == (None if expected is None else pytest.approx(expected, rel=DIGITS, abs=0)), head
+    first = content["points"][0]
+    for part, value in first["torque"].items():  # nothing that is known is left out
+        assert (f"torque_{part}" in names) == (value is not None)
+    for race in ("inner", "outer"):
+        assert {f"{name}_{race}" for name in first["contact"][race]} <= set(names)
+
+
+def test_what_is_not_known_is_an_empty_cell() -> None:
+    text = changed('"700 N"', '["700 N", "90 kN"]', OILED)
+    found = torque_of_scene(parse_scene(text, origin="here"))
+    assert np.isinf(found.friction.numerical_uncertainty).tolist() == [False, True]
+    _, first, second = csv.DictReader(StringIO("\n" + csv_of(found))), *csv.DictReader(StringIO(csv_of(found)))
+    assert float(first["uncertainty_numerical [%]"]) < 100
+    assert second["uncertainty_numerical [%]"] == ""
+
+
+def test_dataset_and_data_frame_hold_the_same_numbers(result: SceneTorque) -> None:
+    dataset, frame = result.to_dataset(), result.to_dataframe()
+    shown = shown_columns(result)
+    assert set(shown) <= {*dataset.data_vars, *dataset.coords} == {*frame.columns}
+    for name, column in shown.items():
+        known = np.isfinite(frame[name].to_numpy())
+        np.testing.assert_allclose(column.values[known], (frame[name] * column.unit.factor)[known], rtol=1e-15)
+        np.testing.assert_array_equal(frame[name], dataset[name])
+        assert dataset[name].attrs["units"] == frame.attrs["units"][name] == column.column.unit
+
+
+def test_every_ending_gives_its_kind_of_file(result: SceneTorque, tmp_path: Path) -> None:
+    beginnings = {".csv": b"point,", ".json": b"{", ".png": b"\x89PNG", ".pdf": b"%PDF-", ".html": b"<!DOCTYPE html>"}
+    assert CONTENTS.keys() == beginnings.keys()
+    for ending, content in CONTENTS.items():
+        assert content(result).startswith(beginnings[ending])
+    assert json.loads(CONTENTS[".json"](result))["points"] == json.loads(json.dumps(result.to_json()["points"]))
+    _, lacking = torque_with_files(result.scene, out=tmp_path / "mine.CSV")
+    assert lacking is None
+    assert [path.name for path in tmp_path.iterdir()] == ["mine.CSV"]
+    assert (tmp_path / "mine.CSV").read_text("utf-8") == csv_of(result)
+
+
+def test_the_page_needs_nothing_else_and_shows_markup_as_text() -> None:
+    named = parse_scene(changed('name = "a series"', 'name = "<b>bold</b> & co"', SERIES), origin="here")
+    page = CONTENTS[".html"](torque_of_scene(named)).decode()
+    assert "&lt;b&gt;bold&lt;/b&gt; &amp; co" in page
+    assert "<b>" not in page
+    assert set(re.findall(r'(?:src|href)="(.{10})', page)) == {"data:image"}
+    assert "default-src 'none'" in page
+    for total in torque_of_scene(named).friction.torque.total:
+        assert f'<td class="number">{total * 1e3:.4g}</td>' in page
+
+
+@pytest.mark.parametrize(
+    ("load", "speed", "tall"),
+    [
+        ('"700 N"', '"500 rpm"', False),
+        ('"700 N"', '["500 rpm", "900 rpm"]', True),
+        ('["700 N", "300 N", "90 N"]', '"500 rpm"', True),
+        ('["700 N", "300 N"]', '["500 rpm", "0 rpm"]', False),
+    ],
+)
+def test_the_figure_is_as_wide_for_any_series(load: str, speed: str, tall: bool) -> None:
+    text = changed('"700 N"', load, changed(SPEEDS, speed, OILED))
+    height, width, _ = imread(BytesIO(CONTENTS[".png"](torque_of_scene(parse_scene(text, origin="here"))))).shape
+    assert width == 1012  # 4.6 inches of 220 dots
+    assert (height > 0.9 * width) == tall  # over an axis; else as high as its bars
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("my.docx", "ends with '.docx': give a file that ends with .csv, .json, .png, .pdf, .html, or a name without"),
+        ("there.csv", "there.csv' exists already: give a new name, or remove it first"),
+        ("nowhere/my.csv", "cannot be made in"),
+    ],
+)
+def test_a_name_that_cannot_be_written_is_refused_before_anything_is_computed(
+    tmp_path: Path, name: str, said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "there.csv").write_text("mine")
+    monkeypatch.setattr(torque_folder, "torque_of_scene", None)  # would not be called
+    monkeypatch.setattr("sys.argv", ["fembearing", "torque", "--out", str(tmp_path / name)])
+    with pytest.raises(SystemExit) as stop:
+        cli.main()
+    assert stop.value.code == 2
+    line = capsys.readouterr().err
+    assert said in line
+    assert line.count("\n") == 1
+    assert {path.name for path in tmp_path.iterdir()} == {"there.csv"}
+    assert (tmp_path / "there.csv").read_text() == "mine"
+
+
+def test_nothing_is_left_of_a_file_that_fails_or_comes_too_late(
+    result: SceneTorque, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "my.csv"
+
+    def stop(*_: object, **__: object) -> SceneTorque:
+        raise KeyboardInterrupt
+
+    def late(*_: object, **__: object) -> SceneTorque:
+        target.write_text("somebody's")
+        return result
+
+    monkeypatch.setattr(torque_folder, "torque_of_scene", stop)
+    with pytest.raises(KeyboardInterrupt):
+        torque_with_files(result.scene, out=target)
+    assert list(tmp_path.iterdir()) == []
+    monkeypatch.setattr(torque_folder, "torque_of_scene", late)
+    with pytest.raises(InputError, match="exists already"):
+        torque_with_files(result.scene, out=target)
+    assert [path.name for path in tmp_path.iterdir()] == ["my.csv"]
+    assert target.read_text() == "somebody's"
