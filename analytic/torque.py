@@ -34,6 +34,7 @@ from analytic.races import BY_SLIP, RaceTorque, race_torque
 from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.scene import Array, Decision, Scene
 from analytic.sliding.methods import Sliding
+from analytic.units import Quantity
 
 # Times the largest change over six directions: others change more, and so do other methods, up to 1.25 in 110 drawn
 # scenes (validation/adversary.py).
@@ -49,7 +50,7 @@ PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
 def friction_torque(
     scene: Scene,
     *,
-    tolerance: float | str | None = None,
+    tolerance: float | str | Quantity | None = None,
     correction: ContactCorrection | None = None,
     variation: Variation = NOMINAL,
 ) -> FrictionTorque:

@@ -1,6 +1,6 @@
 """The SI unit of each field; numbers with a unit of their own, of pint or the like, which the model does not take."""
 
-from typing import Any
+from typing import Any, Protocol
 
 # SI units by field of the nouns in `analytic.scene` and by argument; "1" for a pure number, ""
 # for a word.
@@ -27,6 +27,16 @@ UNITS: dict[str, str] = {
     "Cage.drag": "N m s",
     **dict.fromkeys(("start", "material", "ball_material"), ""),  # words
 }
+
+
+class Quantity(Protocol):
+    """A number or an array with its unit, as in pint."""
+
+    @property
+    def magnitude(self) -> Any: ...
+
+    @property
+    def units(self) -> Any: ...
 
 
 def unit_of(field: str) -> str:

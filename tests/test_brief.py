@@ -41,10 +41,9 @@ def test_the_line_says_which_it_is(checked: Validation) -> None:
     scene = parse_scene(TEXT, origin="here")
     result = torque_of_scene(scene)
     low, high = (f"{1e3 * result.friction.torque.total[point]:.4g}" for point in (0, 1))
-    assert repr(scene) == f"Scene(mine, {scene.bearing.name}, 2 points, 500 to 2000 rpm, 700 N axial, tolerance 0.02)"
-    assert (
-        repr(result.friction) == f"FrictionTorque(mine, 2 points, 500 to 2000 rpm, 700 N axial, {low} to {high} N mm)"
-    )
+    points = "2 points, 500 to 2000 rpm, 700 N axial"
+    assert repr(scene) == f"Scene(a series, {scene.bearing.name}, {points}, tolerance 0.02)"
+    assert repr(result.friction) == f"FrictionTorque(a series, {points}, {low} to {high} N mm)"
     assert f"{low} to {high} N mm" in repr(result)
     assert "tolerance 2 %" in repr(result)
     contact = checked.contacts[0]

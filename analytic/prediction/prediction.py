@@ -30,6 +30,7 @@ from analytic.result import COORDINATES, NEWTON_MILLIMETRE, POINT, FrictionTorqu
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_name import with_tolerance
 from analytic.torque import friction_torque
+from analytic.units import Quantity
 
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
 ENOUGH = 0.03  # standard error of each end of the total's interval, over that end
@@ -150,7 +151,7 @@ class Prediction(Brief):
 def predict(
     scene: Scene,
     *,
-    tolerance: float | str | None = None,
+    tolerance: float | str | Quantity | None = None,
     samples: int | None = None,
     seed: int = SEED,
     workers: int | None = None,

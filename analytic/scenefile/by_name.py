@@ -19,8 +19,10 @@ from analytic.scenefile.oil import completed_lubricant
 from analytic.scenefile.read import scene_of
 from analytic.scenefile.text import shown
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity, ViscosityPoint
-from analytic.units import has_unit
+from analytic.units import Quantity, has_unit
 
+Given = float | str | Quantity  # a number in SI, a text with a unit, or a quantity
+Series = ArrayLike | str | Sequence[str] | Quantity | Sequence[Quantity]
 # What a scene needs beside the table that is read.
 ANYTHING = {"name": "from Python", "tolerance": 0.05, "operation": {"axial_load": "1 N", "inner_speed": "0 rpm"}}
 MATERIAL = "bearing.ball_material"  # the keys of any material are the same
@@ -62,10 +64,10 @@ def _with_units(table: Mapping[str, Any], path: str) -> dict[str, Any]:
 
 def operation(
     *,
-    inner_speed: ArrayLike | str | Sequence[str],
-    axial_load: ArrayLike | str | Sequence[str] = 0.0,
-    radial_load: ArrayLike | str | Sequence[str] = 0.0,
-    moment: ArrayLike | str | Sequence[str] = 0.0,
+    inner_speed: Series,
+    axial_load: Series = 0.0,
+    radial_load: Series = 0.0,
+    moment: Series = 0.0,
 ) -> Operation:
     """The operating points of a series: single values or (n,); a single value counts for the whole series.
 
@@ -77,7 +79,7 @@ def operation(
     return Operation(**{key: _in_si(f"operation.{key}", value) for key, value in given.items()}).as_series()
 
 
-def _in_si(path: str, given: ArrayLike | str | Sequence[str]) -> Array:
+def _in_si(path: str, given: Series) -> Array:
     """Numbers, which are in SI already, or quantities in texts: one or a list."""
     given = _as_text(given)
     if isinstance(given, str):
@@ -105,9 +107,9 @@ def surfaces(**keys: Any) -> Surface:
 def lubricant(
     name: str | None = None,
     *,
-    temperature: float | str | None = None,
-    viscosity: float | str | Sequence[str] | None = None,
-    **overrides: float | str | bool,
+    temperature: Given | None = None,
+    viscosity: Given | Sequence[str] | None = None,
+    **overrides: Given | bool,
 ) -> Lubricant:
     """The lubricant that the table `[lubricant]` of a scene describes.
 
@@ -126,7 +128,7 @@ def lubricant(
     return completed_lubricant(given)
 
 
-def _viscosity(given: float | str | Sequence[str]) -> GivenViscosity:
+def _viscosity(given: Given | Sequence[str]) -> GivenViscosity:
     path, given = "lubricant.viscosity", _as_text(given)
     if isinstance(given, str | list | tuple):
         try:
@@ -137,7 +139,7 @@ def _viscosity(given: float | str | Sequence[str]) -> GivenViscosity:
     return GivenViscosity(points=(point,), text=shown(given))
 
 
-def material(name: str, **overrides: float | str) -> Material:
+def material(name: str, **overrides: Given) -> Material:
     """The material that a scene means by this name.
 
     name : of the catalog, as "100Cr6"; analytic.catalog.names("materials") lists them
@@ -169,7 +171,7 @@ def _checked(path: str, value: object) -> Any:
         raise InputError(f"{path} = {shown(value)}{si} {problem}") from None
 
 
-def with_tolerance(scene: Scene, tolerance: object) -> Scene:
+def with_tolerance(scene: Scene, tolerance: Given) -> Scene:
     """The scene with another tolerance: a number, a text as "1 %", or a quantity. Raises InputError as a scene file."""
     return replace(scene, tolerance=_checked("tolerance", tolerance))
 

@@ -13,7 +13,7 @@ from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import FrictionTorque
 from analytic.scene import Pair, Scene
-from analytic.scenefile.by_name import with_tolerance
+from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.compare.contact.columns import COLUMNS, VERDICT
 from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact, with_ring
 from fembearing.compare.contact.scene_contact import contact_of
@@ -115,7 +115,7 @@ class Validation(Brief):
 def check_scene(
     scene: Scene,
     *,
-    tolerance: float | None = None,
+    tolerance: Given | None = None,
     hard: bool = False,
     cost: bool = False,
     samples: Samples = None,

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from analytic.scene import Scene
+from analytic.scenefile.by_name import Given
 from fembearing.compare.cost.scene_cost import Cost
 from fembearing.compare.torque.scene_torque import Samples
 from fembearing.compare.validation import Validation, check_scene
@@ -19,7 +20,7 @@ def validate(
     scene: Scene,
     *,
     out: Path | str | None = None,
-    tolerance: float | None = None,
+    tolerance: Given | None = None,
     hard: bool = False,
     cost: bool = False,
     samples: Samples = None,

@@ -15,7 +15,8 @@ from analytic.scenefile.keys import scene_key
 from analytic.units import unit_of
 
 UNIT = pint.UnitRegistry()
-Q = UNIT.Quantity
+Q: Any = UNIT.Quantity  # what is refused fits no annotation either
+SMOOTH = {"kind": "gaussian", "spacing": "2 um"}
 
 
 def test_quantities_mean_what_the_same_texts_mean() -> None:
@@ -25,9 +26,8 @@ def test_quantities_mean_what_the_same_texts_mean() -> None:
     oil = analytic.lubricant("ISO VG 68", temperature=Q(60.0, "degC"), eyring_stress=Q(4.0, "MPa"))
     assert oil == analytic.lubricant("ISO VG 68", temperature=333.15, eyring_stress="4 MPa")
     assert analytic.lubricant("ISO VG 68", viscosity=Q(30, "mPa s")).viscosity == pytest.approx(0.03, rel=1e-15)
-    assert analytic.surfaces(Ra=Q(0.1, "um"), finish="ground and honed") == analytic.surfaces(
-        Ra=1e-7, finish="ground and honed"
-    )
+    rough = analytic.surfaces(Ra=Q(0.1, "um"), autocorrelation=SMOOTH | {"length": Q(50.0, "um")})
+    assert rough == analytic.surfaces(Ra="0.1 um", autocorrelation=SMOOTH | {"length": "50 um"})
     assert analytic.material("100Cr6", youngs_modulus=Q(200, "GPa")).youngs_modulus == 200e9
 
 
@@ -60,12 +60,12 @@ REFUSED: list[tuple[Callable[[], Any], str, str, str]] = [  # field, value and u
     (lambda: analytic.lubricant("ISO VG 68", temperature=Q(3, "m")), "lubricant.temperature", "3 meter", "degC"),
     (lambda: analytic.surfaces(Ra=Q(3, "N")), "surface.Ra", "3 newton", "um"),
     (lambda: analytic.material("100Cr6", density=Q(3, "N")), "density", "3 newton", "kg/m^3"),
-    (lambda: analytic.friction_torque(scene(), tolerance=Q(2, "mm")), "tolerance", "2 millimeter", "%"),  # type: ignore[arg-type]
+    (lambda: analytic.friction_torque(scene(), tolerance=Q(2, "mm")), "tolerance", "2 millimeter", "%"),
     (lambda: scene(tolerance=Q(5, "percent")), "Scene.tolerance", "5 percent", "a plain number"),
     (lambda: Operation(axial_load=Q(1, "kN"), inner_speed=np.ones(2)), "Operation.axial_load", "1 kilonewton", "in N"),
-    (lambda: analytic.ContactAngle(rule="given", value=Q(15, "deg")), "ContactAngle.value", "15 degree", "in rad"),  # type: ignore[arg-type]
+    (lambda: analytic.ContactAngle(rule="given", value=Q(15, "deg")), "ContactAngle.value", "15 degree", "in rad"),
     (
-        lambda: analytic.thrust_equilibrium(scene().bearing, scene().contact_angle, axial_load=Q(1, "kN")),  # type: ignore[arg-type]
+        lambda: analytic.thrust_equilibrium(scene().bearing, scene().contact_angle, axial_load=Q(1, "kN")),
         "axial_load",
         "1 kilonewton",
         "in N",

@@ -12,7 +12,7 @@ import numpy as np
 from analytic.brief import Brief
 from analytic.errors import require_non_negative
 from analytic.scene import Contact, Pair, Scene
-from analytic.scenefile.by_name import with_tolerance
+from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.compare.contact.approach_curve import ApproachCurve, approach_over_load
 from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact_html
 from fembearing.compare.contact.comparison_error import Comparison, comparison_of
@@ -260,7 +260,7 @@ def solve_contact(
     *,
     pair: Pair,
     load: float | None = None,
-    tolerance: float | None = None,
+    tolerance: Given | None = None,
     accuracy: float | None = None,
     geometry: Shape = "real",
     progress: Progress = silent,

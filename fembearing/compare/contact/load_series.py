@@ -18,7 +18,7 @@ from analytic.brief import Brief, span
 from analytic.errors import InputError, require_non_negative
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.scene import Contact, Pair, Scene
-from analytic.scenefile.by_name import with_tolerance
+from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.compare.contact.columns import COLUMNS, VERDICT
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import hertz_quantities
@@ -195,7 +195,7 @@ def solve_load_series(
     *,
     pair: Pair,
     loads: ArrayLike,
-    tolerance: float | None = None,
+    tolerance: Given | None = None,
     accuracy: float | None = None,
     geometry: Shape = "real",
     progress: Progress = silent,
