@@ -22,11 +22,6 @@ class ShownColumn(NamedTuple):
     unit: Unit
     values: Array  # (n,) in this unit; NaN where nothing is known
 
-    @property
-    def heading(self) -> str:
-        """Meaning and unit."""
-        return f"{self.column.meaning}, {self.unit.name}" if self.unit.name else self.column.meaning
-
 
 def shown_columns(result: SceneTorque) -> dict[str, ShownColumn]:
     """Every column of a torque that holds something, by its name in datasets."""

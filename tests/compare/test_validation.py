@@ -67,3 +67,14 @@ def test_what_cannot_be_had_is_refused_before_anything_is_solved(spoiled: Callab
     with pytest.raises(InputError, match=words):
         check_scene(spoiled(load_scene("6205-dry")), progress=lambda _, step: told.append(step))
     assert told == []
+
+
+def test_the_data_frame_has_a_row_for_each_contact(checked: Validation) -> None:
+    frame = checked.to_dataframe()
+    assert frame["pair"].tolist() == ["inner", "outer", "pocket", "pocket"]
+    assert frame["geometry"].tolist() == ["real", "real", "real", "wall"]
+    for point, contact in enumerate(checked.contacts):
+        assert frame["verdict"][point] == contact.shown_verdict
+        for name, value in contact.columns().items():
+            assert frame[name][point] == pytest.approx(value, nan_ok=True, rel=0, abs=0)
+    assert frame.attrs["units"]["peak_pressure"] == "Pa"

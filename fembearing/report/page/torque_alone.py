@@ -2,13 +2,26 @@
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from analytic.result import COORDINATES
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.provenance import provenance_of
 from fembearing.report.figures.page_plots import embedded
-from fembearing.report.phrases import SHARES, capital, share_of, uncertainty_of
+from fembearing.report.figures.torque import PARTS
+from fembearing.report.phrases import LOADS, SHARES, capital, share_of, uncertainty_of
 from fembearing.report.torque_table import shown_columns
 
-SHOWN = ("inner_speed", "axial_load", "radial_load", "moment", "torque_", "uncertainty_", "interval_", "catalogue_")
+HEADS = {  # of the table, from the left
+    "inner_speed": "speed",
+    **{name: COORDINATES[name].meaning for name in LOADS},
+    **{f"torque_{name}": name for name in PARTS},
+    "torque_total": "total",
+    "uncertainty_numerical": "± numerical",
+    "uncertainty_model": "± formulas",
+    "interval_low": "95 % from",
+    "interval_high": "95 % to",
+    "catalogue_low": "catalogue from",
+    "catalogue_high": "catalogue to",
+}
 
 
 def torque_page(result: SceneTorque, figure: bytes) -> str:
@@ -23,12 +36,13 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
     friction = result.friction
     model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
     varied = {name: float(part.max()) for name, part in (friction.model_parts or {}).items()}
-    columns = [each for name, each in shown_columns(result).items() if name.startswith(SHOWN)]
+    known = shown_columns(result)
+    shown = {name: known[name] for name in HEADS if name in known and (name not in LOADS or any(known[name].values))}
     return environment.get_template("torque_alone.html").render(
         name=result.scene.name,
         bearing=result.scene.bearing.name,
-        heads=[each.heading for each in columns],
-        rows=list(zip(*(each.values.tolist() for each in columns), strict=True)),
+        heads=[f"{HEADS[name]}, {each.unit.name}" for name, each in shown.items()],
+        rows=list(zip(*(each.values.tolist() for each in shown.values()), strict=True)),
         figure=embedded(figure),
         notes=[uncertainty_of(model, varied), f"{capital(result.catalogue.note)}.", *result.doubts],
         warnings=friction.warnings,

@@ -304,3 +304,22 @@ def test_a_lognormal_input_stays_above_its_floor_and_a_normal_one_is_even() -> N
     np.testing.assert_allclose(groove.at(score)[2:], [0.52, 0.5 + 0.02 * np.exp(0.2)])
     heat = UncertainInput(key="k", value=313.0, unit="K", deviation=2.0, source="s", floor=None)
     np.testing.assert_allclose(heat.at(score), 313.0 + 2 * score)
+
+
+def test_dataset_data_frame_and_line_hold_what_the_json_has(predicted: Prediction) -> None:
+    content, dataset, frame = predicted.to_json()["points"], predicted.to_dataset(), predicted.to_dataframe()
+    assert dataset["index_total"].dims == ("input", "point")
+    assert dataset["input"].values.tolist() == [each.key for each in predicted.inputs]
+    for point, row in enumerate(content):
+        for end, value in row["total"].items():
+            assert frame[f"torque_total_{end}"][point] == float(dataset[f"torque_total_{end}"][point]) == value
+        for part, interval in row["parts"].items():
+            assert frame[f"torque_{part}_high"][point] == interval["high"]
+        for cause, (low, high) in row["made_of"].items():
+            found = dataset.sel(cause=cause).isel(point=point)
+            assert (float(found["made_of_low"]), float(found["made_of_high"])) == (low, high)
+        assert dataset["index_total"][:, point].values.tolist() == row["indices"]["total"]
+        assert frame["axial_load"][point] == 800.0
+        assert frame.attrs["units"]["torque_total_low"] == "N m"
+        assert f"95 % from {1e3 * row['total']['low']:.4g} to {1e3 * row['total']['high']:.4g} N mm" in repr(predicted)
+    assert len(repr(predicted)) <= 100

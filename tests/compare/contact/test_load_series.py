@@ -231,3 +231,13 @@ def test_mistakes_are_one_line(loads: list[float], words: str) -> None:
     with pytest.raises(InputError, match=words) as caught:
         solve_load_series(load_scene("6205-dry"), pair="inner", loads=loads)
     assert "\n" not in str(caught.value)
+
+
+def test_the_data_frame_has_a_row_for_each_load(ideal: LoadSeries) -> None:
+    frame = ideal.to_dataframe()
+    assert frame.index.tolist() == [point.load for point in ideal.points]
+    for row, point in zip(frame.itertuples(), ideal.points, strict=True):
+        assert (row.approach, row.hertz_approach) == (point.approach.value, point.hertz_approach)
+        assert (row.tangent, row.verdict) == (point.tangent, point.verdict)
+    assert frame.attrs["units"]["tangent"] == ideal.to_dataset()["tangent"].attrs["units"] == "N/m"
+    assert repr(ideal).startswith(f"LoadSeries(outer, hertzian, {min(frame.index):.4g} to {max(frame.index):.4g} N, ")
