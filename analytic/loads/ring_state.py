@@ -4,7 +4,7 @@ They follow from the loads and contact angles of the balls alone, whatever metho
 point that displacement and moment refer to are those of `analytic.loads.ring`.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.brief import Brief, span
+from analytic.labelled import Column, Labelled, dataset_of
 from analytic.loads.ball_balance import contact_tangent, in_series
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.ring_balance import groove_travel
@@ -23,7 +25,7 @@ UNLOADED = 1e-9  # load over that of the heaviest ball, below which a ball says 
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class RingState:
+class RingState(Brief):
     """The inner ring against the outer one at n operating points, with the Z balls between them."""
 
     bearing: Bearing
@@ -31,6 +33,11 @@ class RingState:
     load: Array  # (n, 2, Z) Q on inner and outer race, N
     contact_angle: Array  # (n, 2, Z) rad, negative where the ball is pressed towards -z
     approach: Array  # (n, 2, Z) delta, m
+
+    def _facts(self) -> Iterator[str]:
+        points, _, balls = self.load.shape
+        yield from (self.bearing.name, f"{points} point{'' if points == 1 else 's'}, {balls} balls")
+        yield f"heaviest {span(self.load.max(axis=(1, 2)))} N"
 
     def at(self, points: NDArray[np.intp]) -> "RingState":
         """The state at some operating points."""
@@ -110,6 +117,37 @@ class RingState:
             "stiffness": self.stiffness[point].tolist(),
             "balls": balls,
         }
+
+    def to_dataset(self) -> Any:
+        """An xarray.Dataset over operating points, races, balls and freedoms, SI, with units and meanings."""
+        rows, every = ("point",), ("point", "race", "ball")
+        place = np.full((len(self.load), 5), np.nan) if self.displacement is None else self.displacement
+        angle = np.where(self.load > 0, self.contact_angle, np.nan)
+        moved = {
+            f"displacement_{name}": Labelled(
+                rows, place[:, number], Column("rad" if "tilt" in name else "m", f"displacement of the ring, {name}")
+            )
+            for number, name in enumerate(FREEDOMS)
+        }
+        return dataset_of(
+            {
+                "load": Labelled(every, self.load, Column("N", "load of the ball")),
+                "contact_angle": Labelled(every, angle, Column("rad", "contact angle of a loaded ball")),
+                **moved,
+                "stiffness": Labelled(
+                    ("point", "force", "freedom"),
+                    self.stiffness,
+                    Column("N/m, N or N m", "force or moment of the ring by displacement or tilt"),
+                ),
+            },
+            coordinates={
+                "race": Labelled(("race",), ["inner", "outer"], Column("", "race")),
+                "azimuth": Labelled(("ball",), self.azimuth, Column("rad", "azimuth of the ball, from x towards y")),
+                "force": Labelled(("force",), list(FREEDOMS), Column("", "freedom of force or moment")),
+                "freedom": Labelled(("freedom",), list(FREEDOMS), Column("", "freedom of displacement or tilt")),
+            },
+            attributes={"bearing": self.bearing.name},
+        )
 
 
 def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: LoadedBalls) -> RingState:

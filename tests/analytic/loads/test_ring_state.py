@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import analytic
+from analytic.brief import span
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.ring_state import RingState
 from analytic.result import FrictionTorque
@@ -112,3 +113,21 @@ def test_a_pair_has_the_state_of_each_bearing(scene):
     result = torque(pair, axial_load=[300.0], inner_speed=[12.0])
     assert result.ring is None
     assert all(bearing.ring is not None for bearing in result.pair.bearings)
+
+
+def test_the_dataset_names_race_ball_and_freedom(scene):
+    ring = state(scene, **LOADS)
+    found = ring.to_dataset()
+    for point, content in enumerate(ring.to_json(number) for number in range(2)):
+        at = found.isel(point=point)
+        for race in ("inner", "outer"):
+            assert at["load"].sel(race=race).values.tolist() == content["balls"][f"{race}_load"]
+            angles = [np.nan if each is None else each for each in content["balls"][f"{race}_angle"]]
+            np.testing.assert_array_equal(at["contact_angle"].sel(race=race), angles)
+        assert at["azimuth"].values.tolist() == content["balls"]["azimuth"]
+        for freedom, value in content["displacement"].items():
+            assert float(at[f"displacement_{freedom}"]) == value
+        coupling = at["stiffness"].sel(force="axial", freedom="tilt_y")
+        assert float(coupling) == content["stiffness"][0][4]
+    assert [found[f"displacement_{name}"].attrs["units"] for name in ("x", "tilt_x")] == ["m", "rad"]
+    assert repr(ring) == f"RingState(6205, 2 points, 9 balls, heaviest {span(ring.load.max(axis=(1, 2)))} N)"
