@@ -122,7 +122,7 @@ def test_the_command_says_where_the_folder_is_and_what_it_lacks(
 ) -> None:
     for flags, said in (((), f"folder: {tmp_path / 'first'}"), (("--json",), '"tolerance"')):
         out = tmp_path / ("second" if flags else "first")
-        monkeypatch.setattr("sys.argv", ["fembearing", "torque", "--out", str(out), *flags])
+        monkeypatch.setattr("sys.argv", ["fembearing", "torque", "6205-dry", "--out", str(out), *flags])
         with pytest.raises(SystemExit) as stop:
             cli.main()
         captured = capsys.readouterr()
@@ -139,7 +139,7 @@ def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(
     tmp_path: Path, name: str, drawing: set[str]
 ) -> None:
     show = (
-        "import sys; from fembearing import cli; sys.argv[1:] = ['torque', '--json', '--out', sys.argv[1]]\n"
+        "import sys; from fembearing import cli; sys.argv[1:1] = 'torque 6205-dry --json --out'.split()\n"
         "try: cli.main()\nfinally: print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
     )
     run = [sys.executable, "-c", show, str(tmp_path / name)]
