@@ -15,5 +15,6 @@ from .scenefile.by_name import operation as operation
 from .scenefile.by_name import surfaces as surfaces
 from .scenefile.read import load_scene as load_scene
 from .torque import friction_torque as friction_torque
+from .verdicts import physical_checks as physical_checks
 
 __version__: str

@@ -120,6 +120,7 @@ def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> Frictio
     apart = tuple(each.at(rows) if rows.size else None for rows in both.rows)
     return replace(
         each.at(place[heavier, np.arange(count)]),
+        limits=each.limits.worst(both.rows, both.points, count),
         inner_speed=operation.inner_speed,
         axial_load=operation.axial_load,
         radial_load=np.asarray(operation.radial_load),

@@ -48,6 +48,8 @@ class RaceTorque:
     resistance: RollingResistance | None  # None: rolling is left out
     mixed: MixedContact | None  # None: nothing slides, or its coefficient is given
     sliding: Sliding | None  # None: nothing slides
+    sliding_number: Array | None  # (2, n) of each race; None: nothing slides, or rolling is left out
+    gyroscopic_hold: Array | None  # of the worst ball; None: nothing slides, or the moment is left out
 
     @property
     def balls(self) -> LoadedBalls:
@@ -82,6 +84,7 @@ def race_torque(
     resisting, _ = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
     estimate = decide_sliding(scene, resisting, ledger, slides=slides)
     creep = decide_creep(scene, estimate, ledger, slides=slides)
+    turns = slides and not ledger.rules_out("gyroscopic") and ENTRIES["gyroscopic"].lacks(scene) is None
     sliding: Sliding | None = None
     allowed = scene.tolerance - ledger.left_out
 
@@ -121,7 +124,14 @@ def race_torque(
     if sliding is not None:
         parts |= {name: getattr(sliding, name) for name in BY_SLIP if ledger.is_on(name)}
     races = RaceTorque(
-        chosen=chosen, parts=parts, resisting=resisting, resistance=resistance, mixed=mixed, sliding=sliding
+        chosen=chosen,
+        parts=parts,
+        resisting=resisting,
+        resistance=resistance,
+        mixed=mixed,
+        sliding=sliding,
+        sliding_number=estimate.sliding_number() if slides else None,
+        gyroscopic_hold=estimate.gyroscopic_hold(scene) if turns else None,
     )
     reason = ENTRIES["hysteresis"].lacks(scene)
     if reason is not None:

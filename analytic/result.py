@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from analytic.brief import Brief, points_of, span
 from analytic.cage.torque import CAGE_KEYS, CagePart
 from analytic.effects.ledger import Effect
+from analytic.effects.limits import LimitNumbers
 from analytic.effects.table import CHOSEN, DECLARED
 from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
 from analytic.loads.pair import PairEquilibrium
@@ -170,6 +171,7 @@ class FrictionTorque(Brief):
     boundary_share: OnRaces  # s_b, of the load: s, and the part of the oil that is only a molecule thick; likewise
     inner: LoadedContact
     outer: LoadedContact
+    limits: LimitNumbers  # of the worst ball of all
     effects: tuple[Effect, ...]
     sliding: Sliding  # the method that integrated it; auto: nothing slides
     warnings: tuple[str, ...]
@@ -329,7 +331,7 @@ def _rows(value: Any, points: NDArray[np.intp]) -> Any:
         return value[points]
     if isinstance(value, CagePart):
         return value.of_points(points)
-    if isinstance(value, RingState):
+    if isinstance(value, LimitNumbers | RingState):
         return value.at(points)
     if isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
         return replace(value, **{name: _rows(part, points) for name, part in vars(value).items()})

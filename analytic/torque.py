@@ -125,6 +125,12 @@ def friction_torque(
         film=OnRaces(**_on_races(None if mixed is None else mixed.film_thickness, at)),
         asperity_share=OnRaces(**_on_races(None if mixed is None else mixed.asperity_share, at)),
         boundary_share=OnRaces(**_on_races(None if mixed is None else mixed.boundary_share, at)),
+        limits=replace(
+            limits.numbers,
+            sliding_number=races.sliding_number,
+            gyroscopic_hold=races.gyroscopic_hold,
+            cage_grip=None if cage is None else cage.used_grip,
+        ),
         inner=_loaded(balls, 0, at),
         outer=_loaded(balls, 1, at),
         ring=state_of_ring(scene.bearing, scene.contact_angle, balls),

@@ -66,6 +66,21 @@ class CagePart(Brief):
     provenance: str  # methods of motion, stiffness and friction
 
     @property
+    def used_grip(self) -> Array:
+        """(n,) share of what the races carry that the cage uses; NaN: unknown.
+
+        A cage at rest hardly touches its balls. Where it moves otherwise on given balls, it may whirl, and the number
+        of the whirl counts.
+        """
+        return np.where(self.is_moving_given_balls, self.grip_number, self.grip_share)
+
+    @property
+    def is_moving_given_balls(self) -> NDArray[np.bool_]:
+        """(n,) whether the cage moves, and not at rest on its balls, whose own motion is given."""
+        moved = np.array([motion is not None and motion.state != "rest" for motion in self.motion])
+        return np.isnan(self.race_excess) & moved
+
+    @property
     def half_interval(self) -> Array:
         """Half width of the interval of the mean torque at 95 %, N m; 0 for the closed form."""
         ends = [((0.0, 0.0),) * 2 if m is None else (m.torque_interval, m.race_excess_interval) for m in self.motion]
@@ -159,15 +174,11 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
 
 
 def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
-    """The part with what it uses of the races' grip, and how unsure its torque is for that.
-
-    A cage at rest hardly touches its balls. Where it moves otherwise, it may whirl, and the number of the whirl counts.
-    """
+    """The part with what it uses of the races' grip, and how unsure its torque is for that."""
     carried = drive.grip.carried(part.friction_coefficient)
-    share = part.grip_share if carried is None else used_share(part.mean_force, drive.grip.alike * carried.sum(axis=1))
-    given = np.isnan(part.race_excess)  # the motion of the balls
-    moving = given & np.array([motion is not None and motion.state != "rest" for motion in part.motion])
-    used = np.where(moving, part.grip_number, share)
+    if carried is not None:
+        part = replace(part, grip_share=used_share(part.mean_force, drive.grip.alike * carried.sum(axis=1)))
+    given, moving, used = np.isnan(part.race_excess), part.is_moving_given_balls, part.used_grip
     unsure = np.where(moving, LOST_TO_RACES * used / LARGEST_GRIP * part.torque, part.unsure)
     slides = given & ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
     unsure = np.where(part.is_squeezed, SQUEEZE_SPREAD * part.torque, np.where(slides, np.inf, unsure))
@@ -175,7 +186,7 @@ def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
     if np.any(slides):
         worst = int(np.argmax(np.where(slides, np.nan_to_num(used), -1.0)))
         unknown = (_sliding_balls(drive, worst, float(used[worst])),)
-    return replace(part, grip_share=share, unsure=unsure, unknown=unknown)
+    return replace(part, unsure=unsure, unknown=unknown)
 
 
 def _sliding_balls(drive: CageDrive, point: int, used: float) -> str:

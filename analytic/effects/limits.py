@@ -3,10 +3,11 @@
 Each is off, with the number of the worst ball and operating point as its reason.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact.geometry import RACES, USUAL_SHOULDERS, shoulder_distances, with_shoulders
 from analytic.effects.ledger import Ledger
@@ -19,12 +20,45 @@ CHECKED = "checked, not modelled"  # how a reason begins
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class LimitNumbers:
+    """What is judged against a limit, by the worst ball at each of n operating points; None: not in the scene.
+
+    `analytic.verdicts` has the limits.
+    """
+
+    peak_pressure: Array  # (2, n) Pa, of each race
+    cut_off: Array  # (2, n) share of a contact's load beyond a shoulder; by the lowest usual one where it is not known
+    knows_shoulder: NDArray[np.bool_]  # (2,) of each race
+    sliding_number: Array | None = None  # (2, n) rolling force of the oil over the most friction of each race
+    gyroscopic_hold: Array | None = None  # (n,) gyroscopic moment over the most that friction holds
+    cage_grip: Array | None = None  # (n,) share of the grip of the races that the cage uses; NaN: not known
+
+    def at(self, points: NDArray[np.intp]) -> "LimitNumbers":
+        """The same at some operating points."""
+        changed = {n: v[..., points] for n, v in vars(self).items() if v is not None and n != "knows_shoulder"}
+        return replace(self, **changed)
+
+    def worst(self, rows: Sequence[NDArray[np.intp]], points: Sequence[NDArray[np.intp]], count: int) -> "LimitNumbers":
+        """At `count` operating points the worst of several: rows[k] of these numbers are number k at points[k]."""
+
+        def largest(values: Array) -> Array:
+            found = np.zeros((*values.shape[:-1], count))
+            for row, point in zip(rows, points, strict=True):
+                found[..., point] = np.maximum(found[..., point], values[..., row])
+            return found
+
+        changed = {n: largest(v) for n, v in vars(self).items() if v is not None and n != "knows_shoulder"}
+        return replace(self, **changed)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Limits:
     """What is past a limit."""
 
     warnings: tuple[str, ...]
     uncertainty: Array  # (n,) of the torque by contacts past a limit, relative; infinite where nothing is known of it
     unknown: tuple[str, ...]  # why, where it is infinite
+    numbers: LimitNumbers  # of the contacts alone
 
 
 def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger) -> Limits:
@@ -39,7 +73,8 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
         *_shoulder(distance, operation, balls, ledger),
         *_plasticity(balls, ledger),
     )
-    share = cut_off_share(np.maximum(lowest, 0.0), balls.contact.semi_axis_y).max(axis=(0, 2))
+    cut_off = cut_off_share(np.maximum(lowest, 0.0), balls.contact.semi_axis_y).max(axis=2)
+    share = cut_off.max(axis=0)
     plastic = balls.contact.peak_pressure.max(axis=(0, 2)) > STATIC_LIMIT
     unknown = []
     if np.any(share > MOST_CUT) and np.isnan(distance).any():
@@ -61,6 +96,11 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
         warnings=warnings,
         uncertainty=np.where(plastic | (share > MOST_CUT), np.inf, PER_CUT_SHARE * share),
         unknown=tuple(unknown),
+        numbers=LimitNumbers(
+            peak_pressure=balls.contact.peak_pressure.max(axis=2),
+            cut_off=cut_off,
+            knows_shoulder=np.array([not np.isnan(of_race).any() for of_race in distance]),
+        ),
     )
 
 

@@ -15,13 +15,14 @@ from analytic.effects.table import ENTRIES, PER_GYROSCOPIC_SLIP, PER_ROLL_CREEP,
 from analytic.errors import InputError
 from analytic.free_ball.rotation import Creep
 from analytic.loads.balls import LoadedBalls
-from analytic.loads.inertia import gyroscopic_moment
+from analytic.loads.inertia import gyroscopic_moment, ratio
 from analytic.oil.inlets import Inlets
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.scene import Array, Scene
 from analytic.sliding.levers import creep_numbers, full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 
+LIGHT = 0.01  # of the heaviest ball's load: a lighter ball may slide, its friction is in proportion
 TURNING_FREELY = ("free_ball", "closed_creep", "marched_creep")  # methods of sliding for free balls
 
 
@@ -74,6 +75,7 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
         demanded = _carried(estimate.mixed(regime), scene.tolerance) if name == "asperities" and possible else None
         on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle, demanded=demanded)
         regime = replace(regime, **{name: on})
+    estimate.regime = regime
     estimate.spin_share = estimate.spin(scene, regime) if slides else None
     ledger.decide("spin", bound=estimate.spin_share)
     return estimate
@@ -156,6 +158,7 @@ class Estimate:
         self.uneven = 1 + largest_error(balls, None if oiled is None else oiled.lubricant)
         self.known: dict[Regime, _Torque] = {}
         self.spin_share: Array | None = None  # bound on what spin adds, in the regime that was decided
+        self.regime: Regime | None = None  # that was decided
 
     def mixed(self, regime: Regime) -> MixedContact | None:
         return self._at(regime).mixed
@@ -203,6 +206,38 @@ class Estimate:
 
     def gyroscopic(self, scene: Scene) -> Array:
         """(n,) gyroscopic moment of a ball over what friction across both grooves holds, in the last regime."""
+        friction = np.min(list(self.known.values())[-1].friction, axis=0)
+        return self._gyroscopic(scene, friction).max(axis=1)
+
+    def gyroscopic_hold(self, scene: Scene) -> Array:
+        """(n,) gyroscopic moment of a ball over the most that friction across both grooves can hold."""
+        largest = self.resisting.balls.load.max(axis=0)
+        carries = largest >= LIGHT * largest.max(axis=1, keepdims=True)
+        return np.where(carries, self._gyroscopic(scene, self._most_friction()), 0.0).max(axis=1)
+
+    def sliding_number(self) -> Array | None:
+        """(2, n) rolling force of the oil on all balls over the most friction of each race; None without rolling.
+
+        A race turns its balls against this force. Beyond 1 it cannot, and the balls skid.
+        """
+        assert self.regime is not None
+        if self.resisting.rolling is None:
+            return None
+        balls = self.resisting.balls
+        force = self._at(self.regime).rolling / (2 * balls.motion.entrainment_speed)
+        return ratio(force.sum(axis=2), over=self._most_friction().sum(axis=2))
+
+    def _most_friction(self) -> Array:
+        """(2, n, m) N: of contacts that slide as fast as they roll, in the regime that was decided."""
+        assert self.regime is not None
+        balls, oiled, mixed = self.resisting.balls, self.resisting.oiled, self._at(self.regime).mixed
+        if oiled is None or mixed is None:
+            return self.resisting.friction_coefficient * balls.load
+        friction = oiled.traction(mixed).force(balls.contacts)
+        return friction(np.abs(oiled.ring_speed)[:, None] * balls.motion.entrainment_speed)
+
+    def _gyroscopic(self, scene: Scene, friction: Array) -> Array:
+        """(n, m) gyroscopic moment of a ball over what friction across both grooves holds; friction : (2, n, m), N."""
         balls, bearing = self.resisting.balls, scene.bearing
         speed = scene.operation.as_series().inner_speed[:, None]
         moment = gyroscopic_moment(
@@ -212,9 +247,8 @@ class Estimate:
             cage_speed=speed * balls.motion.cage_speed,
             axis_angle=balls.motion.pitch,
         )
-        friction = np.min(list(self.known.values())[-1].friction, axis=0)
         held = bearing.ball_radius * np.where(balls.load.min(axis=0) > 0, friction.sum(axis=0), np.inf)
-        return _over(np.abs(moment), held).max(axis=1)
+        return _over(np.abs(moment), held)
 
     def _at(self, regime: Regime) -> _Torque:
         if regime not in self.known:

@@ -6,13 +6,12 @@ import numpy as np
 
 from analytic.contact.geometry import RACES
 from analytic.effects.ledger import Ledger, size_of
+from analytic.effects.sliding import LIGHT
 from analytic.effects.washers import HELD
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import RollingResistance
 from analytic.scene import Array
-
-LIGHT = 0.01  # of the heaviest ball's load: the sliding of a lighter one, which is in proportion, is nothing to warn of
 
 
 def torque_warnings(

@@ -1,7 +1,7 @@
 """What the commands write: results on standard output, progress and complaints on standard error, and a status.
 
-Exit status: 0 done and within tolerance, 1 done but a check failed, 2 the input is at fault, 3 not solved to the
-required accuracy.
+Exit status: 0 done and all verdicts hold, 1 a comparison or a physical limit fails, 2 the input is at fault, 3 not
+solved to the required accuracy, or a physical verdict is not known.
 """
 
 import errno
@@ -17,6 +17,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
+STATUS = {"pass": DONE, "fail": CHECK_FAILED, "undecided": NOT_SOLVED}  # of a result's verdicts together
 INTERRUPTED, PIPE_CLOSED, TERMINATED = 130, 141, 143  # what a shell makes of the three signals
 OUTPUT_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard output takes no more
 

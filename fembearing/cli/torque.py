@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import typer
 
-from fembearing.cli.console import DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
+from fembearing.cli.console import STATUS, out, print_json, print_warnings, shown_progress
 from fembearing.cli.options import (
     AsJson,
     Samples,
@@ -43,4 +43,4 @@ def torque(
             out.print(f"{'file' if target.suffix else 'folder'}: {target}", soft_wrap=True, markup=False)
     if lacking is not None:
         typer.echo(f"fembearing: {lacking}", err=True)
-    raise typer.Exit(DONE if result.within_tolerance else NOT_SOLVED)
+    raise typer.Exit(STATUS[result.verdicts.overall])

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.console import CHECK_FAILED, DONE, NOT_SOLVED, out, print_json, print_warnings, shown_progress
+from fembearing.cli.console import STATUS, out, print_json, print_warnings, shown_progress
 from fembearing.cli.options import (
     AsJson,
     Folder,
@@ -14,8 +14,6 @@ from fembearing.cli.options import (
     read_scene,
     read_tolerance,
 )
-
-STATUS = {"pass": DONE, "fail": CHECK_FAILED, "outside validity": CHECK_FAILED, "undecided": NOT_SOLVED}
 
 
 def validate(

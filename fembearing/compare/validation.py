@@ -14,6 +14,7 @@ from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import FrictionTorque
 from analytic.scene import Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
+from analytic.verdicts import pressure_check
 from fembearing.compare.contact.columns import COLUMNS, VERDICT
 from fembearing.compare.contact.discrepancy import ContactSolution, solve_contact, with_ring
 from fembearing.compare.contact.scene_contact import contact_of
@@ -27,8 +28,9 @@ from fembearing.compare.memory import peak_memory
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
 from fembearing.compare.torque.change import TorqueChange, change_of_torque
 from fembearing.compare.torque.published import BesidePaper, beside_paper, is_papers_case
-from fembearing.compare.torque.scene_torque import Samples, SceneTorque, static_doubt, torque_of_scene
+from fembearing.compare.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 from fembearing.compare.torque.sensitivity import Sensitivity, sensitivity_of
+from fembearing.compare.torque.verdicts import Overall, Verdicts
 from fembearing.mesh.recipe import Geometry
 from fembearing.progress import Progress, part_of, silent
 from fembearing.provenance import provenance_of
@@ -69,26 +71,33 @@ class Validation(Brief):
         return self.scene.tolerance
 
     @property
-    def verdict(self) -> Verdict:
+    def comparison(self) -> Verdict:
         """The worst of all quantities that are judged; a hard case that went wrong fails the whole."""
         if any(case.outcome == "wrong" for case in self.hard):
             return "fail"
         return worst(verdict for contact in self.contacts if contact.judged for verdict in contact.verdicts.values())
 
     @property
-    def doubts(self) -> tuple[str, ...]:
-        """Why a verdict of "pass" need not mean that the numbers are near the truth, a sentence each."""
+    def verdicts(self) -> Verdicts:
+        """Comparison, numerical and physical; without a torque the physical ones are peak pressures of contacts."""
         if self.torque is not None:
-            return self.torque.doubts
+            return replace(self.torque.verdicts, comparison=self.comparison)
         races = (contact for contact in self.contacts if contact.contact.pair != "pocket")
-        return tuple(doubt for race in races for doubt in static_doubt(race.contact.pair, race.hertz.peak_pressure))
+        physical = tuple(pressure_check(race.contact.pair, race.hertz.peak_pressure) for race in races)
+        return Verdicts(numerical=None, physical=physical, comparison=self.comparison)
+
+    @property
+    def verdict(self) -> Overall:
+        """ "pass" where comparison, numerical accuracy and physical limits all hold; "fail" where the first or the last
+        fails; else "undecided"."""
+        return self.verdicts.overall
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """Those of the scene, of all contacts, of the torque and of the report, each once."""
         contacts = (warning for contact in self.contacts for warning in contact.warnings)
         torque = () if self.torque is None else self.torque.friction.warnings
-        fitted = () if self.torque_change is None else self.torque_change.fitted.warnings
+        fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
         return tuple(dict.fromkeys([*contacts, *torque, *fitted, *self.trouble]))
 
     def to_dataset(self) -> Any:
@@ -162,7 +171,7 @@ def check_scene(
         scene=scene,
         contacts=(inner, outer, *contacts[2:]),
         torque=torque,
-        torque_change=None if torque is None else change_of_torque(scene, inner=inner, outer=outer),
+        torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
         published=beside_paper(scene, friction) if is_papers_case(scene) else None,
         hard=run_hard_cases(progress=part_of(progress, extra[0], extra[1])) if hard else (),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, extra[1], 1.0)).ladders

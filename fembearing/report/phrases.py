@@ -12,9 +12,11 @@ from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, NEWTON_MILLI
 if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from analytic.result import PairPart
     from analytic.scene import Clearances as SceneClearances
+    from analytic.verdicts import NumericalCheck, PhysicalCheck
     from fembearing.report.document.contact import Contact, Ring
     from fembearing.report.document.prediction import PredictedPoint, Prediction
     from fembearing.report.document.torque import Clearances, OperatingPoint
+    from fembearing.report.document.verdicts import NumericalVerdict, PhysicalVerdict
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 VARIED = {  # the parts of the model's uncertainty
@@ -32,6 +34,13 @@ MADE_OF = {  # the parts of the 95 % interval
     "input": "inputs alone",
     "model": "formulas alone",
     **{f"model.{name}": f"of them: {words}" for name, words in VARIED.items()},
+}
+CHECKS = {  # the physical verdicts
+    "peak_pressure": "peak pressure",
+    "shoulder": "load cut off",
+    "sliding": "sliding number",
+    "gyroscopic_hold": "gyroscopic hold",
+    "cage_force": "cage force",
 }
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
@@ -164,6 +173,26 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
         f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Oil data, traction and inputs "
         f"come on top. {MEASURED}"
     )
+
+
+def limit_of(value: float, unit: str) -> str:
+    """A number of a physical verdict, SI, as it is shown: pressures in GPa, shares in per cent."""
+    return CONTACT["peak_pressure"].shown.written(value, ".3g") if unit == "Pa" else f"{100 * value:.3g} %"
+
+
+def worst_of(check: "PhysicalCheck | PhysicalVerdict") -> str:
+    """The number of a physical verdict."""
+    if check.value is None:
+        return "infinite" if check.verdict == "fail" else "unknown"
+    return limit_of(check.value, check.unit)
+
+
+def numerical_words(check: "NumericalCheck | NumericalVerdict") -> str:
+    """Whether the torque is solved within the tolerance, in a sentence."""
+    if check.uncertainty is None:
+        return f"Numerical: not reached, the uncertainty of the torque is not known: {check.reason}."
+    words = f"Numerical: {check.verdict}, the uncertainty of the torque is {100 * check.uncertainty:.2g} %"
+    return f"{words}, {'within' if check.verdict == 'pass' else 'beyond'} the tolerance {100 * check.tolerance:.3g} %."
 
 
 def clearances_of(found: "Clearances | SceneClearances") -> str:

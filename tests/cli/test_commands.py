@@ -93,7 +93,7 @@ def test_the_report_is_in_its_folder(validated: dict[str, Any], report: Path) ->
 @pytest.mark.slow
 def test_the_torque_is_that_of_the_command_torque(command, validated: dict[str, Any]) -> None:
     torque = json.loads(command("torque", "--json").out)
-    for key in ("points", "effects", "warnings", "catalogue_band", "doubts", "tolerance"):
+    for key in ("points", "effects", "warnings", "catalogue_band", "verdicts", "notes", "tolerance"):
         assert validated["torque"][key] == torque[key]
 
 

@@ -35,9 +35,10 @@ def test_the_progress_never_goes_back(checked_with_progress: Checked) -> None:
 
 def test_each_race_takes_its_own_contact_to_the_torque(checked: Validation) -> None:
     inner, outer = checked.contacts[:2]
+    production = present(checked.torque).friction
     found = present(checked.torque_change).corrected.torque.total
     expected, exchanged = (
-        change_of_torque(checked.scene, inner=first, outer=second).corrected.torque.total
+        change_of_torque(checked.scene, production, inner=first, outer=second).corrected.torque.total
         for first, second in ((inner, outer), (outer, inner))
     )
     np.testing.assert_array_equal(found, expected)

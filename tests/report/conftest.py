@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.effects.ledger import Effect
+from analytic.effects.limits import LimitNumbers
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Operation
 from fembearing.compare.contact.discrepancy import ContactSolution
@@ -146,6 +147,13 @@ def torque_made(torque: FrictionTorque, *, angle: list[float], total: list[float
         inner=replace(torque.inner, load=np.array([249.0, 370.0, 371.0])),
         outer=replace(torque.outer, load=np.array([250.0, 371.0, 372.0])),
         numerical_uncertainty=np.array([0.011, 0.012, 0.013]),
+        limits=LimitNumbers(
+            peak_pressure=np.array([[1.72e9, 1.78e9, 1.76e9], [1.53e9, 1.56e9, 1.57e9]]),
+            cut_off=np.array([[0.0, 0.012, 0.031], [0.0, 0.0, 0.002]]),
+            knows_shoulder=np.array([True, False]),
+            sliding_number=np.array([[0.11, 0.12, 0.17], [0.09, 0.13, 0.1]]),
+            cage_grip=np.array([0.21, 0.43, 0.37]),
+        ),
         radial_load=np.zeros(3),
         moment=np.zeros(3),
         torque=TorqueParts(
@@ -169,10 +177,10 @@ def made(checked: Validation) -> Validation:
     torque, change = checked.torque, checked.torque_change
     assert torque is not None
     assert change is not None
-    hertz = torque_made(change.hertz, angle=[0.281, 0.3012, 0.3031], total=[31e-3, 40e-3, 50e-3])
+    own = torque_made(change.own, angle=[0.281, 0.3012, 0.3031], total=[31e-3, 40e-3, 50e-3])
     scene = replace(
         checked.scene,
-        operation=Operation(axial_load=hertz.axial_load, inner_speed=hertz.inner_speed),
+        operation=Operation(axial_load=own.axial_load, inner_speed=own.inner_speed),
         tolerance=0.05,
     )
     contacts = (
@@ -195,7 +203,8 @@ def made(checked: Validation) -> Validation:
         ladders=tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
         torque=replace(torque, scene=scene, friction=production),
         torque_change=TorqueChange(
-            hertz=hertz,
+            production=production,
+            own=own,
             corrected=torque_made(change.corrected, angle=[0.279, 0.2998, 0.3019], total=[33e-3, 41e-3, 48.5e-3]),
             uncertainties={"total": 0.0137, "spin": 0.021, "contact_angle": 0.0019},
             fitted=FittedChange(

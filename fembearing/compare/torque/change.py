@@ -1,4 +1,9 @@
-"""What finite-element contacts change in the friction torque: Hertz's contacts against those of finite elements."""
+"""What finite-element contacts change in the friction torque, beside the contacts that the production model has.
+
+The races' torque is computed twice, with the production's own contacts and with those of finite elements, by the same
+effects and methods. The difference is added to the production's total. The cage is in neither: contacts on the races do
+not move it.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -9,11 +14,10 @@ import numpy as np
 from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.finite_geometry import RaceCorrections
-from analytic.effects.table import CHOSEN
 from analytic.loads.finite_geometry import corrections_of
 from analytic.result import FrictionTorque
-from analytic.scene import Scene
-from analytic.torque import friction_torque
+from analytic.scene import Array, Scene
+from analytic.torque import NO_CAGE, friction_torque
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.scene_contact import balls_of
 from fembearing.compare.contact.verdict import Verdict, worst
@@ -21,58 +25,42 @@ from fembearing.plain_types import plain
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
-LEFT_OUT = ("finite_geometry", "cage_dynamics")  # in both torques: see NOTE
-NOTE = (
-    "Both torques differ by the contacts on the races alone. The fit for finite geometry and any motion of the cage "
-    "are left out of them, so neither has to equal the total above."
+OF_RACES = ("race", "spin", "conformity", "hysteresis", "rolling")
+FITTED = (
+    "The production's contacts are Hertz's with the fit for finite geometry: what finite elements change is what that "
+    "fit leaves."
 )
-PARTS = ("total", "race", "spin", "conformity", "hysteresis", "rolling")
+NOT_FITTED = (
+    "The production's contacts are Hertz's without the fit for finite geometry: what finite elements change is all "
+    "that the true shapes do."
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FittedChange(Brief):
     """The torque with contacts corrected for finite geometry, at every operating point."""
 
-    torque: FrictionTorque
-    relative: np.ndarray  # (n,) over Hertz's, less one; NaN where the correction does not reach
-    uncertainty: np.ndarray  # (n,) of that change, from the factors' uncertainties, 95 %
+    torque: FrictionTorque  # of the races
+    relative: Array  # (n,) of the production's total; NaN where the correction does not reach
+    uncertainty: Array  # (n,) of that change, from the factors' uncertainties, 95 %
     warnings: tuple[str, ...]
 
-    @property
-    def contact_angle(self) -> np.ndarray:
-        """(n,) rad, NaN where the correction does not reach."""
-        return np.where(np.isnan(self.relative), np.nan, self.torque.contact_angle)
-
-    @property
-    def total(self) -> np.ndarray:
-        """(n,) N m, NaN where the correction does not reach."""
-        return np.where(np.isnan(self.relative), np.nan, self.torque.torque.total)
-
     def to_json(self) -> dict[str, Any]:
-        """Lists over the operating points; SI, change and uncertainty relative; None where it does not reach."""
-        return plain(
-            {
-                "contact_angle": self.contact_angle,
-                "torque": self.total,
-                "change": self.relative,
-                "uncertainty": self.uncertainty,
-            }
-        )
+        """Lists over the operating points; change and uncertainty relative; None where it does not reach."""
+        return plain({"change": self.relative, "uncertainty": self.uncertainty})
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TorqueChange(Brief):
-    """The torque with Hertz's contacts, and again with finite-element semi-axes and approach.
+    """The torque of the production, and again with finite-element semi-axes and approach on the races."""
 
-    Both leave out the effects of LEFT_OUT, so that neither is the total that the production model gives.
-    """
-
-    hertz: FrictionTorque
-    corrected: FrictionTorque
+    production: FrictionTorque  # of the whole bearing
+    own: FrictionTorque  # of the races, with the production's contacts
+    corrected: FrictionTorque  # of the races, with those of finite elements
     # From the contacts' numerical uncertainties: of each part's relative change, and of the corrected contact angle,
     # relative; parts that were left out have none.
     uncertainties: dict[str, float]
-    fitted: FittedChange
+    fitted: FittedChange | None  # None: the production's contacts have the fit already
     verdict: Verdict  # the worst of both contacts: beyond "pass" the change stands on contacts that did not pass
 
     @property
@@ -81,97 +69,118 @@ class TorqueChange(Brief):
         return self.uncertainties["total"]
 
     @property
+    def note(self) -> str:
+        """Why the production differs from finite elements by construction."""
+        return FITTED if self.fitted is None else NOT_FITTED
+
+    @property
+    def fitting_warnings(self) -> tuple[str, ...]:
+        """Where the fit for finite geometry ends; none where the production has it, which warns itself."""
+        return () if self.fitted is None else self.fitted.warnings
+
+    @property
     def is_solved(self) -> np.ndarray:
         """(n,) operating points at the ball load that was solved: elsewhere nothing is known of the change."""
-        load = self.hertz.ball_load
+        load = self.own.ball_load
         return load >= (1 - SAME_LOAD) * load.max()
 
     @property
-    def contact_angle(self) -> np.ndarray:
+    def contact_angle(self) -> Array:
         """(n,) by finite elements, rad, NaN where no contact was solved at its load."""
         return np.where(self.is_solved, self.corrected.contact_angle, np.nan)
 
     @property
-    def total(self) -> np.ndarray:
-        """(n,) by finite elements, N m, NaN where no contact was solved at its load."""
-        return np.where(self.is_solved, self.corrected.torque.total, np.nan)
+    def total(self) -> Array:
+        """(n,) the production's total and the change, N m, NaN where no contact was solved at its load."""
+        return np.where(self.is_solved, _total(self.production, self.own, self.corrected), np.nan)
 
-    def relative(self, part: str) -> np.ndarray | None:
-        """Corrected over Hertz minus one at each operating point, NaN where no contact was solved at its load.
+    def relative(self, part: str) -> Array | None:
+        """Change of a part over that part, of the total over the production's; NaN where no contact was solved.
 
         None where the part was left out.
         """
-        before, after = getattr(self.hertz.torque, part), getattr(self.corrected.torque, part)
+        if part == "total":
+            return _change(self.total, self.production.torque.total)
+        before, after = getattr(self.own.torque, part), getattr(self.corrected.torque, part)
         if before is None:
             return None
         return np.where(self.is_solved, _change(after, before), np.nan)
 
     def to_json(self) -> dict[str, Any]:
         """Lists over the operating points; SI, changes relative."""
+        own, total = self.production.contact_angle, self.production.torque.total
         return {
-            "contact_angle": plain({"hertz": self.hertz.contact_angle, "corrected": self.contact_angle}),
-            "torque": plain({"hertz": self.hertz.torque.total, "corrected": self.total}),
-            "change": plain({part: self.relative(part) for part in PARTS}),
+            "contact_angle": plain({"production": own, "corrected": self.contact_angle}),
+            "torque": plain({"production": total, "corrected": self.total}),
+            "change": plain({part: self.relative(part) for part in ("total", *OF_RACES)}),
             "uncertainty": self.uncertainty,
             "uncertainties": self.uncertainties,
-            "finite_geometry": self.fitted.to_json(),
+            "finite_geometry": None if self.fitted is None else self.fitted.to_json(),
             "verdict": self.verdict,
-            "note": NOTE,
+            "note": self.note,
         }
 
 
-def change_of_torque(scene: Scene, *, inner: ContactSolution, outer: ContactSolution) -> TorqueChange:
-    """Torque of a scene when the finite-element a, b, delta and with it K replace Hertz's.
+def change_of_torque(
+    scene: Scene, production: FrictionTorque, *, inner: ContactSolution, outer: ContactSolution
+) -> TorqueChange:
+    """Torque of a scene when the finite-element a, b, delta and with it K replace those of the production's contacts.
 
+    production : friction_torque(scene)
     The ratios of finite elements to Hertz are known at one ball load, the largest. The change is given there alone.
     Where balls are loaded unequally, all balls take the ratios of the heaviest one; for the others these are too large.
     The correction for finite geometry depends on the load of each ball, so its change is given at each operating point.
     Raises InputError as friction_torque does.
     """
-    reduced = replace(scene, effects={**scene.effects, **dict.fromkeys(LEFT_OUT, "off")})
-    hertz = friction_torque(reduced)
-    scene = replace(scene, effects={effect.name: effect.decision for effect in hertz.effects if effect.name in CHOSEN})
-    corrected = _corrected(scene, factors(inner), factors(outer))
-    solved = int(np.argmax(hertz.ball_load))
-    expected = _outcome(corrected, solved)
+    races = production.settled(scene)
+    races = replace(races, effects={**races.effects, **NO_CAGE})
+    own, corrected = friction_torque(races), _corrected(races, factors(inner), factors(outer))
+    solved = int(np.argmax(own.ball_load))
+
+    def outcome(torque: FrictionTorque) -> dict[str, float]:
+        """What depends on the contacts, at the point that was solved: N m, and the angle in rad."""
+        parts = {name: getattr(torque.torque, name) for name in OF_RACES}
+        parts |= {"total": _total(production, own, torque), "contact_angle": torque.contact_angle}
+        return {name: float(part[solved]) for name, part in parts.items() if part is not None}
+
+    expected = outcome(corrected)
     spread = dict.fromkeys(expected, 0.0)
     for name in FACTORS:  # one input at a time, moved by its whole uncertainty; added: they may hang together
         for moved in (
-            _corrected(scene, factors(inner, up=name), factors(outer)),
-            _corrected(scene, factors(inner), factors(outer, up=name)),
+            _corrected(races, factors(inner, up=name), factors(outer)),
+            _corrected(races, factors(inner), factors(outer, up=name)),
         ):
-            for part, value in _outcome(moved, solved).items():
+            for part, value in outcome(moved).items():
                 if value != expected[part]:  # a part that is 0 either way is sure
                     spread[part] += abs(value / expected[part] - 1)
     return TorqueChange(
-        hertz=hertz,
+        production=production,
+        own=own,
         corrected=corrected,
         uncertainties=spread,
-        fitted=_fitted(scene, hertz),
+        fitted=None if production.is_on("finite_geometry") else _fitted(races, production, own),
         verdict=worst((inner.verdict, outer.verdict)),
     )
 
 
-def _outcome(torque: FrictionTorque, point: int) -> dict[str, float]:
-    """What depends on the contacts, at one operating point: N m, and the angle in rad."""
-    parts = {name: getattr(torque.torque, name) for name in PARTS}
-    known = {name: float(part[point]) for name, part in parts.items() if part is not None}
-    return known | {"contact_angle": float(torque.contact_angle[point])}
+def _total(production: FrictionTorque, own: FrictionTorque, other: FrictionTorque) -> Array:
+    """(n,) the production's total, less what its own contacts make of the races, with what others make of them."""
+    return production.torque.total + (other.torque.race - own.torque.race)
 
 
-def _fitted(scene: Scene, hertz: FrictionTorque) -> FittedChange:
-    balls = balls_of(scene)
-    corrections = corrections_of(scene.bearing, balls)
-    torque = friction_torque(scene, correction=corrections.correction)
-    spread = np.zeros_like(hertz.ball_load)
+def _fitted(races: Scene, production: FrictionTorque, own: FrictionTorque) -> FittedChange:
+    corrections = corrections_of(races.bearing, balls_of(races))
+    torque = friction_torque(races, correction=corrections.correction)
+    total = _total(production, own, torque)
+    spread = np.zeros_like(own.ball_load)
     for name in FACTORS:
         for correction in _moved(corrections, name):
-            moved = friction_torque(scene, correction=correction)
-            spread += np.abs(_change(moved.torque.total, torque.torque.total))
-    covered = np.reshape(corrections.inner.covered & corrections.outer.covered, (hertz.ball_load.size, -1)).all(axis=1)
+            moved = friction_torque(races, correction=correction)
+            spread += np.abs(_change(_total(production, own, moved), total))
+    covered = np.reshape(corrections.inner.covered & corrections.outer.covered, (own.ball_load.size, -1)).all(axis=1)
     return FittedChange(
         torque=torque,
-        relative=np.where(covered, _change(torque.torque.total, hertz.torque.total), np.nan),
+        relative=np.where(covered, _change(total, production.torque.total), np.nan),
         uncertainty=np.where(covered, spread, np.nan),
         warnings=corrections.warnings,
     )
@@ -184,7 +193,7 @@ def _moved(corrections: RaceCorrections, name: str) -> Iterator[ContactCorrectio
         yield replace(corrections.correction, **{race: replace(side.factors, **{name: up})})
 
 
-def _change(after: np.ndarray, before: np.ndarray) -> np.ndarray:
+def _change(after: Array, before: Array) -> Array:
     """Relative; none of what is 0."""
     return np.divide(after, before, out=np.ones_like(before), where=before != 0) - 1
 

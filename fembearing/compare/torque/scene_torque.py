@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from analytic.brief import Brief, span
-from analytic.effects.table import STATIC_LIMIT
 from analytic.errors import FembearingError
 from analytic.inputs import StatedInput, stated_inputs
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
@@ -15,7 +15,9 @@ from analytic.result import COLUMNS, COORDINATES, NEWTON_MILLIMETRE, POINT, Fric
 from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
+from analytic.verdicts import numerical_check, physical_checks
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
+from fembearing.compare.torque.verdicts import Verdicts
 from fembearing.progress import Progress, silent
 
 if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
@@ -52,37 +54,40 @@ class SceneTorque(Brief):
         """Where the inputs come from."""
         return stated_inputs(self.scene)
 
-    @property
-    def within_tolerance(self) -> bool:
-        """Whether the numerical uncertainty is, at every operating point."""
-        return bool(np.all(self.friction.numerical_uncertainty <= self.scene.tolerance))
+    @cached_property
+    def verdicts(self) -> Verdicts:
+        """Whether it is solved within the tolerance, and the bearing within its physical limits."""
+        return Verdicts(
+            numerical=numerical_check(self.friction, tolerance=self.scene.tolerance),
+            physical=physical_checks(self.friction),
+        )
 
     @property
-    def doubts(self) -> tuple[str, ...]:
-        """Why the total may be far from the truth although it is computed within the tolerance; a sentence each."""
-        return tuple(self._doubts())
+    def notes(self) -> tuple[str, ...]:
+        """What else to know of the torque, a sentence each: film ratio, catalogue band, other balls. None is judged."""
+        return tuple(self._notes())
 
-    def _doubts(self) -> Iterator[str]:
-        if not self.within_tolerance:
-            worst = float(np.max(self.friction.numerical_uncertainty))
-            limit = self.scene.tolerance
-            if np.isfinite(worst):
-                yield f"The numerical uncertainty of the torque, {worst:.2g}, is beyond the tolerance {limit:g}."
-            else:
-                yield f"The numerical uncertainty of the torque is not known: {'; '.join(self.friction.unknown)}."
-        for race in ("inner", "outer"):
-            yield from static_doubt(race, getattr(self.friction, race).peak_pressure)
+    def _notes(self) -> Iterator[str]:
+        films, roughness = self.friction.film, self.friction.gap_roughness
+        if roughness is not None and films.inner is not None and films.outer is not None:
+            ratios = [f"{_span(film / roughness, '.2g')} on the {race}" for race, film in vars(films).items()]
+            yield (
+                f"Film ratio lambda, the film over the rms roughness of ball and race together, {roughness * 1e6:.3g} "
+                f"um: {' and '.join(ratios)} race, of the heaviest ball."
+            )
+        band, total = self.catalogue.band, self.friction.torque.total
+        if band is not None:
+            outside = np.count_nonzero((total < band.low) | (total > band.high))
+            where = f"outside the catalogue band at {outside} of" if outside else "within the catalogue band at all"
+            yield f"The torque is {where} {total.size} operating points."
         other, given = self.scene.bearing.other_candidate, self.scene.bearing
         if other is not None and self.other_candidate is not None:
-            first, second = self.friction.torque.total, self.other_candidate.torque.total
+            first, second = total, self.other_candidate.torque.total
             yield (
                 f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: with them the "
                 f"torque is {_span(second * 1e3, '.4g')} N mm, not {_span(first * 1e3, '.4g')} N mm "
                 f"({_span(100 * (second / first - 1), '+.2g')} %)."
             )
-        band, total = self.catalogue.band, self.friction.torque.total
-        if band is not None and (outside := np.count_nonzero((total < band.low) | (total > band.high))):
-            yield f"The torque is outside the catalogue band at {outside} of {total.size} operating points."
 
     def columns(self) -> dict[str, Labelled]:
         """Every number that stands at each operating point, SI: the points, and what is computed and known there."""
@@ -114,7 +119,8 @@ class SceneTorque(Brief):
         return self.friction.to_json() | {
             "tolerance": self.scene.tolerance,
             "catalogue_band": self.catalogue.to_json(),
-            "doubts": list(self.doubts),
+            "verdicts": self.verdicts.to_json(),
+            "notes": list(self.notes),
             "inputs": [_input_to_json(each) for each in self.inputs],
             "other_candidate": self._other_to_json(),
             "prediction": None if self.prediction is None else self.prediction.to_json(),
@@ -141,16 +147,6 @@ def _span(values: Array, form: str) -> str:
     """The values at every operating point, in words."""
     low, high = (format(float(end), form) for end in (np.min(values), np.max(values)))
     return low if low == high else f"{low} to {high}"
-
-
-def static_doubt(race: str, peak_pressure: Any) -> Iterator[str]:
-    """One sentence where a peak pressure by Hertz, Pa, one or an array, is past the static limit."""
-    largest = float(np.max(peak_pressure))
-    if largest > STATIC_LIMIT:
-        yield (
-            f"The peak pressure on the {race} race, {largest * 1e-9:.2f} GPa, is past the static limit of "
-            f"{STATIC_LIMIT * 1e-9:g} GPa: the race yields, and elastic contact no longer describes it."
-        )
 
 
 def torque_of_scene(scene: Scene, *, samples: Samples = None, progress: Progress = silent) -> SceneTorque:

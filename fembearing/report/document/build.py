@@ -22,13 +22,13 @@ def report_of(
     pictures : as the document lists them, and `renderer` what drew them; without them the document has neither key
     """
     drawn = {} if pictures is None else {"pictures": list(pictures), "renderer": renderer or "VTK"}
-    change, torque = result.torque_change, result.torque
+    change, torque, verdicts = result.torque_change, result.torque, result.verdicts
     return Report.model_validate(
         {
             "kind": KIND,
             "format": FORMAT,
-            "verdict": result.verdict,
-            "doubts": list(result.doubts),
+            "verdict": verdicts.summary(),
+            "physical": verdicts.to_json()["physical"],
             "tolerance": result.tolerance,
             "verdicts": [row for contact in result.contacts if contact.judged for row in _verdicts(contact)],
             "uncertainties": WHY,

@@ -8,8 +8,9 @@ from fembearing.report.document.contact import Contact
 from fembearing.report.document.scene import Scene
 from fembearing.report.document.table import Count, Geometry, Label, OfQuantities, Pair, Positive, Table, Verdict
 from fembearing.report.document.torque import CageAtRest, CageRecord, MovedCage, Sensitivity, Torque, TorqueChange
+from fembearing.report.document.verdicts import PhysicalVerdict, Summary
 
-KIND, FORMAT = "fembearing validation", 2  # what the JSON is; the number rises when a key changes its meaning
+KIND, FORMAT = "fembearing validation", 3  # what the JSON is; the number rises when a key changes its meaning
 Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
 FileName = Annotated[str, Field(pattern=r"^\w[\w.-]*$")]  # beside report.json, never elsewhere
 
@@ -166,9 +167,9 @@ class Report(Table):
     """The check of a scene as a document. Numbers are SI, uncertainties and discrepancies relative."""
 
     kind: Literal["fembearing validation"]
-    format: Literal[2]
-    verdict: Verdict
-    doubts: list[str]
+    format: Literal[3]
+    verdict: Summary
+    physical: Annotated[list[PhysicalVerdict], Field(min_length=1)]
     tolerance: Positive
     verdicts: list[VerdictRow]
     uncertainties: Uncertainties

@@ -18,6 +18,7 @@ from fembearing.report.document.table import (
     Verdict,
     check_lengths,
 )
+from fembearing.report.document.verdicts import Verdicts
 
 
 class OperatingPoint(Table):
@@ -178,7 +179,8 @@ class Torque(Table):
     seconds: float
     tolerance: float
     catalogue_band: Band
-    doubts: list[str]
+    verdicts: Verdicts
+    notes: list[str]  # none of them is judged
     inputs: list[StatedInput]
     other_candidate: OtherCandidate | None
     prediction: Prediction | None = None  # a report of before has none
@@ -192,15 +194,18 @@ class Torque(Table):
         for side in (band.low, band.high):
             if side is not None and len(side) != len(self.points):
                 raise ValueError(f"has {len(side)} values of catalogue_band at {len(self.points)} points")
+        for check in self.verdicts.physical:
+            if check.point >= len(self.points):
+                raise ValueError(f"has a verdict on point {check.point}, and {len(self.points)} points")
         if self.prediction is not None and len(self.prediction.points) != len(self.points):
             raise ValueError(f"has a prediction of {len(self.prediction.points)} points, and {len(self.points)} points")
         return self
 
 
 class BeforeAndAfter(Table):
-    """A number at each point with Hertz's contacts and with those of finite elements; None where none was solved."""
+    """A number of the production at each point, and with contacts of finite elements; None where none was solved."""
 
-    hertz: list[float]
+    production: list[float]
     corrected: list[float | None]
 
 
@@ -221,8 +226,6 @@ class PartChanges(Table):
 class FittedChange(Table):
     """What the fit for finite geometry changes at each point; None where it ends."""
 
-    contact_angle: list[float | None]
-    torque: list[float | None]
     change: list[float | None]
     uncertainty: list[float | None]
 
@@ -235,7 +238,7 @@ class TorqueChange(Table):
     change: PartChanges
     uncertainty: float
     uncertainties: dict[str, float]
-    finite_geometry: FittedChange
+    finite_geometry: FittedChange | None  # None: it is in the production's contacts
     verdict: Verdict
     note: str
 
@@ -243,8 +246,9 @@ class TorqueChange(Table):
     def lengths(self) -> set[int]:
         """The numbers of points of its lists: one, where they belong together."""
         both = (self.contact_angle, self.torque)
-        series = [*(side.hertz for side in both), *(side.corrected for side in both), self.change.total]
-        return {len(each) for each in (*series, *(values for _, values in self.finite_geometry))}
+        series = [*(side.production for side in both), *(side.corrected for side in both), self.change.total]
+        fitted = () if self.finite_geometry is None else (values for _, values in self.finite_geometry)
+        return {len(each) for each in (*series, *fitted)}
 
 
 class OtherStart(Table):

@@ -24,6 +24,7 @@ from fembearing.report.phrases import (
     value_of,
 )
 from fembearing.report.terminal.table import table_of
+from fembearing.report.terminal.verdicts import print_notes, print_numerical, print_physical
 
 NM = NEWTON_MILLIMETRE.factor
 MOST_POINTS = 12  # shown; the JSON has all
@@ -38,7 +39,7 @@ HEADS = {
 
 
 def print_torque(out: Console, result: SceneTorque) -> None:
-    """Print a friction torque: parts, contacts, cage and effects, and in the last line whether it is certain enough."""
+    """Print a friction torque: parts, contacts, cage and effects, and the verdicts, in the last line in a word each."""
     friction, count = result.friction, result.friction.inner_speed.size
     points = shown_points(count)
     _print_parts(out, result, points)
@@ -70,12 +71,14 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     methods = [f"{name} by {friction.provenance[name]}".replace("_", " ") for name in names]
     source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
     out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.\n", markup=False)
-    for doubt in result.doubts:
-        out.print(doubt)
-    reached = float(np.max(friction.numerical_uncertainty, initial=0.0))
+    verdicts = result.verdicts
+    print_physical(out, verdicts.physical)
+    print_notes(out, result.notes)
+    assert verdicts.numerical is not None
+    print_numerical(out, verdicts.numerical)
     out.print(
-        f"{'within' if result.within_tolerance else 'beyond'} the tolerance {result.scene.tolerance:g}: numerical "
-        f"uncertainty {percent(reached)}, {friction.seconds:.2g} s"
+        f"{verdicts.overall}: numerical {verdicts.numerical.verdict}, physical {verdicts.worst_physical}, "
+        f"{friction.seconds:.2g} s"
     )
 
 

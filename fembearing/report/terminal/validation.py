@@ -14,10 +14,11 @@ from fembearing.report.phrases import friction_of, interval_at, interval_words, 
 from fembearing.report.terminal.contacts import print_contact
 from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.torque import percent, point_columns, shown_points
+from fembearing.report.terminal.verdicts import print_notes, print_numerical, print_physical
 
 
 def print_validation(out: Console, document: Report) -> None:
-    """Print the check of a scene: contacts, torque, hard cases, and the verdict in the last line."""
+    """Print the check of a scene: contacts, torque, hard cases, and the verdicts, in the last line in a word each."""
     for contact in document.contacts:
         verdicts = {name: row.verdict for name, row in document.verdicts_on(contact).items()}
         print_contact(out, contact, verdicts)
@@ -32,9 +33,15 @@ def print_validation(out: Console, document: Report) -> None:
         out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
     if document.hard:
         _print_hard(out, document.hard)
-    for doubt in document.doubts:
-        out.print(doubt)
-    out.print(f"{document.verdict}: tolerance {document.tolerance:g}, {document.cost.seconds:.1f} s")
+    print_physical(out, document.physical)
+    if document.torque is not None:
+        print_notes(out, document.torque.notes)
+        print_numerical(out, document.torque.verdicts.numerical)
+    verdict = document.verdict
+    each = {"comparison": verdict.comparison, "numerical": verdict.numerical, "physical": verdict.physical}
+    words = ", ".join(f"{name} {word}" for name, word in each.items() if word is not None)
+    out.print(f"Tolerance {100 * document.tolerance:.3g} %, {document.cost.seconds:.1f} s.")
+    out.print(f"{verdict.overall}: {words}")
 
 
 def _print_pocket(out: Console, seat: Contact, sheet: Contact) -> None:
@@ -85,19 +92,19 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
 def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
     """What the contacts of finite elements change, at the operating point whose contacts were solved."""
     angles, totals = change.contact_angle, change.torque
-    columns = (totals.hertz, totals.corrected, angles.hertz, angles.corrected, change.change.total)
+    columns = (totals.production, totals.corrected, angles.production, angles.corrected, change.change.total)
     solved = [row for row in zip(torque.points, *columns, strict=True) if row[2] is not None]
     point, before, after, angle, corrected, relative = max(solved, key=lambda row: _heaviest(row[0]))
     before, after = (NEWTON_MILLIMETRE.written(total, ".4g") for total in (before, after))
     place = f"{RPM.written(point.inner_speed, '.5g')}, {loads_of(point, present_loads(torque.points))}"
     out.print(
-        f"What finite-element contacts change at {place}: with Hertz's contacts {before}, with "
-        f"those of FE {after}: {relative:+.2%} +- {change.uncertainty:.2%} (numerical); contact angle "
+        f"What finite-element contacts change at {place}: production {before}, with contacts of FE {after}: "
+        f"{relative:+.2%} +- {change.uncertainty:.2%} (numerical); contact angle "
         f"{angle:.4f} rad and {corrected:.4f} rad.\n{change.note}\n"
     )
     fitted = change.finite_geometry
-    known = [value for value in fitted.change if value is not None]
-    if known:
+    known = [] if fitted is None else [value for value in fitted.change if value is not None]
+    if fitted is not None and known:
         ends = dict.fromkeys(f"{end:+.2%}" for end in (max(known), min(known)))
         out.print(
             f"With Hertz's contacts corrected for finite geometry {' to '.join(ends)} +- "

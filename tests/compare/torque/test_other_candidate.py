@@ -20,7 +20,7 @@ def test_both_torques_are_shown() -> None:
     shown = result.to_json()["other_candidate"]
     assert (shown["ball_count"], shown["ball_diameter"]) == (8, pytest.approx(12e-3, rel=1e-9))
     np.testing.assert_allclose(shown["total"], alone, rtol=1e-12)  # round-off
-    (sentence,) = [doubt for doubt in result.doubts if "nearly as well" in doubt]
+    (sentence,) = [note for note in result.notes if "nearly as well" in note]
     for total in (result.friction.torque.total[0], alone[0]):
         assert f"{1e3 * total:.4g}" in sentence
 

@@ -111,8 +111,8 @@ def test_the_numbers_are_those_of_the_result(checked: Validation, page: Page) ->
     for stiffness in (seat.hertz.stiffness, seat.reference.stiffness, sheet.reference.stiffness):
         assert f"{1e-9 * stiffness:.4g}" in page.text
     assert checked.torque_change is not None
-    for torque in (present(checked.torque).friction, checked.torque_change.hertz, checked.torque_change.corrected):
-        assert f"{1e3 * torque.torque.total[0]:.4g}" in page.text
+    for total in (present(checked.torque).friction.torque.total, checked.torque_change.total):
+        assert f"{1e3 * total[0]:.4g}" in page.text
     assert f"{checked.torque_change.uncertainty:.2%}".replace("%", " %") in page.text
 
 
@@ -207,7 +207,7 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     motion = cage.motion[0]
     assert motion is not None
     assert motion.other is not None
-    one = change_of_torque(scene, inner=checked.contacts[0], outer=checked.contacts[1])
+    one = change_of_torque(scene, production.friction, inner=checked.contacts[0], outer=checked.contacts[1])
     moved = replace(checked, torque=production, torque_change=one)
     words = " ".join(page_of(moved, tmp_path).text.split())
     table = words.partition("another start ")[2].partition("The cage driven")[0]

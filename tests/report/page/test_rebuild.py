@@ -149,7 +149,7 @@ def put(document: dict[str, Any], place: str | tuple[str, ...], value: object) -
         ("verdicts.3.verdict", "good", ["verdicts.3.verdict = 'good'", "outside validity"]),
         ("tolerance", float("inf"), ["Infinity is no number of JSON"]),
         ("tolerance", float("nan"), ["NaN is no number of JSON"]),
-        ("format", 7, ["format 7", "reads 2"]),
+        ("format", 7, ["format 7", "reads 3"]),
         ("kind", "sweep", ["no report of `fembearing validate`"]),
         ("pictures.0.file", "../secret.png", ["pictures.0.file = '../secret.png' is not written as it must be"]),
         ("pictures.0.pair", "pocket", ["has no contact for the picture"]),

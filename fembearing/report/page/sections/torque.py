@@ -27,6 +27,7 @@ class TorqueSection(NamedTuple):
 
     totals: list[Row]
     changes: list[Row]
+    is_fitted: bool  # whether the correction by the fit has a column
     is_joined: bool  # whether points share a row
     load_heads: list[str]
     parts: list[str]
@@ -46,6 +47,7 @@ def torque_section(document: Report) -> TorqueSection | None:
     return TorqueSection(
         totals=totals,
         changes=changes,
+        is_fitted=change.finite_geometry is not None,
         is_joined=min(len(totals), len(changes)) < len(points),
         load_heads=[f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}" for name in loads],
         parts=parts,
@@ -84,17 +86,16 @@ def _totals(torque: Torque, parts: Sequence[str]) -> list[tuple[str, ...]]:
 
 
 def _changes(change: TorqueChange) -> list[tuple[str, ...]]:
-    """Angle and total with Hertz's contacts and with those of finite elements, and both relative changes."""
-    angles, totals = change.contact_angle, change.torque
-    columns = (angles.hertz, totals.hertz, angles.corrected, totals.corrected)
+    """Angle and total of the production and with contacts of finite elements, and the relative changes."""
+    angles, totals, fitted = change.contact_angle, change.torque, change.finite_geometry
+    columns = (angles.production, totals.production, angles.corrected, totals.corrected, change.change.total)
+    fits = [()] * len(totals.production) if fitted is None else [(shown(value, "+.2%"),) for value in fitted.change]
     return [
         (
-            *(f"{hertz_angle:.4f}", digits(hertz, NM, 4), shown(angle, ".4f"), digits(total, NM, 4)),
-            *(shown(relative, "+.2%"), shown(fitted, "+.2%")),
+            *(f"{own_angle:.4f}", digits(own, NM, 4), shown(angle, ".4f"), digits(total, NM, 4)),
+            *(shown(relative, "+.2%"), *fit),
         )
-        for hertz_angle, hertz, angle, total, relative, fitted in zip(
-            *columns, change.change.total, change.finite_geometry.change, strict=True
-        )
+        for (own_angle, own, angle, total, relative), fit in zip(zip(*columns, strict=True), fits, strict=True)
     ]
 
 

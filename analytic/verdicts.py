@@ -1,0 +1,142 @@
+"""Whether a friction torque is solved accurately, and whether the bearing is within the limits of its physics.
+
+The two say different things and are never mixed: a torque that is solved to the last digit may be that of a race that
+yields. What the scene does not have, as a cage or oil, is not checked, and does not pass.
+"""
+
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.cage.grip import LARGEST_GRIP
+from analytic.contact.geometry import RACES, USUAL_SHOULDERS
+from analytic.effects.table import MOST_CUT, STATIC_LIMIT
+from analytic.result import FrictionTorque
+from analytic.scene import Array
+
+MOST_FRICTION = 1.0  # of what friction can hold at most: beyond, the surfaces slide
+YIELDS = (
+    "Beyond the static limit of ISO 76 for steel a ball leaves a dent of more than 1e-4 of its diameter, and elastic "
+    "contact no longer describes the race."
+)
+CUT = (
+    "Share of the load of a contact, by Hertz, that lies beyond the shoulder of the race; what is left of the contact "
+    "carries it at a higher pressure."
+)
+UNKNOWN_SHOULDER = (
+    f"The shoulder is not known: the share is that of a low one, of {USUAL_SHOULDERS[0]:g} ball diameters; give "
+    "shoulder_height."
+)
+SKIDS = (
+    "Force of the oil that holds the balls back, over the friction of the race that turns them, in contacts that slide "
+    "as fast as they roll; beyond 1 the balls skid."
+)
+LETS_GO = (
+    "Gyroscopic moment of a ball over what the friction of both races holds, in contacts that slide as fast as they "
+    "roll; beyond 1 the ball turns across its grooves."
+)
+GRIP = (
+    "Share of the grip of the races that the force of the cage uses, of a whirl by its weakest ball; beyond it balls "
+    "slide, and the forces of given balls do not hold."
+)
+UNKNOWN_GRIP = 'The friction of the races is not computed, so their grip is not known: leave effects.spin on "auto".'
+
+
+@dataclass(frozen=True, kw_only=True)
+class PhysicalCheck:
+    """One number against its limit, at the operating point where it is worst."""
+
+    name: Literal["peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force"]
+    where: Literal["inner race", "outer race", "ball", "cage"]
+    point: int  # the operating point, from 0
+    value: float | None  # None: infinite or not known
+    limit: float
+    unit: Literal["Pa", "1"]  # of value and limit
+    verdict: Literal["pass", "fail", "unknown"]
+    note: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NumericalCheck:
+    """The numerical uncertainty of the torque against the tolerance, both relative, at the worst operating point."""
+
+    uncertainty: float | None  # None: not known
+    tolerance: float
+    reason: str  # why it is not known; empty: it is
+
+    @property
+    def verdict(self) -> Literal["pass", "not reached"]:
+        return "pass" if self.uncertainty is not None and self.uncertainty <= self.tolerance else "not reached"
+
+    def to_json(self) -> dict[str, Any]:
+        """The verdict with its numbers, as plain types."""
+        return {"verdict": self.verdict} | asdict(self)
+
+
+def numerical_check(friction: FrictionTorque, *, tolerance: float) -> NumericalCheck:
+    """Whether every operating point is solved within the tolerance, relative."""
+    worst = float(np.max(friction.numerical_uncertainty, initial=0.0))
+    is_known = bool(np.isfinite(worst))
+    return NumericalCheck(
+        uncertainty=worst if is_known else None,
+        tolerance=tolerance,
+        reason="" if is_known else "; ".join(friction.unknown),
+    )
+
+
+def physical_checks(friction: FrictionTorque) -> tuple[PhysicalCheck, ...]:
+    """Every physical limit that the torque's scene can reach, each at its worst operating point:
+
+    peak_pressure : Pa, on each race, against the static limit of 4.2 GPa of [ISO76]
+    shoulder : share of a contact's load that is cut off on each race, against 0.1; "unknown" where the shoulders are
+        not known and low ones would cut off more
+    sliding : rolling force of the oil over the friction of each race, against 1; only where rolling and sliding are
+        computed
+    gyroscopic_hold : gyroscopic moment of a ball over what friction holds, against 1; only where balls turn and slide
+    cage_force : share of the races' grip that the cage uses, against 0.9; only with a cage
+    """
+    return tuple(_checks(friction))
+
+
+def pressure_check(race: str, peak_pressure: ArrayLike) -> PhysicalCheck:
+    """The peak pressure on a race, Pa, of one or more operating points, against the static limit."""
+    return _check("peak_pressure", f"{race} race", np.atleast_1d(peak_pressure), STATIC_LIMIT, YIELDS)
+
+
+def _checks(friction: FrictionTorque) -> Iterator[PhysicalCheck]:
+    numbers = friction.limits
+    for race, values in zip(RACES, numbers.peak_pressure, strict=True):
+        yield pressure_check(race, values)
+    for race, values, is_known in zip(RACES, numbers.cut_off, numbers.knows_shoulder, strict=True):
+        note = CUT if is_known else f"{CUT} {UNKNOWN_SHOULDER}"
+        yield _check("shoulder", f"{race} race", values, MOST_CUT, note, is_known=bool(is_known))
+    if numbers.sliding_number is not None:
+        for race, values in zip(RACES, numbers.sliding_number, strict=True):
+            yield _check("sliding", f"{race} race", values, MOST_FRICTION, SKIDS)
+    if numbers.gyroscopic_hold is not None:
+        yield _check("gyroscopic_hold", "ball", numbers.gyroscopic_hold, MOST_FRICTION, LETS_GO)
+    if numbers.cage_grip is not None:
+        note = UNKNOWN_GRIP if np.isnan(numbers.cage_grip).any() else GRIP
+        yield _check("cage_force", "cage", numbers.cage_grip, LARGEST_GRIP, note)
+
+
+def _check(name: Any, where: Any, values: Array, limit: float, note: str, *, is_known: bool = True) -> PhysicalCheck:
+    """values : (n,); NaN: not known;  is_known : whether the values are those of the bearing, and not an estimate"""
+    point = int(np.argmax(np.where(np.isnan(values), -np.inf, values)))
+    worst = float(values[point])
+    verdict = "unknown" if np.isnan(values).any() else "pass"
+    if worst > limit:
+        verdict = "fail" if is_known else "unknown"
+    return PhysicalCheck(
+        name=name,
+        where=where,
+        point=point,
+        value=worst if np.isfinite(worst) else None,
+        limit=limit,
+        unit="Pa" if name == "peak_pressure" else "1",
+        verdict=verdict,
+        note=note,
+    )

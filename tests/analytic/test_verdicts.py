@@ -1,0 +1,228 @@
+"""Physical limits approached from both sides, by formulas written here, and what is not in the scene is not checked."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import bisect, brentq
+from scipy.special import ellipe, ellipk
+
+from analytic.result import FrictionTorque
+from analytic.scene import Arrangement, Bearing, ContactAngle, Operation, Scene
+from analytic.torque import friction_torque
+from analytic.verdicts import PhysicalCheck, numerical_check, physical_checks
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE
+
+ANGLE = 0.23  # rad, given: then the load of each ball is known
+PLAIN = {"finite_geometry": "off", "load_distribution": "off", "centrifugal": "off", "weight": "off"}
+
+
+def scene(load: Any, speed: float = 37.0, **given: Any) -> Scene:
+    loads = np.array(load, ndmin=1)
+    known: dict[str, Any] = {
+        "name": "limits",
+        "tolerance": 0.05,
+        "bearing": BEARING_6205,
+        "contact_angle": ContactAngle(rule="given", value=ANGLE),
+        "operation": Operation(axial_load=loads, inner_speed=np.full(loads.shape, speed)),
+        "friction_coefficient": 0.083,
+        "effects": PLAIN,
+    }
+    return Scene(**(known | given))
+
+
+def check(found: FrictionTorque, name: str, where: str) -> PhysicalCheck:
+    (one,) = [each for each in physical_checks(found) if (each.name, each.where) == (name, where)]
+    return one
+
+
+def hertz(load: float, race: str) -> tuple[float, float]:
+    """(peak pressure, b) of one ball by Hertz: the eccentricity e of the ellipse from the ratio of the curvatures."""
+    bearing, sign = BEARING_6205, {"inner": 1.0, "outer": -1.0}[race]
+    groove, r = getattr(bearing, race), bearing.ball_radius
+    middle, reach = bearing.pitch_diameter / 2, r * np.cos(ANGLE)
+    rolling = 1 / r + sign * np.cos(ANGLE) / (middle - sign * reach)
+    across = 1 / r - 1 / groove.groove_radius
+    modulus = 1 / sum(
+        (1 - body.poisson_ratio**2) / body.youngs_modulus for body in (bearing.ball_material, groove.material)
+    )
+
+    def ratio(e: float) -> float:  # of the curvatures, rolling over across
+        k, whole = ellipk(e**2), ellipe(e**2)
+        return (whole / (1 - e**2) - k) / (k - whole) - rolling / across
+
+    e = brentq(ratio, 1e-3, 1 - 1e-9, xtol=1e-14)
+    slender = np.sqrt(1 - e**2)  # a/b
+    b = (3 * load * ellipe(e**2) / (np.pi * (1 - e**2) * modulus * (rolling + across))) ** (1 / 3)
+    return 1.5 * load / (np.pi * slender * b**2), b
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_a_race_fails_where_hertz_reaches_the_static_limit(race: str) -> None:
+    """ISO 76: 4.2 GPa. Nine balls share the thrust, Q = Fa/(9 sin al)."""
+    each = 9 * np.sin(ANGLE)
+    limit = bisect(lambda load: hertz(load / each, race)[0] - 4.2e9, 1e3, 1e5)
+    verdicts = []
+    for load in (limit * (1 - 1e-5), limit * (1 + 1e-5)):
+        found = check(friction_torque(scene([0.3 * limit, load, 0.2 * limit])), "peak_pressure", f"{race} race")
+        assert (found.point, found.limit, found.unit) == (1, 4.2e9, "Pa")
+        assert found.value == pytest.approx(hertz(load / each, race)[0], rel=1e-6)  # both roots are closer
+        verdicts.append(found.verdict)
+    assert verdicts == ["pass", "fail"]
+
+
+def cut(load: float, race: str, half_width: float) -> float:
+    """Share of the load beyond the shoulder: Hertz's pressure over strips along rolling, integrated by Gauss."""
+    groove = getattr(BEARING_6205, race)
+    distance = groove.groove_radius * np.sin(np.arcsin(half_width / groove.groove_radius) - ANGLE)
+    t = min(distance / hertz(load / (9 * np.sin(ANGLE)), race)[1], 1.0)
+    x, weight = np.polynomial.legendre.leggauss(4)
+    y = t + (1 - t) * (x + 1) / 2
+    return float(np.sum(weight * (1 - y**2)) * (1 - t) / 2 * 3 / 4)
+
+
+@pytest.mark.parametrize(("race", "word"), [("inner", "fail"), ("outer", "fail"), ("inner", "unknown")])
+def test_a_shoulder_fails_where_it_cuts_off_a_tenth_of_the_load(race: str, word: str) -> None:
+    """Where it is not known, one of 0.1 ball diameters counts, and beyond the limit the verdict is unknown."""
+    groove, height = getattr(BEARING_6205, race), 0.1 * BEARING_6205.ball_diameter
+    half_width = 2.2e-3
+    if word == "unknown":
+        half_width = float(np.sqrt(groove.groove_radius**2 - (groove.groove_radius - height) ** 2))
+    limit = bisect(lambda load: cut(load, race, half_width) - 0.1, 10.0, 1e6)
+    changed = replace(groove, shoulder_half_width=None if word == "unknown" else half_width)
+    bearing = replace(BEARING_6205, **{race: changed})
+    verdicts = []
+    for load in (0.999 * limit, 1.001 * limit):
+        found = check(friction_torque(scene(load, bearing=bearing)), "shoulder", f"{race} race")
+        assert found.value == pytest.approx(cut(load, race, half_width), rel=1e-6)
+        verdicts.append(found.verdict)
+        assert ("not known" in found.note) == (word == "unknown")
+    assert verdicts == ["pass", word]
+
+
+def test_the_gyroscopic_moment_is_held_until_coulomb_friction_ends() -> None:
+    """J w_b w_m sin(beta) against mu (Q_i + Q_o) r: so slow that no inertia moves the loads."""
+    given = scene(40.0, speed=23.0, contact_angle=ContactAngle(rule="solved"))
+
+    def hold(speed: float, coefficient: float) -> PhysicalCheck:
+        operation = replace(given.operation, inner_speed=np.array([speed]))
+        found = friction_torque(replace(given, operation=operation, friction_coefficient=coefficient))
+        return check(found, "gyroscopic_hold", "ball")
+
+    one = hold(23.0, 0.083)
+    assert one.value is not None
+    assert hold(2 * 23.0, 0.083).value == pytest.approx(4 * one.value, rel=1e-9)  # round-off
+    limit = 0.083 * one.value
+    assert [hold(23.0, factor * limit).verdict for factor in (1.001, 0.999)] == ["pass", "fail"]
+    # Its size, for a ball that leans as its contacts do: m D^2/10 (d_m/D w/2) (w/2) sin(al), within what D/d_m adds
+    bearing: Bearing = BEARING_6205
+    moment = bearing.ball_mass * bearing.ball_diameter * bearing.pitch_diameter / 40 * 23.0**2
+    result = friction_torque(given)
+    angle, load = float(result.contact_angle[0]), float(result.ball_load[0])
+    expected = moment * np.sin(angle) / (2 * 0.083 * load * bearing.ball_radius)
+    assert one.value == pytest.approx(expected, rel=0.3)
+
+
+def lubricated(speed: float, load: float, **given: Any) -> Scene:
+    return scene(load, speed, lubricant=OIL, **given)
+
+
+def test_the_sliding_number_is_the_rolling_force_over_coulomb_friction() -> None:
+    """From the part of the torque: both races lose 2 f u per ball and race, and pure rolling has u known.
+
+    At a held angle both loads are alike, and mu enters the friction alone: a number of 1 in between.
+    """
+    ruled = PLAIN | {"creep": "off", "gyroscopic": "off"}  # balls that roll by closed kinematics
+    found = friction_torque(lubricated(190.0, 60.0, effects=ruled))
+    numbers = [check(found, "sliding", f"{race} race") for race in ("inner", "outer")]
+    values = np.array([one.value for one in numbers], dtype=float)
+    r, middle = BEARING_6205.ball_radius, BEARING_6205.pitch_diameter / 2
+    entrainment = (middle**2 - (r * np.cos(ANGLE)) ** 2) / (2 * middle)  # u/w of a ball that rolls, outer ring at rest
+    friction = 0.083 * 60.0 / np.sin(ANGLE)  # of all balls on one race
+    assert found.torque.rolling is not None
+    assert values.sum() * friction * 2 * entrainment == pytest.approx(found.torque.rolling[0], rel=1e-6)
+    assert [one.verdict for one in numbers] == ["pass", "pass"]
+    assert values.min() > 0
+    for factor, verdict in ((1.001, "pass"), (0.999, "fail")):
+        mu = 0.083 * values[0] * factor
+        slippery = friction_torque(lubricated(190.0, 60.0, friction_coefficient=mu))
+        assert check(slippery, "sliding", "inner race").verdict == verdict
+
+
+def test_with_rough_surfaces_and_oil_all_is_checked_once() -> None:
+    found = friction_torque(
+        lubricated(
+            120.0,
+            500.0,
+            friction_coefficient=None,
+            surface=FINISH,
+            cage=STAMPED_CAGE,
+            contact_angle=ContactAngle(rule="solved"),
+        )
+    )
+    names = [(one.name, one.where) for one in physical_checks(found)]
+    races = ("inner race", "outer race")
+    assert names == [
+        *(("peak_pressure", race) for race in races),
+        *(("shoulder", race) for race in races),
+        *(("sliding", race) for race in races),
+        ("gyroscopic_hold", "ball"),
+        ("cage_force", "cage"),
+    ]
+    assert {one.verdict for one in physical_checks(found)} == {"pass"}
+
+
+@pytest.mark.parametrize(
+    ("given", "absent"),
+    [
+        ({}, {"sliding", "gyroscopic_hold", "cage_force"}),  # neither oil nor cage, and the angle is held
+        ({"lubricant": OIL, "effects": PLAIN | {"rolling": "off"}}, {"sliding"}),
+        ({"lubricant": OIL, "effects": PLAIN | {"spin": "off", "conformity": "off"}}, {"sliding", "gyroscopic_hold"}),
+        ({"cage": STAMPED_CAGE, "effects": PLAIN | {"cage": "off"}}, {"cage_force"}),
+        ({"contact_angle": ContactAngle(rule="solved"), "effects": PLAIN | {"gyroscopic": "off"}}, {"gyroscopic_hold"}),
+    ],
+)
+def test_what_is_not_there_is_not_checked(given: dict[str, Any], absent: set[str]) -> None:
+    assert not absent & {one.name for one in physical_checks(friction_torque(scene(300.0, **given)))}
+
+
+def test_the_cage_fails_where_it_needs_more_grip_than_given_balls_have() -> None:
+    """A cage at rest: its force does not depend on the friction of the races, and their grip goes with it."""
+    held = scene(3.0, cage=replace(STAMPED_CAGE, friction_coefficient=0.2))
+
+    def grip(coefficient: float) -> PhysicalCheck:
+        return check(friction_torque(replace(held, friction_coefficient=coefficient)), "cage_force", "cage")
+
+    first = grip(0.083)
+    assert first.value is not None
+    limit = 0.083 * first.value / 0.9
+    assert [grip(factor * limit).verdict for factor in (1.001, 0.999)] == ["pass", "fail"]
+
+
+def test_of_a_pair_the_worse_bearing_counts() -> None:
+    """Each bearing by itself, under the loads of the pair: its pressures are those of its own torque."""
+    both = replace(
+        scene([200.0, 900.0], contact_angle=ContactAngle(rule="solved")),
+        bearing=replace(BEARING_6205, width=15e-3),
+        arrangement=Arrangement(kind="O", preload=150.0),
+    )
+    found = friction_torque(both)
+    assert found.pair is not None
+    apart = [bearing for bearing in found.pair.bearings if bearing is not None]
+    assert len(apart) == 2
+    largest = max(float(one.limits.peak_pressure[0].max()) for one in apart)
+    worst = check(found, "peak_pressure", "inner race")
+    assert (worst.value, worst.point) == (largest, 1)
+    assert found.limits.peak_pressure.shape == (2, 2)
+
+
+def test_accuracy_is_a_verdict_of_its_own() -> None:
+    found = friction_torque(scene([200.0, 300.0]))
+    sure = replace(found, numerical_uncertainty=np.array([0.031, 0.012]))
+    assert numerical_check(sure, tolerance=0.031).verdict == "pass"
+    short = numerical_check(sure, tolerance=0.0309)
+    assert (short.verdict, short.uncertainty) == ("not reached", 0.031)
+    lost = replace(found, numerical_uncertainty=np.array([0.01, np.inf]), unknown=("a reason",))
+    gone = numerical_check(lost, tolerance=0.5)
+    assert (gone.verdict, gone.uncertainty, gone.reason) == ("not reached", None, "a reason")
