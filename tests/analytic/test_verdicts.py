@@ -9,7 +9,7 @@ from scipy.optimize import bisect, brentq
 from scipy.special import ellipe, ellipk
 
 from analytic.result import FrictionTorque
-from analytic.scene import Arrangement, Bearing, ContactAngle, Operation, Scene
+from analytic.scene import Arrangement, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
 from analytic.verdicts import PhysicalCheck, numerical_check, physical_checks
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE
@@ -115,13 +115,15 @@ def test_the_gyroscopic_moment_is_held_until_coulomb_friction_ends() -> None:
     assert hold(2 * 23.0, 0.083).value == pytest.approx(4 * one.value, rel=1e-9)  # round-off
     limit = 0.083 * one.value
     assert [hold(23.0, factor * limit).verdict for factor in (1.001, 0.999)] == ["pass", "fail"]
-    # Its size, for a ball that leans as its contacts do: m D^2/10 (d_m/D w/2) (w/2) sin(al), within what D/d_m adds
-    bearing: Bearing = BEARING_6205
-    moment = bearing.ball_mass * bearing.ball_diameter * bearing.pitch_diameter / 40 * 23.0**2
-    result = friction_torque(given)
+    # Its size under outer control, tan(beta) = sin(al)/(cos(al) + D/d_m) [Harris2007]
+    bearing, result = BEARING_6205, friction_torque(replace(given, effects=PLAIN | {"creep": "off"}))
     angle, load = float(result.contact_angle[0]), float(result.ball_load[0])
-    expected = moment * np.sin(angle) / (2 * 0.083 * load * bearing.ball_radius)
-    assert one.value == pytest.approx(expected, rel=0.3)
+    r, middle = bearing.ball_radius, bearing.pitch_diameter / 2
+    lean = np.arctan2(np.sin(angle), np.cos(angle) + r / middle)
+    orbit = 23.0 * (1 - r * np.cos(angle) / middle) / 2
+    ball = orbit * (middle + r * np.cos(angle)) / (r * np.cos(angle - lean))
+    moment = 0.4 * bearing.ball_mass * r**2 * orbit * ball * np.sin(lean)
+    assert one.value == pytest.approx(moment / (2 * 0.083 * load * r), rel=1e-9)  # round-off
 
 
 def lubricated(speed: float, load: float, **given: Any) -> Scene:

@@ -9,14 +9,24 @@ import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import parse_scene
-from fembearing.cli.console import CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED
+from fembearing.cli.console import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
+from fembearing.report.document.verdicts import Verdicts
 from fembearing.report.terminal.torque import print_torque
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 from tests.analytic.specimens import present
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"
 SERIES = changed('"700 N"', '["900 N", "400 N"]', changed(SPEEDS, '["500 rpm", "2000 rpm"]', OILED))
+
+BEARING = 'catalog = "paper_6205"\ncontact_angle = { rule = "solved" }\n'
+NO_SHOULDER = """\
+ball_count = 9
+ball_diameter = "7.94 mm"
+pitch_diameter = "39 mm"
+conformity = 0.52
+contact_angle = { nominal = "30 deg" }
+"""
 
 
 def printed(text: str) -> str:
@@ -119,6 +129,39 @@ def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Pa
     assert np.all(np.array(band["low"]) < band["high"])
     status, out, _ = command("torque", "6205-dry", "--json")
     assert json.loads(out)["catalogue_band"]["low"] is None
+
+
+@pytest.mark.parametrize(
+    ("change", "status", "words"),
+    [
+        ((), DONE, "pass: numerical pass, physical pass"),
+        # A low shoulder would cut off more than a tenth, and which one it is is not known
+        ((BEARING, NO_SHOULDER), NOT_SOLVED, "undecided: numerical not reached, physical unknown"),
+        # 10 times the load is past the static limit
+        (('"900 N"', '"9000 N"'), CHECK_FAILED, "fail: numerical not reached, physical fail"),
+    ],
+)
+def test_status_and_last_line_follow_from_both_verdicts(
+    command, tmp_path: Path, change: tuple[str, ...], status: int, words: str
+) -> None:
+    (tmp_path / "a.toml").write_text(SERIES.replace(*change) if change else SERIES, "utf-8")
+    shown = command("torque", str(tmp_path / "a.toml"))
+    assert shown.status == status
+    assert shown.out.splitlines()[-1].startswith(words)
+
+
+def test_json_has_the_verdicts_as_the_document_has_them(command, tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_text(SERIES + "[cage]\n", "utf-8")
+    found = json.loads(command("torque", str(tmp_path / "a.toml"), "--json").out)
+    assert Verdicts.model_validate(found["verdicts"]).model_dump(mode="json") == found["verdicts"]
+    names = {check["name"] for check in found["verdicts"]["physical"]}
+    assert names == {"peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force"}
+    uncertainties = [point["uncertainty"]["numerical"] for point in found["points"]]
+    assert found["verdicts"]["numerical"]["uncertainty"] == max(uncertainties)
+    (note,) = [note for note in found["notes"] if note.startswith("Film ratio lambda")]
+    films = [point["film"]["inner"] / found["gap_roughness"] for point in found["points"]]
+    for end in (min(films), max(films)):
+        assert f"{end:.2g}" in note
 
 
 def test_beyond_the_tolerance_the_status_is_3(command) -> None:

@@ -211,7 +211,7 @@ def test_a_key_of_another_version_is_named_with_both(document: dict[str, Any], t
         (b"[1, 2]", "no report of"),
         (b'"text"', "no report of"),
         (b"{}", "no report of"),
-        (b'{"kind": "fembearing validation", "format": 2, "tolerance": 1e999}', "is missing"),
+        (b'{"kind": "fembearing validation", "format": 3, "tolerance": 1e999}', "is missing"),
         (None, "cannot be read: No such file"),
     ],
 )
