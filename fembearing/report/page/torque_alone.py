@@ -7,7 +7,17 @@ from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.provenance import provenance_of
 from fembearing.report.figures.page_plots import embedded
 from fembearing.report.figures.torque import PARTS
-from fembearing.report.phrases import LOADS, SHARES, capital, share_of, uncertainty_of
+from fembearing.report.phrases import (
+    CHECKS,
+    LOADS,
+    SHARES,
+    capital,
+    limit_of,
+    numerical_words,
+    share_of,
+    uncertainty_of,
+    worst_of,
+)
 from fembearing.report.torque_table import shown_columns
 
 HEADS = {  # of the table, from the left
@@ -33,7 +43,8 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    friction = result.friction
+    friction, verdicts = result.friction, result.verdicts
+    assert verdicts.numerical is not None
     model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
     varied = {name: float(part.max()) for name, part in (friction.model_parts or {}).items()}
     known = shown_columns(result)
@@ -44,7 +55,21 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
         heads=[f"{HEADS[name]}, {each.unit.name}" for name, each in shown.items()],
         rows=list(zip(*(each.values.tolist() for each in shown.values()), strict=True)),
         figure=embedded(figure),
-        notes=[uncertainty_of(model, varied), f"{capital(result.catalogue.note)}.", *result.doubts],
+        notes=[uncertainty_of(model, varied), f"{capital(result.catalogue.note)}.", *result.notes],
+        verdict=verdicts.overall,
+        numerical=numerical_words(verdicts.numerical),
+        checks=[
+            (
+                CHECKS[check.name],
+                check.where,
+                check.point + 1,
+                worst_of(check),
+                limit_of(check.limit, check.unit),
+                check,
+            )
+            for check in verdicts.physical
+        ],
+        failures=dict.fromkeys(check.note for check in verdicts.physical if check.verdict != "pass"),
         warnings=friction.warnings,
         effects=friction.effects_to_json(),
         share_of=share_of,

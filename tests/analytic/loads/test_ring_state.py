@@ -11,6 +11,7 @@ from analytic.loads.ring import ring_equilibrium
 from analytic.loads.ring_state import RingState
 from analytic.result import FrictionTorque
 from analytic.scene import Operation, Scene
+from tests.analytic.specimens import present
 
 PLAIN = {"cage": "off", "cage_dynamics": "off", "finite_geometry": "off", "creep": "off", "weight": "off"}
 AT_SPEED = {"load_distribution": "on", "centrifugal": "on", "gyroscopic": "on"}
@@ -23,9 +24,7 @@ def torque(scene: Scene, *, effects: dict | None = None, **operation) -> Frictio
 
 
 def state(scene: Scene, **operation) -> RingState:
-    ring = torque(scene, effects=AT_SPEED, **operation).ring
-    assert ring is not None
-    return ring
+    return present(torque(scene, effects=AT_SPEED, **operation).ring)
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +49,7 @@ def test_displacement_and_stiffness_are_those_that_the_equilibrium_solved_for(sc
     assert np.any(solved.inner_angle < 0)
     assert np.any(solved.inner_load == 0)
     # The rounds of the equilibrium end at 1e-12 of the load, and the place is rebuilt from angles and approaches.
-    np.testing.assert_allclose(ring.displacement, solved.displacement, rtol=1e-8, atol=1e-15)
+    np.testing.assert_allclose(present(ring.displacement), solved.displacement, rtol=1e-8, atol=1e-15)
     scale = np.abs(solved.stiffness).max(axis=(1, 2), keepdims=True)
     np.testing.assert_allclose(ring.stiffness / scale, solved.stiffness / scale, rtol=0, atol=1e-9)
 
@@ -70,7 +69,9 @@ def test_a_small_load_moves_the_ring_by_the_inverse_of_the_stiffness(scene):
     steps = {"axial_load": (0, 0.07), "radial_load": (1, 0.07), "moment": (4, 0.0007)}
     compliance = np.linalg.inv(state(scene, **loads).stiffness[0])
     for name, (freedom, step) in steps.items():
-        ends = [state(scene, **{**loads, name: [loads[name][0] + sign * step]}).displacement[0] for sign in (-1, 1)]
+        ends = [
+            present(state(scene, **{**loads, name: [loads[name][0] + sign * step]}).displacement)[0] for sign in (-1, 1)
+        ]
         moved = (ends[1] - ends[0]) / (2 * step)
         # K follows the contact angle, which the stiffness holds: 0.5 % of the largest entry; the balls' loads alike.
         scale = np.sqrt(np.diag(compliance) * compliance[freedom, freedom])
@@ -80,29 +81,31 @@ def test_a_small_load_moves_the_ring_by_the_inverse_of_the_stiffness(scene):
 def test_thrust_alone_moves_the_ring_along_its_axis_and_is_the_limit_of_a_small_radial_load(scene):
     thrust = torque(scene, axial_load=[430.0, 900.0], inner_speed=[7.0, 20.0])
     nearly = state(scene, axial_load=[430.0, 900.0], radial_load=[1e-3, 1e-3], inner_speed=[7.0, 20.0])
-    assert thrust.ring is not None
-    assert thrust.ring.load.shape == (2, 2, scene.bearing.ball_count)
-    np.testing.assert_allclose(thrust.ring.displacement[:, 0], nearly.displacement[:, 0], rtol=1e-5)
-    np.testing.assert_allclose(thrust.ring.displacement[:, 1:], 0, atol=1e-15)
+    ring = present(thrust.ring)
+    assert ring.load.shape == (2, 2, scene.bearing.ball_count)
+    np.testing.assert_allclose(present(ring.displacement)[:, 0], present(nearly.displacement)[:, 0], rtol=1e-5)
+    np.testing.assert_allclose(present(ring.displacement)[:, 1:], 0, atol=1e-15)
     scale = np.abs(nearly.stiffness).max()
-    np.testing.assert_allclose(thrust.ring.stiffness / scale, nearly.stiffness / scale, rtol=0, atol=1e-5)
+    np.testing.assert_allclose(ring.stiffness / scale, nearly.stiffness / scale, rtol=0, atol=1e-5)
 
 
 def test_the_heaviest_ball_is_that_of_the_torque(scene):
     result = torque(replace(scene, spin_rule="free"), effects={"creep": "on", "finite_geometry": "on"}, **LOADS)
-    np.testing.assert_array_equal(result.ring.load.max(axis=(1, 2)), result.ball_load)
+    np.testing.assert_array_equal(present(result.ring).load.max(axis=(1, 2)), result.ball_load)
     some = result.at(np.array([1]))
-    np.testing.assert_array_equal(some.ring.displacement, result.ring.displacement[[1]])
+    np.testing.assert_array_equal(
+        present(present(some.ring).displacement), present(present(result.ring).displacement)[[1]]
+    )
 
 
 def test_a_given_angle_has_no_displacement_and_a_thrust_bearing_begins_where_it_touches(scene):
     angle = replace(scene.contact_angle, rule="given", value=0.31, free=None)
     given = torque(replace(scene, contact_angle=angle), axial_load=[800.0], inner_speed=[9.0])
-    assert given.ring.displacement is None
+    assert present(given.ring).displacement is None
     assert given.to_json()["points"][0]["ring"]["displacement"] is None
     washers = analytic.load_scene("validation/scenes/thrust_rig_3mm.toml")
-    ring = torque(washers, axial_load=[9.0], inner_speed=[5.0]).ring
-    np.testing.assert_allclose(ring.displacement[0, 0], ring.approach[0, :, 0].sum(), rtol=1e-9)
+    ring = present(torque(washers, axial_load=[9.0], inner_speed=[5.0]).ring)
+    np.testing.assert_allclose(present(ring.displacement)[0, 0], ring.approach[0, :, 0].sum(), rtol=1e-9)
     # A thrust bearing is a spring of its balls in parallel, each with two contacts in a row.
     each = 1 / np.sum(ring.approach[0, :, 0] / (1.5 * ring.load[0, :, 0]))
     np.testing.assert_allclose(ring.stiffness[0, 0, 0], washers.bearing.ball_count * each, rtol=1e-9)
@@ -112,7 +115,7 @@ def test_a_pair_has_the_state_of_each_bearing(scene):
     pair = replace(scene, arrangement=analytic.scene.Arrangement(kind="O", preload=120.0, distance=0.03), cage=None)
     result = torque(pair, axial_load=[300.0], inner_speed=[12.0])
     assert result.ring is None
-    assert all(bearing.ring is not None for bearing in result.pair.bearings)
+    assert all(present(bearing).ring is not None for bearing in present(result.pair).bearings)
 
 
 def test_the_dataset_names_race_ball_and_freedom(scene):
