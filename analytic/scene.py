@@ -1,8 +1,7 @@
 """A bearing problem: what the bearing is made of, how it is run, and how accurate the result has to be.
 
 Every quantity is a float in SI (m, kg, N, Pa, rad, rad/s); `analytic.scenefile.quantity` reads other units.
-Axes of a contact: z along the load, x along rolling, y transverse (along the profile of the groove); the origin is the
-centre of the contact. A radius is positive where the body is convex.
+Axes of a contact from its centre: z along the load, x along rolling, y along the groove's profile. Convex radii: > 0.
 """
 
 from collections.abc import Iterator, Mapping
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from analytic.brief import points_of
 from analytic.errors import InputError
 from analytic.noun import Noun, nothing
+from analytic.report_details import ReportDetails
 
 Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
@@ -67,9 +67,8 @@ class Origin(Noun):
 class Groove(Noun):
     """The raceway of one ring: a torus, with a flat land beyond each shoulder.
 
-    Thrust loads one side of the groove; the shoulder there is the near one, the other is the far one. A far half-width
-    of 0 is a groove that is cylindrical from its bottom on, as in a counterbored outer ring. A thrust washer is loaded
-    at the bottom of its groove, and its half-widths lie along the radius, the near one outside.
+    Thrust loads the side of the near shoulder. A far half-width of 0 is a groove that is cylindrical from its bottom
+    on, as in a counterbored outer ring. Half-widths of a thrust washer lie along the radius, the near one outside.
     """
 
     bottom_radius: float  # bearing axis to the bottom of the groove, m
@@ -332,6 +331,7 @@ class Scene(Noun):
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
     down: tuple[float, float, float] | None = None  # direction of gravity along x, y, z, of length 1; None: unknown
     warnings: tuple[str, ...] = ()
+    report: ReportDetails = field(default_factory=ReportDetails)
 
     def _facts(self) -> Iterator[str]:
         yield from (self.name, self.bearing.name, points_of(vars(self.operation)), f"tolerance {self.tolerance:g}")

@@ -47,9 +47,11 @@ VARYING = frozenset((*TIMES, *MEMORY, *ORIGIN))
 def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingProxyType({})) -> dict[str, Any]:
     """The whole scene in SI and its hash; date, command, machine, and the versions of the packages.
 
+    What only the report says (`Scene.report`) is left out: who signs it, in which units, changes no number and no hash.
     seeds : of each random quantity, by its name; without them nothing is random
     """
     content = plain(scene)
+    del content["report"]
     return {
         "scene": scene.name,
         "scene_content": content,

@@ -15,6 +15,7 @@ from pydantic import ValidationError
 
 from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.errors import InputError
+from analytic.report_details import ReportDetails
 from analytic.scene import (
     Array,
     Bearing,
@@ -255,6 +256,7 @@ def _scene(
         losses=losses,
         effects=MappingProxyType(table.effects.model_dump()),
         calibration=table.calibration,
+        report=ReportDetails(**table.report.model_dump()),
         warnings=(*(() if row is None else row.warnings), *_loose(table, row), *fit.warnings(bearing, cage), *notes),
     )
     spreads, unfitting = given_spreads(table.uncertainty, scene)

@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, Field
 
 from analytic import catalog
 from analytic.mounting.clearance import Mounting
+from analytic.report_details import PublishedCase, ReportDetails, UnitSystem
 from analytic.scene import (
     ArrangementKind,
     AsperityLaw,
@@ -338,6 +339,17 @@ class EffectsTable(Table):
     ball_dynamics: Decision = "auto"
 
 
+class ReportTable(Table):
+    """What is printed in the report beside the numbers."""
+
+    author: Text | None = None
+    checker: Text | None = None
+    revision: Text | None = None
+    date: Text | None = None  # in quotes, in any form
+    units: UnitSystem = ReportDetails.units
+    published: PublishedCase | None = None
+
+
 class SceneTable(Table):
     name: Text
     calibration: Text | None = Field(
@@ -374,4 +386,7 @@ class SceneTable(Table):
     )
     assumed: AssumedTable = Field(
         default=AssumedTable(), description='give a table [assumed] of lubricant.viscosity = "the source" and others'
+    )
+    report: ReportTable = Field(
+        default=ReportTable(), description='give a table [report] of author = "N. N.", date ...'
     )

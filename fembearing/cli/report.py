@@ -7,8 +7,10 @@ import typer
 
 from fembearing.cli.console import out, print_json
 from fembearing.cli.options import AsJson
+from fembearing.cli.report_options import given_details, with_report_options
 
 
+@with_report_options
 def report(
     numbers: Annotated[Path, typer.Argument(metavar="REPORT.JSON", help="The numbers of a report.")],
     page: Annotated[
@@ -22,7 +24,7 @@ def report(
     """Make the page of a report again from its numbers and the pictures in the same folder."""
     from fembearing.report.page.rebuild import rebuild_page
 
-    result = rebuild_page(numbers, out=page)
+    result = rebuild_page(numbers, out=page, details=given_details())
     if as_json:
         print_json(result.to_json())
     else:

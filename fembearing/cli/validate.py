@@ -1,5 +1,6 @@
 """`fembearing validate`."""
 
+from dataclasses import replace
 from typing import Annotated
 
 import typer
@@ -14,8 +15,10 @@ from fembearing.cli.options import (
     read_scene,
     read_tolerance,
 )
+from fembearing.cli.report_options import given_details, with_report_options
 
 
+@with_report_options
 def validate(
     scene: SceneName = None,
     tolerance: Tolerance = None,
@@ -28,7 +31,8 @@ def validate(
     as_json: AsJson = False,
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
-    given = read_scene(scene)
+    given, details = read_scene(scene), given_details()
+    given = replace(given, report=replace(given.report, **details))
     limit = read_tolerance(tolerance, given)
     from fembearing.report.document.build import report_of
     from fembearing.report.folder import validate as run

@@ -50,7 +50,7 @@ class Validation(Brief):
     contacts: tuple[ContactSolution, ...]
     torque: SceneTorque | None  # that of the command `torque`; None where the scene gives no friction
     torque_change: TorqueChange | None  # what finite-element contacts change; likewise
-    published: BesidePaper | None  # None: of another case than the paper's
+    published: BesidePaper | None  # None: the scene names no published case, or is another one
     hard: tuple[HardOutcome, ...]  # empty unless they were run
     ladders: tuple[Ladder, ...]  # all of the scene's where they were measured, else the methods that the check ran
     measured: bool  # whether every ladder was measured, with repeats
@@ -172,7 +172,7 @@ def check_scene(
         contacts=(inner, outer, *contacts[2:]),
         torque=torque,
         torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
-        published=beside_paper(scene, friction) if is_papers_case(scene) else None,
+        published=beside_paper(scene, friction) if scene.report.published and is_papers_case(scene) else None,
         hard=run_hard_cases(progress=part_of(progress, extra[0], extra[1])) if hard else (),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, extra[1], 1.0)).ladders
         if cost

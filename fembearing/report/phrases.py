@@ -5,6 +5,8 @@ from itertools import groupby
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from analytic.result import Unit
 from fembearing.compare.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, NEWTON_MILLIMETRE, RPM, Quantity, unit_for
@@ -27,6 +29,7 @@ VARIED = {  # the parts of the model's uncertainty
 }
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
 CLEARANCES = ("unmounted", "mounted", "operating")
+ZERO_CELSIUS = 273.15  # K
 MEGAPASCAL = Unit("MPa", 1e-6)
 MADE_OF = {  # the parts of the 95 % interval
     "total": "all together",
@@ -68,7 +71,7 @@ def place_of(pair: str, geometry: str) -> str:
 
 def title_of(pair: str, geometry: str, contact_angle: float, load: str) -> str:
     """Place and load, for the head of a table or a picture."""
-    angle = "" if pair == "pocket" else f" at {contact_angle:.4f} rad"
+    angle = "" if pair == "pocket" else f" at {angle_of(contact_angle)}"
     return f"{capital(place_of(pair, geometry))}{angle}: {load}"
 
 
@@ -121,6 +124,28 @@ def shown(value: float | None, form: str, factor: float = 1.0, unit: str = "", *
     return absent if value is None else f"{value * factor:{form}}{unit}"
 
 
+def percent(value: float | None) -> str:
+    """A relative number in per cent; "unknown" where nothing is known of it."""
+    if value is None or not np.isfinite(value):
+        return "unknown"
+    return f"{100 * value:.2g} %" if abs(value) < 1 else f"{100 * value:.0f} %"
+
+
+def angle_cell(radians: float | None) -> str:
+    """An angle in a column of degrees, with radians beside."""
+    return "-" if radians is None else f"{np.degrees(radians):z.2f} ({radians:z.4f})"
+
+
+def angle_of(radians: float) -> str:
+    """An angle in words: degrees, with radians beside."""
+    return f"{np.degrees(radians):.4g} deg ({radians:.4g} rad)"
+
+
+def celsius(kelvin: float) -> str:
+    """A temperature in words."""
+    return f"{kelvin - ZERO_CELSIUS:.4g} degC"
+
+
 def listed(values: float | Sequence[float], factor: float = 1.0) -> str:
     """Distinct values in their order; a long series by its ends."""
     series = values if isinstance(values, Sequence) else [values]
@@ -145,6 +170,8 @@ def value_of(value: float | str | None, uncertainty: float | None, unit: str) ->
         return "not known"
     if isinstance(value, str):
         return value
+    if unit == "K":
+        return f"{celsius(value)}{f' +- {uncertainty:.2g} K' if uncertainty else ''}"
     shown = unit_for(unit, abs(value))
     number = f"{value * shown.factor:.5g}"
     spread = f" +- {uncertainty * shown.factor:.2g}" if uncertainty else ""

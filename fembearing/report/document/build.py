@@ -29,6 +29,7 @@ def report_of(
             "format": FORMAT,
             "verdict": verdicts.summary(),
             "physical": verdicts.to_json()["physical"],
+            "report": plain(result.scene.report),
             "tolerance": result.tolerance,
             "verdicts": [row for contact in result.contacts if contact.judged for row in _verdicts(contact)],
             "uncertainties": WHY,

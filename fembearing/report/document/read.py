@@ -3,6 +3,7 @@
 import json
 from importlib.metadata import version
 from pathlib import Path
+from stat import S_ISREG
 from typing import Any, NoReturn
 
 from pydantic import ValidationError
@@ -10,6 +11,7 @@ from pydantic import ValidationError
 from analytic.errors import InputError
 from fembearing.report.document.report import FORMAT, KIND, Report
 
+LARGEST_FILE = 256_000_000  # bytes: ten times a series of thousand points
 SHOWN = 60  # characters of a value in a message
 FAULTS = {
     "missing": "is missing",
@@ -27,14 +29,14 @@ FAULTS = {
 
 
 def read_report(path: Path) -> Report:
-    """The document in a report.json. Raises InputError, in one line, for a file that is none or is damaged."""
+    """The document in a report.json.
+
+    Raises InputError, in one line, for what is no regular file, is too large, is no such document or is damaged.
+    """
+    text = _text_of(path)
     try:
-        content = json.loads(path.read_text("utf-8"), parse_constant=_no_number)
+        content = json.loads(text, parse_constant=_no_number)
         json.dumps(content, ensure_ascii=False).encode()  # half a character, as an escape lets it in, is refused here
-    except OSError as problem:
-        raise InputError(
-            f"{str(path)!r} cannot be read: {problem.strerror}; give the report.json of a report"
-        ) from problem
     except (ValueError, RecursionError) as problem:
         raise InputError(
             f"{str(path)!r} is no JSON, or cut off: {problem}; run `fembearing validate` again"
@@ -50,6 +52,24 @@ def read_report(path: Path) -> Report:
         return Report.model_validate(content)
     except ValidationError as problem:
         raise InputError(f"{str(path)!r}: {_fault(problem)}; {_remedy(content)}") from problem
+
+
+def _text_of(path: Path) -> bytes:
+    """The content of a regular file. Neither a pipe, which may never end, nor a device is opened."""
+    try:
+        kind = path.stat()
+        if not S_ISREG(kind.st_mode):
+            raise InputError(f"{str(path)!r} is no regular file; give the report.json of a report")
+        with path.open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+    except (OSError, ValueError) as problem:  # ValueError: a path with a null character
+        if isinstance(problem, InputError):
+            raise
+        reason = getattr(problem, "strerror", None) or "not a path"
+        raise InputError(f"{str(path)!r} cannot be read: {reason}; give the report.json of a report") from problem
+    if len(content) > LARGEST_FILE:
+        raise InputError(f"{str(path)!r} has more than {LARGEST_FILE // 10**6} MB; no report.json is that large")
+    return content
 
 
 def _no_number(name: str) -> NoReturn:

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from analytic.report_details import PublishedCase, UnitSystem
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.scene import Scene
 from fembearing.report.document.table import Count, Geometry, Label, OfQuantities, Pair, Positive, Table, Verdict
@@ -13,6 +14,17 @@ from fembearing.report.document.verdicts import PhysicalVerdict, Summary
 KIND, FORMAT = "fembearing validation", 3  # what the JSON is; the number rises when a key changes its meaning
 Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
 FileName = Annotated[str, Field(pattern=r"^\w[\w.-]*$")]  # beside report.json, never elsewhere
+
+
+class ReportDetails(Table):
+    """What the scene or an option says of the report itself; None: a blank to fill in by hand."""
+
+    author: str | None
+    checker: str | None
+    revision: str | None
+    date: str | None
+    units: UnitSystem
+    published: PublishedCase | None
 
 
 class Comparison(Table):
@@ -170,6 +182,7 @@ class Report(Table):
     format: Literal[3]
     verdict: Summary
     physical: Annotated[list[PhysicalVerdict], Field(min_length=1)]
+    report: ReportDetails
     tolerance: Positive
     verdicts: list[VerdictRow]
     uncertainties: Uncertainties
@@ -179,7 +192,7 @@ class Report(Table):
     cage_motion: list[MovedCage | CageAtRest] | None
     cage_records: list[CageRecord]
     sensitivity: Sensitivity | None
-    published: Published | None
+    published: Published | None  # None: the scene names no published case
     cost: Cost
     hard: list[HardCase]
     warnings: list[str]

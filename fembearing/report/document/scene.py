@@ -36,6 +36,7 @@ class Bearing(Noun):
     """The bearing."""
 
     name: str
+    kind: Literal["radial", "thrust"]
     ball_count: int
     ball_diameter: Positive
     ball_material: Material

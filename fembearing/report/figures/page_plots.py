@@ -15,11 +15,12 @@ from fembearing.report.figures.cost import cost_figure
 from fembearing.report.figures.friction import friction_plot
 from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.pressure import pressure_plot
+from fembearing.report.figures.ring import ring_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.style import png
 from fembearing.report.figures.torque import torque_plot
 
-Section = Literal["scene", "verdicts", "torque", "convergence", "pressure", "cost", "published", "hard", "provenance"]
+Section = Literal["torque", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"]  # of an appendix
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,13 +66,14 @@ def _cost(document: Report) -> tuple[Figure, str]:
 
 
 PLOTS: tuple[Plot, ...] = (
-    Plot(section="verdicts", heading="Stiffness: load over approach", draw=approach_plot),
+    Plot(section="contacts", heading="Stiffness: load over approach", draw=approach_plot),
     Plot(section="torque", heading="Torque by effect", draw=torque_plot),
     Plot(section="torque", heading="Friction, film and asperities", draw=friction_plot),
     Plot(section="torque", heading="95 % interval of the torque", draw=prediction_plot),
-    Plot(section="torque", heading="Sensitivity to inputs", draw=sensitivity_plot),
-    Plot(section="torque", heading="Orbit of the cage and its forces", draw=cage_plot),
-    Plot(section="convergence", heading="Order of convergence", draw=convergence_plot),
-    Plot(section="pressure", heading="Pressure along both axes", draw=pressure_plot),
+    Plot(section="ring", heading="Balls around the ring", draw=ring_plot),
+    Plot(section="sensitivity", heading="One input at a time", draw=sensitivity_plot),
+    Plot(section="cage", heading="Orbit of the cage and its forces", draw=cage_plot),
+    Plot(section="meshes", heading="Order of convergence", draw=convergence_plot),
+    Plot(section="pictures", heading="Pressure along both axes", draw=pressure_plot),
     Plot(section="cost", heading="Error against time", draw=_cost),
 )

@@ -12,14 +12,13 @@ from fembearing.report.phrases import MADE_OF, explained_words, input_name, load
 NM = NEWTON_MILLIMETRE.factor
 MOST = 10  # inputs that are drawn
 LEAST = 0.005  # total index of an input that is drawn
-NO_INTERVAL = "No interval was computed: fembearing validate --interval does."
 
 
 def prediction_plot(document: Report) -> tuple[Figure | None, str]:
-    """The figure of the torque's interval, and its caption."""
+    """The figure of the torque's interval, and its caption; no words where no interval was asked for."""
     prediction = None if document.torque is None else document.torque.prediction
     if prediction is None:
-        return None, NO_INTERVAL
+        return None, ""
     return interval_figure(prediction), (
         "Above: the 95 % interval of the total, and what it would be if only its numerical uncertainty, only the "
         "inputs or only the formulas were uncertain; the line is the torque as computed. The parts do not add up. "

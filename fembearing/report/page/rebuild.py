@@ -1,8 +1,10 @@
 """The page made again from report.json and the pictures beside it."""
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from analytic.errors import InputError
@@ -10,6 +12,7 @@ from fembearing.report.document.read import read_report
 from fembearing.report.page.write import MARK, write_page
 
 PAGE = "report.html"
+NO_DETAILS: Mapping[str, str] = MappingProxyType({})
 ENOUGH = 1000  # characters at the beginning of a page, with its mark
 
 
@@ -25,14 +28,16 @@ class RebuiltPage:
         return {"page": str(self.file), "missing": list(self.missing), "warnings": []}
 
 
-def rebuild_page(numbers: Path, *, out: Path | None = None) -> RebuiltPage:
+def rebuild_page(numbers: Path, *, out: Path | None = None, details: Mapping[str, str] = NO_DETAILS) -> RebuiltPage:
     """Write the page of a report.json, whole or not at all.
 
     out : the page; report.html beside the numbers without it. What exists there is replaced if it is such a page
+    details : of [report] in place of those in report.json, which stays as it is
     Raises InputError for numbers that are no report, and for a page that would replace something else or cannot be
     written.
     """
     document = read_report(numbers)
+    document = document.model_copy(update={"report": document.report.model_copy(update=dict(details))})
     target = numbers.with_name(PAGE) if out is None else out
     place = f"--out {str(target)!r}"
     if os.path.lexists(target) and not _is_page(target):

@@ -19,6 +19,7 @@ from fembearing.report.phrases import (
     clearances_of,
     friction_of,
     pair_of,
+    percent,
     share_of,
     uncertainty_of,
     value_of,
@@ -273,8 +274,3 @@ def _print_inputs(out: Console, result: SceneTorque) -> None:
         for key, source in sources.items():
             out.print(Padding(f"{key}: {escape(source)}", (0, 0, 0, 2)))
         out.print()
-
-
-def percent(value: float | None) -> str:
-    """An uncertainty in per cent; "unknown" where nothing is known of it."""
-    return f"{100 * value:.2g} %" if value is not None and np.isfinite(value) else "unknown"

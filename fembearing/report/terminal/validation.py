@@ -10,10 +10,10 @@ from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import HardCase, Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
-from fembearing.report.phrases import friction_of, interval_at, interval_words, loads_of, present_loads
+from fembearing.report.phrases import friction_of, interval_at, interval_words, loads_of, percent, present_loads
 from fembearing.report.terminal.contacts import print_contact
 from fembearing.report.terminal.table import table_of
-from fembearing.report.terminal.torque import percent, point_columns, shown_points
+from fembearing.report.terminal.torque import point_columns, shown_points
 from fembearing.report.terminal.verdicts import print_notes, print_numerical, print_physical
 
 

@@ -29,16 +29,22 @@ from tests.analytic.specimens import present
 from tests.report.page.page_writer import document_of, written_page
 from tests.report.pictures.test_cage_pictures import MOVING
 
-ORDER = (
-    "Intended use",
-    "Scene and effects",
-    "Verdicts",
-    "Friction torque",
-    "Mesh convergence",
+SUMMARY = (
+    "Bearing and operation",
+    "Friction torque by effect, N mm",
+    "Contacts: Hertz against finite elements",
+    "Notes and warnings",
+    "Not validated by measurement",
+    "Sign-off",
+    "Appendices",
+)
+ALWAYS = (  # of the appendices; no sections of a scene without torque, cage, hard cases or published numbers
+    "Inputs and effects",
+    "Contacts",
     "Contact pressure",
+    "Meshes and convergence",
     "What accuracy costs",
-    "Hard cases",
-    "What to run next",
+    "Warnings, and what to run next",
     "Provenance",
 )
 
@@ -51,6 +57,8 @@ class Page(HTMLParser):
     def __init__(self, content: str) -> None:
         super().__init__()
         self.headings: list[str] = []
+        self.links: list[tuple[str, str]] = []  # to a place in the page, and the words
+        self.places: list[str] = []
         self.sources: list[str] = []
         self.text = ""
         self.open: list[str] = []
@@ -60,14 +68,22 @@ class Page(HTMLParser):
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         if tag not in self.LONELY:
             self.open.append(tag)
-        self.sources += [value or "" for name, value in attrs if name in ("src", "href")]
+        given = dict(attrs)
+        self.sources += [value or "" for name, value in attrs if name == "src"]
+        self.places += [value or "" for name, value in attrs if name == "id"]
+        if tag == "h2":
+            self.headings.append("")
+        if tag == "a":
+            self.links.append((given["href"] or "", ""))
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag
 
     def handle_data(self, data: str) -> None:
-        if self.open and self.open[-1] == "h2":
-            self.headings.append(data)
+        if "h2" in self.open:
+            self.headings[-1] += data
+        if "a" in self.open:
+            self.links[-1] = (self.links[-1][0], self.links[-1][1] + data)
         if "style" not in self.open:
             self.text += data
 
@@ -87,12 +103,29 @@ def page(checked: Validation, pictures: list[Picture], tmp_path_factory: pytest.
     return Page(written_page(checked, tmp_path_factory.mktemp("page"), pictures=pictures, plots=PLOTS))
 
 
-def test_the_sections_stand_in_their_order(page: Page) -> None:
-    assert tuple(page.headings) == ORDER
+def appendices(page: Page) -> dict[str, str]:
+    """The title of each appendix by its letter, from its heading."""
+    found = (re.fullmatch(r"Appendix ([A-Z]) (.+)", " ".join(heading.split())) for heading in page.headings)
+    return {match[1]: match[2] for match in found if match}
+
+
+def test_the_summary_comes_first_and_the_appendices_follow(page: Page) -> None:
+    assert tuple(page.headings[: len(SUMMARY)]) == SUMMARY
+    assert "".join(appendices(page)) == "ABCDEFGHIJKL"[: len(page.headings) - len(SUMMARY)]
+    assert set(ALWAYS) < set(appendices(page).values())
+
+
+def test_the_contents_name_every_appendix_and_lead_to_it(page: Page) -> None:
+    listed = [(f"#appendix-{letter}", title) for letter, title in appendices(page).items()]
+    assert page.links == listed
+    assert {f"appendix-{letter}" for letter in appendices(page)} <= set(page.places)
+    assert len(page.places) == len(set(page.places))
 
 
 def test_every_picture_is_inside(page: Page) -> None:
-    assert len(page.sources) == 2 * 4 + 7  # two of each contact; every plot but that of a cage, which rests
+    assert (
+        len(page.sources) == 2 * 4 + 8
+    )  # two of each contact; every plot but those of a cage that moved and of an interval
     assert "No cage moved" in page.text
     for source in page.sources:
         head, _, content = source.partition(",")
@@ -116,9 +149,10 @@ def test_the_numbers_are_those_of_the_result(checked: Validation, page: Page) ->
     assert f"{checked.torque_change.uncertainty:.2%}".replace("%", " %") in page.text
 
 
-def test_what_is_not_validated_is_said_before_any_verdict(page: Page) -> None:
-    words = " ".join(page.text.split())
-    places = [words.index(said) for said in ("Intended use", "Not validated by measurement", "Contacts against finite")]
+def test_the_verdict_is_where_it_is_signed(page: Page) -> None:
+    """Before the first appendix: what passed, what it stands on, and what no measurement says."""
+    words = " ".join(page.text.split()).partition("Appendix A")[0]
+    places = [words.index(said) for said in ("Verdict", "Not validated by measurement", "Sign-off", "SHA-256")]
     assert places == sorted(places)
 
 
@@ -126,11 +160,9 @@ def test_it_says_what_is_assumed_and_what_is_not_validated(page: Page) -> None:
     words = " ".join(page.text.split())
     for said in (
         "Not validated by measurement",
-        "Speeds that share a row read the same",
         "coefficient 0.1 at each race, given by the scene",
         "typical values, no single source seen",  # of the steel
         "bends on its rim",
-        "Not run with this report",  # the hard cases
         "does not count effects that the scene switches off",
     ):
         assert said in words
@@ -140,8 +172,8 @@ def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Va
     oiled = load_scene(Path("validation/scenes/6205_paper_calibrated.toml"))
     words = " ".join(page_of(with_scene(checked, oiled), tmp_path).text.split())
     for said in (
-        "viscosity 0.0145 Pa s",
-        "rms roughness 1 um of each, gaussian autocorrelation of 150 um",
+        "0.0145 Pa s at",
+        "rms roughness 1 um of each race, gaussian autocorrelation of 150 um",
         "by mixed lubrication, from the scene's lubricant and surface",
         "Calibration: oil, hardness, boundary friction, hysteresis loss and autocorrelation to the paper's race torque",
     ):
@@ -170,10 +202,13 @@ def test_names_from_a_scene_cannot_break_the_page(checked: Validation, tmp_path:
 
 def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: Validation, tmp_path: Path) -> None:
     scene = replace(checked.scene, cage=None, friction_coefficient=None)
+    nothing = {"sensitivity": None, "published": None}
     page = page_of(
-        replace(with_scene(checked, scene), contacts=checked.contacts[:2], torque=None, torque_change=None), tmp_path
+        replace(with_scene(checked, scene), contacts=checked.contacts[:2], torque=None, torque_change=None, **nothing),
+        tmp_path,
     )
-    assert tuple(page.headings) == ORDER
+    assert tuple(appendices(page).values()) == ALWAYS
+    assert not any("torque" in heading for heading in page.headings)
     assert "none in the scene: no pocket contact" in page.text
     assert "so there is no torque" in " ".join(page.text.split())
     assert "K_pb" not in page.text
@@ -210,21 +245,20 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     one = change_of_torque(scene, production.friction, inner=checked.contacts[0], outer=checked.contacts[1])
     moved = replace(checked, torque=production, torque_change=one)
     words = " ".join(page_of(moved, tmp_path).text.split())
-    table = words.partition("another start ")[2].partition("The cage driven")[0]
+    table = words.partition("Cage in motion")[2].partition("Orbit of the cage")[0]
     row = [
         f"400{motion.state}whirl{1e3 * motion.torque:.3g}",
         f"{1e3 * motion.torque_interval[0]:.3g} to {1e3 * motion.torque_interval[1]:.3g}",
         f"{1e3 * motion.signed_moment:.2g}{motion.mean_force:.3g}{motion.max_force:.3g}",
         f"{motion.max_force_interval[0]:.3g} to {motion.max_force_interval[1]:.3g}",
-        "0.02 s in blocks of 0.001 s",
+        f"400whirl{RPM.factor * motion.whirl_speed:.4g}{1e6 * motion.wobble:.3g}0",  # without radial load no ball leads
+        f"{100 * cage.grip_share[0]:.2g} %{cage.grip_number[0]:.2g}0.02 s in blocks of 0.001 s",
         f"rest from rest, {1e3 * motion.other.torque:.3g} N mm: the start decides",
     ]
     assert motion.state == "whirl"
     places = [table.find(word) for word in row]
     assert places == sorted(places), (row, table)
     assert -1 not in places, (row, table)
-    grip = f"0{100 * cage.grip_share[0]:.2g} %{cage.grip_number[0]:.2g}"  # without radial load no ball leads
-    assert f"400whirl{RPM.factor * motion.whirl_speed:.4g}{1e6 * motion.wobble:.3g}{grip}" in words
     assert "leads to whirl" in words  # the warning
     content = report_of(moved).to_json()["cage_motion"]
     assert [point["state"] for point in content] == ["whirl"]

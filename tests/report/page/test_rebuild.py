@@ -14,6 +14,7 @@ import pytest
 from analytic.errors import InputError
 from fembearing import cli
 from fembearing.compare.validation import Validation
+from fembearing.report.document import read as reading
 from fembearing.report.document.build import report_of
 from fembearing.report.document.report import Report
 from fembearing.report.folder import write_report
@@ -231,6 +232,45 @@ def test_a_file_that_is_no_report_gets_one_line_and_status_2(
     told = capsys.readouterr()
     assert (stop.value.code, told.out, told.err.count("\n")) == (2, "", 1)
     assert words in told.err
+
+
+def test_neither_a_device_nor_a_pipe_is_read(tmp_path: Path) -> None:
+    """A pipe that nobody writes to never ends."""
+    pipe = tmp_path / "report.json"
+    os.mkfifo(pipe)
+    for place in (pipe, Path("/dev/zero"), tmp_path):
+        with pytest.raises(InputError, match="is no regular file; give the report"):
+            rebuild_page(place)
+
+
+def test_a_huge_file_is_not_read_to_its_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reading, "LARGEST_FILE", 5_000_000)
+    file = tmp_path / "report.json"
+    with file.open("wb") as sparse:
+        sparse.truncate(5_000_001)
+    with pytest.raises(InputError, match="has more than 5 MB; no report"):
+        rebuild_page(file)
+    with file.open("wb") as sparse:
+        sparse.truncate(5_000_000)
+    with pytest.raises(InputError, match="is no JSON"):
+        rebuild_page(file)
+
+
+@pytest.mark.usefixtures("without_plots")
+def test_options_take_the_place_of_the_details_of_the_report(document: dict[str, Any], tmp_path: Path, command) -> None:
+    document["report"] |= {"author": "A. Noether", "checker": "E. Bolza", "date": "2026-03-01"}
+    numbers = write(tmp_path, document)
+    before = numbers.read_bytes()
+    assert command("report", str(numbers), "--checker", "<script>H. W.</script>", "--revision", "D&E").status == 0
+    text = (tmp_path / "report.html").read_text("utf-8")
+    for shown in ("A. Noether", "&lt;script&gt;H. W.&lt;/script&gt;", "D&amp;E", "2026-03-01"):
+        assert shown in text
+    assert "Bolza" not in text
+    assert "<script>H" not in text
+    assert numbers.read_bytes() == before
+    refused = command("report", str(numbers), "--author", "two\nlines")
+    assert (refused.status, refused.err.count("\n")) == (2, 1)
+    assert "--author 'two\\nlines' is no name" in refused.err
 
 
 def places(value: object, way: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:

@@ -1,38 +1,35 @@
-"""The friction torque at each operating point, what finite-element contacts change, and the cage where it moved."""
+"""The friction torque at each operating point, and what finite-element contacts change in it."""
 
 from collections.abc import Sequence
-from itertools import groupby
-from operator import itemgetter
 from typing import NamedTuple
 
-from analytic.result import COORDINATES
-from fembearing.quantities import NEWTON_MILLIMETRE, RPM
+from fembearing.quantities import NEWTON_MILLIMETRE
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
-from fembearing.report.phrases import digits, interval_at, listed, present_loads, shown, uncertainty_of
+from fembearing.report.page.sections.grid import Grid, Head, grid_of
+from fembearing.report.page.sections.points import parts_of, point_cells, point_heads
+from fembearing.report.phrases import (
+    angle_cell,
+    capital,
+    digits,
+    interval_at,
+    interval_words,
+    percent,
+    shown,
+    uncertainty_of,
+)
 
 NM = NEWTON_MILLIMETRE.factor
-
-
-class Row(NamedTuple):
-    """One row of a table over the operating points."""
-
-    loads: tuple[str, ...]
-    speed: str  # of all points that share the row
-    cells: tuple[str, ...]
+SIGNED = "+.2f"  # of a change in per cent
 
 
 class TorqueSection(NamedTuple):
     """Tables and sentences of the section on the torque."""
 
-    totals: list[Row]
-    changes: list[Row]
-    is_fitted: bool  # whether the correction by the fit has a column
-    is_joined: bool  # whether points share a row
-    load_heads: list[str]
-    parts: list[str]
+    totals: Grid
+    changes: Grid
     change: TorqueChange
-    model_uncertainty: str
+    notes: list[str]
 
 
 def torque_section(document: Report) -> TorqueSection | None:
@@ -40,23 +37,14 @@ def torque_section(document: Report) -> TorqueSection | None:
     torque, change = document.torque, document.torque_change
     if torque is None or change is None:
         return None
-    points = torque.points
-    parts = [name for name, value in points[0].torque if value is not None and name not in ("race", "total")]
-    loads = present_loads(points)
-    totals, changes = _joined(points, loads, _totals(torque, parts)), _joined(points, loads, _changes(change))
-    return TorqueSection(
-        totals=totals,
-        changes=changes,
-        is_fitted=change.finite_geometry is not None,
-        is_joined=min(len(totals), len(changes)) < len(points),
-        load_heads=[f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}" for name in loads],
-        parts=parts,
-        change=change,
-        model_uncertainty=uncertainty_of(
-            max((point.uncertainty.model for point in points if point.uncertainty.model is not None), default=None),
-            _largest_parts(points),
-        ),
-    )
+    model = [point.uncertainty.model for point in torque.points if point.uncertainty.model is not None]
+    notes = [
+        f"{capital(torque.catalogue_band.note)}.",
+        uncertainty_of(max(model, default=None), _largest_parts(torque.points)),
+    ]
+    if torque.prediction is not None:
+        notes.append(interval_words(torque.prediction))
+    return TorqueSection(totals=_totals(torque), changes=_changes(torque.points, change), change=change, notes=notes)
 
 
 def _largest_parts(points: Sequence[Point]) -> dict[str, float]:
@@ -66,46 +54,49 @@ def _largest_parts(points: Sequence[Point]) -> dict[str, float]:
     return {name: max(parts.get(name, 0.0) for parts in known) for name in names}
 
 
-def _totals(torque: Torque, parts: Sequence[str]) -> list[tuple[str, ...]]:
+def _totals(torque: Torque) -> Grid:
     """Contact angle, parts, total, its numerical uncertainty, its interval and the catalogue band of each point."""
-    band = torque.catalogue_band
-    both = zip(band.low or (), band.high or (), strict=True)
-    predicted = torque.prediction
-    intervals = [()] * len(torque.points) if predicted is None else [(interval_at(p),) for p in predicted.points]
-    bands = [(f"{low * NM:.3g}-{high * NM:.3g}",) for low, high in both] or [()] * len(torque.points)
-    return [
-        (
-            f"{point.contact_angle:.4f}",
+    points, parts, predicted = torque.points, parts_of(torque.points), torque.prediction
+    low, high = torque.catalogue_band.low, torque.catalogue_band.high
+    heads = [*point_heads(points), Head("contact angle, deg (rad)"), *(Head(name) for name in parts), Head("total")]
+    heads += [Head("\N{PLUS-MINUS SIGN}"), *([] if predicted is None else [Head("95 %")])]
+    heads += [] if low is None else [Head("catalogue band")]
+    rows = [
+        [
+            *point_cells(points, index),
+            angle_cell(point.contact_angle),
             *(digits(getattr(point.torque, name), NM, 4) for name in (*parts, "total")),
-            shown(point.uncertainty.numerical, ".2%"),
-            *interval,
-            *sides,
-        )
-        for point, interval, sides in zip(torque.points, intervals, bands, strict=True)
+            percent(point.uncertainty.numerical),
+            *(() if predicted is None else (interval_at(predicted.points[index]),)),
+            *(() if low is None or high is None else (f"{low[index] * NM:.3g}-{high[index] * NM:.3g}",)),
+        ]
+        for index, point in enumerate(points)
     ]
+    return grid_of("friction torque at every operating point", heads, rows)
 
 
-def _changes(change: TorqueChange) -> list[tuple[str, ...]]:
+def _changes(points: Sequence[Point], change: TorqueChange) -> Grid:
     """Angle and total of the production and with contacts of finite elements, and the relative changes."""
     angles, totals, fitted = change.contact_angle, change.torque, change.finite_geometry
-    columns = (angles.production, totals.production, angles.corrected, totals.corrected, change.change.total)
-    fits = [()] * len(totals.production) if fitted is None else [(shown(value, "+.2%"),) for value in fitted.change]
-    return [
-        (
-            *(f"{own_angle:.4f}", digits(own, NM, 4), shown(angle, ".4f"), digits(total, NM, 4)),
-            *(shown(relative, "+.2%"), *fit),
-        )
-        for (own_angle, own, angle, total, relative), fit in zip(zip(*columns, strict=True), fits, strict=True)
+    heads = [
+        *point_heads(points),
+        Head("production: angle, deg (rad)"),
+        Head("production: torque"),
+        Head("contacts of finite elements: angle, deg (rad)"),
+        Head("contacts of finite elements: torque"),
+        Head("change, %"),
+        *([] if fitted is None else [Head("change by the fit, %")]),
     ]
-
-
-def _joined(points: Sequence[Point], loads: Sequence[str], cells: Sequence[tuple[str, ...]]) -> list[Row]:
-    """One row for each point; neighbours that differ in speed alone share one."""
-    keys = [
-        (tuple(f"{getattr(point, name):.4g}" for name in loads), row) for point, row in zip(points, cells, strict=True)
+    rows = [
+        [
+            *point_cells(points, index),
+            angle_cell(angles.production[index]),
+            digits(totals.production[index], NM, 4),
+            angle_cell(angles.corrected[index]),
+            digits(totals.corrected[index], NM, 4),
+            shown(change.change.total[index], SIGNED, 100),
+            *([] if fitted is None else [shown(fitted.change[index], SIGNED, 100)]),
+        ]
+        for index in range(len(points))
     ]
-    runs = groupby(zip(keys, points, strict=True), key=itemgetter(0))
-    return [
-        Row(loads=key[0], speed=listed([point.inner_speed for _, point in run], RPM.factor), cells=key[1])
-        for key, run in runs
-    ]
+    return grid_of("what contacts of finite elements change", heads, rows)

@@ -5,34 +5,56 @@ from typing import NamedTuple
 
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
-from fembearing.report.document.table import OfQuantities
-from fembearing.report.phrases import contact_place, place_of, quantities_of
+from fembearing.report.page.sections.grid import Grid, Group, Head, Row
+from fembearing.report.phrases import contact_place, contact_title, digits, quantities_of, shown
 
-
-class PocketModel(NamedTuple):
-    """The pocket by one model."""
-
-    name: str
-    values: OfQuantities[float]
-    uncertainty: float | None  # of its stiffness, relative; None where the model is a formula
+HEADS = (
+    Head("quantity", "name"),
+    Head("S: Hertz"),
+    Head("D: finite elements"),
+    Head("E = S - D, of D"),
+    Head("u_val, of D"),
+    Head("|E| > u_val", "text"),
+    Head("verdict", "verdict"),
+    Head("Hertz, corrected"),
+    Head("interpolation error"),
+)
 
 
 class VerdictSection(NamedTuple):
     """What the section shows besides the document."""
 
-    judged: list[Contact]
+    judged: Grid
     comparisons: list[tuple[str, str]]  # place of a contact, and a sentence
-    pocket: list[PocketModel]  # Hertz first; empty without a cage
+    is_corrected: bool  # whether any contact is corrected for finite geometry
 
 
 def verdict_section(document: Report) -> VerdictSection:
-    """The judged contacts, what is resolved of them, and the models of the pocket."""
+    """The judged contacts, and what is resolved of them."""
     judged = [contact for contact in document.contacts if contact.judged]
+    groups = [Group(list(_rows(document, contact)), contact_title(contact)) for contact in judged]
     return VerdictSection(
-        judged=judged,
+        judged=Grid("verdicts on each contact", HEADS, groups),
         comparisons=[(contact_place(contact), line) for contact in judged for line in _resolved(document, contact)],
-        pocket=_pocket(document.contacts),
+        is_corrected=any(contact.corrected for contact in judged),
     )
+
+
+def _rows(document: Report, contact: Contact) -> Iterator[Row]:
+    verdicts, corrected = document.verdicts_on(contact), contact.corrected
+    for name, quantity in quantities_of(contact).items():
+        row, factor = verdicts[name], quantity.shown.factor
+        yield [
+            quantity.heading,
+            digits(row.production, factor),
+            digits(row.reference, factor),
+            f"{row.discrepancy:+.2%}",
+            f"{row.relative_uncertainty:.2%}",
+            "yes" if row.comparison.resolved else "no",
+            row.verdict,
+            "-" if corrected is None else digits(corrected.values[name], factor),
+            "-" if corrected is None else shown(corrected.interpolation_error[name], "+.2%"),
+        ]
 
 
 def _resolved(document: Report, contact: Contact) -> Iterator[str]:
@@ -47,16 +69,3 @@ def _resolved(document: Report, contact: Contact) -> Iterator[str]:
         yield f"|E| > u_val: the difference is resolved, and is Hertz's error: {', '.join(parts[True])}."
     if parts[False]:
         yield f"|E| <= u_val: the difference is not resolved, Hertz's error is somewhere in {', '.join(parts[False])}."
-
-
-def _pocket(contacts: list[Contact]) -> list[PocketModel]:
-    """Each model of the pocket; none without a cage."""
-    if len(contacts) < 4:
-        return []
-    return [
-        PocketModel("Hertz: two half spaces", contacts[2].hertz, None),
-        *(
-            PocketModel(place_of(each.pair, each.geometry), each.fe, each.uncertainty.stiffness)
-            for each in contacts[2:]
-        ),
-    ]

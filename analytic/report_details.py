@@ -1,0 +1,22 @@
+"""What the report of a scene says beside its numbers: who signs it, in which units, and next to which published case.
+
+Nothing here changes a number.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+UnitSystem = Literal["metric", "inch"]
+PublishedCase = Literal["paper_6205"]  # of the paper behind the model: see `fembearing.compare.torque.published`
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReportDetails:
+    """Names and dates are texts as the scene gives them; None: a blank to fill in by hand."""
+
+    author: str | None = None
+    checker: str | None = None
+    revision: str | None = None
+    date: str | None = None  # of the revision, not of the computation
+    units: UnitSystem = "metric"
+    published: PublishedCase | None = None  # None: the report has no published numbers

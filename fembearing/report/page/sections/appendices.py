@@ -1,0 +1,52 @@
+"""The appendices of a report, in their order: which there are, and their letters."""
+
+from collections.abc import Callable
+from string import ascii_uppercase
+from typing import NamedTuple
+
+from fembearing.report.document.report import Report
+from fembearing.report.page.sections.ring import ring_section
+
+
+class Appendix(NamedTuple):
+    """One appendix."""
+
+    letter: str
+    title: str
+    section: str  # the name of its template, and of its plots
+
+
+class Part(NamedTuple):
+    """What may become an appendix."""
+
+    section: str
+    title: str
+    is_there: Callable[[Report], bool] = lambda _: True
+
+
+PARTS = (
+    Part("inputs", "Inputs and effects"),
+    Part("torque", "Torque at every operating point", lambda document: document.torque is not None),
+    Part("contacts", "Contacts"),
+    Part("pictures", "Contact pressure"),
+    Part("meshes", "Meshes and convergence"),
+    Part("ring", "Ring and balls", lambda document: ring_section(document) is not None),
+    Part("cage", "Cage", lambda document: document.provenance.scene_content.cage is not None),
+    Part("sensitivity", "Sensitivity to inputs", lambda document: document.sensitivity is not None),
+    Part("cost", "What accuracy costs"),
+    Part("hard", "Hard cases", lambda document: bool(document.hard)),
+    Part("published", "Published numbers", lambda document: document.published is not None),
+    Part("next", "Warnings, and what to run next"),
+    Part("provenance", "Provenance"),
+)
+
+
+def appendices_of(document: Report) -> list[Appendix]:
+    """Those that a report has."""
+    there = [part for part in PARTS if part.is_there(document)]
+    return [Appendix(letter, part.title, part.section) for letter, part in zip(ascii_uppercase, there, strict=False)]
+
+
+def letters_of(appendices: list[Appendix]) -> dict[str, str]:
+    """The letter of each appendix, for references to it."""
+    return {each.section: each.letter for each in appendices}

@@ -1,0 +1,38 @@
+"""What each mesh of a contact gave, and what the meshes say together."""
+
+from collections.abc import Iterator
+
+from fembearing.report.document.contact import Contact
+from fembearing.report.document.report import Report
+from fembearing.report.page.sections.grid import Grid, Group, Head, Row
+from fembearing.report.phrases import contact_title, digits, quantities_of, shown
+
+HEADS = (
+    Head("quantity", "name"),
+    Head("on each mesh, coarse to fine", "text"),
+    Head("order"),
+    Head("GCI"),
+    Head("extrapolated"),
+    Head("mesh"),
+    Head("far boundary"),
+)
+
+
+def mesh_grid(document: Report) -> Grid:
+    """A group for each contact, a row for each quantity."""
+    groups = [Group(list(_rows(contact)), contact_title(contact)) for contact in document.contacts]
+    return Grid("meshes of each contact", HEADS, groups)
+
+
+def _rows(contact: Contact) -> Iterator[Row]:
+    for name, quantity in quantities_of(contact).items():
+        study, factor = contact.convergence[name], quantity.shown.factor
+        yield [
+            quantity.heading,
+            ", ".join(digits(value, factor) for value in study.values),
+            shown(study.order, ".1f", absent="none"),
+            shown(study.grid_convergence_index, ".2%", absent="none"),
+            digits(study.richardson, factor, absent=""),
+            f"{study.mesh:.2%}",
+            f"{study.domain:.2%}",
+        ]

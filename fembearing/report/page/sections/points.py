@@ -1,0 +1,60 @@
+"""Operating points as the page names them: by number, loads and speed."""
+
+from collections.abc import Sequence
+
+from analytic.result import COORDINATES
+from fembearing.quantities import RPM
+from fembearing.report.document.torque import OperatingPoint, Point
+from fembearing.report.page.sections.grid import Head
+from fembearing.report.phrases import LOADS, loads_of, present_loads
+
+MOST_IN_SUMMARY = 12
+NUMBER = Head("point", "name")
+
+
+def point_heads(points: Sequence[OperatingPoint]) -> list[Head]:
+    """Number, loads and speed: the first columns of a table over operating points."""
+    loads = [Head(f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}") for name in present_loads(points)]
+    return [NUMBER, *loads, Head(f"speed, {RPM.name}")]
+
+
+def point_cells(points: Sequence[OperatingPoint], index: int) -> list[str]:
+    """The cells below `point_heads`."""
+    point = points[index]
+    loads = [f"{getattr(point, name):.4g}" for name in present_loads(points)]
+    return [str(index + 1), *loads, f"{point.inner_speed * RPM.factor:.5g}"]
+
+
+def point_name(points: Sequence[OperatingPoint], index: int) -> str:
+    """An operating point in words, with its number where there are several."""
+    point = points[index]
+    number = f"point {index + 1}: " if len(points) > 1 else ""
+    named = [name for name in present_loads(points) if getattr(point, name)] or LOADS[:1]
+    return f"{number}{loads_of(point, named)}, {RPM.written(point.inner_speed, '.5g')}"
+
+
+def parts_of(points: Sequence[Point]) -> list[str]:
+    """The parts of the torque that were computed or declared."""
+    return [name for name, value in points[0].torque if value is not None and name not in ("race", "total")]
+
+
+def heaviest_point(points: Sequence[Point]) -> int:
+    """The point with the heaviest ball, whose contacts are solved; the first of equal ones."""
+    return max(range(len(points)), key=lambda index: _heaviest(points[index]))
+
+
+def points_of_summary(points: Sequence[Point]) -> list[int]:
+    """At most 12 points in their order: both ends, smallest and largest total, and an even choice of the others."""
+    count = len(points)
+    if count <= MOST_IN_SUMMARY:
+        return list(range(count))
+    totals = [point.torque.total for point in points]
+    chosen = {0, count - 1, totals.index(min(totals)), totals.index(max(totals))}
+    free = MOST_IN_SUMMARY - len(chosen)
+    others = [index for index in range(count) if index not in chosen]
+    chosen |= {others[round(place * (len(others) - 1) / (free - 1))] for place in range(free)}
+    return sorted(chosen)
+
+
+def _heaviest(point: Point) -> float:
+    return max(point.contact.inner.load, point.contact.outer.load)

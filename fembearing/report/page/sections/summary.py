@@ -1,0 +1,257 @@
+"""The document that is signed: the first two pages, for any scene."""
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE
+from fembearing.report.document.contact import Contact
+from fembearing.report.document.report import Report
+from fembearing.report.document.torque import StatedInput, Torque
+from fembearing.report.document.verdicts import NumericalVerdict
+from fembearing.report.page.sections.bearing import Facts, facts_of
+from fembearing.report.page.sections.grid import Grid, Head, grid_of
+from fembearing.report.page.sections.points import (
+    heaviest_point,
+    parts_of,
+    point_cells,
+    point_heads,
+    point_name,
+    points_of_summary,
+)
+from fembearing.report.phrases import (
+    CHECKS,
+    angle_cell,
+    digits,
+    input_name,
+    interval_at,
+    limit_of,
+    percent,
+    worst_of,
+)
+
+NM = NEWTON_MILLIMETRE.factor
+MOST_NAMED = 8  # assumed inputs that the summary names
+MOST_NOTES, LONGEST = 5, 320  # notes of the summary, and letters of one and of a fact: the appendices have all
+
+
+class Figure(NamedTuple):
+    """A number that stands out, and what it belongs to."""
+
+    name: str
+    value: str
+    spread: str
+    place: str
+
+
+class Box(NamedTuple):
+    """One kind of verdict."""
+
+    kind: str
+    verdict: str
+    words: str
+
+
+class SignOff(NamedTuple):
+    """Who signs; an empty text is a blank to fill in."""
+
+    people: list[tuple[str, str]]
+    revision: str
+    date: str
+
+
+class Summary(NamedTuple):
+    """What the first two pages show."""
+
+    figures: list[Figure]
+    boxes: list[Box]
+    overall: str
+    inputs: str
+    torque: Grid | None
+    hidden: int  # operating points that only the appendix shows
+    physical: Grid
+    contacts: Grid
+    contacts_at: str
+    change: str
+    notes: list[str]
+    more_notes: int
+    facts: Facts
+    sign_off: SignOff
+
+
+def summary_of(document: Report) -> Summary:
+    """The summary of a report."""
+    torque = document.torque
+    failures = dict.fromkeys(check.note for check in document.physical if check.verdict != "pass")
+    notes = [*failures, *([] if torque is None else torque.notes), *document.warnings]
+    boxes = _boxes(document)
+    return Summary(
+        figures=[] if torque is None else _figures(torque),
+        boxes=boxes,
+        overall=document.verdict.overall,
+        inputs="" if torque is None else _status_of(torque.inputs),
+        torque=None if torque is None else _torque(torque),
+        hidden=0 if torque is None else len(torque.points) - len(points_of_summary(torque.points)),
+        physical=_physical(document),
+        contacts=_contacts(document),
+        contacts_at=_contacts_at(document),
+        change=_change(document),
+        notes=[_shortened(note) for note in notes[:MOST_NOTES]],
+        more_notes=max(len(notes) - MOST_NOTES, 0),
+        facts=[(name, _shortened(words)) for name, words in facts_of(document)],
+        sign_off=SignOff(
+            people=[("Author", document.report.author or ""), ("Checker", document.report.checker or "")],
+            revision=document.report.revision or "",
+            date=document.report.date or "",
+        ),
+    )
+
+
+def _figures(torque: Torque) -> list[Figure]:
+    """The total: the one, or the largest and the smallest of a series."""
+    points = torque.points
+    totals = [point.torque.total for point in points]
+    largest, smallest = totals.index(max(totals)), totals.index(min(totals))
+    if len(points) == 1:
+        return [_figure("Friction torque", torque, 0)]
+    if largest == smallest:
+        return [_figure("Friction torque", torque, 0)._replace(place=f"the same at all {len(points)} operating points")]
+    return [_figure("Largest friction torque", torque, largest), _figure("Smallest", torque, smallest)]
+
+
+def _figure(name: str, torque: Torque, index: int) -> Figure:
+    point = torque.points[index]
+    spread = f"numerical uncertainty {percent(point.uncertainty.numerical)}"
+    if torque.prediction is not None:
+        interval = interval_at(torque.prediction.points[index])
+        spread += f"; 95 % interval {interval} {NEWTON_MILLIMETRE.name}"
+    value = f"{digits(point.torque.total, NM, 4)} {NEWTON_MILLIMETRE.name}"
+    return Figure(name, value, spread, point_name(torque.points, index))
+
+
+def _boxes(document: Report) -> list[Box]:
+    """Each kind of verdict in a word and a sentence."""
+    verdict, torque = document.verdict, document.torque
+    compared = Counter(row.verdict for row in document.verdicts)
+    words = f"Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
+    boxes = [Box("Comparison", verdict.comparison, words)]
+    if torque is not None and verdict.numerical is not None:
+        boxes.append(Box("Numerical", verdict.numerical, _numerical(torque.verdicts.numerical)))
+    limits = f"Limits of the bearing: {_counted(Counter(check.verdict for check in document.physical))}."
+    return [*boxes, Box("Physical", verdict.physical, limits)]
+
+
+def _numerical(check: NumericalVerdict) -> str:
+    if check.uncertainty is None:
+        return f"The uncertainty of the torque is not known: {_shortened(check.reason)}."
+    return f"Uncertainty of the torque at most {percent(check.uncertainty)}, tolerance {percent(check.tolerance)}."
+
+
+def _counted(verdicts: Counter[str]) -> str:
+    return ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
+
+
+def _physical(document: Report) -> Grid:
+    """Each physical limit with the number and the operating point where it is worst."""
+    points = [] if document.torque is None else document.torque.points
+    heads = [Head("limit of", "name"), Head("where", "text"), Head("at", "text"), Head("worst"), Head("limit")]
+    rows = [
+        [
+            CHECKS.get(check.name, check.name),
+            check.where,
+            point_name(points, check.point) if points else "the heaviest ball",
+            worst_of(check),
+            limit_of(check.limit, check.unit),
+            check.verdict,
+        ]
+        for check in document.physical
+    ]
+    return grid_of("physical limits", [*heads, Head("verdict", "verdict")], rows)
+
+
+def _status_of(inputs: Sequence[StatedInput]) -> str:
+    """How many inputs are given, printed, derived and assumed, and the names of those that are assumed."""
+    counts = Counter(each.status for each in inputs)
+    assumed = [input_name(each.key) for each in inputs if each.status == "assumed"]
+    words = ", ".join(f"{count} {status}" for status, count in counts.items())
+    if not assumed:
+        return f"{len(inputs)} inputs: {words}."
+    more = f" and {len(assumed) - MOST_NAMED} more" if len(assumed) > MOST_NAMED else ""
+    return f"{len(inputs)} inputs: {words}. Assumed: {', '.join(assumed[:MOST_NAMED])}{more}."
+
+
+def _torque(torque: Torque) -> Grid:
+    """The torque by effect at each operating point, at most 12 of them."""
+    points = torque.points
+    parts, predicted = parts_of(points), torque.prediction
+    heads = [*point_heads(points), *(Head(name) for name in parts), Head("total"), Head("\N{PLUS-MINUS SIGN}")]
+    heads += [] if predicted is None else [Head("95 %")]
+    rows = [
+        [
+            *point_cells(points, index),
+            *(digits(getattr(points[index].torque, name), NM, 4) for name in (*parts, "total")),
+            percent(points[index].uncertainty.numerical),
+            *(() if predicted is None else (interval_at(predicted.points[index]),)),
+        ]
+        for index in points_of_summary(points)
+    ]
+    return grid_of("friction torque by effect", heads, rows)
+
+
+def _contacts(document: Report) -> Grid:
+    """A row for each contact that is judged: what Hertz says, and how far it is from finite elements."""
+    pressure = CONTACT["peak_pressure"]
+    heads = [
+        Head("contact", "name"),
+        Head("ball load, N"),
+        Head("contact angle, deg (rad)"),
+        Head(f"{pressure.heading}: Hertz"),
+        Head("finite elements"),
+        *(Head(f"{quantity.name}, %") for quantity in CONTACT.values()),
+        Head("verdict", "verdict"),
+    ]
+    return grid_of("contacts", heads, [_contact(document, each) for each in document.contacts if each.judged])
+
+
+def _contact(document: Report, contact: Contact) -> list[str]:
+    verdicts, shown = document.verdicts_on(contact), CONTACT["peak_pressure"].shown
+    return [
+        "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race",
+        digits(contact.load, 1.0, 4),
+        "-" if contact.pair == "pocket" else angle_cell(contact.contact_angle),
+        digits(contact.hertz.peak_pressure, shown.factor, 4),
+        digits(contact.fe.peak_pressure, shown.factor, 4),
+        *(
+            f"{100 * row.discrepancy:+.2f} \N{PLUS-MINUS SIGN} {100 * row.relative_uncertainty:.2f}"
+            for row in (verdicts[name] for name in CONTACT)
+        ),
+        contact.verdict,
+    ]
+
+
+def _contacts_at(document: Report) -> str:
+    """Which ball and which operating point the contacts belong to."""
+    if document.torque is None:
+        return "Races: the heaviest ball of all operating points."
+    points = document.torque.points
+    return f"Races: the heaviest ball, at {point_name(points, heaviest_point(points))}."
+
+
+def _change(document: Report) -> str:
+    """What contacts of finite elements change in the torque, in a sentence; empty without a torque."""
+    torque, change = document.torque, document.torque_change
+    if torque is None or change is None:
+        return ""
+    index = heaviest_point(torque.points)
+    relative = change.change.total[index]
+    if relative is None:
+        return ""
+    return (
+        f"With contacts of finite elements in place of Hertz's the torque at {point_name(torque.points, index)} "
+        f"changes by {100 * relative:+.2f} \N{PLUS-MINUS SIGN} {100 * change.uncertainty:.2f} %."
+    )
+
+
+def _shortened(words: str) -> str:
+    """Words of bounded length, so that the summary stays on its pages."""
+    return words if len(words) <= LONGEST else f"{words[:LONGEST]} ..."
