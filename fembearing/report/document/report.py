@@ -232,6 +232,8 @@ class Report(Table):
             raise ValueError("has torque without torque_change, or the other way round")
         if self.torque is not None and self.torque_change is not None:
             count = len(self.torque.points)
+            if any(check.point >= count for check in self.physical):
+                raise ValueError(f"has a physical verdict on a point beyond the {count} points of torque")
             if self.torque_change.lengths != {count}:
                 raise ValueError(f"has a torque_change of other than the {count} points of torque")
         return self

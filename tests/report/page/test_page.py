@@ -33,6 +33,7 @@ SUMMARY = (
     "Bearing and operation",
     "Friction torque by effect, N mm",
     "Contacts: Hertz against finite elements",
+    "Physical limits",
     "Notes and warnings",
     "Not validated by measurement",
     "Sign-off",

@@ -157,6 +157,7 @@ def put(document: dict[str, Any], place: str | tuple[str, ...], value: object) -
         ("contacts.0.convergence.stiffness.values", [3.0], ["1 values of stiffness on 3 meshes"]),
         ("torque_change.change.total", [0.1], ["torque_change of other than the 3 points"]),
         ("torque_change", None, ["torque without torque_change"]),
+        ("physical.0.point", 3, ["physical verdict on a point beyond the 3 points"]),
         ("cost.ladders.0.rungs.0.seconds", -1.5, ["seconds = -1.5"]),
         ("cost.ladders.0.rungs.0.name", "$\\frac$", ["name = ", "is not written as it must be"]),
         ("sensitivity.inputs.0.unit", "$", ["sensitivity.inputs.0.unit"]),

@@ -47,6 +47,8 @@ def with_points(document: Document, count: int) -> Document:
     torque["points"][count // 3]["torque"]["total"] = 0.0912
     torque["points"][count // 2]["torque"]["total"] = 0.0123
     torque["catalogue_band"] |= {"low": None, "high": None}
+    for check in [*torque["verdicts"]["physical"], *document["physical"]]:
+        check["point"] = min(check["point"], count - 1)
     for lists in (change["contact_angle"], change["torque"], change["change"], change["finite_geometry"] or {}):
         for name, values in lists.items():
             lists[name] = values and [values[0]] * count
@@ -144,11 +146,35 @@ def test_a_name_cannot_leave_the_style_sheet(document: Document, tmp_path: Path)
     assert css_string("\n") == r'"\a "'
 
 
-def test_green_belongs_to_pass_alone(document: Document, tmp_path: Path) -> None:
-    """The overall verdict of `made` is fail: its box is not green."""
-    overall = re.search(r'class="overall (\w+)"', written(document, tmp_path))
-    assert overall is not None
-    assert overall[1] == "fail"
+@pytest.mark.parametrize(
+    ("kind", "word", "overall"), [("numerical", "not reached", "undecided"), ("physical", "fail", "fail")]
+)
+def test_green_is_the_box_of_all_verdicts_only_where_all_hold(
+    document: Document, tmp_path: Path, kind: str, word: str, overall: str
+) -> None:
+    document["verdict"] = {"comparison": "pass", "numerical": "pass", "physical": "pass", "overall": "pass"}
+    assert 'class="overall pass"' in written(document, tmp_path)
+    document["verdict"] |= {kind: word, "overall": overall}
+    text = written(document, tmp_path)
+    assert f'class="overall {overall}"' in text
+    box = re.search(rf'{kind.capitalize()}</span> <strong class="(\w+)">{word}</strong>', text)
+    assert box is not None
+    assert box[1] == word.split()[0]
+
+
+def test_each_physical_limit_stands_with_number_place_and_point(document: Document, tmp_path: Path) -> None:
+    document["physical"] = [
+        {"name": "peak_pressure", "where": "inner race", "point": 1, "value": 4.71e9, "limit": 4.2e9, "unit": "Pa"}
+        | {"verdict": "fail", "note": "It yields."},
+        {"name": "shoulder", "where": "outer race", "point": 2, "value": None, "limit": 0.1, "unit": "1"}
+        | {"verdict": "unknown", "note": "The shoulder is not known."},
+    ]
+    text = written(document, tmp_path)
+    first, second = Tables(text).rows["Physical limits"][1:]
+    assert first == ("peak pressure", "inner race", "point 2: 900 N axial, 300 rpm", "4.71 GPa", "4.2 GPa", "fail")
+    assert second == ("load cut off", "outer race", "point 3: 910 N axial, 600 rpm", "unknown", "10 %", "unknown")
+    assert "It yields." in summary_of(text)
+    assert "The shoulder is not known." in summary_of(text)
 
 
 def test_long_words_of_a_scene_do_not_lengthen_the_summary(document: Document, tmp_path: Path) -> None:
