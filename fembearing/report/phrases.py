@@ -96,7 +96,7 @@ def ring_line(ring: "Ring") -> str:
 def loads_of(point: "OperatingPoint | PredictedPoint", names: Sequence[str]) -> str:
     """The loads of these names at an operating point, for example "1000 N axial, 50 N radial"."""
     words = {"axial_load": "N axial", "radial_load": "N radial", "moment": "N m moment"}
-    return ", ".join(f"{getattr(point, name):.4g} {words[name]}" for name in names)
+    return ", ".join(f"{getattr(point, name):.6g} {words[name]}" for name in names)
 
 
 def varying_loads(points: Sequence["OperatingPoint"]) -> list[str]:

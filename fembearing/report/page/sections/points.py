@@ -21,7 +21,7 @@ def point_heads(points: Sequence[OperatingPoint]) -> list[Head]:
 def point_cells(points: Sequence[OperatingPoint], index: int) -> list[str]:
     """The cells below `point_heads`."""
     point = points[index]
-    loads = [f"{getattr(point, name):.4g}" for name in present_loads(points)]
+    loads = [f"{getattr(point, name):.6g}" for name in present_loads(points)]
     return [str(index + 1), *loads, f"{point.inner_speed * RPM.factor:.5g}"]
 
 

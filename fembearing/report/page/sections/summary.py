@@ -74,7 +74,7 @@ class Summary(NamedTuple):
     contacts_at: str
     change: str
     notes: list[str]
-    more_notes: int
+    every_note: list[str]  # in full, for the appendix
     facts: Facts
     sign_off: SignOff
 
@@ -97,7 +97,7 @@ def summary_of(document: Report) -> Summary:
         contacts_at=_contacts_at(document),
         change=_change(document),
         notes=[_shortened(note) for note in notes[:MOST_NOTES]],
-        more_notes=max(len(notes) - MOST_NOTES, 0),
+        every_note=notes,
         facts=[(name, _shortened(words)) for name, words in facts_of(document)],
         sign_off=SignOff(
             people=[("Author", document.report.author or ""), ("Checker", document.report.checker or "")],
