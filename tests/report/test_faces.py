@@ -1,0 +1,198 @@
+"""One torque in every face: terminal, JSON, CSV, data frame, report.json and page of 200 random scenes."""
+
+import csv
+import json
+import re
+from dataclasses import replace
+from io import StringIO
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from analytic.errors import InputError
+from analytic.result import COORDINATES, FrictionTorque
+from analytic.scene import Array
+from fembearing.compare.torque.change import TorqueChange
+from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
+from fembearing.compare.validation import Validation
+from fembearing.provenance import provenance_of
+from fembearing.report.terminal.torque import print_torque
+from fembearing.report.torque_table import csv_of
+from tests.analytic.specimens import present
+from tests.drawn_scenes import drawn_scene
+from tests.report.page.page_writer import document_of, written_page
+
+SCENES, BATCHES = 200, 4
+PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "declared")
+RACES = ("inner", "outer")
+CONTACT = {"load": 1.0, "peak_pressure": 1e-9, "semi_axis_rolling": 1e3, "semi_axis_transverse": 1e3}  # as shown
+TO_RPM = 30 / np.pi
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("batch", range(BATCHES))
+def test_every_face_of_a_torque_has_the_same_numbers(made: Validation, tmp_path: Path, batch: int) -> None:
+    refused = 0
+    for seed in range(batch, SCENES, BATCHES):
+        try:
+            result = torque_of_scene(drawn_scene(seed))
+        except InputError:
+            refused += 1
+            continue
+        for face in (json_agrees, csv_agrees, frame_agrees, terminal_agrees):
+            face(result)
+        if result.friction.pair is None:  # a check is of one bearing
+            page_agrees(checked_with(made, result), tmp_path)
+    assert refused <= SCENES // BATCHES // 10  # loads that no such bearing carries
+
+
+def test_the_scenes_are_of_all_kinds() -> None:
+    dry, oiled, caged, lossy, thrust, pair = map(drawn_scene, range(6))
+    assert dry.friction_coefficient is not None
+    assert oiled.operation.as_series().inner_speed.size >= 1
+    assert caged.cage is not None
+    assert lossy.losses.seals is not None
+    assert thrust.bearing.kind == "thrust"
+    assert pair.arrangement is not None
+
+
+def checked_with(made: Validation, result: SceneTorque) -> Validation:
+    """A check of a scene with its own torque; its contacts are those made by hand, and change nothing."""
+    friction, scene = result.friction, result.scene
+    change = TorqueChange(
+        production=friction,
+        own=friction,
+        corrected=friction,
+        uncertainties={"total": 0.0137, "contact_angle": 0.0019},
+        fitted=None,
+        verdict="pass",
+    )
+    provenance = provenance_of(scene)
+    return replace(
+        made,
+        scene=scene,
+        provenance=provenance,
+        torque=result,
+        torque_change=change,
+        sensitivity=None,
+        cage_records=(),
+        published=None,
+    )
+
+
+def known_parts(friction: FrictionTorque) -> dict[str, Array]:
+    parts = {name: getattr(friction.torque, name) for name in PARTS}
+    return {name: part for name, part in parts.items() if part is not None}
+
+
+def json_agrees(result: SceneTorque) -> None:
+    """To the last digit."""
+    friction, content = result.friction, json.loads(json.dumps(result.to_json(), allow_nan=False))
+    for number, point in enumerate(content["points"]):
+        assert [point[name] for name in COORDINATES] == [getattr(friction, name)[number] for name in COORDINATES]
+        for name in (*PARTS, "race", "total"):
+            part = getattr(friction.torque, name)
+            assert point["torque"][name] == (None if part is None else part[number])
+        for race in RACES:
+            contact = getattr(friction, race)
+            assert [point["contact"][race][name] for name in CONTACT] == [
+                getattr(contact, name)[number] for name in CONTACT
+            ]
+
+
+def csv_agrees(result: SceneTorque) -> None:
+    """To 14 digits: it has 15, of numbers in units."""
+    rows = list(csv.DictReader(StringIO(csv_of(result))))
+    friction = result.friction
+    columns = {f"torque_{name} [N mm]": 1e3 * part for name, part in known_parts(friction).items()}
+    columns["torque_total [N mm]"] = 1e3 * friction.torque.total
+    columns["inner_speed [rpm]"] = TO_RPM * friction.inner_speed
+    for race in RACES:
+        columns[f"load_{race} [N]"] = getattr(friction, race).load
+        columns[f"peak_pressure_{race} [GPa]"] = 1e-9 * getattr(friction, race).peak_pressure
+    for head, values in columns.items():
+        np.testing.assert_allclose([float(row[head]) for row in rows], values, rtol=1e-14, atol=0)
+
+
+def frame_agrees(result: SceneTorque) -> None:
+    frame = result.to_dataframe()
+    np.testing.assert_array_equal(frame["torque_total"], result.friction.torque.total)
+    for name, part in known_parts(result.friction).items():
+        np.testing.assert_array_equal(frame[f"torque_{name}"], part)
+
+
+def terminal_agrees(result: SceneTorque) -> None:
+    """To the digits that are printed: three of a part, four of a total and of a contact."""
+    out = StringIO()
+    print_torque(Console(file=out, width=300), result)
+    lines = out.getvalue().splitlines()
+    friction = result.friction
+    parts, total = known_parts(friction), friction.torque.total
+    rows = rows_after(lines, "Friction torque of")
+    assert len(rows) == total.size
+    for number, row in enumerate(rows):
+        cells = row[row.index(speed_cell(friction, number)) + 1 :]
+        cells = cells[len(cells) - len(parts) - 2 - (result.catalogue.band is not None) :]
+        assert [float(cell) for cell in cells[: len(parts)]] == [digits(1e3 * p[number], 3) for p in parts.values()]
+        assert float(cells[len(parts)]) == digits(1e3 * total[number], 4)
+    contacts = rows_after(lines, "Heaviest ball")
+    assert len(contacts) == 2 * total.size
+    for row in contacts:
+        contact = getattr(friction, row[1])
+        expected = [digits(factor * getattr(contact, name)[int(row[0]) - 1], 4) for name, factor in CONTACT.items()]
+        assert [float(cell) for cell in row[2 : 2 + len(CONTACT)]] == expected
+
+
+def speed_cell(friction: FrictionTorque, number: int) -> str:
+    return f"{TO_RPM * friction.inner_speed[number]:.5g}"
+
+
+def digits(value: float, count: int) -> float:
+    return float(f"{value:.{count}g}")
+
+
+def rows_after(lines: list[str], title: str) -> list[list[str]]:
+    """The cells of the rows of the table below a title, up to the first line that is no row."""
+    start = next(number for number, line in enumerate(lines) if line.startswith(title))
+    rows = []
+    for line in lines[start + 3 :]:
+        if not line.strip()[:1].isdigit():
+            return rows
+        rows.append([cell.strip() for cell in line.split("  ") if cell.strip()])
+    return rows
+
+
+def page_agrees(check: Validation, folder: Path) -> None:
+    """report.json to the last digit; the page to the four digits of a part, a total and a contact."""
+    document = document_of(check)
+    torque = present(check.torque)
+    friction, content = torque.friction, json.loads(json.dumps(torque.to_json()))
+    written = document.to_json()
+    for number, point in enumerate(written["torque"]["points"]):
+        assert point["torque"] == content["points"][number]["torque"]
+        assert point["contact"] == content["points"][number]["contact"]
+    page = written_page(check, folder)
+    parts = known_parts(friction)
+    shown = [*parts.values(), friction.torque.total]
+    for label in ("friction torque by effect", "friction torque at every operating point"):
+        rows = table_of(page, label)
+        assert [row["point"] for row in rows] == [str(number + 1) for number in range(friction.torque.total.size)]
+        for row in rows:
+            number, start = int(row["point"]) - 1, row["speed, rpm"]
+            assert float(start) == digits(TO_RPM * friction.inner_speed[number], 5)
+            names = [*parts, "total"]
+            assert [float(row[name]) for name in names] == [digits(1e3 * part[number], 4) for part in shown]
+    for row, contact in zip(table_of(page, "contacts"), [c for c in check.contacts if c.judged], strict=True):
+        assert float(row["ball load, N"]) == digits(contact.contact.load, 4)
+        pressures = [float(row["peak pressure, GPa: Hertz"]), float(row["finite elements"])]
+        reference = contact.estimates["peak_pressure"].value
+        assert pressures == [digits(1e-9 * value, 4) for value in (contact.hertz.peak_pressure, reference)]
+
+
+def table_of(page: str, label: str) -> list[dict[str, str]]:
+    """The rows of a table of the page by its label, each by the heads of its columns."""
+    found = present(re.search(rf'aria-label="{label}"><table.*?</table>', page, re.DOTALL)).group()
+    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", found, re.DOTALL)]
+    return [dict(zip(rows[0], row, strict=True)) for row in rows[1:]]
