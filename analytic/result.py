@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,23 +16,12 @@ from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
 from analytic.loads.pair import PairEquilibrium
 from analytic.loads.ring_state import RingState
 from analytic.scene import ArrangementKind, Array, Clearances, Scene, Sliding
+from analytic.words import NEWTON_MILLIMETRE, RPM
 
 POINT = "point"  # the dimension of a dataset
 MOST_ROWS = 12  # of the table in a notebook
 
 
-class Unit(NamedTuple):
-    """A unit in which numbers are shown."""
-
-    name: str
-    factor: float  # by which an SI value is multiplied
-
-    def written(self, value: float, form: str) -> str:
-        """An SI value in this unit, with its name."""
-        return f"{value * self.factor:{form}} {self.name}".rstrip()
-
-
-RPM, NEWTON_MILLIMETRE = Unit("rpm", 30 / np.pi), Unit("N mm", 1e3)
 # An operating point, as it is given.
 COORDINATES: dict[str, Column] = {
     "inner_speed": Column("rad/s", "speed of the inner ring"),

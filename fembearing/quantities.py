@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.result import COLUMNS, COORDINATES, NEWTON_MILLIMETRE, RPM, Unit
+from analytic.result import COLUMNS, COORDINATES
+from analytic.words import GIGAPASCAL, MICROMETRE, MILLIMETRE, NEWTON_MILLIMETRE, RPM, Unit
 
-GIGA, MILLI, MICRO = Unit("GPa", 1e-9), Unit("mm", 1e3), Unit("um", 1e6)
+GIGA, MILLI, MICRO = GIGAPASCAL, MILLIMETRE, MICROMETRE
 STIFFNESS = Unit("GN/m^1.5", 1e-9)
 TANGENT = Unit("N/um", 1e-6)
 MILLISECOND = Unit("ms", 1e3)

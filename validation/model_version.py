@@ -14,9 +14,9 @@ from typing import NamedTuple
 from rich.console import Console
 
 from analytic import catalog
-from analytic.result import RPM
 from analytic.scenefile.read import load_scene
 from analytic.torque import MODEL_VERSION, friction_torque
+from analytic.words import RPM
 
 SCENES = Path(__file__).parent / "scenes"
 STORED = Path(__file__).parent / "reports" / "model_version.csv"

@@ -19,6 +19,7 @@ from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.loads.balls import LoadedBalls
 from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array
+from analytic.words import speed_of
 
 # Of the grip number. Below, motions of balls and cage together give the forces of given balls within 2 %; beyond, balls
 # slide at the peaks of the force.
@@ -169,9 +170,9 @@ class RaceGrip:
         if np.any(free):
             point, ball = (int(index) for index in np.argwhere(free)[0])
             raise InputError(
-                f"ball {ball + 1} of {free.shape[1]} has a load of 0 N on both races at {inner_speed[point]:.4g} "
-                'rad/s: nothing turns it, and it cannot drive the cage; leave effects.centrifugal on "auto", raise '
-                'operation.axial_load, or give effects.cage = "off"'
+                f"ball {ball + 1} of {free.shape[1]} has a load of 0 N on both races at "
+                f"{speed_of(inner_speed[point])}: nothing turns it, and it cannot drive the cage; leave "
+                'effects.centrifugal on "auto", raise operation.axial_load, or give effects.cage = "off"'
             )
 
 

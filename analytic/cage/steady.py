@@ -19,6 +19,7 @@ from scipy.special import ellipe
 from analytic.cage.pocket import impact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.scene import STANDARD_GRAVITY, Array, PocketAxis
+from analytic.words import length_of
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -193,8 +194,8 @@ def require_loose_balls(
     )
     if not abs(ball_lead) < largest:
         raise InputError(
-            f"ball_lead {ball_lead!r} m is beyond the clearance: below {largest:.6g} m the cage still goes between "
-            "balls that lead on one side and lag on the other; give less, or a wider pocket"
+            f"ball_lead {length_of(ball_lead)} is beyond the clearance: below {length_of(largest, '.6g')} the cage "
+            "still goes between balls that lead on one side and lag on the other; give less, or a wider pocket"
         )
 
 

@@ -25,6 +25,7 @@ from analytic.cage.steady import (
 )
 from analytic.contact.geometry import known_half_widths
 from analytic.scene import Array, Bearing, Cage, Scene
+from analytic.words import length_of, percent_of, speed_of, torque_of
 
 CAGE_KEYS = (
     "mean_force",
@@ -190,16 +191,16 @@ def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
 
 
 def _sliding_balls(drive: CageDrive, point: int, used: float) -> str:
-    where = f"at {drive.inner_speed[point]:.4g} rad/s"
+    where = f"at {speed_of(drive.inner_speed[point])}"
     if np.isnan(used):
         return (
             f"how much of the grip of the races the moving cage uses {where}: their friction is not computed; leave "
             'effects.spin and effects.conformity on "auto"'
         )
     return (
-        f"the cage uses {used:.3g} of the grip of the races {where}, above {LARGEST_GRIP:g}: balls slide, so given "
-        "balls do not show the forces, and the torque of the races rises; raise the load, or lower the speed or the "
-        "mass of the cage"
+        f"the cage uses {percent_of(used)} of the grip of the races {where}, above {percent_of(LARGEST_GRIP)}: balls "
+        "slide, so given balls do not show the forces, and the torque of the races rises; raise the load, or lower "
+        "the speed or the mass of the cage"
     )
 
 
@@ -334,9 +335,9 @@ def _bistable(motions: list[CageStatistics | None], inner_speed: Array) -> tuple
         if motion is not None and motion.other is not None and motion.other.state != motion.state:
             other = motion.other
             return (
-                f"the cage has more than one steady motion: at {inner_speed[point]:.4g} rad/s cage.start = "
-                f'"{motion.start}" leads to {motion.state}, {motion.torque:.3g} N m, and "{other.start}" to '
-                f"{other.state}, {other.torque:.3g} N m; the start that the scene gives decides",
+                f"the cage has more than one steady motion: at {speed_of(inner_speed[point])} cage.start = "
+                f'"{motion.start}" leads to {motion.state}, {torque_of(motion.torque)}, and "{other.start}" to '
+                f"{other.state}, {torque_of(other.torque)}; the start that the scene gives decides",
             )
     return ()
 
@@ -347,9 +348,10 @@ def _squeezed(drive: CageDrive, at: NDArray[np.bool_]) -> tuple[str, ...]:
         return ()
     worst = int(np.argmax(np.where(at, np.abs(drive.grip.ball_lead), -1.0)))
     return (
-        f"at {drive.inner_speed[worst]:.4g} rad/s balls lead on one side of the bearing and lag on the other by "
-        f"{abs(drive.grip.ball_lead[worst]):.3g} m, and the cage leaves {drive.room:.3g} m free: they press on it all "
-        f"round, and the torque is that of a rigid cage, +- {SQUEEZE_SPREAD:.0%}; wider pockets free them",
+        f"at {speed_of(drive.inner_speed[worst])} balls lead on one side of the bearing and lag on the other by "
+        f"{length_of(abs(drive.grip.ball_lead[worst]))}, and the cage leaves {length_of(drive.room)} free: they press "
+        f"on it all round, and the torque is that of a rigid cage, +- {percent_of(SQUEEZE_SPREAD)}; wider pockets "
+        "free them",
     )
 
 

@@ -29,6 +29,7 @@ from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.geometry import USUAL_SHOULDERS, Race, race_curvatures, shoulder_distances
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.scene import Array, Bearing, Contact, Material
+from analytic.words import percent_of
 
 OFF_SHOULDER = 1.15  # least distance from a fitted contact's centre to the shoulder, in Hertz's semi-axes b
 # Beyond its range the fit's change of Hertz is held at the border, and follows a power of b/r beyond the largest size,
@@ -306,7 +307,7 @@ def _outside(values: Mapping[str, Array], applied: Array) -> Iterator[str]:
     def done(least: float) -> str:
         if least == 1:
             return "the correction is held at the border"
-        return "the correction is not applied" if least == 0 else f"{least:.2g} of the correction is applied"
+        return "the correction is not applied" if least == 0 else f"{percent_of(least, 2)} of the correction is applied"
 
     loaded = values["size"] > 0
     for name, (low, high) in _limits().items():

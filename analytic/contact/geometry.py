@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative
 from analytic.scene import Array, Bearing, Cage, Contact, Groove, Ring, Wall
+from analytic.words import angle_of, length_of
 
 Race = Literal["inner", "outer"]
 RACES: tuple[Race, Race] = ("inner", "outer")
@@ -100,8 +101,9 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
         if distance <= 0:
             shoulder_angle = float(np.arcsin(half_width / groove.groove_radius))
             raise InputError(
-                f"contact_angle {contact_angle:.4f} rad is beyond the {race} race's shoulder at {shoulder_angle:.4f} "
-                f"rad (half-width {half_width!r} m of a groove of radius {groove.groove_radius!r} m): "
+                f"contact_angle {angle_of(contact_angle)} is beyond the {race} race's shoulder at "
+                f"{angle_of(shoulder_angle)} (half-width {length_of(half_width)} of a groove of radius "
+                f"{length_of(groove.groove_radius)}): "
                 "lower the load, reduce the clearance or raise shoulder_half_width"
             )
     curvature = float(_rolling_curvature(bearing, race, angle))

@@ -13,6 +13,7 @@ from analytic.cage.steady import sliding_torque, whirl_number
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, LEAST_WHIRL, LONGEST_FREE_MOTION, LONGEST_MOTION
 from analytic.scene import Array, Cage, Scene
+from analytic.words import length_of
 
 LEAST_FORCE = 1e-9  # N: at standstill too, no film is computed without a load
 
@@ -55,7 +56,8 @@ def _decide_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger,
         lacks = None if lacks is None else f"grip number {number:.3g} at most, and {lacks}"
     demanded = f"grip number {number:.3g}, balls slide above {LARGEST_GRIP:g}"
     if np.any(drive.is_squeezed):
-        demanded = f"balls lead by up to {np.max(np.abs(drive.grip.ball_lead)):.3g} m, pockets leave {drive.room:.3g} m"
+        lead = float(np.max(np.abs(drive.grip.ball_lead)))
+        demanded = f"balls lead by up to {length_of(lead)}, pockets leave {length_of(drive.room)}"
     on = ledger.decide("ball_dynamics", bound=np.where(needs, np.inf, 0.0), lacks=lacks, demanded=demanded)
     return (needs if automatic else turns) & on
 
@@ -103,8 +105,8 @@ def _too_tight(drive: CageDrive) -> str:
     """Why no motion on given balls is computed where they lead too far."""
     lead = float(np.max(np.abs(drive.grip.ball_lead)))
     return (
-        f"balls lead by up to {lead:.3g} m, and the pockets leave {drive.room:.3g} m free: balls and cage press on "
-        "each other all round; a motion on given balls needs wider pockets, less radial load or less moment"
+        f"balls lead by up to {length_of(lead)}, and the pockets leave {length_of(drive.room)} free: balls and cage "
+        "press on each other all round; a motion on given balls needs wider pockets, less radial load or less moment"
     )
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from analytic.effects.table import CHOSEN, ENTRIES, LIMITS
 from analytic.errors import InputError
 from analytic.scene import Array, Scene
+from analytic.words import percent_of
 
 SHARE_OF_TOLERANCE = 0.5
 
@@ -36,7 +37,7 @@ def size_of(share: float) -> str:
     """How large an effect can be whose bound is this share of the torque, in words."""
     if np.isinf(share):
         return "could be of any size"
-    return "could exceed the torque" if share > 1 else f"could be {share:.2g} of the torque"
+    return "could exceed the torque" if share > 1 else f"could be {percent_of(share, 2)} of the torque"
 
 
 class Ledger:
@@ -80,14 +81,14 @@ class Ledger:
             return self._settle(name, on=True, share=None, reason="always computed: no cheaper bound is known")
         if demanded is not None:
             return self._settle(name, on=True, share=bound, reason=demanded)
-        worst = _largest(bound)
+        worst, limit = _largest(bound), percent_of(self.budget)
         if self.leaves_out(bound):
-            reason = f"at most {worst:.2g} of the torque, within what {self.budget:.2g} leaves"
+            reason = f"at most {percent_of(worst, 2)} of the torque, within the {limit} that may be left out"
             return self._settle(name, on=False, share=bound, reason=reason)
         reason, before = size_of(worst), _largest(self.left_out)
         if worst <= 1:
-            reason += f", more than {self.budget:.2g} leaves"
-            reason += f" with {before:.2g} already left out" if before > 0 else ""
+            reason += f", more than the {limit} that may be left out"
+            reason += f", {percent_of(before, 2)} of it already" if before > 0 else ""
         return self._settle(name, on=True, share=bound, reason=reason)
 
     def leaves_out(self, bound: Array) -> bool:

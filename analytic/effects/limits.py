@@ -15,6 +15,7 @@ from analytic.effects.table import ENTRIES, MOST_CUT, PER_CUT_SHARE, STATIC_LIMI
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
 from analytic.scene import Array, Bearing, Operation, Scene
+from analytic.words import NEWTON, NEWTON_MILLIMETRE, angle_of, length_of, percent_of, pressure_of, speed_of
 
 CHECKED = "checked, not modelled"  # how a reason begins
 
@@ -79,18 +80,20 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
     unknown = []
     if np.any(share > MOST_CUT) and np.isnan(distance).any():
         unknown.append(
-            f"shoulder not known: a low one, of {USUAL_SHOULDERS[0]:g} ball diameters, would cut off {share.max():.2g} "
-            f"of a contact's load, more than {MOST_CUT:g}; give shoulder_height of both rings"
+            f"shoulder not known: a low one, of {USUAL_SHOULDERS[0]:g} ball diameters, would cut off "
+            f"{percent_of(share.max(), 2)} of a contact's load, more than {percent_of(MOST_CUT)}; give "
+            "shoulder_height of both rings"
         )
     elif np.any(share > MOST_CUT):
         unknown.append(
-            f"a shoulder cuts off {share.max():.2g} of a contact's load by Hertz, more than {MOST_CUT:g}: its pressure "
-            "and its place are no longer Hertz's; raise shoulder_half_width or lower the load"
+            f"a shoulder cuts off {percent_of(share.max(), 2)} of a contact's load by Hertz, more than "
+            f"{percent_of(MOST_CUT)}: its pressure and its place are no longer Hertz's; raise shoulder_half_width or "
+            "lower the load"
         )
     if np.any(plastic):
         unknown.append(
-            f"a peak pressure above the static limit {STATIC_LIMIT:.2g} Pa: the contact is plastic, and no formula "
-            "here is; lower the load"
+            f"a peak pressure above the static limit, {pressure_of(STATIC_LIMIT)}: the contact is plastic, and no "
+            "formula here is; lower the load"
         )
     return Limits(
         warnings=warnings,
@@ -138,21 +141,21 @@ def _shoulder(distance: Array, operation: Operation, balls: LoadedBalls, ledger:
             angles = balls.contact_angle[:, point, ball]
             # The ball's inertia separates its two angles: without it both would be near their mean.
             separated = np.min(shoulder_distances(bearing, name, contact_angle=angles.mean())) > 0
-            speed = f"the speed of {operation.inner_speed[point]:.5g} rad/s, whose centrifugal force moves it there"
+            speed = f"the speed of {speed_of(operation.inner_speed[point])}, whose centrifugal force moves it there"
             raise InputError(
-                f"{_loads(operation, int(point))}: the contact moves to {angles[index]:.4f} rad, beyond the {name} "
+                f"{_loads(operation, int(point))}: the contact moves to {angle_of(angles[index])}, beyond the {name} "
                 f"race's shoulder: lower {speed if separated else 'the load'}, reduce the clearance or raise "
                 "shoulder_half_width"
             )
         worst = np.unravel_index(np.argmin(distance[index] - b[index]), distance[index].shape)
         axis, space = b[index][worst], distance[index][worst]
         if space - axis < left:
-            left, nearest = space - axis, f"semi-axis {axis:.4g} m of {space:.4g} m to the {name} race's shoulder"
+            left = space - axis
+            nearest = f"semi-axis {length_of(axis)} of {length_of(space)} to the {name} race's shoulder"
         if axis > space:
             yield (
-                f"the contact ellipse passes the {name} race's shoulder: semi-axis {axis:.4g} m, distance "
-                f"{space:.4g} m; "
-                "the true contact is cut off there and its pressure higher"
+                f"the contact ellipse passes the {name} race's shoulder: semi-axis {length_of(axis)}, distance "
+                f"{length_of(space)}; the true contact is cut off there and its pressure higher"
             )
     if unknown:
         rings = " and ".join(f"bearing.{name}.shoulder_height" for name in unknown)
@@ -166,21 +169,22 @@ def _plasticity(balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
     ledger.settle(
         "plasticity",
         on=False,
-        reason=f"{CHECKED}: peak pressure {peaks.max():.4g} Pa, {share:.3g} of the static limit {STATIC_LIMIT:.2g} Pa",
+        reason=f"{CHECKED}: peak pressure {pressure_of(peaks.max())}, {percent_of(share)} of the static limit, "
+        f"{pressure_of(STATIC_LIMIT)}",
     )
     for name, peak in zip(RACES, peaks, strict=True):
         if peak > STATIC_LIMIT:
             yield (
-                f"peak pressure on the {name} race {peak:.4g} Pa is above the static limit {STATIC_LIMIT:.2g} Pa: the "
-                "contact is no longer elastic"
+                f"peak pressure on the {name} race, {pressure_of(peak)}, is above the static limit, "
+                f"{pressure_of(STATIC_LIMIT)}: the contact is no longer elastic"
             )
 
 
 def _loads(operation: Operation, point: int) -> str:
     """The loads at an operating point as the scene gives them."""
     found = f"operation.axial_load = {operation.axial_load[point]:g} N"
-    for name, unit in (("radial_load", "N"), ("moment", "N m")):
+    for name, unit in (("radial_load", NEWTON), ("moment", NEWTON_MILLIMETRE)):
         value = np.asarray(getattr(operation, name))[point]
         if value:
-            found += f", operation.{name} = {value:g} {unit}"
+            found += f", operation.{name} = {unit.written(value, 'g')}"
     return found

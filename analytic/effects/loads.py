@@ -26,6 +26,7 @@ from analytic.loads.finite_geometry import corrections_of
 from analytic.loads.shares import LoadShares, load_shares, own_forces_of_lightest
 from analytic.loads.thrust import play_and_free_angle
 from analytic.scene import Array, Operation, Scene
+from analytic.words import NEWTON, NEWTON_MILLIMETRE, percent_of, speed_of
 
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner one. A bearing
 # needs at least a hundredth of that to roll, and the equilibrium of the ring converges up to some 6000.
@@ -93,12 +94,12 @@ def chosen_balls(
 
 def _require_thrust(operation: Operation) -> None:
     """Raise InputError for loads that a thrust bearing does not take."""
-    for name, unit in (("radial_load", "N"), ("moment", "N m")):
+    for name, unit in (("radial_load", NEWTON), ("moment", NEWTON_MILLIMETRE)):
         values = np.asarray(getattr(operation, name))
         if np.any(values):
+            largest = unit.written(values.flat[np.argmax(np.abs(values))], "g")
             raise InputError(
-                f"operation.{name} = {values.flat[np.argmax(np.abs(values))]:g} {unit}: a thrust bearing carries "
-                f"axial_load alone; leave {name} out"
+                f"operation.{name} = {largest}: a thrust bearing carries axial_load alone; leave {name} out"
             )
 
 
@@ -109,15 +110,15 @@ def _decide_distribution(shares: LoadShares, ledger: Ledger) -> bool:
     distributed = ledger.decide(
         "load_distribution",
         bound=PER_DISTRIBUTION * unequal,
-        demanded=f"ball loads change by {worst:.3g} of their mean, more than {LARGEST_WAVES:g}"
+        demanded=f"ball loads change by {percent_of(worst)} of their mean, more than {percent_of(LARGEST_WAVES)}"
         if LARGEST_WAVES < worst < np.inf
         else None,
     )
     lacks = ENTRIES["load_distribution"].lacks(scene)
     if not distributed and (shares.thrust is None or (lacks and np.any(unequal > scene.tolerance))):
         raise InputError(
-            f"operation.radial_load and operation.moment are up to {unequal.max():.3g} of what thrust does, and "
-            + (lacks or "without thrust they are the whole load: leave effects.load_distribution on auto")
+            f"operation.radial_load and operation.moment are up to {percent_of(unequal.max())} of what thrust does, "
+            "and " + (lacks or "without thrust they are the whole load: leave effects.load_distribution on auto")
         )
     return distributed
 
@@ -139,14 +140,14 @@ def _decide_own_forces(
     worst = int(np.argmax(shares.centrifugal))
     if ledger.scene.bearing.kind == "thrust" and shares.centrifugal[worst] * PRESSED > 1:
         raise InputError(
-            f"operation.inner_speed = {operation.inner_speed[worst]:g} rad/s: the centrifugal force of a ball is "
+            f"operation.inner_speed = {speed_of(operation.inner_speed[worst])}: the centrifugal force of a ball is "
             f"{shares.centrifugal[worst]:.3g} times its load under {operation.axial_load[worst]:g} N of thrust, above "
             f"{1 / PRESSED:g}, and drives it out of the middle of its grooves, which is not modelled in a thrust "
             "bearing: raise the load or lower the speed"
         )
     if centrifugal and shares.centrifugal[worst] > MOST_CENTRIFUGAL:
         raise InputError(
-            f"operation.inner_speed = {operation.inner_speed[worst]:g} rad/s: the centrifugal force of a ball is "
+            f"operation.inner_speed = {speed_of(operation.inner_speed[worst])}: the centrifugal force of a ball is "
             f"{shares.centrifugal[worst]:.3g} times its load under {operation.axial_load[worst]:g} N of thrust, above "
             f"{MOST_CENTRIFUGAL:g}, and it skids: raise the load or lower the speed"
         )

@@ -21,6 +21,7 @@ from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.scene import Array, Scene
 from analytic.sliding.levers import creep_numbers, full_spin_lever, largest_error, largest_spin_lever, rolling_lever
+from analytic.words import percent_of
 
 LIGHT = 0.01  # of the heaviest ball's load: a lighter ball may slide, its friction is in proportion
 TURNING_FREELY = ("free_ball", "closed_creep", "marched_creep")  # methods of sliding for free balls
@@ -126,14 +127,14 @@ def _decide_gyroscopic_slip(scene: Scene, estimate: "Estimate", ledger: Ledger) 
         return
     share = estimate.gyroscopic(scene)
     if not ledger.leaves_out(PER_GYROSCOPIC_SLIP * share):
-        reason = f"holding the moment takes up to {np.max(share):.2g} of the friction across the grooves"
+        reason = f"holding the moment takes up to {percent_of(np.max(share), 2)} of the friction across the grooves"
         ledger.settle("gyroscopic", on=True, share=PER_GYROSCOPIC_SLIP * share, reason=reason)
 
 
 def _carried(mixed: MixedContact | None, tolerance: float) -> str | None:
     """Why asperities count whatever they change, in words: else film and share would not be those of the contact."""
     share = 0.0 if mixed is None else float(np.max(mixed.asperity_share))
-    return f"asperities carry up to {share:.2g} of a contact's load" if share > tolerance else None
+    return f"asperities carry up to {percent_of(share, 2)} of a contact's load" if share > tolerance else None
 
 
 class _Torque(NamedTuple):

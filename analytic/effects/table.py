@@ -12,6 +12,7 @@ from analytic.cage.grip import LARGEST_GRIP
 from analytic.contact.geometry import USUAL_SHOULDERS
 from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Scene
+from analytic.words import percent_of, pressure_of
 
 # Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
 PER_DISTRIBUTION = 1.25
@@ -169,7 +170,7 @@ TABLE = (
         meaning="unequal ball loads by a radial load or a moment",
         needs=SOLVED_ANGLE,
         bound=f"{PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa; computed where the closed estimate of the loads' waves "
-        f"exceeds {LARGEST_WAVES:g}",
+        f"exceeds {percent_of(LARGEST_WAVES)}",
     ),
     Entry(
         name="centrifugal",
@@ -302,7 +303,7 @@ TABLE = (
         name="plasticity",
         kind="limit",
         meaning="plastic contact; not modelled",
-        bound=f"a peak pressure above {STATIC_LIMIT * 1e-9:g} GPa, the static limit of [ISO76]",
+        bound=f"a peak pressure above {pressure_of(STATIC_LIMIT)}, the static limit of [ISO76]",
     ),
     Entry(
         name="shoulder",

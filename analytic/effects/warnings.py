@@ -12,6 +12,7 @@ from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import RollingResistance
 from analytic.scene import Array
+from analytic.words import MICROMETRE
 
 
 def torque_warnings(
@@ -31,10 +32,10 @@ def torque_warnings(
     warnings = [*scene.warnings]
     if scene.clearances is not None and scene.clearances.operating < 0:
         warnings.append(
-            f"no clearance is left in operation: of {scene.clearances.unmounted * 1e6:.3g} um unmounted, "
-            f"{scene.clearances.mounted * 1e6:.3g} um mounted, an interference of "
-            f"{-scene.clearances.operating * 1e6:.3g} um on the diameter remains, which presses every ball with "
-            f"{scene.clearances.ball_load:.3g} N before any other load"
+            f"no clearance is left in operation: of {MICROMETRE.written(scene.clearances.unmounted, '.3g')} "
+            f"unmounted, {MICROMETRE.written(scene.clearances.mounted, '.3g')} mounted, an interference of "
+            f"{MICROMETRE.written(-scene.clearances.operating, '.3g')} on the diameter remains, which presses every "
+            f"ball with {scene.clearances.ball_load:.3g} N before any other load"
         )
     if scene.friction_coefficient is not None:
         warnings.append(

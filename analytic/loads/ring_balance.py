@@ -19,6 +19,7 @@ from analytic.loads.turning import PlacedBalls, Turning
 from analytic.numerics.newton import ConvexState, least_energy
 from analytic.numerics.rows import merged, part_of
 from analytic.scene import Array, Bearing
+from analytic.words import angle_of, length_of, speed_of
 
 # Of the load and the largest ball load: Newton's quadratic steps reach it at once, and rounding is a thousandth of it.
 TOLERANCE = 1e-12
@@ -262,12 +263,12 @@ def refuse_beyond_groove(ring: RowsOfBalls, state: RingState, load: Array, speed
         # A move by that much is the load's, whatever inertia adds.
         if passed[point, ball] or moved > max(ring.play, 0.0) + distance / 2:
             raise InputError(
-                f"the {_load_words(load[point], ring)} moves the rings by {moved * 1e3:.2g} mm, and balls leave their "
-                "grooves: lower the load"
+                f"the {_load_words(load[point], ring)} moves the rings by {length_of(moved, '.2g')}, and balls leave "
+                "their grooves: lower the load"
             )
         raise InputError(
-            f"the speed, {speed[point]:.5g} rad/s, drives a ball {angle[point, ball]:.3f} rad out of its groove, past "
-            "pi/2: no contact bears it, lower the speed"
+            f"the speed, {speed_of(speed[point])}, drives a ball {angle_of(angle[point, ball])} out of its groove, "
+            "past 90 deg: no contact bears it, lower the speed"
         )
 
 

@@ -22,6 +22,7 @@ from analytic.loads.race_contacts import unit_contacts
 from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
 from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array, Bearing, ContactAngle
+from analytic.words import MILLIMETRE, length_of
 
 # ln(tan b) of every angle that a double can tell from 0 or from pi/2; tan b times any force ratio stays a double.
 LEAST, MOST = -740.0, 600.0
@@ -118,7 +119,7 @@ def thrust_equilibrium_frozen(
     if thrust.free_angle is None:
         raise InputError(
             "the frozen stiffness is that of the free contact angle, which a preload of "
-            f"{-bearing.diametral_clearance:.6g} m on the diameter does not leave: use thrust_equilibrium, "
+            f"{length_of(-bearing.diametral_clearance, '.6g')} on the diameter does not leave: use thrust_equilibrium, "
             "or give contact_angle.free"
         )
     return _at_rest(thrust.frozen(ContactCorrection()), free_angle=thrust.free_angle)
@@ -195,8 +196,9 @@ def free_angle(bearing: Bearing) -> float | None:
         return None
     if not clearance < 2 * distance:
         raise InputError(
-            f"diametral clearance {clearance:.6g} m must be below 2 A0 = {2 * distance:.6g} m (A0 = r_gi + r_go - D): "
-            "check bottom_radius of both rings and ball_diameter"
+            f"diametral clearance {MILLIMETRE.written(clearance, '.6g')} must be below 2 A0 = "
+            f"{MILLIMETRE.written(2 * distance, '.6g')} (A0 = r_gi + r_go - D): check bottom_radius of both rings and "
+            "ball_diameter"
         )
     return float(2 * np.arcsin(np.sqrt(clearance / (4 * distance))))
 

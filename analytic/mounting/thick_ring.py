@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from analytic.errors import InputError
 from analytic.scene import Material
+from analytic.words import length_of
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,8 +41,9 @@ def fit_pressure(inner: ThickRing, outer: ThickRing, *, interference: float) -> 
     radius = inner.outer_radius
     if not 0 <= inner.inner_radius < radius == outer.inner_radius < outer.outer_radius:
         raise InputError(
-            f"rings from {inner.inner_radius:.6g} to {radius:.6g} m and from {outer.inner_radius:.6g} to "
-            f"{outer.outer_radius:.6g} m do not fit into each other: the radii rise, and the middle ones are equal"
+            f"rings from {length_of(inner.inner_radius, '.6g')} to {length_of(radius, '.6g')} and from "
+            f"{length_of(outer.inner_radius, '.6g')} to {length_of(outer.outer_radius, '.6g')} do not fit into each "
+            "other: the radii rise, and the middle ones are equal"
         )
     per_pressure = outer.displacement(radius, inside=1.0) - inner.displacement(radius, outside=1.0)
     return max(interference, 0.0) / 2 / per_pressure

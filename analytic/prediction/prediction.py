@@ -26,11 +26,12 @@ from analytic.prediction.interval import (
 from analytic.prediction.regression import Regression, regression_of
 from analytic.prediction.sampling import Progress, sampled, silent
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
-from analytic.result import COORDINATES, NEWTON_MILLIMETRE, POINT, FrictionTorque
+from analytic.result import COORDINATES, POINT, FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_name import with_tolerance
 from analytic.torque import friction_torque
 from analytic.units import Quantity
+from analytic.words import NEWTON_MILLIMETRE
 
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
 ENOUGH = 0.03  # standard error of each end of the total's interval, over that end

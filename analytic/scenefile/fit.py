@@ -9,6 +9,7 @@ import numpy as np
 
 from analytic.loads.thrust import play_and_free_angle
 from analytic.scene import Arrangement, Bearing, Cage, ContactAngle, Groove
+from analytic.words import angle_of
 
 # Interference on the diameter over the ball diameter: several times that at which a steel race yields (about 0.8 %), so
 # that plastic balls are accepted.
@@ -61,7 +62,7 @@ def angle_misfits(bearing: Bearing, angle: ContactAngle) -> Iterator[tuple[str, 
     shoulder = _shoulder_angle(bearing)
     for name, value in (("value", angle.value), ("free", angle.free)):
         if value is not None and not value < shoulder:
-            yield f"bearing.contact_angle.{name}", f"must be below the shoulder's angle {shoulder:.4g} rad"
+            yield f"bearing.contact_angle.{name}", f"must be below the shoulder's angle, {angle_of(shoulder)}"
 
 
 def arrangement_misfits(bearing: Bearing, angle: ContactAngle, arrangement: Arrangement) -> Iterator[tuple[str, str]]:

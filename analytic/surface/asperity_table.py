@@ -15,6 +15,7 @@ from analytic.errors import InputError, require_positive
 from analytic.scene import Array
 from analytic.surface.asperity import PLASTIC_RATIO, first_yield, summit_integrals
 from analytic.surface.moments import Summits
+from analytic.words import length_of
 
 REACH = 16.0  # of the table in asinh(t): |t| to 4e6 standard deviations
 STEP = 0.0125  # in asinh(t)
@@ -97,8 +98,8 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     load, area, _ = summit_integrals(t, np.full_like(t, yielding))
     if not (np.all(load > 0) and np.all(area > 0)):  # the loads of nearly flat summits underflow
         raise InputError(
-            f"summits of radius {summits.radius:.3g} m whose heights deviate by {deviation:.3g} m are all but flat: "
-            "give a rougher surface, or an rms_roughness of 0"
+            f"summits of radius {length_of(float(summits.radius))} whose heights deviate by {length_of(deviation)} are "
+            "all but flat: give a rougher surface, or an rms_roughness of 0"
         )
     higher, scaled = log_ndtr(-t), np.maximum(t, 0.0) ** 2 / 2
     log_load, log_area = np.log(load) - scaled, np.log(area) - scaled

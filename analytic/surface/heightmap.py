@@ -14,6 +14,7 @@ import numpy as np
 from analytic.errors import InputError, require_positive
 from analytic.scene import Array
 from analytic.surface.moments import SpectralMoments, Summits
+from analytic.words import length_of
 
 FEWEST_POINTS, MOST_POINTS = 32, 4096  # in each direction: fewer are no statistics, more need too much memory
 LARGEST_TEXT = 100_000_000  # bytes of .csv; the numbers take up to four times as much memory
@@ -72,7 +73,8 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
     half = heights.max() / 2 - heights.min() / 2  # the whole span may overflow
     if not half <= HIGHEST / 2:
         raise InputError(
-            f"{origin}: heights span {2 * float(half):.3g} m, more than {HIGHEST:g} m; give them in m, not in um"
+            f"{origin}: heights span {length_of(2 * float(half))}, more than {length_of(HIGHEST)}; give them in m, "
+            "not in um"
         )
     return levelled(HeightMap(heights=heights, spacing=spacing))
 
@@ -188,13 +190,13 @@ def _doubts(height_map: HeightMap, slopes: list[float], length: float) -> Iterat
     domain = spacing * min(height_map.heights.shape)
     if length > WIDEST * domain:
         yield (
-            f"the map is {domain:.3g} m wide and its correlation length {length:.3g} m: below ten lengths Sq is "
-            "uncertain"
+            f"the map is {length_of(domain)} wide and its correlation length {length_of(length)}: below ten lengths "
+            "Sq is uncertain"
         )
     if spacing > WIDEST * length:
         yield (
-            f"the spacing {spacing:.3g} m is more than a tenth of the correlation length {length:.3g} m: slope, "
-            "curvature and summits depend on it"
+            f"the spacing {length_of(spacing)} is more than a tenth of the correlation length {length_of(length)}: "
+            "slope, curvature and summits depend on it"
         )
     if max(slopes) > MOST_UNEQUAL * min(slopes):
         yield (

@@ -17,6 +17,7 @@ from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.scene import Array, Autocorrelation, Surface
 from analytic.surface.heightmap import FEWEST_POINTS, MOST_POINTS, WIDEST, HeightMap, measure, read_height_map
 from analytic.surface.moments import SpectralMoments, Summits, mccool_summits
+from analytic.words import length_of
 
 STEEPEST = 1.0  # rms slope of ball and race together, 45 degrees: far past what asperities on half spaces stand for
 
@@ -78,13 +79,13 @@ def generated_surface(*, rms_roughness: float, autocorrelation: Autocorrelation,
         raise InputError(f"points must be {FEWEST_POINTS} to {MOST_POINTS}, got {points!r}")
     if spacing > WIDEST * length * (1 + 1e-12):  # round-off: exactly a tenth is fine
         raise InputError(
-            f"autocorrelation.spacing {spacing:g} m is more than a tenth of its length {length:g} m: give at most "
-            f"{WIDEST * length:.3g} m"
+            f"autocorrelation.spacing {length_of(spacing)} is more than a tenth of its length {length_of(length)}: "
+            f"give at most {length_of(WIDEST * length)}"
         )
     if length > WIDEST * points * spacing * (1 + 1e-12):
         raise InputError(
-            f"autocorrelation.length {length:g} m is more than a tenth of {points} points at {spacing:g} m; "
-            f"give {int(np.ceil(length / (WIDEST * spacing) - 1e-9))} points or more"
+            f"autocorrelation.length {length_of(length)} is more than a tenth of {points} points at "
+            f"{length_of(spacing)}; give {int(np.ceil(length / (WIDEST * spacing) - 1e-9))} points or more"
         )
     steps = np.minimum(np.arange(points), points - np.arange(points)) * spacing  # the shorter of both directions
     correlation = autocorrelation_at(np.hypot(steps[:, None], steps), autocorrelation)
@@ -125,9 +126,9 @@ def gap_roughness(surface: Surface) -> GapRoughness:
     if slope > STEEPEST:
         key = "rms_roughness" if surface.height_map is None else "height_map"
         raise InputError(
-            f"surface.{key} = {race.rms_roughness:g} m (Sq) gives ball and race together an rms slope of {slope:.3g}, "
-            f"and asperities are shallow in the model: give a slope up to {STEEPEST:g}, by at most "
-            f"{race.rms_roughness * STEEPEST / slope:.3g} m or by a longer autocorrelation.length"
+            f"surface.{key} = {length_of(race.rms_roughness)} (Sq) gives ball and race together an rms slope of "
+            f"{slope:.3g}, and asperities are shallow in the model: give a slope up to {STEEPEST:g}, by at most "
+            f"{length_of(race.rms_roughness * STEEPEST / slope)} or by a longer autocorrelation.length"
         )
     summits = mccool_summits(ball + race)
     return GapRoughness(ball=ball, race=race, summits=summits, height_map=height_map, warnings=warnings)
@@ -143,11 +144,12 @@ def _doubts(autocorrelation: Autocorrelation) -> Iterator[str]:
     length, spacing = autocorrelation.length, autocorrelation.spacing
     if autocorrelation.kind == "exponential":
         yield (
-            f"surface.autocorrelation.spacing {spacing:g} m sets the summits' slope and curvature, by finite "
+            f"surface.autocorrelation.spacing {length_of(spacing)} sets the summits' slope and curvature, by finite "
             "differences there, and they change with it: an exponential autocorrelation has none of its own"
         )
     elif spacing > WIDEST * length * (1 + 1e-12):
         yield (
-            f"surface.autocorrelation.spacing {spacing:g} m is more than a tenth of the length {length:g} m and is "
-            "ignored: a gaussian autocorrelation has its slope and curvature in closed form"
+            f"surface.autocorrelation.spacing {length_of(spacing)} is more than a tenth of the length "
+            f"{length_of(length)} and is ignored: a gaussian autocorrelation has its slope and curvature in closed "
+            "form"
         )

@@ -7,6 +7,7 @@ import typer
 
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
+from analytic.words import percent_of
 from fembearing.cli.console import DONE, NOT_SOLVED, complain, out, print_json, print_warnings, shown_progress
 from fembearing.cli.options import (
     LOAD,
@@ -68,7 +69,7 @@ def _one_contact(
         if below is not None:
             print_subsurface(out, below)
         if result.judged:
-            out.print(f"Hertz by the scene's tolerance of {result.tolerance:.3g}: {result.verdict}")
+            out.print(f"Hertz by the scene's tolerance of {percent_of(result.tolerance)}: {result.verdict}")
         print_warnings(result.warnings)
     names = COMPARED if result.judged else SHOWN_OF_A_SHEET
     raise typer.Exit(_status({name: result.estimates[name].total for name in names}, accuracy))
@@ -98,7 +99,7 @@ def _status(uncertainties: dict[str, float], accuracy: float) -> int:
     if uncertainties[name] <= accuracy:
         return DONE
     return complain(
-        f"not solved to {accuracy:.2g}: {name.replace('_', ' ')} is left uncertain by {uncertainties[name]:.2g}; "
-        "ask for a larger --tolerance",
+        f"not solved to {percent_of(accuracy, 2)}: {name.replace('_', ' ')} is left uncertain by "
+        f"{percent_of(uncertainties[name], 2)}; ask for a larger --tolerance",
         NOT_SOLVED,
     )

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.errors import InputError
+from analytic.words import length_of
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.solution import MeshSolution
 from fembearing.mesh.recipe import Recipe
@@ -32,7 +33,7 @@ def ring_compression(solution: MeshSolution, *, recipe: Recipe, end: End = "free
     if pair.footprint.cut:
         raise InputError(
             f"{contact.pair}: the ring's structure is that of a contact that ends before its shoulder, "
-            f"{contact.nearer_shoulder:.3g} m away; this one reaches over: lower the load or the contact angle"
+            f"{length_of(contact.nearer_shoulder)} away; this one reaches over: lower the load or the contact angle"
         )
     piece = ring_piece(contact, recipe, solution.level, pair.semi_axes)
     body = piece.body if end == "free" else piece.held

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from analytic.errors import InputError
 from analytic.scene import Contact
+from analytic.words import length_of
 
 Array = NDArray[np.float64]
 ROUND_OFF = 1e-9  # of a coordinate
@@ -59,8 +60,8 @@ def footprint_of(contact: Contact, semi_axes: tuple[float, float]) -> Footprint:
     transverse, nearer = semi_axes[1], contact.nearer_shoulder
     if transverse > MOST_OVERRUN * nearer:
         raise InputError(
-            f"{contact.pair}: {contact.load:g} N spread the contact to {transverse:.3g} m across, its shoulder stands "
-            f"at {nearer:.3g} m: the mesh holds up to {MOST_OVERRUN:g} times that. Lower the load or the "
+            f"{contact.pair}: {contact.load:g} N spread the contact to {length_of(transverse)} across, its shoulder "
+            f"stands at {length_of(nearer)}: the mesh holds up to {MOST_OVERRUN:g} times that. Lower the load or the "
             "contact angle, or raise shoulder_half_width"
         )
     below, above = (distance if transverse > distance else math.inf for distance in shoulders_of(contact))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from analytic.errors import InputError
 from analytic.scene import Contact
+from analytic.words import MILLIMETRE, length_of
 from fembearing.mesh.ball import ball_octant
 from fembearing.mesh.bodies import FURTHER, Block, BodyMesh, body_mesh
 from fembearing.mesh.footprint import Footprint, evened, footprint_of
@@ -66,10 +67,10 @@ def pair_mesh(
     for body in (pair.upper, pair.lower):
         quality = mesh_quality(body.mesh)
         if not quality.valid:
-            x, y, z = quality.worst_place
+            place = ", ".join(MILLIMETRE.written(each, ".3g") for each in quality.worst_place)
             raise InputError(
-                f"{contact.pair}: cell {quality.worst_cell} of the {body.name} is inside out at ({x:.3g}, {y:.3g}, "
-                f"{z:.3g}) m, meshed for an ellipse of {semi_axes[0]:.3g} by {semi_axes[1]:.3g} m: lower the load, or "
+                f"{contact.pair}: cell {quality.worst_cell} of the {body.name} is inside out at ({place}), "
+                f"meshed for an ellipse of {length_of(semi_axes[0])} by {length_of(semi_axes[1])}: lower the load, or "
                 f"give mesh recipe {recipe.name} more outer cells"
             )
     return pair
@@ -100,9 +101,9 @@ def _ball_on_race(contact: Contact, recipe: Recipe, level: int, footprint: Footp
     widest = WIDEST_CONTACT * radius / recipe.patch.margin_size
     if max(semi_axes) > widest:
         raise InputError(
-            f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {max(semi_axes):.3g} m, too wide "
-            f"for a ball of radius {radius:.3g} m: the mesh holds up to {widest:.3g} m. Lower the load, or raise "
-            "groove_radius or youngs_modulus"
+            f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {length_of(max(semi_axes))}, "
+            f"too wide for a ball of radius {length_of(radius)}: the mesh holds up to {length_of(widest)}. Lower the "
+            "load, or raise groove_radius or youngs_modulus"
         )
     upper = ball_octant(contact, recipe, level, footprint)
     touching = upper.mesh.doflocs[:, upper.touching]

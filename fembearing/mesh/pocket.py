@@ -4,6 +4,7 @@ import numpy as np
 
 from analytic.errors import InputError
 from analytic.scene import Contact
+from analytic.words import length_of
 from fembearing.mesh.bodies import BodyMesh, body_mesh, cells_of
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import contact_zone, depth_lines, outside_share, patch_mesh, ray
@@ -27,8 +28,8 @@ def pocket_wall(contact: Contact, recipe: Recipe, level: int, footprint: Footpri
     distance = np.hypot(*zone)
     if distance.max() >= radius * np.sin(rim):
         raise InputError(
-            f"pocket: {contact.load:g} N spread the contact with its margin to {distance.max():.3g} m, past the rim "
-            f"of a pocket {contact.wall.depth:.3g} m deep: lower the load or raise cage.pocket_depth"
+            f"pocket: {contact.load:g} N spread the contact with its margin to {length_of(distance.max())}, past the "
+            f"rim of a pocket {length_of(contact.wall.depth)} deep: lower the load or raise cage.pocket_depth"
         )
     polar = np.arcsin(distance / radius)
     near = zone / np.maximum(distance, np.finfo(float).tiny) * polar

@@ -14,6 +14,7 @@ from skfem import MeshHex2
 
 from analytic.errors import InputError
 from analytic.scene import Contact, Ring
+from analytic.words import angle_of, length_of
 from fembearing.mesh.bodies import Block, BodyMesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.patch import NODE, PatchMesh, contact_zone, depth_lines, far_square, patch_mesh
@@ -60,8 +61,8 @@ def ring_piece(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[fl
     )
     if not reach > recipe.patch.margin_size * max(semi_axes):
         raise InputError(
-            f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {max(semi_axes):.3g} m, too wide "
-            f"for the {to_side:.3g} m from it to the ring's side: lower the load or raise bearing.width"
+            f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {length_of(max(semi_axes))}, "
+            f"too wide for the {length_of(to_side)} from it to the ring's side: lower the load or raise bearing.width"
         )
     block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach)
     whole, extent = block.whole, min(reach, thickness)
@@ -88,7 +89,8 @@ def ring_piece(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[fl
     if not quality.valid:
         raise InputError(
             f"{contact.pair}: cell {quality.worst_cell} of the ring is inside out, meshed for an ellipse of "
-            f"{semi_axes[0]:.3g} by {semi_axes[1]:.3g} m at {contact.contact_angle:.4f} rad: lower the load"
+            f"{length_of(semi_axes[0])} by {length_of(semi_axes[1])} at {angle_of(contact.contact_angle)}: lower the "
+            "load"
         )
     end = (patch.ring > patch.cells.rings - NODE) & (patch.u > np.abs(patch.v) - NODE)
     u, v = np.rint(np.array([patch.u, patch.v])[:, patch.zone] / NODE).astype(np.intp)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.result import Unit
+from analytic.words import Unit
 from fembearing.compare.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, NEWTON_MILLIMETRE, RPM, Quantity, unit_for
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.labelled import Column
-from analytic.result import Unit
 from analytic.scene import Array
+from analytic.words import Unit
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.quantities import shown_unit
 

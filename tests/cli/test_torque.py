@@ -182,7 +182,7 @@ def test_a_contact_torn_by_its_shoulder_fails_with_its_reason(command, tmp_path:
     status, out, _ = command("torque", str(tmp_path / "a.toml"))
     assert status == CHECK_FAILED
     said = " ".join(out.split())
-    assert "uncertainty of the torque is not known: a shoulder cuts off 0.13 of a contact" in said
+    assert "uncertainty of the torque is not known: a shoulder cuts off 13 % of a contact" in said
     status, out, _ = command("torque", str(tmp_path / "a.toml"), "--json")
     assert status == CHECK_FAILED
     found = json.loads(out)

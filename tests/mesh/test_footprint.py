@@ -79,7 +79,7 @@ def test_a_shoulder_cuts_off_an_ellipse_that_reaches_it(contacts: dict[str, Cont
 
 def test_an_ellipse_too_far_beyond_the_shoulder_is_refused(contacts: dict[str, Contact]) -> None:
     narrow = replace(contacts["inner"], shoulder=0.3e-3)
-    with pytest.raises(InputError, match=r"shoulder stands at 0\.0003 m: the mesh holds up to 3 times") as caught:
+    with pytest.raises(InputError, match=r"shoulder stands at 0\.3 mm: the mesh holds up to 3 times") as caught:
         pair_mesh(narrow, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES["inner"])
     assert "\n" not in str(caught.value)
 

@@ -52,7 +52,7 @@ def test_no_cell_is_inside_out(contacts: dict[str, Contact], pair: str, recipe: 
 
 
 def test_a_contact_too_wide_for_its_ball_is_refused(contacts: dict[str, Contact]) -> None:
-    with pytest.raises(InputError, match=r"too wide for a ball of radius 0\.00397 m") as caught:
+    with pytest.raises(InputError, match=r"too wide for a ball of radius 3\.97 mm") as caught:
         pair_mesh(contacts["inner"], recipe=load_recipe("race"), level=1, semi_axes=(0.2e-3, 2.1e-3))
     assert "\n" not in str(caught.value)
 

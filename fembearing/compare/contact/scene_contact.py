@@ -14,6 +14,7 @@ from analytic.effects.loads import chosen_balls
 from analytic.errors import InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.scene import Contact, Pair, Scene
+from analytic.words import NEWTON, NEWTON_MILLIMETRE
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 
 Shape = Geometry | Literal["ring"]  # "ring": the real contact, and separately what the ring adds
@@ -73,9 +74,9 @@ def traced_to_load(scene: Scene, *, pair: Pair, load: float | None) -> Iterator[
     except InputError as problem:
         if load is None and pair != "pocket":
             cause = f"operation.axial_load = {scene.operation.axial_load.max():g} N"
-            for name, unit in (("radial_load", "N"), ("moment", "N m")):
+            for name, unit in (("radial_load", NEWTON), ("moment", NEWTON_MILLIMETRE)):
                 largest = np.max(np.abs(getattr(scene.operation, name)))
-                cause += f", operation.{name} = {largest:g} {unit}" if largest else ""
+                cause += f", operation.{name} = {unit.written(largest, 'g')}" if largest else ""
         else:
             cause = f"load = {POCKET_LOAD if load is None else load:g} N"
         raise InputError(f"{cause}: {problem}") from problem

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from analytic.effects.table import STATIC_LIMIT
 from analytic.scene import Contact
+from analytic.words import MILLIMETRE, percent_of, pressure_of
 from fembearing.compare.contact.mesh_refinement import Estimates, Reference
 from fembearing.fem.solution import MeshSolution
 
@@ -34,25 +35,26 @@ def sheet_warning(contact: Contact) -> str:
     """Why a sheet is shown and not judged."""
     assert contact.wall is not None  # otherwise it would not have been meshed
     return (
-        f"{contact.pair}: the sheet of {contact.wall.thickness * 1e3:.3g} mm bends on its rim, which Hertz's half "
-        "space does not know: compare with the stiffness, do not judge by it"
+        f"{contact.pair}: the sheet of {MILLIMETRE.written(contact.wall.thickness, '.3g')} bends on its rim, which "
+        "Hertz's half space does not know: compare with the stiffness, do not judge by it"
     )
 
 
 def shoulder_warning(contact: Contact, reference: Reference) -> str:
     """The warning for a contact that reaches its shoulder, or nearly."""
-    near, remedy = f"{contact.nearer_shoulder * 1e3:.3f} mm", "lower the load or the contact angle"
+    near, remedy = MILLIMETRE.written(contact.nearer_shoulder, ".3f"), "lower the load or the contact angle"
     finest = reference.meshes[-1]
     if finest.shoulder is None:
-        across = f"the contact reaches {finest.quantities.semi_axis_transverse * 1e3:.3f} mm across"
+        across = f"the contact reaches {MILLIMETRE.written(finest.quantities.semi_axis_transverse, '.3f')} across"
         return f"{contact.pair}: {across}, the shoulder stands at {near}: outside Hertz; {remedy}"
     below, above = finest.pair.footprint.shoulders
     if math.isinf(max(below, above)):
-        cut = f"an ellipse of {finest.semi_axes[1] * 1e3:.3f} mm across is cut off, its shoulder stands at {near}"
+        across = MILLIMETRE.written(finest.semi_axes[1], ".3f")
+        cut = f"an ellipse of {across} across is cut off, its shoulder stands at {near}"
     else:
         cut = (
-            f"the contact is cut off on both sides, its shoulders stand at y = -{below * 1e3:.3f} mm and "
-            f"{above * 1e3:.3f} mm"
+            f"the contact is cut off on both sides, its shoulders stand at y = {MILLIMETRE.written(-below, '.3f')} and "
+            f"{MILLIMETRE.written(above, '.3f')}"
         )
     share = reference.shoulder["strip_share"]
     return (
@@ -65,8 +67,8 @@ def shoulder_warning(contact: Contact, reference: Reference) -> str:
 def series_shoulder_warning(contact: Contact, *, load: float) -> str:
     """The warning for a series that reaches its shoulder, or nearly, from `load` (N) on."""
     return (
-        f"{contact.pair}: from {load:g} N on the contact reaches its shoulder, {contact.nearer_shoulder * 1e3:.3f} mm "
-        "away: outside Hertz"
+        f"{contact.pair}: from {load:g} N on the contact reaches its shoulder, "
+        f"{MILLIMETRE.written(contact.nearer_shoulder, '.3f')} away: outside Hertz"
     )
 
 
@@ -87,8 +89,9 @@ def _missed(solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[s
     if part.total <= accuracy:
         return None
     return (
-        f"{mesh.contact.pair}: an uncertainty of {accuracy:.2g} was asked for; that of {_words(name)} at "
-        f"{mesh.contact.load:g} N is {part.total:.2g} on level {mesh.level}, {part.domain:.2g} of it from the block"
+        f"{mesh.contact.pair}: an uncertainty of {percent_of(accuracy, 2)} was asked for; that of {_words(name)} at "
+        f"{mesh.contact.load:g} N is {percent_of(part.total, 2)} on level {mesh.level}, "
+        f"{percent_of(part.domain, 2)} from the block"
     )
 
 
@@ -116,9 +119,9 @@ def _plastic(solved: Sequence[Solved]) -> str | None:
     least = min(over, key=lambda mesh: mesh.contact.load)
     what = "peak pressure" if least.shoulder is None else "the pressure at y = 0,"
     return (
-        f"{least.contact.pair}: {what} {least.quantities.peak_pressure:.3g} Pa at {least.contact.load:g} N is "
-        f"above the static limit {STATIC_LIMIT:.2g} Pa of bearing steel: both sides are elastic, the contact is not; "
-        "lower the load"
+        f"{least.contact.pair}: {what} {pressure_of(least.quantities.peak_pressure)} at {least.contact.load:g} N is "
+        f"above the static limit, {pressure_of(STATIC_LIMIT)}, of bearing steel: both sides are elastic, the contact "
+        "is not; lower the load"
     )
 
 

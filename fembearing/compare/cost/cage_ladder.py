@@ -11,6 +11,7 @@ from analytic.effects.ledger import Ledger
 from analytic.effects.loads import chosen_balls
 from analytic.errors import InputError
 from analytic.scene import Array, Operation, Scene
+from analytic.words import speed_of
 from fembearing.compare.cost.ladder import UntimedLadder, UntimedMethod, deviation
 
 SEEDS, DURATION = 3, 0.02  # of each motion; s, shorter than a scene's, so that all repeats take less than half a minute
@@ -71,7 +72,7 @@ def cage_methods(scene: Scene) -> UntimedLadder:
         quantity="cage torque",
         reference=(
             f'motion in the finest steps, from "{start}", {SEEDS} seeds of {duration:.3g} s at '
-            f"{turning:.4g} rad/s; what the scene asks takes {longer:.3g} times as long"
+            f"{speed_of(turning)}; what the scene asks takes {longer:.3g} times as long"
         ),
         methods=(
             # No closed form bounds what this one leaves out: only the motion shows it.

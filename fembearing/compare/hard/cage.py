@@ -298,7 +298,7 @@ CAGE_CASES: tuple[HardCase, ...] = (
         problem="a lead of 1.01 of it: no position clears them all",
         answer="a refusal with the largest lead",
         evaluate=lambda: led(1.01 * 2 * CLEARANCE),
-        refusal="is beyond the clearance: below 0.0002 m",
+        refusal="is beyond the clearance: below 0.2 mm",
     ),
     HardCase(
         name="cage: shells that clamp the ball",

@@ -232,7 +232,7 @@ CONTACT_CASES: tuple[HardCase, ...] = (
         problem="a clearance of 0.81 mm, more than twice the groove-centre distance",
         answer="a refusal: at no angle do the balls stop the rings",
         evaluate=lambda: angle(None, 5.0, of=with_clearance(0.81e-3)),
-        refusal="diametral clearance 0.00081 m must be below 2 A0",
+        refusal="diametral clearance 0.81 mm must be below 2 A0",
     ),
     HardCase(
         name="contact angle: huge load",

@@ -11,11 +11,12 @@ from analytic.brief import Brief, span
 from analytic.errors import FembearingError
 from analytic.inputs import StatedInput, stated_inputs
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
-from analytic.result import COLUMNS, COORDINATES, NEWTON_MILLIMETRE, POINT, FrictionTorque
+from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
 from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
 from analytic.verdicts import numerical_check, physical_checks
+from analytic.words import NEWTON_MILLIMETRE
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
 from fembearing.compare.torque.verdicts import Verdicts
 from fembearing.progress import Progress, silent

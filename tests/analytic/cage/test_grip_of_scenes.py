@@ -91,7 +91,7 @@ def test_a_whirl_that_needs_more_grip_than_there_is_is_not_known(start: Any, sta
     else:
         assert np.isinf(result.numerical_uncertainty[0])
         (reason,) = result.unknown
-        assert f"uses {number:.3g} of the grip of the races at 52.36 rad/s, above 0.9" in reason
+        assert f"uses {100 * number:.3g} % of the grip of the races at 500 rpm, above 90 %" in reason
     assert reason_of(result, "ball_dynamics").startswith("the scene says off")
 
 
@@ -125,9 +125,9 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     result = friction_torque(scene)
     cage = present(result.cage)
     assert cage.motion == (None,)
-    assert "balls lead by up to 0.000117 m, and the pockets leave 0.0001 m free" in reason_of(result, "cage_dynamics")
+    assert "balls lead by up to 0.1167 mm, and the pockets leave 0.1 mm free" in reason_of(result, "cage_dynamics")
     (warning,) = (warning for warning in result.warnings if "wider pockets free them" in warning)
-    assert "at 52.36 rad/s" in warning
+    assert "at 500 rpm" in warning
     point: Any = result.to_json()["points"][0]["cage"]
     assert (point["state"], point["max_force"], point["whirl_speed"]) == ("squeezed", None, None)
     # Creep alone would give some 170 N (test_grip.py), so every ball slides: 2 mu Q/1.1, up to the weight of the cage
@@ -144,7 +144,7 @@ def test_a_land_leaves_less_room() -> None:
     """0.2 mm of pocket and 0.03 mm of land leave 0.1 + 0.015 mm."""
     result = friction_torque(pushed(500.0, clearance=0.2e-3, land=Land(ring="outer", clearance=0.03e-3, width=9e-3)))
     assert present(result.cage).is_squeezed[0]
-    assert "leaves 0.000115 m free" in "".join(result.warnings)
+    assert "leaves 0.115 mm free" in "".join(result.warnings)
 
 
 def test_only_points_with_room_move() -> None:
@@ -168,7 +168,7 @@ def test_a_ball_without_load_drives_no_cage() -> None:
     scene = pushed(800.0, clearance=0.2e-3)
     scene = replace(scene, operation=replace(scene.operation, axial_load=np.array([0.0])))
     unheld = replace(scene, effects={**scene.effects, "centrifugal": "off"})
-    with pytest.raises(InputError, match=r"ball \d of 9 has a load of 0 N on both races at 52.36 rad/s.*axial_load"):
+    with pytest.raises(InputError, match=r"ball \d of 9 has a load of 0 N on both races at 500 rpm.*axial_load"):
         friction_torque(unheld)
     assert present(friction_torque(scene).cage).torque[0] > 0  # pressed outward by its own force
     still = replace(unheld, operation=replace(unheld.operation, inner_speed=np.array([0.0])))

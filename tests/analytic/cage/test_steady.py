@@ -126,7 +126,7 @@ def test_balls_may_lead_until_no_place_of_the_cage_clears_them() -> None:
     )
     np.testing.assert_allclose(needed * 1e-3, lead / 2, rtol=1e-3)  # tolerance of the simplex
     require_loose_balls(ball_lead=lead, half_clearance=1.001 * lead / 2, centre_offset=0.0)
-    with pytest.raises(InputError, match=r"ball_lead 0\.00011 m is beyond the clearance: below 0\.00010989 m"):
+    with pytest.raises(InputError, match=r"ball_lead 0\.11 mm is beyond the clearance: below 0\.10989 mm"):
         require_loose_balls(ball_lead=lead, half_clearance=0.999 * lead / 2, centre_offset=0.0)
 
 
@@ -188,7 +188,7 @@ def test_step_follows_the_shortest_impact() -> None:
         ({"pocket_axis": "sideways"}, 'pocket_axis must be "axial" or "radial"'),
         ({"axial_inertia": -1e-6}, "axial_inertia must be positive"),
         ({"transverse_inertia": float("nan")}, "transverse_inertia must be positive"),
-        ({"ball_lead": 0.13e-3, "land": LAND}, r"ball_lead 0\.00013 m is beyond the clearance: below 0\.00012 m"),
+        ({"ball_lead": 0.13e-3, "land": LAND}, r"ball_lead 0\.13 mm is beyond the clearance: below 0\.12 mm"),
     ],
 )
 def test_an_impossible_cage_is_refused(change: dict[str, Any], words: str) -> None:

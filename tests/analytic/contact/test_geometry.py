@@ -94,9 +94,14 @@ def test_each_race_keeps_its_own_dimensions(bearing_6205: Bearing) -> None:
 @pytest.mark.parametrize(
     ("race", "angle", "load", "words"),
     [
-        ("outer", 0.83, LOAD, ("0.8300 rad", "outer race's shoulder at 0.8276 rad", "lower the load")),
+        (
+            "outer",
+            0.83,
+            LOAD,
+            ("47.56 deg (0.83 rad)", "outer race's shoulder at 47.42 deg (0.8276 rad)", "lower the load"),
+        ),
         ("inner", 18.0, LOAD, ("contact_angle", "18.0", "degrees")),
-        ("inner", -0.86, LOAD, ("-0.8600 rad", "inner race's shoulder", "lower the load")),
+        ("inner", -0.86, LOAD, ("-49.27 deg (-0.86 rad)", "inner race's shoulder", "lower the load")),
         ("inner", ANGLE, -5.0, ("ball_load", "-5.0")),
         ("pocket", ANGLE, LOAD, ("race", "pocket")),
     ],
@@ -153,7 +158,7 @@ def test_a_counterbored_ring_ends_at_the_bottom_of_its_groove(bearing_6205: Bear
     contact = race_contact(bearing, "outer", contact_angle=0.26, ball_load=LOAD)
     assert contact.far_shoulder == pytest.approx(4.21e-3 * np.sin(0.26), rel=1e-12)  # along the tangent to the bottom
     assert contact.nearer_shoulder == contact.far_shoulder < contact.shoulder
-    with pytest.raises(InputError, match=r"contact_angle 0\.0000 rad is beyond the outer race's shoulder at 0\.0000"):
+    with pytest.raises(InputError, match=r"contact_angle 0 deg \(0 rad\) is beyond the outer race's shoulder at 0 deg"):
         race_contact(bearing, "outer", contact_angle=0.0, ball_load=LOAD)
 
 

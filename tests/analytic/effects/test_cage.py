@@ -43,7 +43,10 @@ def test_a_cage_that_cannot_whirl_has_the_closed_form() -> None:
 
 
 def test_a_motion_within_the_tolerance_is_left_out() -> None:
-    assert_rests(friction_torque(with_cage(replace(CAGED, tolerance=0.9), start="sudden")), "within what 0.45 leaves")
+    assert_rests(
+        friction_torque(with_cage(replace(CAGED, tolerance=0.9), start="sudden")),
+        "within the 45 % that may be left out",
+    )
     off = replace(with_cage(CAGED, start="sudden"), effects={**CAGED.effects, "cage_dynamics": "off"})
     assert_rests(friction_torque(off), "the scene says off")
 

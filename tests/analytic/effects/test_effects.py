@@ -159,7 +159,7 @@ def test_auto_spends_its_half_of_the_tolerance_on_all_effects_together(scene: Sc
     assert not ledger.decide("spin", bound=np.array([0.015, 0.005]))
     compound = [1.03 * 1.001 * 1.015 - 1, 1.001 * 1.04 * 1.005 - 1]  # one effect changes what the next acts on
     np.testing.assert_allclose(ledger.left_out, compound, rtol=1e-12)  # round-off
-    assert "0.041 already left out" in ledger.made["finite_geometry"].reason
+    assert "4.1 % of it already" in ledger.made["finite_geometry"].reason
 
 
 def test_thrust_and_radial_load_in_one_series_do_not_skid(scene: Scene) -> None:
@@ -213,7 +213,7 @@ def test_a_held_angle_takes_no_ring(scene: Scene, name: str) -> None:
 
 def test_a_radial_load_at_a_held_angle_is_refused_where_it_matters(scene: Scene) -> None:
     held = replace(loaded_aside(scene, 50.0), contact_angle=ContactAngle(rule="given", value=0.3), tolerance=0.05)
-    refused(held, r'radial_load and .* are up to 0\.344 of what thrust does.*use "solved"')  # 50 tan(0.3)/45
+    refused(held, r'radial_load and .* are up to 34\.4 % of what thrust does.*use "solved"')  # 50 tan(0.3)/45
     friction_torque(loaded_aside(held, 0.5))
     pure = replace(
         held, operation=replace(held.operation, axial_load=np.zeros(2)), effects={"load_distribution": "off"}
@@ -225,13 +225,13 @@ def test_balls_that_skid_are_refused_with_their_speed(scene: Scene) -> None:
     light = Operation(axial_load=np.array([900.0, 0.001]), inner_speed=np.array([100.0, 2000.0]))
     refused(
         replace(scene, operation=light),
-        r"inner_speed = 2000 rad/s: the centrifugal force .* times its load under 0\.001 N .* above 1000.*raise",
+        r"inner_speed = 19099 rpm: the centrifugal force .* times its load under 0\.001 N .* above 1000.*raise",
     )
 
 
 @pytest.mark.parametrize(
     ("share", "words"),
-    [(0.31, "could be 0.31 of the torque"), (17.2, "could exceed the torque"), (np.inf, "could be of any size")],
+    [(0.31, "could be 31 % of the torque"), (17.2, "could exceed the torque"), (np.inf, "could be of any size")],
 )
 def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, words: str) -> None:
     """Where it calls for the effect, and in the warning where the scene leaves the effect out all the same."""
@@ -239,7 +239,9 @@ def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, 
     ledger.decide("centrifugal", bound=np.array([share, 0.02]))
     ledger.decide("spin", bound=np.array([share, 0.02]))
     called, left = ledger.made["centrifugal"], ledger.made["spin"]
-    assert called.reason == (f"{words}, more than 0.15 leaves" if share < 1 else words)  # half of the tolerance
+    assert called.reason == (
+        f"{words}, more than the 15 % that may be left out" if share < 1 else words
+    )  # half of the tolerance
     assert (left.decision, left.share, left.reason) == ("off", share, "the scene says off")
     told = torque_warnings(ledger, load=np.ones((2, 1, 9)), limits=(), oiled=None, mixed=None, resistance=None)
     beyond = ", more than the tolerance" if share < 1 else ""
@@ -250,7 +252,7 @@ def test_a_contact_beyond_its_shoulder_is_told_with_what_moved_it(scene: Scene) 
     """At 300 000 rpm centrifugal force parts the contact angles; under a heavy load they move together."""
     fast = Operation(axial_load=np.array([300.0, 1000.0]), inner_speed=np.array([50.0, 31416.0]))
     wide = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.3))
-    refused(replace(wide, operation=fast, effects={"centrifugal": "on"}), "1000 N: .* lower the speed of 31416 rad/s")
+    refused(replace(wide, operation=fast, effects={"centrifugal": "on"}), "1000 N: .* lower the speed of 300001 rpm")
     heavy = Operation(axial_load=np.array([1e7]), inner_speed=np.array([50.0]))
     for how in ("on", "off"):
         asked = replace(wide, operation=heavy, effects=dict.fromkeys(("centrifugal", "gyroscopic"), how))

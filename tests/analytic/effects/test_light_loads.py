@@ -79,7 +79,7 @@ def test_balls_that_a_slight_radial_load_lifts_roll_by_their_own_force() -> None
     )
     assert_within_the_uncertainty(scene)
     found = friction_torque(scene)
-    for name, word in (("load_distribution", "7.92 of their mean"), ("centrifugal", "a ball carries no load")):
+    for name, word in (("load_distribution", "792 % of their mean"), ("centrifugal", "a ball carries no load")):
         effect = next(effect for effect in found.effects if effect.name == name)
         assert effect.decision == "on"
         assert word in effect.reason

@@ -48,11 +48,11 @@ def test_every_checked_effect_is_listed_with_its_number(scene: Scene) -> None:
     found = friction_torque(scene)
     assert {effect.name for effect in found.effects} >= set(LIMITS)
     peak, share, limit = numbers_in(reason_of(found, "plasticity"))
-    np.testing.assert_allclose([peak, share], [2.1831e9, 2.1831 / 4.2], rtol=5e-4)  # four and three digits
-    assert limit == 4.2e9
+    np.testing.assert_allclose([peak, share], [2.1831, 100 * 2.1831 / 4.2], rtol=5e-4)  # GPa, %; four, three digits
+    assert limit == 4.2
     axis, distance = numbers_in(reason_of(found, "shoulder"))
     # r_g sin(asin(w/r_g) - al), inner: 4.13 sin(asin(3.1/4.13) - 0.18) = 2.561 mm
-    np.testing.assert_allclose([axis, distance], [1.1222e-3, 2.561e-3], rtol=5e-4)
+    np.testing.assert_allclose([axis, distance], [1.1222, 2.561], rtol=5e-4)  # mm
     words = " ".join(found.warnings)
     for word in ("static limit", "shoulder"):
         assert word not in words
@@ -106,7 +106,7 @@ def test_what_a_shoulder_cuts_off_is_uncertain_and_then_unknown(scene: Scene) ->
     )  # b has five digits
     assert whole.unknown == cut.unknown == ()
     assert np.isinf(torn.numerical_uncertainty[1])
-    assert "shoulder cuts off 0.1" in torn.unknown[0]
+    assert "shoulder cuts off 1" in torn.unknown[0]
 
 
 def shouldered(scene: Scene, near: float | None, far: float | None = None) -> Scene:
@@ -133,7 +133,7 @@ def test_an_unknown_shoulder_is_said_and_undecided_where_a_low_one_would_cut(sce
     torn = friction_torque(shouldered(heavy, None))  # b = 1.49 mm
     np.testing.assert_array_equal(np.isinf(torn.numerical_uncertainty), [False, True])
     (why,) = torn.unknown
-    assert why.startswith("shoulder not known: a low one, of 0.1 ball diameters, would cut off 0.1")
+    assert why.startswith("shoulder not known: a low one, of 0.1 ball diameters, would cut off 1")
     assert torn.to_json()["points"][1]["uncertainty"]["numerical"] is None
 
 
@@ -141,7 +141,7 @@ def test_the_far_shoulder_cuts_too(scene: Scene) -> None:
     """A groove that is cylindrical from its bottom on: r_g sin(0.18) = 0.739 mm away inside, b = 1.1222 mm."""
     found = friction_torque(shouldered(scene, 3.1e-3, 0.0))
     axis, distance = numbers_in(reason_of(found, "shoulder"))
-    np.testing.assert_allclose([axis, distance], [1.1222e-3, 4.13e-3 * np.sin(0.18)], rtol=5e-4)
+    np.testing.assert_allclose([axis, distance], [1.1222, 4.13 * np.sin(0.18)], rtol=5e-4)  # mm
     t = 4.13e-3 * np.sin(0.18) / 1.1222e-3
     grown = found.numerical_uncertainty[1] - friction_torque(scene).numerical_uncertainty[1]
     np.testing.assert_allclose(grown, PER_CUT_SHARE * (2 - 3 * t + t**3) / 4, rtol=2e-3)  # b has five digits

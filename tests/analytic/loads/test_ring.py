@@ -326,7 +326,7 @@ def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bea
         (
             SOLVED,
             {"inner_speed": [70.0, 1e5]},
-            ("the speed, 1e+05 rad/s, drives", "out of its groove", "lower the speed"),
+            ("the speed, 954930 rpm, drives", "out of its groove", "lower the speed"),
         ),
     ],
 )

@@ -52,7 +52,7 @@ def test_a_lay_and_a_coarse_or_narrow_map_give_warnings() -> None:
     assert any("has a lay" in warning for warning in lay.warnings)
     assert any("along its rows" in warning for warning in lay.warnings)
     noise = measure(HeightMap(heights=ROUGH - ROUGH.mean(), spacing=SPACING))
-    assert any("spacing 1.7e-06 m is more than a tenth" in warning for warning in noise.warnings)
+    assert any("spacing 1.7 um is more than a tenth" in warning for warning in noise.warnings)
     long = measure(waves(64, 64, amplitude=1e-7, along_rows=4e4, along_columns=4e4))
     assert any("below ten lengths" in warning for warning in long.warnings)
 

@@ -188,7 +188,7 @@ def test_a_scene_with_a_height_map(tmp_path: Path) -> None:
 
 def test_dependence_on_the_spacing_gives_warnings() -> None:
     (warning,) = gap_roughness(Surface(rms_roughness=SQ, autocorrelation=FRACTAL)).warnings
-    assert "2.1e-06 m" in warning
+    assert "2.1 um" in warning
     assert "exponential" in warning
     assert "sets the summits' slope and curvature" in warning
     wide = Surface(rms_roughness=SQ, autocorrelation=replace(FRACTAL, spacing=3e-6))
@@ -200,7 +200,7 @@ def test_dependence_on_the_spacing_gives_warnings() -> None:
     assert "ignored" not in warning
     coarse = Autocorrelation(kind="gaussian", length=21e-6, spacing=3e-6)
     (warning,) = gap_roughness(Surface(rms_roughness=SQ, autocorrelation=coarse)).warnings
-    assert "more than a tenth of the length 2.1e-05 m and is ignored" in warning
+    assert "more than a tenth of the length 21 um and is ignored" in warning
     assert gap_roughness(Surface(rms_roughness=SQ, autocorrelation=coarse)).race.slope == pytest.approx(
         2 * SQ**2 / 21e-6**2, rel=1e-12
     )  # as at any spacing
@@ -209,7 +209,7 @@ def test_dependence_on_the_spacing_gives_warnings() -> None:
 def test_a_surface_too_steep_for_shallow_asperities_is_refused() -> None:
     """Ball and race together have the mean square slope 4 Sq^2/B^2, 1 at Sq = B/2."""
     assert gap_roughness(Surface(rms_roughness=10.4e-6, autocorrelation=SMOOTH)).rms_roughness > 0
-    message = r"surface\.rms_roughness = 1\.06e-05 m.*rms slope of 1\.01.*at most 1\.05e-05 m.*longer"
+    message = r"surface\.rms_roughness = 10\.6 um.*rms slope of 1\.01.*at most 10\.5 um.*longer"
     with pytest.raises(InputError, match=message):
         gap_roughness(Surface(rms_roughness=10.6e-6, autocorrelation=SMOOTH))
 
@@ -217,7 +217,7 @@ def test_a_surface_too_steep_for_shallow_asperities_is_refused() -> None:
 @pytest.mark.parametrize(
     ("changed", "points", "message"),
     [
-        ({"spacing": 2.2e-6}, POINTS, "spacing 2.2e-06 m is more than a tenth of its length"),
+        ({"spacing": 2.2e-6}, POINTS, "spacing 2.2 um is more than a tenth of its length"),
         ({}, 99, "give 100 points or more"),
         ({"length": 51e-6}, POINTS, "more than a tenth of 240 points"),
         ({}, 4097, "points must be 32 to 4096"),

@@ -190,4 +190,4 @@ def test_above_the_static_limit_the_warning_says_so(
         replace(contacts["inner"], groove_radius=5.0e-3, load=2250.0), recipe=shallow("race"), tolerance=0.9
     )
     assert solution.reference.peak_pressure > 4.2e9
-    assert "above the static limit 4.2e+09 Pa" in " ".join(solution.warnings)
+    assert "above the static limit, 4.2 GPa" in " ".join(solution.warnings)

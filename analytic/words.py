@@ -1,0 +1,56 @@
+"""Numbers in sentences: SI values in the units that engineers read.
+
+Every message, warning and reason takes its units here. JSON and Python stay in SI.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Unit(NamedTuple):
+    """A unit in which numbers are shown."""
+
+    name: str
+    factor: float  # by which an SI value is multiplied
+
+    def written(self, value: float, form: str) -> str:
+        """An SI value in this unit, with its name."""
+        return f"{value * self.factor:{form}} {self.name}".rstrip()
+
+
+RPM, NEWTON, NEWTON_MILLIMETRE = Unit("rpm", 30 / np.pi), Unit("N", 1.0), Unit("N mm", 1e3)
+GIGAPASCAL, MILLIMETRE, MICROMETRE = Unit("GPa", 1e-9), Unit("mm", 1e3), Unit("um", 1e6)
+DEGREE, PERCENT = Unit("deg", 180 / np.pi), Unit("%", 100.0)
+SHORT = 9e-5  # m: what is shorter is shown in micrometres
+FAST = 1e5  # rpm: faster has no digits after the point and no power of ten
+
+
+def length_of(metres: float, form: str = ".4g") -> str:
+    """A length in mm, or in um where it is short."""
+    return (MICROMETRE if 0 < abs(metres) < SHORT else MILLIMETRE).written(metres, form)
+
+
+def pressure_of(pascals: float) -> str:
+    """A pressure in GPa."""
+    return GIGAPASCAL.written(pascals, ".4g")
+
+
+def torque_of(newton_metres: float) -> str:
+    """A torque or a moment in N mm."""
+    return NEWTON_MILLIMETRE.written(newton_metres, ".4g")
+
+
+def speed_of(radians_per_second: float) -> str:
+    """An angular velocity in rpm."""
+    return RPM.written(radians_per_second, ".0f" if abs(radians_per_second) * RPM.factor >= FAST else ".5g")
+
+
+def angle_of(radians: float) -> str:
+    """An angle in degrees, with radians beside."""
+    return f"{DEGREE.written(radians, '.4g')} ({radians:.4g} rad)"
+
+
+def percent_of(share: float, digits: int = 3) -> str:
+    """A relative number in per cent."""
+    return PERCENT.written(share, ".0f" if abs(share) * PERCENT.factor >= 10**digits else f".{digits}g")
