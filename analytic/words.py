@@ -3,9 +3,12 @@
 Every message, warning and reason takes its units here. JSON and Python stay in SI.
 """
 
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
+
+Number = TypeVar("Number", float, NDArray[np.float64])
 
 
 class Unit(NamedTuple):
@@ -13,10 +16,15 @@ class Unit(NamedTuple):
 
     name: str
     factor: float  # by which an SI value is multiplied
+    offset: float = 0.0  # added to that: of a temperature, not of a difference
+
+    def number(self, value: Number) -> Number:
+        """SI values in this unit."""
+        return value * self.factor + self.offset
 
     def written(self, value: float, form: str) -> str:
         """An SI value in this unit, with its name."""
-        return f"{value * self.factor:{form}} {self.name}".rstrip()
+        return f"{self.number(value):{form}} {self.name}".rstrip()
 
 
 RPM, NEWTON, NEWTON_MILLIMETRE = Unit("rpm", 30 / np.pi), Unit("N", 1.0), Unit("N mm", 1e3)

@@ -68,10 +68,10 @@ def write_report(result: Validation, folder: Path) -> Validation:
 def write_cost(cost: Cost, folder: Path) -> None:
     """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
     from fembearing.report.document.report import Ladder
-    from fembearing.report.figures.cost import cost_figure, cost_table
+    from fembearing.report.figures.cost import cost_figures, cost_table
     from fembearing.report.figures.style import png
 
     ladders = [Ladder.model_validate(ladder.to_json()) for ladder in cost.ladders]
-    (folder / "cost.png").write_bytes(png(cost_figure(ladders, tolerance=cost.tolerance)))
+    (folder / "cost.png").write_bytes(png(*cost_figures(ladders, tolerance=cost.tolerance, most=len(ladders) + 1)))
     (folder / "cost.csv").write_text(cost_table(ladders), "utf-8")
     (folder / "cost.json").write_text(json.dumps(cost.to_json(), indent=1, allow_nan=False), "utf-8")

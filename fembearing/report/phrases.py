@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.words import Unit
+from analytic.words import angle_of, percent_of
 from fembearing.compare.cost.ladder import Ladder
-from fembearing.quantities import CONTACT, LINE_LOAD, MICRO, MILLI, NEWTON_MILLIMETRE, RPM, Quantity, unit_for
+from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 
 if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from analytic.result import PairPart
@@ -29,8 +29,6 @@ VARIED = {  # the parts of the model's uncertainty
 }
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
 CLEARANCES = ("unmounted", "mounted", "operating")
-ZERO_CELSIUS = 273.15  # K
-MEGAPASCAL = Unit("MPa", 1e-6)
 MADE_OF = {  # the parts of the 95 % interval
     "total": "all together",
     "numerical": "numerical alone",
@@ -57,9 +55,10 @@ LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inp
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 
-def quantities_of(contact: "Contact") -> dict[str, Quantity]:
+def quantities_of(contact: "Contact", units: Units = METRIC) -> dict[str, Quantity]:
     """The quantities of a contact; where a shoulder cuts it off, the pressure is largest there and not at y = 0."""
-    return CONTACT | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else CONTACT
+    named = CONTACT | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else CONTACT
+    return {name: quantity.in_units(units) for name, quantity in named.items()}
 
 
 def place_of(pair: str, geometry: str) -> str:
@@ -75,9 +74,9 @@ def title_of(pair: str, geometry: str, contact_angle: float, load: str) -> str:
     return f"{capital(place_of(pair, geometry))}{angle}: {load}"
 
 
-def contact_title(contact: "Contact") -> str:
+def contact_title(contact: "Contact", units: Units = METRIC) -> str:
     """Place and load of a contact, for the head of its table."""
-    return title_of(contact.pair, contact.geometry, contact.contact_angle, f"{contact.load:.4g} N")
+    return title_of(contact.pair, contact.geometry, contact.contact_angle, units.force.written(contact.load, ".4g"))
 
 
 def contact_place(contact: "Contact") -> str:
@@ -85,18 +84,19 @@ def contact_place(contact: "Contact") -> str:
     return capital(place_of(contact.pair, contact.geometry))
 
 
-def ring_line(ring: "Ring") -> str:
+def ring_line(ring: "Ring", units: Units = METRIC) -> str:
     """What the ring adds to the approach, in one sentence."""
     return (
-        f"Ring on a rigid seat: approach {MICRO.written(ring.approach, '+.3f')} ({ring.share:+.1%} of the contact's), "
-        f"+- {MICRO.written(ring.uncertainty, '.3f')}: structure, not contact."
+        f"Ring on a rigid seat: approach {units.small_length.written(ring.approach, '+.4g')} ({ring.share:+.1%} of "
+        f"the contact's), +- {units.small_length.written(ring.uncertainty, '.3g')}: structure, not contact."
     )
 
 
-def loads_of(point: "OperatingPoint | PredictedPoint", names: Sequence[str]) -> str:
+def loads_of(point: "OperatingPoint | PredictedPoint", names: Sequence[str], units: Units = METRIC) -> str:
     """The loads of these names at an operating point, for example "1000 N axial, 50 N radial"."""
-    words = {"axial_load": "N axial", "radial_load": "N radial", "moment": "N m moment"}
-    return ", ".join(f"{getattr(point, name):.6g} {words[name]}" for name in names)
+    words = {"axial_load": "axial", "radial_load": "radial", "moment": "moment"}
+    shown = {name: units.torque if name == "moment" else units.force for name in names}
+    return ", ".join(f"{shown[name].written(getattr(point, name), '.6g')} {words[name]}" for name in names)
 
 
 def varying_loads(points: Sequence["OperatingPoint"]) -> list[str]:
@@ -128,22 +128,12 @@ def percent(value: float | None) -> str:
     """A relative number in per cent; "unknown" where nothing is known of it."""
     if value is None or not np.isfinite(value):
         return "unknown"
-    return f"{100 * value:.2g} %" if abs(value) < 1 else f"{100 * value:.0f} %"
+    return percent_of(value, 2)
 
 
 def angle_cell(radians: float | None) -> str:
     """An angle in a column of degrees, with radians beside."""
     return "-" if radians is None else f"{np.degrees(radians):z.2f} ({radians:z.4f})"
-
-
-def angle_of(radians: float) -> str:
-    """An angle in words: degrees, with radians beside."""
-    return f"{np.degrees(radians):.4g} deg ({radians:.4g} rad)"
-
-
-def celsius(kelvin: float) -> str:
-    """A temperature in words."""
-    return f"{kelvin - ZERO_CELSIUS:.4g} degC"
 
 
 def listed(values: float | Sequence[float], factor: float = 1.0) -> str:
@@ -164,16 +154,16 @@ def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:
     return "neither a coefficient nor both lubricant and surface in the scene: no torque"
 
 
-def value_of(value: float | str | None, uncertainty: float | None, unit: str) -> str:
+def value_of(value: float | str | None, uncertainty: float | None, unit: str, units: Units = METRIC) -> str:
     """The value of an input with its unit and its standard deviation, as far as they are known."""
     if value is None:
         return "not known"
     if isinstance(value, str):
         return value
-    if unit == "K":
-        return f"{celsius(value)}{f' +- {uncertainty:.2g} K' if uncertainty else ''}"
-    shown = unit_for(unit, abs(value))
-    number = f"{value * shown.factor:.5g}"
+    shown = units.unit_for(unit, abs(value))
+    if unit == "rad":
+        return angle_of(value) + (f" +- {shown.written(uncertainty, '.2g')}" if uncertainty else "")
+    number = f"{shown.number(value):.5g}"
     spread = f" +- {uncertainty * shown.factor:.2g}" if uncertainty else ""
     return f"{number}{spread} {shown.name}".strip()
 
@@ -202,16 +192,16 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
     )
 
 
-def limit_of(value: float, unit: str) -> str:
-    """A number of a physical verdict, SI, as it is shown: pressures in GPa, shares in per cent."""
-    return CONTACT["peak_pressure"].shown.written(value, ".3g") if unit == "Pa" else f"{100 * value:.3g} %"
+def limit_of(value: float, unit: str, units: Units = METRIC) -> str:
+    """A number of a physical verdict, SI, as it is shown: shares in per cent."""
+    return units.pressure.written(value, ".3g") if unit == "Pa" else percent_of(value)
 
 
-def worst_of(check: "PhysicalCheck | PhysicalVerdict") -> str:
+def worst_of(check: "PhysicalCheck | PhysicalVerdict", units: Units = METRIC) -> str:
     """The number of a physical verdict."""
     if check.value is None:
         return "infinite" if check.verdict == "fail" else "unknown"
-    return limit_of(check.value, check.unit)
+    return limit_of(check.value, check.unit, units)
 
 
 def numerical_words(check: "NumericalCheck | NumericalVerdict") -> str:
@@ -222,13 +212,19 @@ def numerical_words(check: "NumericalCheck | NumericalVerdict") -> str:
     return f"{words}, {'within' if check.verdict == 'pass' else 'beyond'} the tolerance {100 * check.tolerance:.3g} %."
 
 
-def clearances_of(found: "Clearances | SceneClearances") -> str:
+def clearances_of(found: "Clearances | SceneClearances", units: Units = METRIC) -> str:
     """How the bearing came to its clearance, in a sentence or two."""
-    way = ", ".join(f"{MICRO.written(getattr(found, name), '.3g')} {name}" for name in CLEARANCES)
-    left = "" if found.operating >= 0 else f"; every ball is preloaded with {found.ball_load:.3g} N"
+    way = ", ".join(f"{units.small_length.written(getattr(found, name), '.3g')} {name}" for name in CLEARANCES)
+    left = (
+        "" if found.operating >= 0 else f"; every ball is preloaded with {units.force.written(found.ball_load, '.3g')}"
+    )
     seats = [
         f"{name} seat "
-        + (f"{MICRO.written(tight, '.3g')} tight, {MEGAPASCAL.written(pressure, '.3g')}" if tight > 0 else "loose")
+        + (
+            f"{units.small_length.written(tight, '.3g')} tight, {units.stress.written(pressure, '.3g')}"
+            if tight > 0
+            else "loose"
+        )
         for name, tight, pressure in (
             ("shaft", found.shaft_interference, found.shaft_pressure),
             ("housing", found.housing_interference, found.housing_pressure),
@@ -237,18 +233,18 @@ def clearances_of(found: "Clearances | SceneClearances") -> str:
     return f"Clearance on the diameter: {way}{left}. In operation: {', '.join(seats)}."
 
 
-def pair_of(pair: "PairPart") -> str:
+def pair_of(pair: "PairPart", units: Units = METRIC) -> str:
     """What the columns of a pair's table mean, and its preload."""
     found = pair.equilibrium
     held = (
         "Both bearings carry the axial load, without preload"
         if pair.kind == "tandem"
-        else f"Preload {found.preload:.4g} N at standstill, by closing {MICRO.written(found.offset, '.3g')}; the axial "
-        "load presses on the first bearing"
+        else f"Preload {units.force.written(found.preload, '.4g')} at standstill, by closing "
+        f"{units.small_length.written(found.offset, '.3g')}; the axial load presses on the first bearing"
     )
     return (
         f"{held}. Loads of each bearing along and across its own axis; ball: load of its heaviest; middles "
-        f"{MILLI.written(found.distance, '.4g')} apart; dFa/dz: axial stiffness of the pair."
+        f"{units.length.written(found.distance, '.4g')} apart; dFa/dz: axial stiffness of the pair."
     )
 
 
@@ -261,16 +257,16 @@ def input_name(key: str) -> str:
     return f"{words} (cage)" if table == "cage" else words
 
 
-def interval_at(point: "PredictedPoint") -> str:
+def interval_at(point: "PredictedPoint", units: Units = METRIC) -> str:
     """The 95 % interval of the total, in the unit of a table."""
-    return "-".join(f"{end * NEWTON_MILLIMETRE.factor:.3g}" for end in (point.total.low, point.total.high))
+    return "-".join(f"{units.torque.number(end):.3g}" for end in (point.total.low, point.total.high))
 
 
-def predicted_torque(prediction: "Prediction") -> str:
+def predicted_torque(prediction: "Prediction", units: Units = METRIC) -> str:
     """The torque with its interval at the slowest and the fastest point, in a sentence."""
     each = [
-        f"{NEWTON_MILLIMETRE.written(point.nominal, '.3g')} ({interval_at(point)}) at "
-        f"{RPM.written(point.inner_speed, '.4g')}"
+        f"{units.torque.written(point.nominal, '.3g')} ({interval_at(point, units)}) at "
+        f"{units.speed.written(point.inner_speed, '.4g')}"
         for point in prediction.ends
     ]
     return f"Friction torque with its 95 % interval: {', '.join(each)}."
@@ -311,26 +307,26 @@ def choices_line(ladder: Ladder) -> str:
     return "; ".join(parts)
 
 
-def shoulder_lines(contact: "Contact") -> list[str]:
+def shoulder_lines(contact: "Contact", units: Units = METRIC) -> list[str]:
     """What a contact does at the shoulders that cut it off, a sentence each; none where it ends before them."""
     shoulder = contact.shoulder
     if shoulder is None:
         return []
     centroid, line = shoulder.centroid, shoulder.strip_line_load
-    ends = [MILLI.written(y, ".4g") for y in sorted(shoulder.cuts)]
-    nearer = MILLI.written(shoulder.cuts[0], ".4g")
+    ends = [units.length.written(y, ".4g") for y in sorted(shoulder.cuts)]
+    nearer = units.length.written(shoulder.cuts[0], ".4g")
     if len(ends) == 1:
         where, edge = f"Cut off at the shoulder, y = {ends[0]}, on one side", "the shoulder"
     else:
         where, edge = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {nearer}"
     half = (
         f": half of the contact is meshed, semi-axes are about the load's centroid, at y = "
-        f"{MILLI.written(centroid.fe, '.3g')} (+-{centroid.uncertainty:.1%} of that)"
+        f"{units.length.written(centroid.fe, '.3g')} (+-{centroid.uncertainty:.1%} of that)"
     )
     return [
         f"{where}{half if shoulder.half else ''}.",
-        f"Edge load: the strip of {MILLI.written(shoulder.strip_width, '.3g')} beside {edge} carries "
+        f"Edge load: the strip of {units.length.written(shoulder.strip_width, '.3g')} beside {edge} carries "
         f"{shoulder.strip_share.fe:.2%} of the load (+-{shoulder.strip_share.uncertainty:.1%} of that), "
-        f"{LINE_LOAD.written(line.fe, '.4g')} or {line.fe / shoulder.hertz_line_load:.3g} times Hertz's greatest line "
-        "load. The pressure shown is that at y = 0, not at the edge, where it has no bound.",
+        f"{units.line_load.written(line.fe, '.4g')} or {line.fe / shoulder.hertz_line_load:.3g} times Hertz's "
+        "greatest line load. The pressure shown is that at y = 0, not at the edge, where it has no bound.",
     ]

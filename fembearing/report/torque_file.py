@@ -40,7 +40,7 @@ def figure_file(result: SceneTorque) -> bytes:
     from fembearing.report.figures.style import png  # with matplotlib: only a figure pays for it
     from fembearing.report.figures.torque_alone import figure_of_torque
 
-    return png(figure_of_torque(result), sharp=True)
+    return png(figure_of_torque(result))
 
 
 def vector_file(result: SceneTorque) -> bytes:

@@ -14,6 +14,7 @@ from analytic.scene import Scene
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
 from fembearing.compare.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 from fembearing.progress import Progress, part_of, silent
+from fembearing.quantities import METRIC
 from fembearing.report.new_folder import whole_file, whole_folder
 from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file
 
@@ -89,7 +90,7 @@ def _write_prediction(prediction: "Prediction", folder: Path) -> None:
     from fembearing.report.figures.prediction import interval_figure
     from fembearing.report.figures.style import png
 
-    (folder / "interval.png").write_bytes(png(interval_figure(Table.model_validate(prediction.to_json()))))
+    (folder / "interval.png").write_bytes(png(interval_figure(Table.model_validate(prediction.to_json()), METRIC)))
 
 
 def _write_motions(
@@ -112,7 +113,7 @@ def _write_motions(
         packed = {name: {"zlib": True, "complevel": 1} for name in dataset.data_vars}  # most forces are 0
         dataset.to_netcdf(series, engine="netcdf4", encoding=packed)
         motion = Motion.model_validate(record.drawn())
-        plot.write_bytes(png(orbit_figure([motion])))
+        plot.write_bytes(png(orbit_figure(motion, METRIC, captioned=True)))
         written.append(
             {
                 "point": record.point,

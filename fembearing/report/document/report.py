@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from analytic.report_details import PublishedCase, UnitSystem
+from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.scene import Scene
 from fembearing.report.document.table import Count, Geometry, Label, OfQuantities, Pair, Positive, Table, Verdict
@@ -207,6 +208,11 @@ class Report(Table):
     def contact_at(self, pair: Pair, geometry: Geometry) -> Contact | None:
         """The contact of a picture or of a verdict; None where there is none."""
         return next((each for each in self.contacts if (each.pair, each.geometry) == (pair, geometry)), None)
+
+    @property
+    def units(self) -> Units:
+        """In which page and figures show these numbers, which are SI."""
+        return SYSTEMS[self.report.units]
 
     @property
     def pocket_load(self) -> str:

@@ -4,14 +4,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.quantities import CONTACT
+from fembearing.quantities import Units
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
 from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
 from fembearing.report.phrases import contact_place
 
-APPROACH = CONTACT["approach"]
-MICRO = APPROACH.shown.factor
 CAPTION = (
     "Above: load of the ball over its approach, by Hertz, by Hertz corrected for finite geometry as far as its fit "
     "reaches, and by finite elements at the load that was solved. Below: approach over Hertz's, less one, with the "
@@ -21,33 +19,34 @@ CAPTION = (
 
 def approach_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
-    labels = ("load, N", "approach over Hertz's,\nless 1, %")
-    return contact_columns(document.contacts, _curve, _apart, height=6.2, labels=labels), CAPTION
+    units = document.units
+    labels = (f"load, {units.force.name}", "approach over Hertz's,\nless 1, %")
+    return contact_columns(document.contacts, _curve, _apart, units=units, labels=labels), CAPTION
 
 
-def _curve(panel: Axes, contact: Contact) -> None:
+def _curve(panel: Axes, contact: Contact, units: Units) -> None:
     """Load over approach, with the solved point."""
     curve, solved = contact.approach_curve, contact.fe.approach
-    load = np.array(curve.load)
-    panel.plot(MICRO * np.array(curve.hertz), load, color=BLACK, label="Hertz")
-    panel.plot(MICRO * _known(curve.corrected), load, "--", color=BLUE, label="Hertz, corrected for finite geometry")
+    load, small = units.force.factor * np.array(curve.load), units.small_length.factor
+    panel.plot(small * np.array(curve.hertz), load, color=BLACK, label="Hertz")
+    panel.plot(small * _known(curve.corrected), load, "--", color=BLUE, label="Hertz, corrected for finite geometry")
     panel.errorbar(
-        MICRO * solved,
-        contact.load,
-        xerr=MICRO * solved * contact.uncertainty.approach,
+        small * solved,
+        units.force.number(contact.load),
+        xerr=small * solved * contact.uncertainty.approach,
         fmt="o",
         color=RED,
         markersize=5,
         label="finite elements",
     )
-    panel.set_title(contact_place(contact).replace(", ", ",\n"), fontsize=9)
-    panel.set(xlabel=APPROACH.heading, xlim=(0, None), ylim=(0, None))
+    panel.set_title(contact_place(contact).replace(", ", ",\n"), fontsize=10)
+    panel.set(xlabel=f"approach, {units.small_length.name}", xlim=(0, None), ylim=(0, None))
 
 
-def _apart(panel: Axes, contact: Contact) -> None:
+def _apart(panel: Axes, contact: Contact, units: Units) -> None:
     """Departure from Hertz's approach, per cent."""
     curve, solved = contact.approach_curve, contact.fe.approach
-    load, hertz = np.array(curve.load), np.array(curve.hertz)
+    load, hertz = units.force.factor * np.array(curve.load), np.array(curve.hertz)
     corrected, half = _known(curve.corrected), _known(curve.uncertainty)
     panel.axhline(0, color=BLACK)
     if np.isfinite(corrected).any():
@@ -56,7 +55,7 @@ def _apart(panel: Axes, contact: Contact) -> None:
         panel.plot(load, 100 * (corrected / hertz - 1), "--", color=BLUE)
     ratio = solved / contact.hertz.approach
     panel.errorbar(
-        contact.load,
+        units.force.number(contact.load),
         100 * (ratio - 1),
         yerr=100 * ratio * contact.uncertainty.approach,
         fmt="o",
@@ -64,7 +63,7 @@ def _apart(panel: Axes, contact: Contact) -> None:
         markersize=5,
         capsize=4,
     )
-    panel.set(xlabel="load, N", xlim=(0, None))
+    panel.set(xlabel=f"load, {units.force.name}", xlim=(0, None))
     panel.margins(y=0.25)
 
 

@@ -1,17 +1,16 @@
-"""Orbit and forces of cages in motion, side by side."""
+"""Orbit and forces of a cage in motion."""
 
 import textwrap
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.quantities import MICRO, MILLISECOND, NEWTON_MILLIMETRE, RPM
+from fembearing.quantities import MILLISECOND, Units
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import CageRecord
-from fembearing.report.figures.style import BLACK, BLUE, ORANGE, RED
+from fembearing.report.figures.style import BLACK, BLUE, ORANGE, RED, WIDTH
 
 STARTING, MEASURED, BLOCKS, LIMIT = "silver", BLUE, RED, BLACK
 LEAST_SHOWN = 1e-3  # of the median of blocks: a force below is nothing
@@ -27,13 +26,16 @@ WHAT_TO_SEE = {
 }
 
 
-def cage_plot(document: Report) -> tuple[Figure | None, str]:
-    """A row for each motion that was kept: of the slowest and the fastest point whose cage moved."""
+def cage_plot(document: Report) -> tuple[list[Figure] | None, str]:
+    """A figure for each motion that was kept: of the slowest and the fastest point whose cage moved."""
     motions = document.cage_records
     if not motions:
         return None, _why_at_rest(document)
-    captions = list(dict.fromkeys(cage_caption(motion) for motion in motions))
-    return orbit_figure(motions, captioned=False), " ".join(captions)
+    seen = [WHAT_TO_SEE[state] for state in dict.fromkeys(motion.state for motion in motions)]
+    blocks = " and ".join(dict.fromkeys(_blocks(motion) for motion in motions))
+    start_ups = " and ".join(dict.fromkeys(f"{motion.start_up:g} s" for motion in motions))
+    figures = [orbit_figure(motion, document.units) for motion in motions]
+    return figures, f"{' '.join(seen)} {_drawn(start_ups, blocks)}"
 
 
 def _why_at_rest(document: Report) -> str:
@@ -48,93 +50,109 @@ def _why_at_rest(document: Report) -> str:
 
 def cage_caption(motion: CageRecord) -> str:
     """What is drawn, and what to see in it."""
+    return f"{WHAT_TO_SEE[motion.state]} {_drawn(f'{motion.start_up:g} s', _blocks(motion))}"
+
+
+def _blocks(motion: CageRecord) -> str:
+    return f"{len(motion.block_maxima)} blocks of {motion.block:.3g} s"
+
+
+def _drawn(start_up: str, blocks: str) -> str:
+    """What each panel shows."""
     return (
-        f"{WHAT_TO_SEE[motion.state]} Left: grey the start-up of {motion.start_up:g} s, which no statistics "
-        "count, blue after it; dashed the edge of the room, where the balls stop a level cage. Middle: the largest "
-        "force of one ball on its pocket since the instant before, and the sum over all balls. Right: how often a "
-        f"force is exceeded, of instants of this motion and of {len(motion.block_maxima)} blocks of "
-        f"{motion.block:.3g} s of all seeds; band: 95 % interval of their median. The motion is run anew: after "
-        "an irregular start-up it need not be one of those of the statistics."
+        f"Orbit: grey the start-up of {start_up}, which no statistics count, blue after it; dashed the edge of the "
+        "room, where the balls stop a level cage. Forces: the largest of one ball on its pocket since the instant "
+        "before, and the sum over all balls. How often a force is exceeded: of instants of this motion and of "
+        f"{blocks} of all seeds; band: 95 % interval of their median. The motion is run anew: after an irregular "
+        "start-up it need not be one of those of the statistics."
     )
 
 
-def orbit_figure(motions: Sequence[CageRecord], *, captioned: bool = True) -> Figure:
-    """Orbit of the cage's centre, forces over time, and how often each force is exceeded; a row for each motion."""
-    figure = Figure(figsize=(14, 5.6 * len(motions)), layout="constrained")
-    for part, motion in zip(figure.subfigures(len(motions), 1, squeeze=False).ravel(), motions, strict=True):
-        orbit, forces, excess = part.subplots(1, 3, width_ratios=(1.0, 1.25, 1.0))
-        _orbit(orbit, motion)
-        _forces(forces, motion)
-        _excess(excess, motion)
-        torque, high = (NEWTON_MILLIMETRE.written(value, ".3g") for value in (motion.torque, motion.torque_interval[1]))
-        low = f"{NEWTON_MILLIMETRE.factor * motion.torque_interval[0]:.3g}"
-        part.suptitle(
-            f'{motion.bearing} at {RPM.written(motion.inner_speed, ".5g")}: regime "{motion.state}", started '
-            f'"{motion.start}"; cage torque {torque}, {low} to {high} at 95 %',
-            parse_math=False,  # a bearing's name is a person's
-        )
+def orbit_figure(motion: CageRecord, units: Units, *, captioned: bool = False) -> Figure:
+    """Orbit of the cage's centre, how often each force is exceeded, and below them the forces over time."""
+    figure = Figure(figsize=(WIDTH, 8.4 if captioned else 7.0), layout="constrained")
+    grid = figure.add_gridspec(2, 2)
+    _orbit(figure.add_subplot(grid[0, 0]), motion, units)
+    _forces(figure.add_subplot(grid[1, :]), motion, units)
+    _excess(figure.add_subplot(grid[0, 1]), motion, units)
+    for panel in figure.axes:
+        panel.tick_params(labelsize=9)
+    torque, high = (units.torque.written(value, ".3g") for value in (motion.torque, motion.torque_interval[1]))
+    low = f"{units.torque.number(motion.torque_interval[0]):.3g}"
+    figure.suptitle(
+        f'{motion.bearing} at {units.speed.written(motion.inner_speed, ".5g")}: regime "{motion.state}",\nstarted '
+        f'"{motion.start}"; cage torque {torque}, {low} to {high} at 95 %',
+        parse_math=False,  # a bearing's name is a person's
+        fontsize=10,
+    )
     if captioned:
-        figure.supxlabel(textwrap.fill(cage_caption(motions[0]), 190), x=0.01, ha="left", fontsize=9)
+        figure.supxlabel(textwrap.fill(cage_caption(motion), 88), x=0.01, ha="left", fontsize=8)
     return figure
 
 
-def _orbit(panel: Axes, motion: CageRecord) -> None:
+def _orbit(panel: Axes, motion: CageRecord, units: Units) -> None:
     """The orbit of the cage's centre, and the edge of its room."""
-    orbit, room = motion.orbit, motion.room
+    orbit, room, small = motion.orbit, motion.room, units.small_length
     look: dict[str, Any] = {"lw": 0.6} if orbit.joined else {"linestyle": "none", "marker": ".", "ms": 2.5}
     for part, colour, label in (("start_up", STARTING, "start-up"), ("measured", MEASURED, "measured")):
-        panel.plot(*(MICRO.factor * np.array(getattr(orbit, part))).T, color=colour, label=label, **look)
-    panel.plot(*(MICRO.factor * np.array(room.edge)).T, "--", color=LIMIT, lw=1, label="edge of its room")
-    panel.plot(*(MICRO.factor * np.array(orbit.measured[-1])), "o", color=MEASURED, mec="black", ms=6, label="end")
+        panel.plot(*(small.factor * np.array(getattr(orbit, part))).T, color=colour, label=label, **look)
+    panel.plot(*(small.factor * np.array(room.edge)).T, "--", color=LIMIT, lw=1, label="edge of its room")
+    panel.plot(*(small.factor * np.array(orbit.measured[-1])), "o", color=MEASURED, mec="black", ms=6, label="end")
     pull = np.array(motion.gravity[:2])
     if pull.any():
-        middle = MICRO.factor * np.array(room.middle)
-        head = middle + 0.35 * MICRO.factor * room.size * pull / np.linalg.norm(pull)
+        middle = small.factor * np.array(room.middle)
+        head = middle + 0.35 * small.factor * room.size * pull / np.linalg.norm(pull)
         panel.annotate("", xy=tuple(head), xytext=tuple(middle), arrowprops={"arrowstyle": "->"})
         panel.annotate("gravity", xy=tuple(head), xytext=(0, -12), textcoords="offset points", ha="center", fontsize=9)
-    panel.set(xlabel=f"x, {MICRO.name}", ylabel=f"y, {MICRO.name}", title="Orbit of the cage's centre")
+    panel.set(xlabel=f"x, {small.name}", ylabel=f"y, {small.name}")
+    panel.set_title("Orbit of the cage's centre", fontsize=10)
     panel.set_aspect("equal", adjustable="datalim")
     panel.margins(0.12)
     panel.grid(alpha=0.3)
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8, frameon=False)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=1, fontsize=8, frameon=False)
 
 
-def _forces(panel: Axes, motion: CageRecord) -> None:
+def _forces(panel: Axes, motion: CageRecord, units: Units) -> None:
     """Forces of the balls over time."""
-    forces, median, start_up = motion.forces, motion.max_force, MILLISECOND.factor * motion.start_up
+    force, forces, start_up = units.force, motion.forces, MILLISECOND.factor * motion.start_up
+    median = force.number(motion.max_force)
     least = np.inf
     for name, colour, label in (("sum", ORANGE, "sum over all balls"), ("largest", MEASURED, "largest of one ball")):
-        values = np.array(getattr(forces, name))
+        values = force.factor * np.array(getattr(forces, name))
         shown = np.where(values > 0, values, np.nan)
         least = min(least, values[values > 0].min(initial=np.inf))
         panel.plot(MILLISECOND.factor * np.array(forces.time), shown, color=colour, lw=0.6, label=label)
     panel.axvspan(0, start_up, color=STARTING, alpha=0.35, lw=0, label="start-up")
-    panel.axhline(median, color=BLOCKS, ls="--", lw=1, label=f"median of blocks, {median:.3g} N")
-    panel.set(xlabel=f"time, {MILLISECOND.name}", ylabel="force of balls on the cage, N", title="Forces")
+    panel.axhline(median, color=BLOCKS, ls="--", lw=1, label=f"median of blocks, {median:.3g} {force.name}")
+    panel.set(xlabel=f"time, {MILLISECOND.name}", ylabel=f"force of balls on the cage, {force.name}")
+    panel.set_title("Forces", fontsize=10)
     low = max(LEAST_SHOWN * median, min(least, median) / 2)
     panel.set(yscale="log", xlim=(0, 2 * start_up), ylim=(low if low > 0 else None, None))
     panel.yaxis.set_major_formatter("{x:g}")
     panel.grid(alpha=0.3)
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8, frameon=False)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=1, fontsize=8, frameon=False)
 
 
-def _excess(panel: Axes, motion: CageRecord) -> None:
+def _excess(panel: Axes, motion: CageRecord, units: Units) -> None:
     """How often each force is exceeded."""
-    instants, blocks = motion.exceedance, np.sort(motion.block_maxima)
+    factor = units.force.factor
+    instants, blocks = motion.exceedance, factor * np.sort(motion.block_maxima)
+    median = factor * motion.max_force
     of_blocks = np.arange(blocks.size, 0, -1) / blocks.size  # no smaller one lies above it
     for force, share, colour, label in (
-        (np.array(instants.force), np.array(instants.share), MEASURED, "instants of this motion"),
+        (factor * np.array(instants.force), np.array(instants.share), MEASURED, "instants of this motion"),
         (blocks, of_blocks, BLOCKS, "blocks of all seeds"),
     ):
         panel.step(force, 100 * share, where="pre", color=colour, label=label)
-    panel.axvspan(*motion.max_force_interval, color=BLOCKS, alpha=0.2, lw=0)
-    panel.axvline(motion.max_force, color=BLOCKS, ls="--", lw=1, label="median of blocks, 95 %")
-    panel.set(xlabel="largest force of one ball, N", ylabel="exceeded in, %", title="How often a force is exceeded")
+    panel.axvspan(*(factor * np.array(motion.max_force_interval)), color=BLOCKS, alpha=0.2, lw=0)
+    panel.axvline(median, color=BLOCKS, ls="--", lw=1, label="median of blocks, 95 %")
+    panel.set(xlabel=f"largest force of one ball, {units.force.name}", ylabel="exceeded in, %")
+    panel.set_title("How often a force is exceeded", fontsize=10)
     panel.set(yscale="log", ylim=(None, 150))
     panel.yaxis.set_major_formatter("{x:g}")
     least, most = panel.get_xlim()
-    if most > WIDE * max(least, LEAST_SHOWN * motion.max_force):
-        panel.set(xscale="log", xlim=(max(least, LEAST_SHOWN * motion.max_force), 1.3 * most))
+    if most > WIDE * max(least, LEAST_SHOWN * median):
+        panel.set(xscale="log", xlim=(max(least, LEAST_SHOWN * median), 1.3 * most))
         panel.xaxis.set_major_formatter("{x:g}")
     panel.grid(alpha=0.3, which="both")
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=2, fontsize=8, frameon=False)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=1, fontsize=8, frameon=False)

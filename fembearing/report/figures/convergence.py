@@ -10,11 +10,12 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from fembearing.quantities import CONTACT
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
-from fembearing.report.figures.style import GREY, legend_below, look_of
+from fembearing.report.figures.style import GREY, WIDTH, legend_below, look_of
 from fembearing.report.phrases import place_of
 
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 BELOW = 0.4  # of the least point of a panel: where the slope to compare with ends
+HIGH = 3.2  # inches, of a panel with its key
 DIMENSIONS = 3  # cells of size h are as h^-3 unknowns
 CAPTION = (
     "Distance of each quantity from the value that its meshes are extrapolated to, against the number of unknowns; the "
@@ -27,22 +28,24 @@ CAPTION = (
 def convergence_plot(document: Report) -> tuple[Figure | None, str]:
     """A panel for each quantity."""
     contacts = document.contacts
-    figure = Figure(figsize=(11, 8.6), layout="constrained")
-    panels = figure.subplots(2, 3).ravel()
+    figure = Figure(figsize=(WIDTH, 3 * HIGH), layout="constrained")
+    panels = figure.subplots(3, 2).ravel()
     for panel, (name, quantity) in zip(panels, CONTACT.items(), strict=False):
         for contact in contacts:
             _convergence(panel, contact, name)
         _formal_slope(panel, contacts, name)
         cut = name == "peak_pressure" and any(contact.shoulder for contact in contacts)
-        panel.set(title=f"{quantity.name}{', cut off: at y = 0' if cut else ''}", xscale="log", yscale="log")
+        panel.set_title(f"{quantity.name}{', cut off: at y = 0' if cut else ''}", fontsize=10)
+        panel.set(xscale="log", yscale="log")
         panel.set_xlabel("unknowns")
         panel.grid(alpha=0.3, which="both")
         for axis, numbers in ((panel.xaxis, "{x:,.0f}"), (panel.yaxis, "{x:g}")):
-            axis.set_major_locator(LogLocator(subs=(1, 3)))
+            axis.set_major_locator(LogLocator(subs=(1, 3) if axis is panel.yaxis else (1,)))
             axis.set_major_formatter(numbers)
             axis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
+        panel.tick_params(labelsize=9)
         legend_below(panel, columns=1, size=8)
-    for panel in (panels[0], panels[3]):
+    for panel in panels[::2]:
         panel.set_ylabel("distance from the limit, %")
     panels[-1].set_axis_off()
     return figure, CAPTION

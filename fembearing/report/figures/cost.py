@@ -1,6 +1,7 @@
 """What accuracy costs, as a picture that reads at a glance and as a table for other programs."""
 
 import csv
+import re
 from collections.abc import Sequence
 from io import StringIO
 
@@ -8,9 +9,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from fembearing.report.document.report import Ladder, Method
+from fembearing.report.figures.style import BLUE, SIDE_BY_SIDE, WIDTH
 from fembearing.report.phrases import capital, short_name
 
 LEAST, MOST = 1e-4, 500.0  # %: what is nearer to the reference, or farther off, is drawn here
@@ -18,63 +20,76 @@ COLUMNS = (
     *("name", "error", "bound", "seconds", "spread", "repeats", "warm_up", "predicted", "memory", "unknowns"),
     *("chosen", "failed"),
 )
-WIDE, HIGH = 3.6, 3.8  # inches, of a panel
-ABREAST = 3  # panels in a row: so many stay legible on a page
+HIGH = 3.6  # inches, of a panel with its key
+MOST_PANELS = 4  # in a figure: so many fit a printed page
 BELOW = -0.2  # of a panel's height: where its key begins, under the name of the axis
 UNITS = {"seconds": (1.0, "time, s"), "memory": (2.0**-30, "memory, GiB")}
 
 
-def cost_figure(ladders: Sequence[Ladder], *, tolerance: float) -> Figure:
+def cost_figures(ladders: Sequence[Ladder], *, tolerance: float, most: int = MOST_PANELS) -> list[Figure]:
     """A panel for each quantity, error of each method against its median time, and one for the memory of all of them.
 
+    most : panels in a figure
     A bar reaches from the error to its bound. The reference is hollow and stands at its own bound. A ring marks the
-    chosen method. Memory is drawn where it was measured. All panels share the error's scale, those of time the time's.
+    chosen method. A line joins what one method gives on finer meshes or more points. Memory is drawn where it was
+    measured. All panels share the error's scale, those of time the time's.
     """
     shown = [ladder for ladder in ladders if ladder.methods]
     with_memory = [ladder for ladder in shown if any(method.memory for method in ladder.methods)]
-    count = max(len(shown) + bool(with_memory), 1)
-    columns = min(count, ABREAST)
-    rows = -(-count // columns)
-    figure = Figure(figsize=(WIDE * columns + 0.6, HIGH * rows), layout="constrained")
-    panels = [figure.add_subplot(rows, columns, 1 + place) for place in range(count)]
+    count = len(shown) + bool(with_memory)
+    figures = [_empty(min(most, count - first)) for first in range(0, count, most)]
+    panels = [panel for figure in figures for panel in figure.axes]
     times = [place[0] for ladder in shown for method in ladder.methods if (place := _place(method, "seconds"))]
     low, high = 10 ** np.floor(np.log10(min(times, default=1))), 10 ** np.floor(np.log10(max(times, default=1)) + 1)
     for panel in panels:
         panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
         panel.set(xscale="log", yscale="log", ylim=(LEAST / 3, MOST), xlabel=UNITS["seconds"][1], xlim=(low, high))
+        panel.xaxis.set_major_locator(LogLocator(numticks=5))
         panel.xaxis.set_minor_formatter(NullFormatter())
         panel.grid(alpha=0.3)
-        panel.tick_params(labelsize=8)
-    for panel in panels[::columns]:
-        panel.set_ylabel("error, %")
-    panels[0].text(
-        *(0.98, 100 * tolerance * 1.15, f"tolerance {100 * tolerance:.3g} %"),
-        transform=panels[0].get_yaxis_transform(),
-        color="red",
-        fontsize=8,
-        ha="right",
-    )
+        panel.tick_params(labelsize=9)
+    if panels:
+        panels[0].text(
+            *(0.98, 100 * tolerance * 1.15, f"tolerance {100 * tolerance:.3g} %"),
+            transform=panels[0].get_yaxis_transform(),
+            color="red",
+            fontsize=9,
+            ha="right",
+        )
     for panel, ladder in zip(panels, shown, strict=False):
         panel.set_title(capital(ladder.quantity), fontsize=10)
-        _draw(panel, ladder, "seconds")
+        _draw(panel, ladder, "seconds", BLUE)
         _number(panel, ladder)
     if with_memory:
         sizes = [place[0] for ladder in with_memory for method in ladder.methods if (place := _place(method, "memory"))]
         panels[-1].set(xlabel=UNITS["memory"][1], xscale="linear", xlim=(0, 1.1 * max(sizes)))
         panels[-1].set_title("Memory", fontsize=10)
-        for ladder in with_memory:
-            _draw(panels[-1], ladder, "memory")
-        panels[-1].legend(fontsize=7)
+        for number, ladder in enumerate(with_memory):
+            _draw(panels[-1], ladder, "memory", f"C{number}")
+        panels[-1].legend(fontsize=8)
+    return figures
+
+
+def _empty(count: int) -> Figure:
+    """A figure with so many panels, two side by side."""
+    rows = -(-count // SIDE_BY_SIDE)
+    figure = Figure(figsize=(WIDTH, HIGH * rows), layout="constrained")
+    for place in range(count):
+        panel = figure.add_subplot(rows, SIDE_BY_SIDE, 1 + place)
+        panel.set_ylabel("" if place % SIDE_BY_SIDE else "error, %")
     return figure
 
 
-def _draw(panel: Axes, ladder: Ladder, price: str) -> None:
+def _draw(panel: Axes, ladder: Ladder, price: str, colour: str) -> None:
     """One ladder over what its methods take: seconds, or memory."""
     drawn = [(method, *place) for method in ladder.methods if (place := _place(method, price))]
-    compared = [(x, y) for method, x, y in drawn if method.error is not None]
-    x, y = np.transpose(compared or np.empty((0, 2)))
-    (line,) = panel.plot(x, y, "o-", label=ladder.quantity, markersize=5, linewidth=1)
-    colour = line.get_color()
+    families: dict[str, list[tuple[float, float]]] = {}
+    for method, x, y in drawn:
+        if method.error is not None:
+            families.setdefault(_family(method), []).append((x, y))
+    for number, places in enumerate(families.values()):
+        label = "_" if number else ladder.quantity
+        panel.plot(*np.transpose(places), "o-", color=colour, label=label, markersize=5, linewidth=1)
     for method, x, y in drawn:
         if method.error is None:
             panel.plot([x], [y], "o", color=colour, markersize=5, markerfacecolor="white")
@@ -98,13 +113,18 @@ def _number(panel: Axes, ladder: Ladder) -> None:
         handles=key,
         loc="upper left",
         bbox_to_anchor=(0.0, BELOW),
-        ncols=2,
-        fontsize=7,
+        ncols=1,
+        fontsize=8,
         frameon=False,
         handlelength=0,
         handletextpad=0,
         borderpad=0,
     )
+
+
+def _family(method: Method) -> str:
+    """What methods that differ by the fineness of one discretisation have in common: the name without its numbers."""
+    return re.sub(r"\d+", "#", method.name)
 
 
 def _place(method: Method, price: str) -> tuple[float, float] | None:

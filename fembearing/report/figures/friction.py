@@ -7,10 +7,11 @@ from matplotlib.figure import Figure
 from analytic.scene import Array
 from fembearing.report.document.report import Report
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
-from fembearing.report.figures.style import BLUE, GREEN, GREY, RED, legend_below, scaled
+from fembearing.report.figures.style import BLUE, GREEN, GREY, RED, WIDTH, scaled
 from fembearing.report.figures.torque import NO_TORQUE
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--"), "pocket": (GREEN, "^", ":")}  # lines may lie on another
+HIGH = 2.2  # inches, of a panel
 PARTED = 3.0  # film over roughness, from which hardly a summit touches: a rule of thumb
 NOTHING_SLIDES = "Nothing that slides was computed: there is no friction coefficient."
 
@@ -19,7 +20,9 @@ def friction_plot(document: Report) -> tuple[Figure | None, str]:
     """Coefficients; where a film was computed, its thickness over the roughness, and the load on asperities."""
     if document.torque is None:
         return None, NO_TORQUE
-    axis, gap = axis_of(document.torque.points), document.torque.gap_roughness
+    if len(document.torque.points) == 1:
+        return None, ""  # a table says it
+    axis, gap = axis_of(document.torque.points, document.units), document.torque.gap_roughness
     coefficients = {name: values for name in LOOKS if (values := axis.of("friction_coefficient", name)) is not None}
     if not coefficients:
         return None, NOTHING_SLIDES
@@ -42,13 +45,19 @@ def friction_plot(document: Report) -> tuple[Figure | None, str]:
         caption += (
             " No film is computed: the scene gives the coefficient of the races, so that it is one at all speeds."
         )
-    figure = Figure(figsize=(4.4 * max(len(shown), 1.4), 4.2), layout="constrained")
-    for panel, (curves, label, title) in zip(figure.subplots(1, len(shown), squeeze=False)[0], shown, strict=True):
+    figure = Figure(figsize=(WIDTH, 1.2 + HIGH * len(shown)), layout="constrained")
+    panels = figure.subplots(len(shown), 1, squeeze=False)[:, 0]
+    for panel, (curves, label, title) in zip(panels, shown, strict=True):
         _curves(panel, axis, curves)
-        panel.set(ylabel=label, title=title)
+        panel.set_ylabel(label)
+        panel.set_title(title, fontsize=10)
         if title == "Film" and panel.get_ylim()[0] < PARTED < panel.get_ylim()[1]:
             panel.axhline(PARTED, color=GREY, linewidth=1, linestyle="-.", label="summits part, about")
-        legend_below(panel, columns=3)
+        if panel is not panels[-1]:
+            panel.set_xlabel("")
+            panel.tick_params(labelbottom=False)
+    handles = {words: line for panel in panels for line, words in zip(*panel.get_legend_handles_labels(), strict=True)}
+    figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3, frameon=False, fontsize=9)
     return figure, caption
 
 

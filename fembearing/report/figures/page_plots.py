@@ -11,7 +11,7 @@ from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.convergence import convergence_plot
-from fembearing.report.figures.cost import cost_figure
+from fembearing.report.figures.cost import cost_figures
 from fembearing.report.figures.friction import friction_plot
 from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.pressure import pressure_plot
@@ -20,6 +20,7 @@ from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.style import png
 from fembearing.report.figures.torque import torque_plot
 
+PIXELS = 96  # of a page, per inch
 Section = Literal["torque", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"]  # of an appendix
 
 
@@ -29,7 +30,7 @@ class Plot:
 
     section: Section  # at whose end it stands
     heading: str
-    draw: Callable[[Report], tuple[Figure | None, str]]
+    draw: Callable[[Report], tuple[Figure | list[Figure] | None, str]]
 
 
 class ShownPlot(NamedTuple):
@@ -37,17 +38,27 @@ class ShownPlot(NamedTuple):
 
     heading: str
     caption: str
-    source: str | None  # a data address
+    source: str | None = None  # a data address
+    width: int = 0  # of the picture on a screen, pixels
 
 
 def plots_of(document: Report, plots: Sequence[Plot]) -> dict[str, list[ShownPlot]]:
     """Every plot drawn, by section, in their order."""
     shown: dict[str, list[ShownPlot]] = {}
     for plot in plots:
-        figure, caption = plot.draw(document)
-        source = None if figure is None else embedded(png(figure))
-        shown.setdefault(plot.section, []).append(ShownPlot(plot.heading, caption, source))
+        drawn, caption = plot.draw(document)
+        figures = drawn if isinstance(drawn, list) else [drawn]
+        for number, figure in enumerate(figures):
+            heading, words = (f"{plot.heading}, continued", "") if number else (plot.heading, caption)
+            shown.setdefault(plot.section, []).append(_shown(heading, words, figure))
     return shown
+
+
+def _shown(heading: str, caption: str, figure: Figure | None) -> ShownPlot:
+    if figure is None:
+        return ShownPlot(heading, caption)
+    width = round(PIXELS * figure.get_figwidth())
+    return ShownPlot(heading, caption, embedded(png(figure)), width)
 
 
 def embedded(content: bytes) -> str:
@@ -55,13 +66,14 @@ def embedded(content: bytes) -> str:
     return f"data:image/png;base64,{base64.b64encode(content).decode()}"
 
 
-def _cost(document: Report) -> tuple[Figure, str]:
-    """The figure of what accuracy costs, and its caption."""
+def _cost(document: Report) -> tuple[list[Figure], str]:
+    """The figures of what accuracy costs, and its caption."""
     ran = " and its memory" if document.cost.measured else ", for the methods that this check ran"
-    return cost_figure(document.cost.ladders, tolerance=document.tolerance), (
+    return cost_figures(document.cost.ladders, tolerance=document.tolerance), (
         f"Error of each method against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "
-        "seconds. A bar reaches to the bound on the error; the reference is hollow. Methods whose error and bound are "
-        "below the dotted line are within the tolerance; the cheapest of them is enough, and has a ring."
+        "seconds. A bar reaches to the bound on the error; the reference is hollow. Methods whose error and bound "
+        "are below the dotted line are within the tolerance; the cheapest of them is enough, and has a ring. A line "
+        "joins what one method gives on finer meshes or more points."
     )
 
 

@@ -3,13 +3,12 @@
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.quantities import NEWTON_MILLIMETRE, RPM
+from fembearing.quantities import Units
 from fembearing.report.document.prediction import PredictedPoint, Prediction
 from fembearing.report.document.report import Report
-from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY
+from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH
 from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads
 
-NM = NEWTON_MILLIMETRE.factor
 MOST = 10  # inputs that are drawn
 LEAST = 0.005  # total index of an input that is drawn
 
@@ -19,7 +18,7 @@ def prediction_plot(document: Report) -> tuple[Figure | None, str]:
     prediction = None if document.torque is None else document.torque.prediction
     if prediction is None:
         return None, ""
-    return interval_figure(prediction), (
+    return interval_figure(prediction, document.units), (
         "Above: the 95 % interval of the total, and what it would be if only its numerical uncertainty, only the "
         "inputs or only the formulas were uncertain; the line is the torque as computed. The parts do not add up. "
         "Below: the share of the variance of the total that each input makes, alone (dark) and with its products with "
@@ -28,40 +27,41 @@ def prediction_plot(document: Report) -> tuple[Figure | None, str]:
     )
 
 
-def interval_figure(prediction: Prediction) -> Figure:
+def interval_figure(prediction: Prediction, units: Units) -> Figure:
     """What the interval is made of, and the inputs; a column for the slowest and one for the fastest point."""
     points = prediction.ends
     drawn = [
         place for place in prediction.ranked[:MOST] if max(point.indices.total[place] for point in points) >= LEAST
     ]
     parts = list(points[0].made_of)
-    figure = Figure(figsize=(2.6 + 4.2 * len(points), 2.2 + 0.3 * (len(parts) + 1 + len(drawn))), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 2.2 + 0.3 * (len(parts) + 1 + len(drawn))), layout="constrained")
     ratios = (len(parts) + 2, len(drawn) + 2)
     panels = figure.subplots(2, len(points), squeeze=False, sharex="row", sharey="row", height_ratios=ratios)
     for column, point in zip(panels.T, points, strict=True):
-        _ends(column[0], point, parts)
+        _ends(column[0], point, parts, units)
         _indices(column[1], point, drawn)
-        loads = loads_of(point, present_loads(prediction.points))
-        column[0].set_title(f"{RPM.written(point.inner_speed, '.4g')}, {loads}", fontsize=10)
+        loads = loads_of(point, present_loads(prediction.points), units)
+        column[0].set_title(f"{units.speed.written(point.inner_speed, '.4g')},\n{loads}", fontsize=10)
     names = [MADE_OF.get(name, name) for name in ("total", *parts)]
-    panels[0, 0].set_yticks(range(len(names)), names, fontsize=8)
+    panels[0, 0].set_yticks(range(len(names)), names, fontsize=9)
     panels[1, 0].set_yticks(
-        range(len(drawn)), [input_name(prediction.inputs[place].key) for place in drawn], fontsize=8
+        range(len(drawn)), [input_name(prediction.inputs[place].key) for place in drawn], fontsize=9
     )
     for panel in panels[:, 0]:
         panel.invert_yaxis()
     return figure
 
 
-def _ends(panel: Axes, point: PredictedPoint, parts: list[str]) -> None:
+def _ends(panel: Axes, point: PredictedPoint, parts: list[str], units: Units) -> None:
     """A bar from end to end for the whole and for each part."""
     ends = [[point.total.low, point.total.high], *(point.made_of[name] for name in parts)]
+    factor = units.torque.factor
     for row, (low, high) in enumerate(ends):
-        panel.barh(row, (high - low) * NM, 0.6, left=low * NM, color=BLUE if row == 0 else SKY)
+        panel.barh(row, (high - low) * factor, 0.6, left=low * factor, color=BLUE if row == 0 else SKY)
     panel.use_sticky_edges = False
     panel.margins(x=0.05)
-    panel.axvline(point.nominal * NM, color=BLACK, linewidth=0.8)
-    panel.set_xlabel("total torque, N mm")
+    panel.axvline(point.nominal * factor, color=BLACK, linewidth=0.8)
+    panel.set_xlabel(f"total torque, {units.torque.name}")
     panel.grid(alpha=0.3, axis="x")
 
 

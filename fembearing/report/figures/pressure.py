@@ -5,17 +5,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.scene import Array
-from fembearing.quantities import CONTACT
+from fembearing.quantities import CONTACT, Units
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
 from fembearing.report.document.table import OfQuantities
 from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
 from fembearing.report.phrases import contact_place
 
-PRESSURE, ROLLING, TRANSVERSE = (
-    CONTACT[name] for name in ("peak_pressure", "semi_axis_rolling", "semi_axis_transverse")
-)
-GIGA = PRESSURE.shown.factor
+ROLLING, TRANSVERSE = CONTACT["semi_axis_rolling"], CONTACT["semi_axis_transverse"]
 ALONG = {  # axis of the profile -> semi-axis, words, colour, mark, line
     "rolling": ("semi_axis_rolling", f"rolling, x/{ROLLING.symbol}", BLUE, "o", "-"),
     "transverse": ("semi_axis_transverse", f"transverse, y/{TRANSVERSE.symbol}", RED, "s", "--"),
@@ -36,36 +33,37 @@ CUT = (
 
 def pressure_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
-    labels = (f"pressure, {PRESSURE.shown.name}", "finite elements less Hertz,\n% of Hertz's peak")
-    figure = contact_columns(document.contacts, _profile, _difference, height=6.4, labels=labels, shared="col")
+    units = document.units
+    labels = (f"pressure, {units.pressure.name}", "finite elements less Hertz,\n% of Hertz's peak")
+    figure = contact_columns(document.contacts, _profile, _difference, units=units, labels=labels, shared=True)
     cut = any(contact.shoulder for contact in document.contacts)
     return figure, CAPTION + (CUT if cut else "")
 
 
-def _profile(panel: Axes, contact: Contact) -> None:
+def _profile(panel: Axes, contact: Contact, units: Units) -> None:
     """Pressure along both axes, with Hertz's semi-ellipse."""
-    hertz = contact.hertz
+    hertz, factor = contact.hertz, units.pressure.factor
     for axis, (name, words, colour, mark, _) in ALONG.items():
         nodes = getattr(contact.pressure_profile, axis).fe
         position = np.array(nodes.position) / hertz[name]
-        pressure = GIGA * np.array(nodes.pressure)
+        pressure = factor * np.array(nodes.pressure)
         panel.plot(position, pressure, mark, color=colour, markersize=4, markerfacecolor="white", label=words)
     line = contact.pressure_profile.rolling.hertz  # both axes are one line in semi-axes
     position = np.array(line.position) / hertz.semi_axis_rolling
-    pressure = GIGA * np.array(line.pressure)
+    pressure = factor * np.array(line.pressure)
     if _is_whole(contact):
         panel.plot(-position[::-1], pressure[::-1], color=BLACK, linewidth=1)
     panel.plot(position, pressure, color=BLACK, linewidth=1, label="Hertz")
     for y in _shoulders(contact):
         panel.axvline(y / hertz.semi_axis_transverse, color=RED, linewidth=1, linestyle=":")
     place = contact_place(contact).replace(", ", ",\n")
-    a, b = ROLLING.shown.factor * hertz.semi_axis_rolling, TRANSVERSE.shown.written(hertz.semi_axis_transverse, ".4g")
+    a, b = units.length.number(hertz.semi_axis_rolling), units.length.written(hertz.semi_axis_transverse, ".4g")
     axes = f"{ROLLING.symbol} {a:.4g}, {TRANSVERSE.symbol} {b}"
-    panel.set_title(f"{place}\n{contact.load:.4g} N; {axes}", fontsize=9)
-    panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * GIGA * hertz.peak_pressure))
+    panel.set_title(f"{place}\n{units.force.written(contact.load, '.4g')}\n{axes}", fontsize=10)
+    panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * factor * hertz.peak_pressure))
 
 
-def _difference(panel: Axes, contact: Contact) -> None:
+def _difference(panel: Axes, contact: Contact, units: Units) -> None:  # noqa: ARG001
     """The nodes less Hertz, per cent of Hertz's peak."""
     hertz, computed, largest = contact.hertz, contact.fe, 0.0
     for axis, (name, _, colour, mark, line) in ALONG.items():

@@ -5,10 +5,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 
-from fembearing.quantities import RPM
+from fembearing.quantities import Units
 from fembearing.report.document.report import Report
 from fembearing.report.document.ring import Balls
-from fembearing.report.figures.style import BLUE, RED
+from fembearing.report.figures.style import BLUE, RED, WIDTH
 from fembearing.report.figures.torque import NO_TORQUE
 from fembearing.report.phrases import loads_of, present_loads
 
@@ -20,35 +20,35 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     """Polar plots of the loads, and below them the angles, at the first and the last operating point."""
     if document.torque is None:
         return None, NO_TORQUE
-    points = document.torque.points
+    points, units = document.torque.points, document.units
     ends = [points[0], *points[1:][-1:]]
     shown = [(point, point.ring.balls) for point in ends if point.ring is not None]
     if not shown:
         return None, "The scene has a pair of bearings: ring and balls are those of each bearing, from Python."
-    figure = Figure(figsize=(4.2 * max(len(shown), 1.4), 6.6), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 6.0), layout="constrained")
     grid = figure.add_gridspec(2, len(shown), height_ratios=(1.7, 1))
     for column, (point, balls) in enumerate(shown):
         polar = figure.add_subplot(grid[0, column], projection="polar")
         assert isinstance(polar, PolarAxes)
-        words = loads_of(point, present_loads(points))
-        polar.set_title(f"{RPM.written(point.inner_speed, '.4g')}, {words}", fontsize=10)
-        _loads(polar, balls)
+        words = loads_of(point, present_loads(points), units)
+        polar.set_title(f"{units.speed.written(point.inner_speed, '.4g')},\n{words}", fontsize=10)
+        _loads(polar, balls, units)
         _angles(figure.add_subplot(grid[1, column]), balls)
     handles, labels = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
     caption = (
-        "Load of every ball, N, and below it the contact angle, around the bearing. 0 degrees is the direction of the "
-        "radial load, x. A ball at the centre carries no load."
+        f"Load of every ball, {units.force.name}, and below it the contact angle, around the bearing. 0 degrees is "
+        "the direction of the radial load, x. A ball at the centre carries no load."
     )
     return figure, caption
 
 
-def _loads(panel: PolarAxes, balls: Balls) -> None:
+def _loads(panel: PolarAxes, balls: Balls, units: Units) -> None:
     azimuth = np.append(balls.azimuth, balls.azimuth[0] + 2 * np.pi)  # closed
     for race, (colour, mark, line) in LOOKS.items():
-        load = getattr(balls, f"{race}_load")
+        load = [units.force.number(each) for each in getattr(balls, f"{race}_load")]
         panel.plot(azimuth, [*load, load[0]], f"{line}{mark}", color=colour, markersize=4, label=f"{race} race")
-    panel.set_ylim(0, 1.1 * max(*balls.inner_load, *balls.outer_load, 1e-12))
+    panel.set_ylim(0, 1.1 * units.force.number(max(*balls.inner_load, *balls.outer_load, 1e-12)))
     panel.tick_params(labelsize=8)
     panel.set_rlabel_position(QUARTER / 4)
 

@@ -5,14 +5,15 @@ from collections.abc import Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM, unit_for
+from fembearing.quantities import CONTACT, Units
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Input, PeakPressure, Sensitivity, TotalTorque
-from fembearing.report.figures.style import BLACK, BLUE, ORANGE
+from fembearing.report.figures.style import BLACK, BLUE, ORANGE, WIDTH
 from fembearing.report.phrases import loads_of, present_loads
 
 NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
 LEAST = 1e-6  # relative: inputs that move nothing by as much are named in the caption alone
+MOST = 12  # inputs that are drawn
 HEIGHT = 0.36  # of a bar; two on one side stand one above the other
 NOT_COMPUTED = "No sensitivity was computed."
 
@@ -22,28 +23,29 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
     sensitivity = document.sensitivity
     if sensitivity is None:
         return None, NOT_COMPUTED
-    moving = [each for each in sensitivity.inputs if each.swing >= LEAST]
+    units = document.units
+    every = [each for each in sensitivity.inputs if each.swing >= LEAST]
+    moving, less = every[:MOST], [each.name for each in every[MOST:]]
     still = [each.name for each in sensitivity.inputs if each.swing < LEAST and not each.refused]
     outputs = sensitivity.outputs
     quantity = NAMES[outputs[0].quantity]
-    figure = Figure(figsize=(3.2 + 4.2 * len(outputs), 1.6 + 0.42 * len(moving)), layout="constrained")
-    panels = figure.subplots(1, len(outputs), squeeze=False, sharex=True, sharey=True)[0]
+    figure = Figure(figsize=(WIDTH, 0.4 + len(outputs) * (0.8 + 0.29 * len(moving))), layout="constrained")
+    panels = figure.subplots(len(outputs), 1, squeeze=False, sharex=True)[:, 0]
     for number, (panel, output) in enumerate(zip(panels, outputs, strict=True)):
         for row, each in enumerate(moving):
-            _bars(panel, row, each, number)
+            _bars(panel, row, each, number, units)
         panel.axvline(0, color=BLACK, linewidth=0.8)
-        panel.set_title(_title(output, outputs), fontsize=10)
-        panel.set_xlabel(f"change of the {quantity}, %")
-        panel.margins(x=0.3)  # for the labels
+        panel.set_title(_title(output, outputs, units), fontsize=10)
+        panel.set_yticks(range(len(moving)), [f"{each.name}, {_shown(each, each.value, units)}" for each in moving])
+        panel.set_ylim(len(moving) - 0.4, -0.6)
+        panel.tick_params(labelsize=9)
+        panel.margins(x=0.42)  # for the labels
         panel.grid(alpha=0.3, axis="x")
-    panels[0].set_yticks(
-        range(len(moving)), [f"{each.name}\n{_shown(each, each.value)}" for each in moving], fontsize=8
-    )
-    panels[0].set_ylim(len(moving) - 0.4, -0.6)
-    return figure, _caption(sensitivity, quantity, still)
+    panels[-1].set_xlabel(f"change of the {quantity}, %")
+    return figure, _caption(sensitivity, quantity, still=still, less=less)
 
 
-def _bars(panel: Axes, row: int, each: Input, output: int) -> None:
+def _bars(panel: Axes, row: int, each: Input, output: int, units: Units) -> None:
     """Both bars of one input, labelled with the values at its ends."""
     ends = {"low": each.change_low, "high": each.change_high}
     known = {name: 100 * changes[output] for name, changes in ends.items() if changes is not None}
@@ -53,35 +55,35 @@ def _bars(panel: Axes, row: int, each: Input, output: int) -> None:
         colour = BLUE if name == "low" else ORANGE
         panel.barh(row + aside, change, HEIGHT if same_side else 2 * HEIGHT, color=colour, label=name)
         panel.annotate(
-            _shown(each, getattr(each, name)),
+            _shown(each, getattr(each, name), units),
             (change, row + aside),
             xytext=(3 if change >= 0 else -3, 0),
             textcoords="offset points",
             ha="left" if change >= 0 else "right",
             va="center",
-            fontsize=7,
+            fontsize=8,
         )
 
 
-def _shown(each: Input, value: float) -> str:
+def _shown(each: Input, value: float, units: Units) -> str:
     """A value of an input, in the unit of the scene's value."""
-    return unit_for(each.unit, each.value).written(value, ".4g")
+    return units.unit_for(each.unit, each.value).written(value, ".4g")
 
 
-def _title(output: TotalTorque | PeakPressure, outputs: Sequence[TotalTorque | PeakPressure]) -> str:
+def _title(output: TotalTorque | PeakPressure, outputs: Sequence[TotalTorque | PeakPressure], units: Units) -> str:
     """The output and its value."""
     if isinstance(output, PeakPressure):
-        return f"ball on {output.pair} race: {CONTACT['peak_pressure'].shown.written(output.value, '.4g')}"
-    loads = loads_of(output, present_loads([each for each in outputs if isinstance(each, TotalTorque)]))
-    speed, torque = RPM.written(output.inner_speed, ".5g"), NEWTON_MILLIMETRE.written(output.value, ".4g")
-    return f"{speed}, {loads}: {torque}"
+        return f"ball on {output.pair} race: {units.pressure.written(output.value, '.4g')}"
+    loads = loads_of(output, present_loads([each for each in outputs if isinstance(each, TotalTorque)]), units)
+    speed, torque = units.speed.written(output.inner_speed, ".5g"), units.torque.written(output.value, ".4g")
+    return f"{speed}, {loads}:\n{torque}"
 
 
-def _caption(sensitivity: Sensitivity, quantity: str, still: list[str]) -> str:
+def _caption(sensitivity: Sensitivity, quantity: str, *, still: list[str], less: list[str]) -> str:
     """What is varied, what moves nothing, and what was refused."""
     refused = [f"{each.name}, {reason}" for each in sensitivity.inputs for reason in each.refused]
     caption = (
-        f"One input at a time goes from the scene's value, below its name, to the low end of its range (blue) and the "
+        f"One input at a time goes from the scene's value, beside its name, to the low end of its range (blue) and the "
         f"high end (orange), and the {quantity} is computed again by the production model, "
         + (
             "with the cage at rest, so that it is not the total where a cage moves. "
@@ -90,6 +92,8 @@ def _caption(sensitivity: Sensitivity, quantity: str, still: list[str]) -> str:
         )
         + "Ranges are mostly judgements; report.json has their sources. Inputs were not moved together."
     )
+    if less:
+        caption += f" Less than those drawn: {', '.join(less)}."
     if still:
         caption += f" By less than 1e-4 %: {', '.join(still)}."
     return caption + (f" Refused at an end: {'; '.join(refused)}." if refused else "")

@@ -6,15 +6,14 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 
-from analytic.result import COORDINATES
 from analytic.scene import Array
-from fembearing.quantities import RPM
+from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.document.torque import Point
 from fembearing.report.figures.style import DECADE, MANY, plain_ticks
 from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
 
 MOST_TICKS = 8
-SPEED = f"inner speed, {RPM.name}"
+STEEP = 35  # degrees: names of operating points below each other's ends
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -22,6 +21,8 @@ class SeriesAxis:
     """Operating points from left to right."""
 
     label: str
+    over: str  # the name of the coordinate that grows along it; empty where points follow each other
+    units: Units
     values: Array  # (n,) where each point is drawn
     points: Sequence[Point]  # in the same order
     joined: bool  # neighbours may be joined by a line: one quantity grows along the axis, and nothing else changes
@@ -38,14 +39,36 @@ class SeriesAxis:
             return None
         return np.array([np.nan if value is None else value for value in values])
 
+    @property
+    def names(self) -> list[str]:
+        """What differs between operating points, of each of them."""
+        speeds = len({point.inner_speed for point in self.points}) > 1
+        loads = varying_loads(self.points) or ([] if speeds else present_loads(self.points))
+        return [
+            ", ".join(
+                [
+                    *([self.units.speed.written(point.inner_speed, ".4g")] if speeds else []),
+                    *([loads_of(point, loads, self.units)] if loads else []),
+                ]
+            )
+            for point in self.points
+        ]
+
+    @property
+    def fixed(self) -> str:
+        """The loads and the speed that are the same at every operating point, in words."""
+        loads = [name for name in present_loads(self.points) if name not in varying_loads(self.points)]
+        speeds = {point.inner_speed for point in self.points}
+        words = [loads_of(self.points[0], loads, self.units)] if loads else []
+        return ", ".join([*words, *(self.units.speed.written(each, ".4g") for each in speeds if len(speeds) == 1)])
+
     def apply(self, panel: Axes) -> None:
         """Set label, ticks and scale of the horizontal axis of a panel."""
         panel.set_xlabel(self.label)
         if not self.joined:
-            shown = varying_loads(self.points) or present_loads(self.points)
-            names = [f"{RPM.written(point.inner_speed, '.4g')}\n{loads_of(point, shown)}" for point in self.points]
+            names = self.names
             step = -(-len(names) // MOST_TICKS)
-            panel.set_xticks(self.values[::step], names[::step], fontsize=8)
+            panel.set_xticks(self.values[::step], names[::step], fontsize=9, rotation=STEEP, ha="right")
             panel.set_xlim(-0.6, len(names) - 0.4)
         elif self.values[0] > 0 and self.values[-1] > DECADE * self.values[0]:
             panel.set_xscale("log")
@@ -55,16 +78,23 @@ class SeriesAxis:
                 panel.xaxis.set_major_formatter("{x:g}")
 
 
-def axis_of(points: Sequence[Point]) -> SeriesAxis:
+def axis_of(points: Sequence[Point], units: Units) -> SeriesAxis:
     """Over the speed or the load that changes, where nothing else does; else point by point."""
-    series = {SPEED: np.array([abs(point.inner_speed) for point in points]) * RPM.factor}
-    for name in LOADS:
-        label = f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}"
-        series[label] = np.array([getattr(point, name) for point in points])
-    varying = {label: values for label, values in series.items() if np.unique(values).size > 1}
+    series = {name: np.array([getattr(point, name) for point in points]) for name in ("inner_speed", *LOADS)}
+    series["inner_speed"] = np.abs(series["inner_speed"])
+    varying = {name: values for name, values in series.items() if np.unique(values).size > 1}
     if len(varying) == 1:
-        ((label, values),) = varying.items()
+        ((name, values),) = varying.items()
         if np.unique(values).size == len(points):
             order = np.argsort(values)
-            return SeriesAxis(label=label, values=values[order], points=[points[i] for i in order], joined=True)
-    return SeriesAxis(label="operating point", values=np.arange(float(len(points))), points=points, joined=False)
+            quantity = QUANTITIES[name].in_units(units)
+            return SeriesAxis(
+                label=f"inner speed, {quantity.shown.name}" if name == "inner_speed" else quantity.heading,
+                over=name,
+                units=units,
+                values=values[order] * quantity.shown.factor,
+                points=[points[i] for i in order],
+                joined=True,
+            )
+    place = np.arange(float(len(points)))
+    return SeriesAxis(label="operating point", over="", units=units, values=place, points=points, joined=False)

@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Sequence
 from io import BytesIO
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter, ScalarFormatter
 
+from fembearing.quantities import Units
 from fembearing.report.document.contact import Contact
 
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"  # the palette of M. Okabe and K. Ito
@@ -21,15 +22,17 @@ CONTACTS = {  # pair and geometry -> colour and mark
     ("pocket", "wall"): (PURPLE, "D"),
 }
 DECADE = 10.0  # what spans more is drawn on a logarithmic scale
-PAGE, WIDEST_COLUMN = 11.0, 3.4  # inches: panels together are no wider than the page, so that letters stay as large
-DrawContact = Callable[[Axes, Contact], None]
-DOTS = 110  # per inch
+WIDTH = 5.8  # inches, of every figure: letters of 10 points are 9 pixels high on a telephone, and as large on paper
+SIDE_BY_SIDE = 2  # panels at most
+UPPER, LOWER = 2.5, 2.1  # inches: heights of the two panels of a contact
+DrawContact = Callable[[Axes, Contact, Units], None]
+DOTS = 192  # per inch: twice those of a screen
 MANY = 25  # points on a line: more have no marks
 
 
-def png(figure: Figure, *, sharp: bool = False) -> bytes:
-    """The figure as a file; sharp : twice as many dots, for a narrow figure that is also printed."""
-    return _saved(figure, dpi=2 * DOTS if sharp else DOTS, format="png")
+def png(figure: Figure) -> bytes:
+    """The figure as a file."""
+    return _saved(figure, dpi=DOTS, format="png")
 
 
 def pdf(figure: Figure) -> bytes:
@@ -49,32 +52,32 @@ def look_of(pair: str, geometry: str) -> tuple[str, str]:
 
 
 def contact_columns(
-    contacts: Sequence[Contact],
-    *rows: DrawContact,
-    height: float,
-    labels: tuple[str, str],
-    shared: Literal["none", "col"] = "none",
+    contacts: Sequence[Contact], *rows: DrawContact, units: Units, labels: tuple[str, str], shared: bool = False
 ) -> Figure:
-    """Two panels for each contact, one above the other, with one legend for all.
+    """Two panels for each contact, one above the other, and two contacts side by side, with one legend for all.
 
-    rows : what draws the upper and the lower panel;  labels : of the vertical axis of both rows
-    shared : "col" where both panels of a contact have one horizontal axis
+    rows : what draws the upper and the lower panel;  labels : of the vertical axis of both
+    shared : both panels of a contact have one horizontal axis
     """
-    columns = len(contacts)
-    figure = Figure(figsize=(min(WIDEST_COLUMN, PAGE / columns) * max(columns, 2), height), layout="constrained")
-    panels = figure.subplots(2, columns, squeeze=False, sharex=shared, height_ratios=(1.3, 1))
-    for row, draw, label in zip(panels, rows, labels, strict=True):
-        row[0].set_ylabel(label)
-        for panel, contact in zip(row, contacts, strict=True):
-            draw(panel, contact)
-            panel.tick_params(labelsize=8)
+    columns, storeys = min(len(contacts), SIDE_BY_SIDE), -(-len(contacts) // SIDE_BY_SIDE)
+    figure = Figure(figsize=(WIDTH, 0.4 + storeys * (UPPER + LOWER)), layout="constrained")
+    grid = figure.add_gridspec(2 * storeys, columns, height_ratios=(UPPER, LOWER) * storeys)
+    for number, contact in enumerate(contacts):
+        storey, column = divmod(number, columns)
+        above = None
+        for row, (draw, label) in enumerate(zip(rows, labels, strict=True)):
+            panel = figure.add_subplot(grid[2 * storey + row, column], sharex=above if shared else None)
+            above = above or panel
+            draw(panel, contact, units)
+            panel.set_ylabel("" if column else label)
+            panel.tick_params(labelsize=9)
             panel.grid(alpha=0.3)
-    handles, words = panels[0, 0].get_legend_handles_labels()
-    figure.legend(handles, words, loc="outside lower center", ncols=len(words), frameon=False, fontsize=9)
+    handles, words = figure.axes[0].get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside lower center", ncols=SIDE_BY_SIDE, frameon=False, fontsize=9)
     return figure
 
 
-def legend_below(panel: Axes, *, columns: int = 2, size: float = 8) -> None:
+def legend_below(panel: Axes, *, columns: int = 2, size: float = 9) -> None:
     """Under the axis' label, where no data are."""
     panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=columns, fontsize=size, frameon=False)
 

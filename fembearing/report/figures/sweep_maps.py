@@ -63,12 +63,12 @@ def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -
     rows = -(-len(shown) // columns)
     figure = Figure(figsize=(2.2 + 4.6 * columns, 0.8 + 3.6 * rows), layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
-    norm = _norm(variable.values * unit.factor)
+    norm = _norm(unit.number(variable.values))
     colours = colormaps["viridis"].with_extremes(bad="lightgrey")
     for panel, chosen in zip(panels.ravel(), shown, strict=False):
         part = variable.sel(chosen).transpose(vertical, horizontal)
         x, y = (_shown_axis(part[dimension]) for dimension in (horizontal, vertical))
-        values = part.values * unit.factor
+        values = unit.number(part.values)
         edges = [_edges(part[dimension]) for dimension in (horizontal, vertical)]
         panel.pcolormesh(*edges, np.ma.masked_invalid(values), norm=norm, cmap=colours)
         if min(values.shape) > 2 and np.all(np.isfinite(values)) and np.ptp(values) > 0:
@@ -99,9 +99,9 @@ def _draw_lines(variable: Any, across: list[str], others: list[str], unit: Unit)
     for chosen in _choices(variable, others, MOST_LINES):
         part = variable.sel(chosen)
         label = ", ".join(_place(variable[d], value) for d, value in chosen.items())
-        panel.plot(_shown_axis(part[horizontal]), part.values * unit.factor, "o-", markersize=3, label=label)
+        panel.plot(_shown_axis(part[horizontal]), unit.number(part.values), "o-", markersize=3, label=label)
     _set_axis(panel, panel.xaxis, variable[horizontal])
-    if isinstance(_norm(variable.values * unit.factor), LogNorm):
+    if isinstance(_norm(unit.number(variable.values)), LogNorm):
         panel.set_yscale("log")
         _plain_numbers(panel.yaxis)
     panel.set(xlabel=_label(variable[horizontal]), ylabel=f"{_name(variable)}, {unit.name}")
@@ -130,7 +130,7 @@ def _unit_of(values: Any, *, relative: bool = False) -> Unit:
 def _shown_axis(values: Any) -> Array:
     if not np.issubdtype(values.dtype, np.number):
         return np.array([str(value) for value in values.values])
-    return values.values * _unit_of(values).factor
+    return _unit_of(values).number(values.values)
 
 
 def _place(values: Any, value: Any) -> str:

@@ -4,13 +4,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.quantities import MICRO, QUANTITIES, RPM
+from fembearing.quantities import QUANTITIES
 from fembearing.report.document.report import Published, Report
-from fembearing.report.figures.series_axis import SPEED, SeriesAxis, axis_of
-from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, legend_below
+from fembearing.report.figures.series_axis import SeriesAxis, axis_of
+from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, WIDTH
 
-TORQUE = QUANTITIES["torque"]
-NM = TORQUE.shown.factor
 PARTS = {  # from the bottom, with words for the legend
     "spin": ("spin", BLUE),
     "conformity": ("conformity slip", SKY),
@@ -19,7 +17,7 @@ PARTS = {  # from the bottom, with words for the legend
     "cage": ("cage", PURPLE),
     "declared": ("declared: seals, drag", GREY),
 }
-WIDTH = 0.6  # of a bar
+BAR = 0.6  # width
 PAPER_MARKS = "Dv^<"
 NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both lubricant and surface."
 
@@ -28,17 +26,21 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     """Parts stacked up to the total, with the uncertainty of the total."""
     if document.torque is None:
         return None, NO_TORQUE
-    axis = axis_of(document.torque.points)
-    figure = Figure(figsize=(9, 5.4), layout="constrained")
+    if len(document.torque.points) == 1:
+        return None, ""  # a table says it
+    axis = axis_of(document.torque.points, document.units)
+    figure = Figure(figsize=(WIDTH, 4.8), layout="constrained")
     panel = figure.subplots()
     draw_parts(panel, axis)
     known = _total(panel, axis)
     printed = _paper(panel, axis, document.published)
     axis.apply(panel)
-    panel.set_ylabel(TORQUE.heading)
+    panel.set_ylabel(QUANTITIES["torque"].in_units(document.units).heading)
+    panel.set_title(axis.fixed, fontsize=10)
     panel.set_ylim(0, None)
     panel.grid(alpha=0.3)
-    legend_below(panel, columns=3, size=9)
+    handles, words = panel.get_legend_handles_labels()
+    figure.legend(handles, words, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
     caption = "The parts of the torque, stacked: their upper edge is the total. "
     caption += f"Band: its uncertainty, {known}."
     if document.cage_records:
@@ -53,11 +55,11 @@ def draw_parts(panel: Axes, axis: SeriesAxis) -> None:
         part = axis.of("torque", name)
         if part is None:
             continue
-        above = below + NM * part
+        above = below + axis.units.torque.factor * part
         if axis.joined:
             panel.fill_between(axis.values, below, above, color=colour, alpha=0.75, linewidth=0, label=words)
         else:
-            panel.bar(axis.values, above - below, WIDTH, bottom=below, color=colour, alpha=0.75, label=words)
+            panel.bar(axis.values, above - below, BAR, bottom=below, color=colour, alpha=0.75, label=words)
         below = above
 
 
@@ -65,7 +67,7 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
     """Draw the total with its uncertainty; gives what that uncertainty covers."""
     total = axis.of("torque", "total")
     assert total is not None  # the total is always there
-    total = NM * total
+    total = axis.units.torque.factor * total
     numerical, model = axis.of("uncertainty", "numerical"), axis.of("uncertainty", "model")
     half = sum((part for part in (numerical, model) if part is not None), start=np.zeros(total.size))
     low, high = total * (1 - half), total * (1 + half)
@@ -85,16 +87,20 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
 
 def _paper(panel: Axes, axis: SeriesAxis, published: Published | None) -> str:
     """Draw the paper's totals where the scene has its case; gives a sentence on what they are."""
-    if published is None or axis.label != SPEED:
+    if published is None or axis.over != "inner_speed":
         return ""
     rows = [row for row in published.rows if row.quantity == "total_torque"]
     if not rows:
         return ""
     roughness = sorted({row.rms_roughness for row in rows}, reverse=True)
     for mark, rms in zip(PAPER_MARKS, roughness, strict=False):
-        drawn = [(row.inner_speed * RPM.factor, row.value * NM) for row in rows if row.rms_roughness == rms]
+        drawn = [
+            (axis.units.speed.number(row.inner_speed), axis.units.torque.number(row.value))
+            for row in rows
+            if row.rms_roughness == rms
+        ]
         x, y = np.transpose(drawn)
-        label = f"paper, Sq {MICRO.written(rms, 'g')}: total"
+        label = f"paper, Sq {axis.units.small_length.written(rms, '.3g')}: total"
         panel.plot(x, y, mark, color=RED, markerfacecolor="white", markersize=8, label=label, linestyle="none")
     words = (
         " Open marks: totals that the paper prints, its cage in motion among them; computed there, not measured, with "

@@ -3,20 +3,18 @@
 Over speed or load where that alone varies; else a bar for each operating point, and for one point a bar for each part.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.scene import Array
 from fembearing.compare.torque.scene_torque import SceneTorque
-from fembearing.quantities import QUANTITIES, RPM
+from fembearing.quantities import METRIC, QUANTITIES, RPM
 from fembearing.report.document.torque import Point
-from fembearing.report.figures.series_axis import SPEED, SeriesAxis, axis_of
+from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK
 from fembearing.report.figures.torque import PARTS, draw_parts
-from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
+from fembearing.report.phrases import LOADS, loads_of
 
 TORQUE = QUANTITIES["torque"]
 NM = TORQUE.shown.factor
@@ -35,7 +33,7 @@ def figure_of_torque(result: SceneTorque) -> Figure:
     name = f"{bearings}{result.scene.bearing.name}"
     if len(points) == 1:
         return _one_point(points[0], name)
-    axis = axis_of(points)
+    axis = axis_of(points, METRIC)
     return _over(axis, name) if axis.joined else _bars(axis, name)
 
 
@@ -53,11 +51,7 @@ def _over(axis: SeriesAxis, name: str) -> Figure:
     panel.set_ylabel(TORQUE.heading)
     panel.set_ylim(0, None)
     panel.grid(alpha=0.3)
-    fixed = [load for load in present_loads(axis.points) if load not in varying_loads(axis.points)]
-    same = [loads_of(axis.points[0], fixed)] if fixed else []
-    if axis.label != SPEED:
-        same.append(RPM.written(axis.points[0].inner_speed, ".4g"))
-    _finish(figure, panel, ", ".join([name, *same]))
+    _finish(figure, panel, f"{name}, {axis.fixed}")
     return figure
 
 
@@ -76,13 +70,12 @@ def _bars(axis: SeriesAxis, name: str) -> Figure:
     look = {"fmt": "o", "color": BLACK, "capsize": 3, "markersize": 4}
     panel.errorbar(total, place, xerr=total * half, label="total, uncertainty", **look)
     step = -(-count // MOST_NAMES)
-    panel.set_yticks(place[::step], _names(axis.points)[::step], fontsize=9)
+    panel.set_yticks(place[::step], axis.names[::step], fontsize=9)
     panel.set_ylim(count - 0.4, -0.6)
     panel.set_xlim(0, None)
     panel.set_xlabel(TORQUE.heading)
     panel.grid(alpha=0.3, axis="x")
-    fixed = [load for load in present_loads(axis.points) if load not in varying_loads(axis.points)]
-    _finish(figure, panel, ", ".join([name, *([loads_of(axis.points[0], fixed)] if fixed else [])]))
+    _finish(figure, panel, ", ".join([name, *([axis.fixed] if axis.fixed else [])]))
     return figure
 
 
@@ -123,18 +116,6 @@ def _total(axis: SeriesAxis) -> tuple[Array, Array]:
     assert total is not None  # the total is always there
     parts = [axis.of("uncertainty", name) for name in ("numerical", "model")]
     return NM * total, np.sum([part for part in parts if part is not None], axis=0) * np.ones_like(total)
-
-
-def _names(points: Sequence[Point]) -> list[str]:
-    """What differs between operating points, of each of them."""
-    loads = varying_loads(points)
-    speeds = len({point.inner_speed for point in points}) > 1 or not loads
-    return [
-        ", ".join(
-            ([RPM.written(point.inner_speed, ".4g")] if speeds else []) + ([loads_of(point, loads)] if loads else [])
-        )
-        for point in points
-    ]
 
 
 def _finish(figure: Figure, panel: Axes, title: str) -> None:

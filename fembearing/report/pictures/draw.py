@@ -166,7 +166,7 @@ def _frame(contact: ContactSolution) -> Frame:
 def _scale(contact: ContactSolution) -> PressureScale:
     """Colours up to the computed peak, with round ticks."""
     peak = contact.reference.peak_pressure
-    unit, factor = unit_for("Pa", peak)
+    unit, factor, _ = unit_for("Pa", peak)
     ticks = MaxNLocator(5).tick_values(0, peak * factor)
     return PressureScale(unit, factor, peak * factor, [float(tick) for tick in ticks if tick <= peak * factor])
 

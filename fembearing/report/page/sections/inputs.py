@@ -11,7 +11,7 @@ def inputs_grid(document: Report) -> Grid | None:
         return None
     heads = [Head("input", "text"), Head("value", "name"), Head("status", "text"), Head("source", "text")]
     rows = [
-        [each.key, value_of(each.value, each.uncertainty, each.unit), each.status, each.source]
+        [each.key, value_of(each.value, each.uncertainty, each.unit, document.units), each.status, each.source]
         for each in document.torque.inputs
     ]
     return grid_of("where the inputs come from", heads, rows)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from fembearing.quantities import Units
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
 from fembearing.report.page.sections.grid import Grid, Group, Head, Row
@@ -20,12 +21,15 @@ HEADS = (
 
 def mesh_grid(document: Report) -> Grid:
     """A group for each contact, a row for each quantity."""
-    groups = [Group(list(_rows(contact)), contact_title(contact)) for contact in document.contacts]
+    groups = [
+        Group(list(_rows(contact, document.units)), contact_title(contact, document.units))
+        for contact in document.contacts
+    ]
     return Grid("meshes of each contact", HEADS, groups)
 
 
-def _rows(contact: Contact) -> Iterator[Row]:
-    for name, quantity in quantities_of(contact).items():
+def _rows(contact: Contact, units: Units) -> Iterator[Row]:
+    for name, quantity in quantities_of(contact, units).items():
         study, factor = contact.convergence[name], quantity.shown.factor
         yield [
             quantity.heading,

@@ -2,8 +2,7 @@
 
 from collections.abc import Sequence
 
-from analytic.result import COORDINATES
-from fembearing.quantities import RPM
+from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.document.torque import OperatingPoint, Point
 from fembearing.report.page.sections.grid import Head
 from fembearing.report.phrases import LOADS, loads_of, present_loads
@@ -12,25 +11,26 @@ MOST_IN_SUMMARY = 12
 NUMBER = Head("point", "name")
 
 
-def point_heads(points: Sequence[OperatingPoint]) -> list[Head]:
+def point_heads(points: Sequence[OperatingPoint], units: Units) -> list[Head]:
     """Number, loads and speed: the first columns of a table over operating points."""
-    loads = [Head(f"{COORDINATES[name].meaning}, {COORDINATES[name].unit}") for name in present_loads(points)]
-    return [NUMBER, *loads, Head(f"speed, {RPM.name}")]
+    loads = [Head(QUANTITIES[name].in_units(units).heading) for name in present_loads(points)]
+    return [NUMBER, *loads, Head(f"speed, {units.speed.name}")]
 
 
-def point_cells(points: Sequence[OperatingPoint], index: int) -> list[str]:
+def point_cells(points: Sequence[OperatingPoint], index: int, units: Units) -> list[str]:
     """The cells below `point_heads`."""
     point = points[index]
-    loads = [f"{getattr(point, name):.6g}" for name in present_loads(points)]
-    return [str(index + 1), *loads, f"{point.inner_speed * RPM.factor:.5g}"]
+    factors = {name: QUANTITIES[name].in_units(units).shown.factor for name in present_loads(points)}
+    loads = [f"{getattr(point, name) * factor:.6g}" for name, factor in factors.items()]
+    return [str(index + 1), *loads, f"{point.inner_speed * units.speed.factor:.5g}"]
 
 
-def point_name(points: Sequence[OperatingPoint], index: int) -> str:
+def point_name(points: Sequence[OperatingPoint], index: int, units: Units) -> str:
     """An operating point in words, with its number where there are several."""
     point = points[index]
     number = f"point {index + 1}: " if len(points) > 1 else ""
     named = [name for name in present_loads(points) if getattr(point, name)] or LOADS[:1]
-    return f"{number}{loads_of(point, named)}, {RPM.written(point.inner_speed, '.5g')}"
+    return f"{number}{loads_of(point, named, units)}, {units.speed.written(point.inner_speed, '.5g')}"
 
 
 def parts_of(points: Sequence[Point]) -> list[str]:

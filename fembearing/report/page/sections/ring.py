@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from fembearing.quantities import MICRO
+from fembearing.quantities import Units
 from fembearing.report.document.report import Report
 from fembearing.report.document.ring import Balls, Displacement, RingState
 from fembearing.report.document.torque import Point
@@ -34,16 +34,17 @@ class RingSection(NamedTuple):
 def ring_section(document: Report) -> RingSection | None:
     """What the section shows; None without a torque."""
     points = [] if document.torque is None else document.torque.points
+    units = document.units
     shown = [(index, ring) for index in _ends(points) if (ring := points[index].ring) is not None]
     if not shown:
         return None
     placed = [(index, ring.displacement) for index, ring in shown if ring.displacement is not None]
-    stiffness = [Group(list(_stiffness(ring)), point_name(points, index)) for index, ring in shown]
-    balls = [Group(list(_balls(ring.balls)), point_name(points, index)) for index, ring in shown]
+    stiffness = [Group(list(_stiffness(ring, units)), point_name(points, index, units)) for index, ring in shown]
+    balls = [Group(list(_balls(ring.balls, units)), point_name(points, index, units)) for index, ring in shown]
     return RingSection(
-        displacement=_displacement(points, placed) if placed else None,
-        stiffness=Grid("stiffness of the bearing", [Head("", "name"), *map(Head, FREEDOMS)], stiffness),
-        balls=Grid("balls", [Head("azimuth, deg (rad)", "name"), *map(Head, BALLS)], balls),
+        displacement=_displacement(points, placed, units) if placed else None,
+        stiffness=Grid("stiffness of the bearing", [Head("", "name"), *_freedoms(units)], stiffness),
+        balls=Grid("balls", [Head("azimuth, deg (rad)", "name"), *_heads_of_balls(units)], balls),
     )
 
 
@@ -52,18 +53,18 @@ def _ends(points: Sequence[Point]) -> list[int]:
     return sorted({0, len(points) - 1}) if points else []
 
 
-def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Displacement]]) -> Grid:
-    lengths = [Head(f"{name}, {MICRO.name}") for name in ("axially", "along x", "along y")]
+def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Displacement]], units: Units) -> Grid:
+    lengths = [Head(f"{name}, {units.small_length.name}") for name in AXES]
     tilts = [Head(f"tilt about {name}, deg (rad)") for name in "xy"]
     rows = [
         [
-            *point_cells(points, index),
+            *point_cells(points, index, units),
             *(f"{each * MICRO.factor:z.3f}" for each in (ring.axial, ring.x, ring.y)),
             *(f"{np.degrees(each):z.4f} ({each:z.6f})" for each in (ring.tilt_x, ring.tilt_y)),
         ]
         for index, ring in placed
     ]
-    return grid_of("displacement of the inner ring", [*point_heads(points), *lengths, *tilts], rows)
+    return grid_of("displacement of the inner ring", [*point_heads(points, units), *lengths, *tilts], rows)
 
 
 def _stiffness(ring: RingState) -> Iterator[Row]:
@@ -74,11 +75,16 @@ def _stiffness(ring: RingState) -> Iterator[Row]:
         yield [action, *(f"{value:.4g}" for value in row)]
 
 
-def _balls(balls: Balls) -> Iterator[Row]:
+def _balls(balls: Balls, units: Units) -> Iterator[Row]:
     """A row for each ball; one for all of them where they are alike."""
     columns = (balls.inner_load, balls.outer_load, balls.inner_angle, balls.outer_angle)
     rows = [
-        (digits(inner, 1.0, 4), digits(outer, 1.0, 4), angle_cell(first), angle_cell(second))
+        (
+            digits(inner, units.force.factor, 4),
+            digits(outer, units.force.factor, 4),
+            angle_cell(first),
+            angle_cell(second),
+        )
         for inner, outer, first, second in zip(*columns, strict=True)
     ]
     if len(set(rows)) == 1:

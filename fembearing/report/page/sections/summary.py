@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE
+from fembearing.quantities import CONTACT, Units
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import StatedInput, Torque
@@ -30,7 +30,6 @@ from fembearing.report.phrases import (
     worst_of,
 )
 
-NM = NEWTON_MILLIMETRE.factor
 MOST_NAMED = 8  # assumed inputs that the summary names
 MOST_NOTES, LONGEST = 5, 320  # notes of the summary, and letters of one and of a fact: the appendices have all
 
@@ -86,11 +85,11 @@ def summary_of(document: Report) -> Summary:
     notes = [*failures, *([] if torque is None else torque.notes), *document.warnings]
     boxes = _boxes(document)
     return Summary(
-        figures=[] if torque is None else _figures(torque),
+        figures=[] if torque is None else _figures(torque, document.units),
         boxes=boxes,
         overall=document.verdict.overall,
         inputs="" if torque is None else _status_of(torque.inputs),
-        torque=None if torque is None else _torque(torque),
+        torque=None if torque is None else _torque(torque, document.units),
         hidden=0 if torque is None else len(torque.points) - len(points_of_summary(torque.points)),
         physical=_physical(document),
         contacts=_contacts(document),
@@ -107,26 +106,30 @@ def summary_of(document: Report) -> Summary:
     )
 
 
-def _figures(torque: Torque) -> list[Figure]:
+def _figures(torque: Torque, units: Units) -> list[Figure]:
     """The total: the one, or the largest and the smallest of a series."""
     points = torque.points
     totals = [point.torque.total for point in points]
     largest, smallest = totals.index(max(totals)), totals.index(min(totals))
     if len(points) == 1:
-        return [_figure("Friction torque", torque, 0)]
+        return [_figure("Friction torque", torque, 0, units)]
     if largest == smallest:
-        return [_figure("Friction torque", torque, 0)._replace(place=f"the same at all {len(points)} operating points")]
-    return [_figure("Largest friction torque", torque, largest), _figure("Smallest", torque, smallest)]
+        return [
+            _figure("Friction torque", torque, 0, units)._replace(
+                place=f"the same at all {len(points)} operating points"
+            )
+        ]
+    return [_figure("Largest friction torque", torque, largest, units), _figure("Smallest", torque, smallest, units)]
 
 
-def _figure(name: str, torque: Torque, index: int) -> Figure:
+def _figure(name: str, torque: Torque, index: int, units: Units) -> Figure:
     point = torque.points[index]
     spread = f"numerical uncertainty {percent(point.uncertainty.numerical)}"
     if torque.prediction is not None:
-        interval = interval_at(torque.prediction.points[index])
-        spread += f"; 95 % interval {interval} {NEWTON_MILLIMETRE.name}"
-    value = f"{digits(point.torque.total, NM, 4)} {NEWTON_MILLIMETRE.name}"
-    return Figure(name, value, spread, point_name(torque.points, index))
+        interval = interval_at(torque.prediction.points[index], units)
+        spread += f"; 95 % interval {interval} {units.torque.name}"
+    value = f"{digits(point.torque.total, units.torque.factor, 4)} {units.torque.name}"
+    return Figure(name, value, spread, point_name(torque.points, index, units))
 
 
 def _boxes(document: Report) -> list[Box]:
@@ -180,18 +183,18 @@ def _status_of(inputs: Sequence[StatedInput]) -> str:
     return f"{len(inputs)} inputs: {words}. Assumed: {', '.join(assumed[:MOST_NAMED])}{more}."
 
 
-def _torque(torque: Torque) -> Grid:
+def _torque(torque: Torque, units: Units) -> Grid:
     """The torque by effect at each operating point, at most 12 of them."""
     points = torque.points
     parts, predicted = parts_of(points), torque.prediction
-    heads = [*point_heads(points), *(Head(name) for name in parts), Head("total"), Head("\N{PLUS-MINUS SIGN}")]
+    heads = [*point_heads(points, units), *(Head(name) for name in parts), Head("total"), Head("\N{PLUS-MINUS SIGN}")]
     heads += [] if predicted is None else [Head("95 %")]
     rows = [
         [
-            *point_cells(points, index),
-            *(digits(getattr(points[index].torque, name), NM, 4) for name in (*parts, "total")),
+            *point_cells(points, index, units),
+            *(digits(getattr(points[index].torque, name), units.torque.factor, 4) for name in (*parts, "total")),
             percent(points[index].uncertainty.numerical),
-            *(() if predicted is None else (interval_at(predicted.points[index]),)),
+            *(() if predicted is None else (interval_at(predicted.points[index], units),)),
         ]
         for index in points_of_summary(points)
     ]
@@ -200,10 +203,11 @@ def _torque(torque: Torque) -> Grid:
 
 def _contacts(document: Report) -> Grid:
     """A row for each contact that is judged: what Hertz says, and how far it is from finite elements."""
-    pressure = CONTACT["peak_pressure"]
+    units = document.units
+    pressure = CONTACT["peak_pressure"].in_units(units)
     heads = [
         Head("contact", "name"),
-        Head("ball load, N"),
+        Head(f"ball load, {units.force.name}"),
         Head("contact angle, deg (rad)"),
         Head(f"{pressure.heading}: Hertz"),
         Head("finite elements"),
@@ -214,10 +218,10 @@ def _contacts(document: Report) -> Grid:
 
 
 def _contact(document: Report, contact: Contact) -> list[str]:
-    verdicts, shown = document.verdicts_on(contact), CONTACT["peak_pressure"].shown
+    verdicts, shown = document.verdicts_on(contact), document.units.pressure
     return [
         "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race",
-        digits(contact.load, 1.0, 4),
+        digits(contact.load, document.units.force.factor, 4),
         "-" if contact.pair == "pocket" else angle_cell(contact.contact_angle),
         digits(contact.hertz.peak_pressure, shown.factor, 4),
         digits(contact.fe.peak_pressure, shown.factor, 4),
@@ -234,7 +238,7 @@ def _contacts_at(document: Report) -> str:
     if document.torque is None:
         return "Races: the heaviest ball of all operating points."
     points = document.torque.points
-    return f"Races: the heaviest ball, at {point_name(points, heaviest_point(points))}."
+    return f"Races: the heaviest ball, at {point_name(points, heaviest_point(points), document.units)}."
 
 
 def _change(document: Report) -> str:
@@ -247,8 +251,9 @@ def _change(document: Report) -> str:
     if relative is None:
         return ""
     return (
-        f"With contacts of finite elements in place of Hertz's the torque at {point_name(torque.points, index)} "
-        f"changes by {100 * relative:+.2f} \N{PLUS-MINUS SIGN} {100 * change.uncertainty:.2f} %."
+        "With contacts of finite elements in place of Hertz's the torque at "
+        f"{point_name(torque.points, index, document.units)} changes by {100 * relative:+.2f} \N{PLUS-MINUS SIGN} "
+        f"{100 * change.uncertainty:.2f} %."
     )
 
 

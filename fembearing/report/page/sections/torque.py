@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from fembearing.quantities import NEWTON_MILLIMETRE
+from fembearing.quantities import Units
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
 from fembearing.report.page.sections.grid import Grid, Head, grid_of
@@ -19,7 +19,6 @@ from fembearing.report.phrases import (
     uncertainty_of,
 )
 
-NM = NEWTON_MILLIMETRE.factor
 SIGNED = "+.2f"  # of a change in per cent
 
 
@@ -44,7 +43,12 @@ def torque_section(document: Report) -> TorqueSection | None:
     ]
     if torque.prediction is not None:
         notes.append(interval_words(torque.prediction))
-    return TorqueSection(totals=_totals(torque), changes=_changes(torque.points, change), change=change, notes=notes)
+    return TorqueSection(
+        totals=_totals(torque, document.units),
+        changes=_changes(torque.points, change, document.units),
+        change=change,
+        notes=notes,
+    )
 
 
 def _largest_parts(points: Sequence[Point]) -> dict[str, float]:
@@ -54,32 +58,41 @@ def _largest_parts(points: Sequence[Point]) -> dict[str, float]:
     return {name: max(parts.get(name, 0.0) for parts in known) for name in names}
 
 
-def _totals(torque: Torque) -> Grid:
+def _totals(torque: Torque, units: Units) -> Grid:
     """Contact angle, parts, total, its numerical uncertainty, its interval and the catalogue band of each point."""
     points, parts, predicted = torque.points, parts_of(torque.points), torque.prediction
     low, high = torque.catalogue_band.low, torque.catalogue_band.high
-    heads = [*point_heads(points), Head("contact angle, deg (rad)"), *(Head(name) for name in parts), Head("total")]
+    heads = [
+        *point_heads(points, units),
+        Head("contact angle, deg (rad)"),
+        *(Head(name) for name in parts),
+        Head("total"),
+    ]
     heads += [Head("\N{PLUS-MINUS SIGN}"), *([] if predicted is None else [Head("95 %")])]
     heads += [] if low is None else [Head("catalogue band")]
     rows = [
         [
-            *point_cells(points, index),
+            *point_cells(points, index, units),
             angle_cell(point.contact_angle),
-            *(digits(getattr(point.torque, name), NM, 4) for name in (*parts, "total")),
+            *(digits(getattr(point.torque, name), units.torque.factor, 4) for name in (*parts, "total")),
             percent(point.uncertainty.numerical),
-            *(() if predicted is None else (interval_at(predicted.points[index]),)),
-            *(() if low is None or high is None else (f"{low[index] * NM:.3g}-{high[index] * NM:.3g}",)),
+            *(() if predicted is None else (interval_at(predicted.points[index], units),)),
+            *(
+                ()
+                if low is None or high is None
+                else (f"{units.torque.number(low[index]):.3g}-{units.torque.number(high[index]):.3g}",)
+            ),
         ]
         for index, point in enumerate(points)
     ]
     return grid_of("friction torque at every operating point", heads, rows)
 
 
-def _changes(points: Sequence[Point], change: TorqueChange) -> Grid:
+def _changes(points: Sequence[Point], change: TorqueChange, units: Units) -> Grid:
     """Angle and total of the production and with contacts of finite elements, and the relative changes."""
     angles, totals, fitted = change.contact_angle, change.torque, change.finite_geometry
     heads = [
-        *point_heads(points),
+        *point_heads(points, units),
         Head("production: angle, deg (rad)"),
         Head("production: torque"),
         Head("contacts of finite elements: angle, deg (rad)"),
@@ -89,11 +102,11 @@ def _changes(points: Sequence[Point], change: TorqueChange) -> Grid:
     ]
     rows = [
         [
-            *point_cells(points, index),
+            *point_cells(points, index, units),
             angle_cell(angles.production[index]),
-            digits(totals.production[index], NM, 4),
+            digits(totals.production[index], units.torque.factor, 4),
             angle_cell(angles.corrected[index]),
-            digits(totals.corrected[index], NM, 4),
+            digits(totals.corrected[index], units.torque.factor, 4),
             shown(change.change.total[index], SIGNED, 100),
             *([] if fitted is None else [shown(fitted.change[index], SIGNED, 100)]),
         ]

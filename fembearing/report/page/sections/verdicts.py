@@ -32,7 +32,7 @@ class VerdictSection(NamedTuple):
 def verdict_section(document: Report) -> VerdictSection:
     """The judged contacts, and what is resolved of them."""
     judged = [contact for contact in document.contacts if contact.judged]
-    groups = [Group(list(_rows(document, contact)), contact_title(contact)) for contact in judged]
+    groups = [Group(list(_rows(document, contact)), contact_title(contact, document.units)) for contact in judged]
     return VerdictSection(
         judged=Grid("verdicts on each contact", HEADS, groups),
         comparisons=[(contact_place(contact), line) for contact in judged for line in _resolved(document, contact)],
@@ -42,7 +42,7 @@ def verdict_section(document: Report) -> VerdictSection:
 
 def _rows(document: Report, contact: Contact) -> Iterator[Row]:
     verdicts, corrected = document.verdicts_on(contact), contact.corrected
-    for name, quantity in quantities_of(contact).items():
+    for name, quantity in quantities_of(contact, document.units).items():
         row, factor = verdicts[name], quantity.shown.factor
         yield [
             quantity.heading,
