@@ -13,14 +13,8 @@ from fembearing.report.page.sections.grid import Grid, Group, Head, Row, grid_of
 from fembearing.report.page.sections.points import point_cells, point_heads, point_name
 from fembearing.report.phrases import angle_cell, digits
 
-ACTIONS = ("axial force, N", "force along x, N", "force along y, N", "moment about x, N mm", "moment about y, N mm")
-FREEDOMS = (
-    *(f"{name}, per um" for name in ("axially", "along x", "along y")),
-    *(f"tilt about {name}, per mrad" for name in "xy"),
-)
-PER_SI = np.outer([1.0, 1.0, 1.0, 1e3, 1e3], [1e-6, 1e-6, 1e-6, 1e-3, 1e-3])  # N and N mm per um and mrad
+AXES = ("axially", "along x", "along y")
 ROUND_OFF = 1e-9  # of the diagonal, below which an entry is none
-BALLS = ("load, inner, N", "load, outer, N", "angle, inner, deg (rad)", "angle, outer, deg (rad)")
 
 
 class RingSection(NamedTuple):
@@ -59,7 +53,7 @@ def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Displacem
     rows = [
         [
             *point_cells(points, index, units),
-            *(f"{each * MICRO.factor:z.3f}" for each in (ring.axial, ring.x, ring.y)),
+            *(f"{units.small_length.number(each):z.3f}" for each in (ring.axial, ring.x, ring.y)),
             *(f"{np.degrees(each):z.4f} ({each:z.6f})" for each in (ring.tilt_x, ring.tilt_y)),
         ]
         for index, ring in placed
@@ -67,11 +61,28 @@ def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Displacem
     return grid_of("displacement of the inner ring", [*point_heads(points, units), *lengths, *tilts], rows)
 
 
-def _stiffness(ring: RingState) -> Iterator[Row]:
+def _freedoms(units: Units) -> list[Head]:
+    """The displacements and tilts of the ring: the columns of its stiffness."""
+    along = [f"{name}, per {units.small_length.name}" for name in AXES]
+    return [Head(name) for name in (*along, *(f"tilt about {name}, per mrad" for name in "xy"))]
+
+
+def _heads_of_balls(units: Units) -> list[Head]:
+    races = ("inner", "outer")
+    loads = [f"load, {race}, {units.force.name}" for race in races]
+    return [Head(name) for name in (*loads, *(f"angle, {race}, deg (rad)" for race in races))]
+
+
+def _stiffness(ring: RingState, units: Units) -> Iterator[Row]:
+    force, torque = units.force, units.torque
+    actions = [f"{name}, {force.name}" for name in ("axial force", "force along x", "force along y")]
+    actions += [f"moment about {name}, {torque.name}" for name in "xy"]
+    along, tilt = 1 / units.small_length.factor, 1e-3  # m and rad, by one of which a column moves
+    per_si = np.outer([*3 * [force.factor], *2 * [torque.factor]], [*3 * [along], *2 * [tilt]])
     matrix = np.array(ring.stiffness)
     scale = np.sqrt(np.abs(np.outer(matrix.diagonal(), matrix.diagonal())))
     matrix = np.where(np.abs(matrix) > ROUND_OFF * scale, matrix, 0.0)  # a symmetric bearing has zeros
-    for action, row in zip(ACTIONS, matrix * PER_SI, strict=True):
+    for action, row in zip(actions, matrix * per_si, strict=True):
         yield [action, *(f"{value:.4g}" for value in row)]
 
 

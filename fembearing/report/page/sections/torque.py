@@ -29,6 +29,7 @@ class TorqueSection(NamedTuple):
     changes: Grid
     change: TorqueChange
     notes: list[str]
+    friction: Grid | None  # of one point, which no figure shows
 
 
 def torque_section(document: Report) -> TorqueSection | None:
@@ -43,11 +44,13 @@ def torque_section(document: Report) -> TorqueSection | None:
     ]
     if torque.prediction is not None:
         notes.append(interval_words(torque.prediction))
+    friction = _friction(torque, document.units) if len(torque.points) == 1 else None
     return TorqueSection(
         totals=_totals(torque, document.units),
         changes=_changes(torque.points, change, document.units),
         change=change,
         notes=notes,
+        friction=friction,
     )
 
 
@@ -86,6 +89,31 @@ def _totals(torque: Torque, units: Units) -> Grid:
         for index, point in enumerate(points)
     ]
     return grid_of("friction torque at every operating point", heads, rows)
+
+
+def _friction(torque: Torque, units: Units) -> Grid | None:
+    """Friction, film and asperities of the heaviest ball at the only point; None where nothing slides."""
+    (point,) = torque.points
+    small, gap = units.small_length, torque.gap_roughness
+    rows = []
+    for name in ("inner", "outer", "pocket"):
+        coefficient = getattr(point.friction_coefficient, name)
+        if coefficient is None:
+            continue
+        film, share = (getattr(group, name, None) for group in (point.film, point.asperity_share))
+        ratio = film / gap if film is not None and gap else None
+        rows.append(
+            [
+                "cage pocket" if name == "pocket" else f"{name} race",
+                f"{coefficient:.4g}",
+                digits(film, small.factor, 3),
+                digits(ratio, 1.0, 3),
+                "-" if share is None else percent(share),
+            ]
+        )
+    heads = [Head("contact", "name"), *map(Head, ("friction coefficient", f"film, {small.name}"))]
+    heads += [Head("film over roughness"), Head("load on asperities")]
+    return grid_of("friction, film and asperities", heads, rows) if rows else None
 
 
 def _changes(points: Sequence[Point], change: TorqueChange, units: Units) -> Grid:
