@@ -87,8 +87,8 @@ def contact_place(contact: "Contact") -> str:
 def ring_line(ring: "Ring", units: Units = METRIC) -> str:
     """What the ring adds to the approach, in one sentence."""
     return (
-        f"Ring on a rigid seat: approach {units.small_length.written(ring.approach, '+.4g')} ({ring.share:+.1%} of "
-        f"the contact's), +- {units.small_length.written(ring.uncertainty, '.3g')}: structure, not contact."
+        f"Ring on a rigid seat: approach {units.small_length.written(ring.approach, '+.3g')} ({ring.share:+.1%} of "
+        f"the contact's), +- {units.small_length.written(ring.uncertainty, '.1g')}: structure, not contact."
     )
 
 

@@ -134,7 +134,7 @@ def test_the_page_needs_nothing_else_and_shows_markup_as_text() -> None:
 def test_the_figure_is_as_wide_for_any_series(load: str, speed: str, tall: bool) -> None:
     text = changed('"700 N"', load, changed(SPEEDS, speed, OILED))
     height, width, _ = imread(BytesIO(CONTENTS[".png"](torque_of_scene(parse_scene(text, origin="here"))))).shape
-    assert width == 1012  # 4.6 inches of 220 dots
+    assert width == 883  # 4.6 inches of 192 dots
     assert (height > 0.9 * width) == tall  # over an axis; else as high as its bars
 
 

@@ -16,7 +16,7 @@ from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
 from analytic.verdicts import numerical_check, physical_checks
-from analytic.words import NEWTON_MILLIMETRE
+from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
 from fembearing.compare.torque.verdicts import Verdicts
 from fembearing.progress import Progress, silent
@@ -73,8 +73,8 @@ class SceneTorque(Brief):
         if roughness is not None and films.inner is not None and films.outer is not None:
             ratios = [f"{_span(film / roughness, '.2g')} on the {race}" for race, film in vars(films).items()]
             yield (
-                f"Film ratio lambda, the film over the rms roughness of ball and race together, {roughness * 1e6:.3g} "
-                f"um: {' and '.join(ratios)} race, of the heaviest ball."
+                f"Film ratio lambda, the film over the rms roughness of ball and race together, "
+                f"{MICROMETRE.written(roughness, '.3g')}: {' and '.join(ratios)} race, of the heaviest ball."
             )
         band, total = self.catalogue.band, self.friction.torque.total
         if band is not None:

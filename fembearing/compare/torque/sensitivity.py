@@ -18,6 +18,7 @@ from analytic.scene import Array, Bearing, Material, Scene
 from analytic.torque import friction_torque
 from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.contact.scene_contact import heaviest_contact
+from fembearing.quantities import unit_for
 
 SAME = 1e-9  # relative: torques at two points that differ by less are one
 RACES: tuple[Literal["inner", "outer"], ...] = ("inner", "outer")
@@ -101,7 +102,7 @@ def sensitivity_of(scene: Scene) -> Sensitivity:
                 ends.append(tuple(map(float, change(variation.scene_at(value)))))
             except FembearingError as problem:
                 ends.append(None)
-                refused.append(f"{value:.4g} {variation.unit}: {problem}")
+                refused.append(f"{unit_for(variation.unit, variation.value).written(value, '.4g')}: {problem}")
         described = {name: part for name, part in vars(variation).items() if name != "scene_at"}
         inputs.append(Input(**described, change_low=ends[0], change_high=ends[1], refused=tuple(refused)))
     return Sensitivity(outputs=tuple(outputs), inputs=tuple(sorted(inputs, key=lambda each: each.swing, reverse=True)))

@@ -62,8 +62,13 @@ def _convergence(panel: Axes, contact: Contact, name: str) -> None:
         linestyle="--" if study.richardson is None else "-",
         color=colour,
         markersize=5,
-        label=f"{place_of(contact.pair, contact.geometry)}: {order}",
+        label=f"{_short(contact)}: {order}",
     )
+
+
+def _short(contact: Contact) -> str:
+    """The place of a contact for a narrow key."""
+    return place_of(contact.pair, contact.geometry).removeprefix("ball on ").removeprefix("ball in cage pocket, ")
 
 
 def _distances(contact: Contact, name: str) -> tuple[np.ndarray, np.ndarray]:

@@ -48,14 +48,6 @@ def cost_figures(ladders: Sequence[Ladder], *, tolerance: float, most: int = MOS
         panel.xaxis.set_minor_formatter(NullFormatter())
         panel.grid(alpha=0.3)
         panel.tick_params(labelsize=9)
-    if panels:
-        panels[0].text(
-            *(0.98, 100 * tolerance * 1.15, f"tolerance {100 * tolerance:.3g} %"),
-            transform=panels[0].get_yaxis_transform(),
-            color="red",
-            fontsize=9,
-            ha="right",
-        )
     for panel, ladder in zip(panels, shown, strict=False):
         panel.set_title(capital(ladder.quantity), fontsize=10)
         _draw(panel, ladder, "seconds", BLUE)

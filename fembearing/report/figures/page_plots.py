@@ -7,6 +7,7 @@ from typing import Literal, NamedTuple
 
 from matplotlib.figure import Figure
 
+from analytic.words import percent_of
 from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.cage import cage_plot
@@ -72,7 +73,8 @@ def _cost(document: Report) -> tuple[list[Figure], str]:
     return cost_figures(document.cost.ladders, tolerance=document.tolerance), (
         f"Error of each method against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "
         "seconds. A bar reaches to the bound on the error; the reference is hollow. Methods whose error and bound "
-        "are below the dotted line are within the tolerance; the cheapest of them is enough, and has a ring. A line "
+        "are below the dotted line are within the tolerance, "
+        f"{percent_of(document.tolerance)}; the cheapest of them is enough, and has a ring. A line "
         "joins what one method gives on finer meshes or more points."
     )
 

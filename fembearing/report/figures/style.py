@@ -79,7 +79,7 @@ def contact_columns(
 
 def legend_below(panel: Axes, *, columns: int = 2, size: float = 9) -> None:
     """Under the axis' label, where no data are."""
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.17), ncols=columns, fontsize=size, frameon=False)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=columns, fontsize=size, frameon=False)
 
 
 def scaled(panel: Axes, values: np.ndarray, *, axis: str = "y") -> None:

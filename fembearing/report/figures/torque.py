@@ -42,7 +42,7 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     handles, words = panel.get_legend_handles_labels()
     figure.legend(handles, words, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
     caption = "The parts of the torque, stacked: their upper edge is the total. "
-    caption += f"Band: its uncertainty, {known}."
+    caption += f"{'Dashed' if axis.joined else 'Bars'}: its uncertainty, {known}."
     if document.cage_records:
         caption += " The cage is in it with its motion."
     return figure, caption + printed
@@ -72,7 +72,8 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
     half = sum((part for part in (numerical, model) if part is not None), start=np.zeros(total.size))
     low, high = total * (1 - half), total * (1 + half)
     if axis.joined:
-        panel.fill_between(axis.values, low, high, color=BLACK, alpha=0.25, linewidth=0, label="uncertainty of it")
+        for edge, label in ((low, "its uncertainty"), (high, "_")):
+            panel.plot(axis.values, edge, "--", color=BLACK, linewidth=0.8, label=label)
         panel.plot(axis.values, total, "-" + axis.mark, color=BLACK, markersize=4, label="total")
     else:
         panel.errorbar(

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from rich.console import Console
 
+from analytic.words import percent_of
 from fembearing.compare.contact.load_series import LoadSeries
 from fembearing.compare.contact.subsurface import SubsurfaceComparison
 from fembearing.quantities import CONTACT, MICRO, STIFFNESS, STRESSES, TANGENT
@@ -123,4 +124,4 @@ def print_series(out: Console, series: LoadSeries) -> None:
         style="dim",
     )
     verdict = series.verdict if series.judged else "shown, not judged"
-    out.print(f"{verdict}: tolerance {series.tolerance:g}")
+    out.print(f"{verdict}: tolerance {percent_of(series.tolerance)}")

@@ -2,6 +2,7 @@
 
 from rich.console import Console
 
+from analytic.words import percent_of
 from fembearing.compare.cost.scene_cost import Cost
 from fembearing.report.phrases import capital, choices_line, short_name, shown
 from fembearing.report.terminal.table import table_of
@@ -37,9 +38,8 @@ def print_cost(out: Console, cost: Cost) -> None:
     machine = cost.provenance
     versions = ", ".join(f"{name} {version}" for name, version in machine["versions"].items() if version)
     out.print(
-        f">: the cheapest method that is known to be within the tolerance, {cost.tolerance:g}. Bound: on the error, "
-        "known before the reference is. Seconds: median of the repeats; first: the call before them; GiB: resident "
-        f"memory at most while it ran. {cost.seconds:.0f} s in all.\n"
-        f"{machine['processor']}, {machine['cores']} cores, {machine['platform']}, Python {machine['python']}; "
-        f"{versions}."
+        f">: the cheapest method that is known to be within the tolerance, {percent_of(cost.tolerance)}. Bound: on "
+        "the error, known before the reference is. Seconds: median of the repeats; first: the call before them; GiB: "
+        f"resident memory at most while it ran. {cost.seconds:.0f} s in all.\n{machine['processor']}, "
+        f"{machine['cores']} cores, {machine['platform']}, Python {machine['python']}; {versions}."
     )

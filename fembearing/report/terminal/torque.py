@@ -9,6 +9,7 @@ from rich.padding import Padding
 
 from analytic.cage.grip import LARGEST_GRIP
 from analytic.result import COLUMNS, COORDINATES, FrictionTorque, PairPart
+from analytic.words import angle_of
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.quantities import CONTACT, MICRO, NEWTON_MILLIMETRE, QUANTITIES, RPM
 from fembearing.report.phrases import (
@@ -96,11 +97,11 @@ def point_columns(series: Mapping[str, Sequence[float]]) -> tuple[dict[str, list
     columns = {RPM.name: [f"{speed * RPM.factor:.5g}" for speed in series["inner_speed"]]}
     fixed = []
     for name in LOADS:
-        values, load = series[name], COORDINATES[name]
+        values, load, unit = series[name], COORDINATES[name], QUANTITIES[name].shown
         if len(set(values)) > 1:
-            columns[f"{load.symbol}, {load.unit}"] = [f"{value:.4g}" for value in values]
+            columns[f"{load.symbol}, {unit.name}"] = [f"{unit.number(value):.4g}" for value in values]
         elif values[0] or name == "axial_load":
-            fixed.append(f"{load.meaning} {values[0]:.5g} {load.unit}")
+            fixed.append(f"{load.meaning} {unit.written(values[0], '.5g')}")
     return columns, fixed
 
 
@@ -129,8 +130,14 @@ def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> No
 def _print_pair(out: Console, pair: PairPart, points: Sequence[int]) -> None:
     """The loads and the torque of each bearing of a pair, and the pair's stiffness."""
     found = pair.equilibrium
-    sideways = {name: COORDINATES[name] for name in ("radial_load", "moment") if np.any(getattr(found, name))}
-    heads = ["#", "bearing", "Fa, N", *(f"{each.symbol}, {each.unit}" for each in sideways.values()), "ball, N"]
+    sideways = {name: QUANTITIES[name].shown for name in ("radial_load", "moment") if np.any(getattr(found, name))}
+    heads = [
+        "#",
+        "bearing",
+        "Fa, N",
+        *(f"{COORDINATES[name].symbol}, {unit.name}" for name, unit in sideways.items()),
+        "ball, N",
+    ]
     torque = f"torque, {NEWTON_MILLIMETRE.name}"
     table = table_of(
         (*heads, torque, "dFa/dz, N/um"), title=f"Bearings of the pair, {PAIRS[pair.kind]}", left=("bearing",)
@@ -141,7 +148,7 @@ def _print_pair(out: Console, pair: PairPart, points: Sequence[int]) -> None:
                 str(point + 1),
                 f"{name}, relieved" if found.is_relieved[bearing, point] else name,
                 f"{found.axial_load[bearing, point]:.4g}",
-                *(f"{getattr(found, load)[bearing, point]:.4g}" for load in sideways),
+                *(f"{unit.number(getattr(found, load)[bearing, point]):.4g}" for load, unit in sideways.items()),
                 f"{found.ball_load[bearing, point]:.4g}",
                 f"{pair.total[bearing, point] * NM:.4g}",
                 "" if bearing else f"{found.stiffness[point] / MICRO.factor:.4g}",
@@ -158,7 +165,7 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
     optional = {
         COLUMNS["friction_coefficient_inner"].symbol: (coefficients, 1.0),
         QUANTITIES["film"].heading: (films, QUANTITIES["film"].shown.factor),
-        "asperities": (shares, 1.0),
+        "asperities, %": (shares, 100.0),
     }
     known = {head: (group, factor) for head, (group, factor) in optional.items() if group.inner is not None}
     table = table_of((*heads, *known), title="Heaviest ball", left=("race",))
@@ -174,10 +181,10 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
             )
     out.print(table)
     low, high = friction.contact_angle[list(points)].min(), friction.contact_angle[list(points)].max()
-    angle = f"{low:.4f}" if low == high else f"{low:.4f} to {high:.4f}"
+    angle = angle_of(low) if low == high else f"{angle_of(low)} to {angle_of(high)}"
     out.print(
-        f"Contact angle {angle} rad, mean of both races. a along rolling, b transverse"
-        + ("; asperities: their share of the load" if "asperities" in known else "")
+        f"Contact angle {angle}, mean of both races. a along rolling, b transverse"
+        + ("; asperities: their share of the load" if "asperities, %" in known else "")
         + ".\n",
         style="dim",
     )

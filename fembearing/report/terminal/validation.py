@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from rich.console import Console
 
 from analytic.result import COORDINATES
+from analytic.words import angle_of, percent_of
 from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import HardCase, Report
@@ -40,7 +41,7 @@ def print_validation(out: Console, document: Report) -> None:
     verdict = document.verdict
     each = {"comparison": verdict.comparison, "numerical": verdict.numerical, "physical": verdict.physical}
     words = ", ".join(f"{name} {word}" for name, word in each.items() if word is not None)
-    out.print(f"Tolerance {100 * document.tolerance:.3g} %, {document.cost.seconds:.1f} s.")
+    out.print(f"Tolerance {percent_of(document.tolerance)}, {document.cost.seconds:.1f} s.")
     out.print(f"{verdict.overall}: {words}")
 
 
@@ -100,7 +101,7 @@ def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
     out.print(
         f"What finite-element contacts change at {place}: production {before}, with contacts of FE {after}: "
         f"{relative:+.2%} +- {change.uncertainty:.2%} (numerical); contact angle "
-        f"{angle:.4f} rad and {corrected:.4f} rad.\n{change.note}\n"
+        f"{angle_of(angle)} and {angle_of(corrected)}.\n{change.note}\n"
     )
     fitted = change.finite_geometry
     known = [] if fitted is None else [value for value in fitted.change if value is not None]

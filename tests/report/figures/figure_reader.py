@@ -10,12 +10,16 @@ from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
+from fembearing.quantities import METRIC, Units
+
 Array = NDArray[np.float64]
 
 
-def as_document(content: dict[str, Any]) -> Any:
+def as_document(content: dict[str, Any], units: Units = METRIC) -> Any:
     """A document of a few keys, typed in by hand, that is read by its attributes."""
-    return json.loads(json.dumps(content), object_hook=lambda table: SimpleNamespace(**table))
+    document = json.loads(json.dumps(content), object_hook=lambda table: SimpleNamespace(**table))
+    document.units = units
+    return document
 
 
 def line_of(axes: Axes, label: str) -> Line2D:

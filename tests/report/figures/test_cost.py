@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from fembearing.compare.cost.ladder import Ladder, Method
 from fembearing.report.document.report import Ladder as DocumentLadder
-from fembearing.report.figures.cost import LEAST, cost_figure, cost_table
+from fembearing.report.figures.cost import LEAST, cost_figures, cost_table
 from fembearing.report.phrases import choices_line
 from tests.analytic.specimens import present
 
@@ -77,7 +77,8 @@ def drawn(axes: Axes) -> list[tuple[list[float], list[float]]]:
 
 @pytest.fixture(scope="module")
 def figure() -> Figure:
-    return cost_figure(listed(CONTACT, ABSENT, LOAD), tolerance=0.04)
+    (found,) = cost_figures(listed(CONTACT, ABSENT, LOAD), tolerance=0.04)
+    return found
 
 
 def test_each_quantity_has_a_panel_over_time_and_all_share_one_over_memory(figure: Figure) -> None:
@@ -94,11 +95,13 @@ def test_each_quantity_has_a_panel_over_time_and_all_share_one_over_memory(figur
 
 
 def test_points_bars_and_the_reference_are_drawn_in_per_cent(figure: Figure) -> None:
-    points, bar, reference = drawn(figure.axes[0])
-    np.testing.assert_allclose(points, ([2e-6, 0.4], [3.1, 0.7]), rtol=1e-12)
+    hertz, meshes, bar, reference = drawn(figure.axes[0])
+    np.testing.assert_allclose(hertz, ([2e-6], [3.1]), rtol=1e-12)  # no line joins it to the meshes
+    np.testing.assert_allclose(meshes, ([0.4], [0.7]), rtol=1e-12)
     np.testing.assert_allclose(bar, ([2e-6, 2e-6], [3.1, 3.6]), rtol=1e-12)  # up to its bound
     np.testing.assert_allclose(reference, ([3.5], [0.02]), rtol=1e-12)  # at its own bound
-    np.testing.assert_allclose(drawn(figure.axes[2])[0], ([0.25, 0.5], [3.1, 0.7]), rtol=1e-12)
+    np.testing.assert_allclose(drawn(figure.axes[2])[0], ([0.25], [3.1]), rtol=1e-12)
+    np.testing.assert_allclose(drawn(figure.axes[2])[1], ([0.5], [0.7]), rtol=1e-12)
     (limit,) = (line for line in figure.axes[0].get_lines() if line.get_label() == "tolerance")
     np.testing.assert_allclose(np.asarray(limit.get_ydata(), dtype=float), 4, rtol=1e-12)
 
@@ -121,15 +124,29 @@ def test_a_ring_marks_the_chosen_method() -> None:
     plain = method("a", error=0.01, seconds=0.1)
     chosen = replace(plain, chosen=True)
     counts = [
-        len(drawn(cost_figure(listed(Ladder(quantity="q", reference="r", methods=(one,))), tolerance=0.1).axes[0]))
+        len(drawn(cost_figures(listed(Ladder(quantity="q", reference="r", methods=(one,))), tolerance=0.1)[0].axes[0]))
         for one in (plain, chosen)
     ]
     assert counts[1] == counts[0] + 1
 
 
+def test_only_levels_of_one_method_are_joined_and_four_panels_share_a_figure() -> None:
+    names = ("Hertz", "mesh, level 1", "mesh, level 2", "closed form", "mesh, level 3")
+    ladder = Ladder(
+        quantity="q",
+        reference="r",
+        methods=tuple(method(name, error=0.1 / (n + 2), seconds=10.0 ** (n - 4)) for n, name in enumerate(names)),
+    )
+    figures = cost_figures(listed(*5 * [ladder]), tolerance=0.1)
+    assert [len(figure.axes) for figure in figures] == [4, 1]
+    first, meshes, closed = drawn(figures[1].axes[0])
+    assert (len(first[0]), len(closed[0])) == (1, 1)
+    np.testing.assert_allclose(meshes[0], [1e-3, 1e-2, 1.0])
+
+
 def test_without_memory_there_is_no_panel_for_it() -> None:
     bare = Ladder(quantity="q", reference="r", methods=(method("a", error=0.01, seconds=0.1),))
-    assert len(cost_figure(listed(bare), tolerance=0.1).axes) == 1
+    assert len(cost_figures(listed(bare), tolerance=0.1)[0].axes) == 1
 
 
 def test_the_table_holds_every_method_and_what_is_absent() -> None:

@@ -9,6 +9,7 @@ from matplotlib.patches import Rectangle
 from pydantic import ValidationError
 from rich.console import Console
 
+from fembearing.quantities import METRIC
 from fembearing.report.document.prediction import Prediction
 from fembearing.report.figures.prediction import interval_figure
 from fembearing.report.terminal.prediction import print_prediction
@@ -94,7 +95,7 @@ def test_shares_of_a_regression_that_predicts_nothing_are_said_to_be_unknown() -
 
 
 def test_the_figure_has_the_ends_of_every_part_and_the_indices_of_the_inputs_that_matter() -> None:
-    figure = interval_figure(Prediction.model_validate(content()))
+    figure = interval_figure(Prediction.model_validate(content()), METRIC)
     panels = figure.axes
     assert len(panels) == 4
     slow, fast, slow_indices, _ = panels

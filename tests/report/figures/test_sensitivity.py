@@ -7,7 +7,7 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from fembearing.report.document.report import Report
+from fembearing.report.document.report import Report, ReportDetails
 from fembearing.report.document.torque import Sensitivity
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from tests.analytic.specimens import present
@@ -28,7 +28,9 @@ def given(name: str, unit: str, ends: tuple[float, float, float], **changes: Any
 
 def document_of(outputs: list[dict[str, Any]], inputs: list[dict[str, Any]]) -> Report:
     """A document with nothing but its sensitivity."""
-    return Report.model_construct(sensitivity=Sensitivity.model_validate({"outputs": outputs, "inputs": inputs}))
+    details = ReportDetails.model_construct(units="metric")
+    found = Sensitivity.model_validate({"outputs": outputs, "inputs": inputs})
+    return Report.model_construct(sensitivity=found, report=details)
 
 
 @pytest.fixture
@@ -70,12 +72,15 @@ def test_bars_reach_to_the_changes_in_per_cent(document: Report) -> None:
     # Row by row, low before high; two on one side stand one above the other.
     np.testing.assert_allclose(bars_of(slow), [(0, 7), (0, -4), (0.82, 1), (1.18, 3), (2, 2)], atol=1e-12)
     np.testing.assert_allclose(bars_of(fast), [(0, 5), (0, -3), (1, -2), (1, 1.5), (2, 2.5)], atol=1e-12)
-    assert [slow.get_title(), fast.get_title()] == ["100 rpm, 700 N axial: 21.5 N mm", "900 rpm, 700 N axial: 44 N mm"]
-    assert slow.get_xlabel() == "change of the total torque, %"
+    assert [slow.get_title(), fast.get_title()] == [
+        "100 rpm, 700 N axial:\n21.5 N mm",
+        "900 rpm, 700 N axial:\n44 N mm",
+    ]
+    assert fast.get_xlabel() == "change of the total torque, %"
     assert [text.get_text() for text in slow.get_yticklabels()] == [
-        "modulus\n200 GPa",
-        "roughness\n0.3 um",
-        "groove\n0.503",
+        "modulus, 200 GPa",
+        "roughness, 0.3 um",
+        "groove, 0.503",
     ]
     assert [text.get_text() for text in slow.texts] == ["180 GPa", "230 GPa", "0.2 um", "0.5 um", "0.508"]
     assert "shear" in caption  # moves nothing
@@ -86,7 +91,7 @@ def test_a_radial_load_stands_with_its_point(inputs: list[dict[str, Any]]) -> No
     point = {"quantity": "total_torque", "pair": None, "inner_speed": 31.0, "axial_load": 0.0, "moment": 0.0}
     outputs = [point | {"radial_load": 1500.0, "value": 21.5e-3}, point | {"radial_load": 2500.0, "value": 33e-3}]
     figure, _ = sensitivity_plot(document_of(outputs, inputs))
-    assert "0 N axial, 1500 N radial: 21.5 N mm" in present(figure).axes[0].get_title()
+    assert "0 N axial, 1500 N radial:\n21.5 N mm" in present(figure).axes[0].get_title()
 
 
 def test_pressures_name_their_race(inputs: list[dict[str, Any]]) -> None:

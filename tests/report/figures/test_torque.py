@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
+from fembearing.quantities import INCH_POUND
 from fembearing.report.figures.friction import friction_plot
 from fembearing.report.figures.torque import torque_plot
 from tests.analytic.specimens import present
@@ -95,9 +96,12 @@ def test_the_parts_are_stacked_up_to_the_total_in_order_of_speed(document: Docum
 
 def test_the_band_holds_both_uncertainties(document: Document) -> None:
     found = torque_plot(as_document(document))
-    _, low, high = area_of(panel_of(found), "uncertainty of it")
-    np.testing.assert_allclose(high, np.array([25.8, 33.2, 40.3]) * (1 + np.array([0.05, 0.05, 0.05])), rtol=1e-9)
-    np.testing.assert_allclose(low, np.array([25.8, 33.2, 40.3]) * 0.95, rtol=1e-9)
+    panel = panel_of(found)
+    low, high = (line for line in panel.get_lines() if line.get_linestyle() == "--")
+    np.testing.assert_allclose(
+        points_of(high)[:, 1], np.array([25.8, 33.2, 40.3]) * (1 + np.array([0.05, 0.05, 0.05])), rtol=1e-9
+    )
+    np.testing.assert_allclose(points_of(low)[:, 1], np.array([25.8, 33.2, 40.3]) * 0.95, rtol=1e-9)
     assert "numerical and of the model's formulas at 95 %" in found[1]
     for each in document["torque"]["points"]:
         each["uncertainty"] = {"numerical": None, "model": None}
@@ -151,9 +155,9 @@ def test_a_series_of_loads_is_drawn_over_the_load_and_a_mixed_one_point_by_point
     tops = [max(bar.get_y() + bar.get_height() for bar in bars if round(bar.get_x() + 0.3) == at) for at in range(3)]
     np.testing.assert_allclose(tops, TOTALS, rtol=1e-9)
     assert [text.get_text() for text in panel.get_xticklabels()] == [
-        "200 rpm\n900 N axial",
-        "200 rpm\n300 N axial",
-        "250 rpm\n600 N axial",
+        "200 rpm, 900 N axial",
+        "200 rpm, 300 N axial",
+        "250 rpm, 600 N axial",
     ]
 
 
@@ -166,7 +170,7 @@ def test_a_series_of_radial_loads_is_drawn_over_them_and_named_at_the_ticks(docu
     assert panel.get_xlabel() == "radial load, N"
     points[2]["inner_speed"] = 250 * RPM
     panel = panel_of(torque_plot(as_document(document)))
-    assert panel.get_xticklabels()[0].get_text() == "200 rpm\n3000 N radial"
+    assert panel.get_xticklabels()[0].get_text() == "200 rpm, 3000 N radial"
 
 
 def test_speeds_over_more_than_a_decade_are_on_a_logarithmic_scale(document: Document) -> None:
@@ -190,8 +194,10 @@ def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(docum
         "film over roughness",
         "load on asperities, %",
     ]
+    legend = [text.get_text() for text in figure.legends[0].get_texts()]
     assert (friction.get_yscale(), film.get_yscale()) == ("linear", "log")  # 0.15 to 2.1 crosses a decade
-    assert labels_of(friction) == ["inner", "outer"]  # no pocket
+    assert legend[:2] == ["inner", "outer"]
+    assert "pocket" not in legend
     assert "pocket" not in caption
 
 
@@ -213,8 +219,7 @@ def test_a_given_coefficient_has_no_film(document: Document) -> None:
         each["film"] = each["asperity_share"] = {"inner": None, "outer": None}
         each["friction_coefficient"] = {"inner": 0.1, "outer": 0.1, "pocket": 0.07}
     figure, caption = friction_plot(as_document(document))
-    (friction,) = present(figure).axes
-    assert labels_of(friction) == ["inner", "outer", "pocket"]
+    assert [text.get_text() for text in present(figure).legends[0].get_texts()] == ["inner", "outer", "pocket"]
     assert "No film is computed" in caption
     for each in document["torque"]["points"]:
         each["friction_coefficient"] = dict.fromkeys(("inner", "outer", "pocket"))
@@ -222,6 +227,23 @@ def test_a_given_coefficient_has_no_film(document: Document) -> None:
         None,
         "Nothing that slides was computed: there is no friction coefficient.",
     )
+
+
+@pytest.mark.parametrize("draw", [torque_plot, friction_plot])
+def test_one_point_has_no_figure(document: Document, draw: Any) -> None:
+    document["torque"]["points"] = document["torque"]["points"][:1]
+    assert draw(as_document(document)) == (None, "")
+
+
+def test_inch_and_pound_are_on_both_axes(document: Document) -> None:
+    """900, 300 and 600 N are 202.3, 67.4 and 134.9 lbf; 1 lbf in is 112.98 N mm."""
+    loads = (900.0, 300.0, 600.0)
+    document["torque"]["points"] = [point(number, speed=200.0, load=load) for number, load in enumerate(loads)]
+    panel = panel_of(torque_plot(as_document(document, INCH_POUND)))
+    total = points_of(line_of(panel, "total"))
+    np.testing.assert_allclose(total[:, 0], np.array([300, 600, 900]) / 4.4482216152605, rtol=1e-12)
+    np.testing.assert_allclose(total[:, 1], np.array([25.8, 33.2, 40.3]) / (4.4482216152605 * 25.4), rtol=1e-12)
+    assert (panel.get_xlabel(), panel.get_ylabel()) == ("axial load, lbf", "friction torque, lbf in")
 
 
 @pytest.mark.parametrize("draw", [torque_plot, friction_plot])

@@ -13,7 +13,8 @@ from matplotlib.transforms import BboxBase
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.compare.torque.cage_record import CageRecord, exceedance, record_cage
-from fembearing.report.document.report import Report
+from fembearing.quantities import METRIC
+from fembearing.report.document.report import Report, ReportDetails
 from fembearing.report.document.torque import CageRecord as Motion
 from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
@@ -68,7 +69,7 @@ def known(record: CageRecord) -> CageRecord:
 
 @pytest.fixture(scope="module")
 def panels(record: CageRecord) -> list[Axes]:
-    return orbit_figure([motion_of(record)]).axes
+    return orbit_figure(motion_of(record), METRIC).axes
 
 
 def test_the_orbit_is_x_to_the_right_and_y_up_inside_the_room(record: CageRecord, panels: list[Axes]) -> None:
@@ -100,7 +101,7 @@ def test_forces_are_drawn_over_time_in_ms(record: CageRecord, panels: list[Axes]
 
 def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
     known = replace(record, statistics=replace(record.statistics, block_maxima=(0.3, 0.7, 0.5, 0.9)))
-    excess = orbit_figure([motion_of(known)]).axes[2]
+    excess = orbit_figure(motion_of(known), METRIC).axes[2]
     drawn = points_of(line_of(excess, "blocks of all seeds"))
     np.testing.assert_allclose(drawn, [(0.3, 100), (0.5, 75), (0.7, 50), (0.9, 25)], rtol=1e-12)
     for force in (0.4, 0.6, 0.8):  # between two of them the curve is the share that lies above
@@ -113,8 +114,10 @@ def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
 
 @pytest.mark.parametrize("state", ["rest", "whirl", "irregular", "mixed"])
 def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecord, state: str) -> None:
-    figure = orbit_figure([motion_of(replace(record, statistics=replace(record.statistics, state=state)))])
-    title = figure.subfigs[0].get_suptitle()
+    figure = orbit_figure(
+        motion_of(replace(record, statistics=replace(record.statistics, state=state))), METRIC, captioned=True
+    )
+    title = " ".join(figure.get_suptitle().split())
     assert f'6205 at 500 rpm: regime "{state}", started "rest"' in title
     assert f"cage torque {1e3 * record.statistics.torque:.3g} N mm" in title
     figure.draw_without_rendering()  # lays it out
@@ -133,11 +136,12 @@ def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -
         tuple(place) for place in whole["orbit"]["measured"]
     }
     assert thin["exceedance"]["force"][-1] == max(whole["exceedance"]["force"])
-    figure, caption = cage_plot(
-        Report.model_construct(cage_records=[Motion(**thin), Motion(**thin | {"inner_speed": 100.0, "state": "whirl"})])
-    )
-    assert figure is not None
-    assert len(figure.axes) == 6  # a row for each motion
+    motions = [Motion(**thin), Motion(**thin | {"inner_speed": 100.0, "state": "whirl"})]
+    details = ReportDetails.model_construct(units="metric")
+    figures, caption = cage_plot(Report.model_construct(cage_records=motions, report=details))
+    figure, other = present(figures)
+    assert (len(figure.axes), len(other.axes)) == (3, 3)
+    assert caption.count("Forces: the largest") == 1  # one caption for both
     assert "The cage rests" in caption
     assert "The cage whirls" in caption
     orbit = line_of(figure.axes[0], "measured")

@@ -68,7 +68,7 @@ def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
         "39.52 with the sheet on its rim (-35%)",
         "What finite-element contacts change at 600 rpm, 910 N axial: production 53 N mm,",
         "with contacts of FE 51.5 N mm: -2.83% +- 1.37%",  # 53 + 48.5 - 50
-        "angle 0.3032 rad and 0.3019 rad",
+        "angle 17.37 deg (0.3032 rad) and 17.3 deg (0.3019 rad)",
         "what finite elements change is all that the true shapes do",
         "semi-axis a 0.1203 mm (+0.25%)",
         "error, over FE - 1): approach 5.2198 um (-0.10%)",
@@ -102,7 +102,7 @@ def test_a_radial_load_and_a_moment_stand_with_their_point(made: Validation) -> 
     result = replace(made, torque=replace(made.torque, friction=friction))
     rows = rows_of(text_of(result))
     assert ["3", "600", "910", "320", "53", "1.3 %"] in rows
-    assert "Friction torque, moment 1.5 N m" in text_of(result)
+    assert "Friction torque, moment 1500 N mm" in text_of(result)
     point = report_of(result).to_json()["torque"]["points"][2]
     assert (point["radial_load"], point["moment"]) == (320.0, 1.5)
 

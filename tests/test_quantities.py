@@ -1,0 +1,67 @@
+"""The systems of units, against the definitions of pound and inch."""
+
+from dataclasses import fields
+from math import pi
+
+import pytest
+
+from fembearing.quantities import CONTACT, INCH_POUND, METRIC, QUANTITIES, SYSTEMS, UNITS, Units
+
+POUND, INCH = 4.4482216152605, 25.4e-3  # N and m, by definition
+SAME = 1e-14  # a few round-offs
+
+
+@pytest.mark.parametrize(
+    ("kind", "in_si", "metric", "inch"),
+    [
+        ("force", 5 * POUND, 22.2411080763025, 5),
+        ("torque", 3 * POUND * INCH, 338.954487082850, 3),  # N mm, lbf in
+        ("pressure", 250e3 * POUND / INCH**2, 1.72368932329205, 250),  # GPa, ksi
+        ("stress", 2e3 * POUND / INCH**2, 13.7895145863364, 2),
+        ("per_pressure", 0.14e-3 * INCH**2 / POUND, 20.3052832822, 0.14),
+        ("length", 3.5 * INCH, 88.9, 3.5),
+        ("small_length", 40e-6 * INCH, 1.016, 40),
+        ("stiffness", 7e6 * POUND / INCH**1.5, 7.69190445876, 7),
+        ("tangent", 2e6 * POUND / INCH, 350.253670493, 2),
+        ("line_load", 1e4 * POUND / INCH, 1751.26835246, 1e4),
+        ("temperature", 313.15, 40, 104),
+        ("angle", pi / 12, 15, 15),
+        ("speed", 50 * pi, 1500, 1500),
+        ("share", 0.025, 2.5, 2.5),
+    ],
+)
+def test_a_value_is_shown_by_the_definition_of_its_unit(kind: str, in_si: float, metric: float, inch: float) -> None:
+    assert getattr(METRIC, kind).number(in_si) == pytest.approx(metric, rel=1e-11)  # digits of the figures above
+    assert getattr(INCH_POUND, kind).number(in_si) == pytest.approx(inch, rel=10 * SAME)
+
+
+def test_every_kind_has_a_unit_and_no_metric_one_stands_for_two() -> None:
+    assert set(SYSTEMS) == {"metric", "inch"}
+    metric = [getattr(METRIC, each.name) for each in fields(Units)]
+    assert len(set(metric)) == len(metric)
+    for each in fields(Units):
+        assert METRIC.instead_of(getattr(METRIC, each.name)) == getattr(METRIC, each.name)
+        assert INCH_POUND.instead_of(getattr(METRIC, each.name)) == getattr(INCH_POUND, each.name)
+
+
+@pytest.mark.parametrize("name", [*CONTACT, "torque", "moment", "radial_load", "film", "inner_speed"])
+def test_a_quantity_keeps_its_value_and_changes_its_unit(name: str) -> None:
+    quantity = QUANTITIES[name]
+    inch = quantity.in_units(INCH_POUND)
+    assert quantity.in_units(METRIC) == quantity
+    assert inch.heading.startswith(f"{quantity.name}, ")
+    assert inch._replace(shown=quantity.shown) == quantity
+    assert (inch.shown == quantity.shown) == (name == "inner_speed")
+
+
+def test_a_unit_for_a_size_is_never_a_bare_pascal_or_metre_of_a_bearing() -> None:
+    for unit, size in (
+        ("Pa", 5e6),
+        ("Pa", 2e9),
+        ("m", 0.3e-9),
+        ("m", 0.05),
+        ("rad", 0.2),
+        ("rad/s", 3.0),
+        ("K", 320.0),
+    ):
+        assert METRIC.unit_for(unit, size).name not in UNITS
