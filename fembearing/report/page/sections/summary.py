@@ -156,15 +156,15 @@ def _counted(verdicts: Counter[str]) -> str:
 
 def _physical(document: Report) -> Grid:
     """Each physical limit with the number and the operating point where it is worst."""
-    points = [] if document.torque is None else document.torque.points
+    points, units = [] if document.torque is None else document.torque.points, document.units
     heads = [Head("limit of", "name"), Head("where", "text"), Head("at", "text"), Head("worst"), Head("limit")]
     rows = [
         [
             CHECKS.get(check.name, check.name),
             check.where,
-            point_name(points, check.point) if points else "the heaviest ball",
-            worst_of(check),
-            limit_of(check.limit, check.unit),
+            point_name(points, check.point, units) if points else "the heaviest ball",
+            worst_of(check, units),
+            limit_of(check.limit, check.unit, units),
             check.verdict,
         ]
         for check in document.physical
