@@ -164,7 +164,7 @@ def value_of(value: float | str | None, uncertainty: float | None, unit: str, un
     if unit == "rad":
         return angle_of(value) + (f" +- {shown.written(uncertainty, '.2g')}" if uncertainty else "")
     number = f"{shown.number(value):.5g}"
-    spread = f" +- {uncertainty * shown.factor:.2g}" if uncertainty else ""
+    spread = f" +- {float(f'{uncertainty * shown.factor:.2g}'):g}" if uncertainty else ""  # 100, not 1e+02
     return f"{number}{spread} {shown.name}".strip()
 
 

@@ -71,7 +71,7 @@ def test_texts_of_a_torque_have_no_forbidden_form(name: str) -> None:
 def test_texts_of_a_cage_have_none() -> None:
     operation = Operation(axial_load=np.array([1000.0]), radial_load=500.0, inner_speed=np.array([52.36]))
     scene = replace(CAGED, contact_angle=ContactAngle(rule="solved", free=0.18), operation=operation, effects={})
-    check(torque_of_scene(with_cage(scene, pocket_diameter=scene.bearing.ball_diameter + 0.1e-3)))
+    check(torque_of_scene(with_cage(scene, pocket_diameter=8.14e-3)))
 
 
 def check(result: SceneTorque) -> None:
