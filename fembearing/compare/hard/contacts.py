@@ -320,7 +320,7 @@ CONTACT_CASES: tuple[HardCase, ...] = (
         problem="an ellipse 3.7 times as wide as the groove",
         answer="a refusal with the widest contact that the mesh allows",
         evaluate=lambda: referenced(replace(inner(), shoulder=0.3e-3), recipe="race").approach,
-        refusal="its shoulder stands at 0.0003 m: the mesh holds up to 3 times that",
+        refusal="its shoulder stands at 0.3 mm: the mesh holds up to 3 times that",
     ),
     HardCase(
         name="contact: past the ball",
