@@ -107,6 +107,55 @@ def test_every_total_of_the_page_is_that_of_the_numbers(document: Document, tmp_
     assert "Smallest</span> <strong>12.30 N mm</strong> <span>point 11: 630 N axial, 171 rpm" in headline
 
 
+def test_one_sentence_says_how_far_to_trust_the_torque(document: Document, tmp_path: Path) -> None:
+    """By formulas and numerics at the worst point; by the interval where there is one; and that nothing is known."""
+    points = document["torque"]["points"]
+    for number, point in enumerate(points):
+        point["uncertainty"] |= {"numerical": 0.011 + 0.01 * number, "model": 0.32 - 0.05 * number, "model_parts": {}}
+    assert "formulas and numerics leave 33 % open" in " ".join(written(document, tmp_path).split())
+    points[1]["uncertainty"]["numerical"] = None
+    assert "How far to trust it is not known" in written(document, tmp_path)
+    document["torque"]["prediction"] = predicted(points, low=0.8, high=1.57)
+    assert "within 57 % of the number shown" in " ".join(written(document, tmp_path).split())
+
+
+def predicted(points: list[dict[str, Any]], *, low: float, high: float) -> dict[str, Any]:
+    """An interval of these shares of each total; all else is empty."""
+    loads = ("inner_speed", "axial_load", "radial_load", "moment")
+    return {
+        "covered": 0.95,
+        "points": [
+            {name: point[name] for name in loads}
+            | {
+                "nominal": (total := point["torque"]["total"]),
+                "total": {
+                    "low": low * total,
+                    "median": total,
+                    "high": high * total,
+                    "low_error": 0.0,
+                    "high_error": 0.0,
+                },
+                "parts": {},
+                "made_of": {},
+                "indices": {"first": [0.4], "total": [0.5], "first_error": [0.1], "total_error": [0.2]},
+                "explained": 0.9,
+            }
+            for point in points
+        ],
+        "inputs": [
+            {"key": "friction.coefficient", "value": 0.1, "unit": "", "deviation": 0.02, "source": "judgement"}
+            | {"floor": 0.0, "kind": "input"}
+        ],
+        "not_varied": ["all else"],
+        "samples": 512,
+        "failed": 0,
+        "reasons": [],
+        "seed": 3,
+        "seconds": 7.0,
+        "evaluation_seconds": 6.0,
+    }
+
+
 def test_the_contacts_stand_with_ball_load_point_and_verdict(made: Validation, tmp_path: Path) -> None:
     tables = Tables(written(report_of(made).to_json(), tmp_path))
     inner, outer, pocket = tables.rows["Contacts: Hertz against finite elements"][1:]

@@ -63,6 +63,7 @@ class Summary(NamedTuple):
     """What the first two pages show."""
 
     figures: list[Figure]
+    trust: str
     boxes: list[Box]
     overall: str
     inputs: str
@@ -86,6 +87,7 @@ def summary_of(document: Report) -> Summary:
     boxes = _boxes(document)
     return Summary(
         figures=[] if torque is None else _figures(torque, document.units),
+        trust="" if torque is None else _trust(torque),
         boxes=boxes,
         overall=document.verdict.overall,
         inputs="" if torque is None else _status_of(torque.inputs),
@@ -130,6 +132,25 @@ def _figure(name: str, torque: Torque, index: int, units: Units) -> Figure:
         spread += f"; 95 % interval {interval} {units.torque.name}"
     value = f"{digits(point.torque.total, units.torque.factor, 4)} {units.torque.name}"
     return Figure(name, value, spread, point_name(torque.points, index, units))
+
+
+def _trust(torque: Torque) -> str:
+    """How far to trust the torque: one sentence with one number, at the worst operating point."""
+    if torque.prediction is not None:
+        points = torque.prediction.points
+        off = max(abs(end - p.nominal) / p.nominal for p in points if p.nominal for end in (p.total.low, p.total.high))
+        return (
+            f"How far to trust it: with a chance of 95 % the torque is within {percent(off)} of the number shown, as far "
+            "as inputs, formulas and numerics are known."
+        )
+    known = [point.uncertainty for point in torque.points]
+    if any(each.numerical is None or each.model is None for each in known):
+        return "How far to trust it is not known; the option --interval computes it."
+    worst = max((each.numerical or 0.0) + (each.model or 0.0) for each in known)
+    return (
+        f"How far to trust it: formulas and numerics leave {percent(worst)} open, at 95 %; the option --interval adds "
+        "the inputs."
+    )
 
 
 def _boxes(document: Report) -> list[Box]:
