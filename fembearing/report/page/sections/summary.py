@@ -140,8 +140,8 @@ def _trust(torque: Torque) -> str:
         points = torque.prediction.points
         off = max(abs(end - p.nominal) / p.nominal for p in points if p.nominal for end in (p.total.low, p.total.high))
         return (
-            f"How far to trust it: with a chance of 95 % the torque is within {percent(off)} of the number shown, as far "
-            "as inputs, formulas and numerics are known."
+            f"How far to trust it: with a chance of 95 % the torque is within {percent(off)} of the number shown, as "
+            "far as inputs, formulas and numerics are known."
         )
     known = [point.uncertainty for point in torque.points]
     if any(each.numerical is None or each.model is None for each in known):
