@@ -1,9 +1,10 @@
-"""Check of a report page in a real browser: python validation/report_check.py REPORT.html [--shots FOLDER]
+"""Check of a report page in a real browser: python validation/report_check.py REPORT.html [--shots FOLDER] [--axe FILE]
 
 Opens the page in a headless Chromium or Chrome from PATH at the widths of a desktop and of a telephone, and checks that
 the console shows no message, that nothing is wider than the window, that every picture is loaded, and that the page
-names no address outside itself. --shots keeps screenshots and the printed pages (A4). Exit status: 0 all checks pass,
-1 a check fails, 2 no browser or no page.
+names no address outside itself. --shots keeps screenshots and the printed pages (A4). --axe takes axe.min.js of the
+package axe-core, and checks that it sees no serious or critical fault of accessibility. Exit status: 0 all checks pass,
+1 a check fails, 2 no browser, no page or no script.
 """
 
 import argparse
@@ -27,7 +28,7 @@ SILENT = (  # no window, no first-run questions, no network traffic of the brows
     "--enable-unsafe-swiftshader",  # 3D views need WebGL, and there may be no graphics card; the page is trusted
     *("--enable-logging=stderr", "--v=0", "--virtual-time-budget=5000"),
 )
-WIDTHS = (1100, 390)  # pixels: desktop, telephone
+WIDTHS = (1280, 390)  # pixels: desktop, telephone
 HEIGHT = 900
 PATIENCE = 120  # s, time limit of one browser run
 # The page is in a frame, which may be narrower than the least window of the browser. The probe runs in the page after
@@ -41,7 +42,7 @@ addEventListener("message", (event) => {{
 }});
 </script><iframe src="page.html" style="border: 0; width: {width}px; height: {height}px"></iframe></body>"""
 PROBE = """<script>
-addEventListener("load", () => {
+addEventListener("load", async () => {
   const wide = document.documentElement.clientWidth;
   const beyond = [...document.querySelectorAll("body *")].filter((part) => {
     const scrolled = part.parentElement.closest(".wide");
@@ -56,7 +57,13 @@ addEventListener("load", () => {
     images: document.images.length,
     broken: [...document.images].filter((image) => !image.naturalWidth).map((image) => image.alt),
     fetched: performance.getEntriesByType("resource").map((entry) => entry.name).filter((name) => !/^data:/.test(name)),
+    barriers: [],
   };
+  if (window.axe) {
+    const found = (await axe.run(document, { iframes: false })).violations;
+    const serious = found.filter((each) => ["serious", "critical"].includes(each.impact));
+    result.barriers = serious.map((each) => `${each.help}: ${each.nodes[0].html.slice(0, 80)}`);
+  }
   parent.postMessage(JSON.stringify(result), "*");
 });
 </script>"""
@@ -87,6 +94,7 @@ class Look:
         faults += [f"{at}: a table scrolls: {part}" for part in result["scrolling"] if desk]
         faults += [f"{at}: the picture {name!r} is not loaded" for name in result["broken"]]
         faults += [f"{at}: fetches {name}" for name in result["fetched"]]
+        faults += [f"{at}: axe-core: {words}" for words in result["barriers"]]
         return faults
 
 
@@ -94,15 +102,17 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", type=Path, metavar="REPORT.html")
     parser.add_argument("--shots", type=Path, help="folder for screenshots and printed pages")
+    parser.add_argument("--axe", type=Path, help="axe.min.js of axe-core")
     options = parser.parse_args()
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None:
         _leave(f"no browser on PATH: looked for {', '.join(BROWSERS)}", 2)
     try:
         text = options.page.read_text("utf-8")
+        axe = "" if options.axe is None else options.axe.read_text("utf-8")
     except (OSError, UnicodeDecodeError) as problem:
-        _leave(f"{options.page} cannot be read: {problem}", 2)
-    looks = [look(browser, text, width) for width in WIDTHS]
+        _leave(f"cannot be read: {problem}", 2)
+    looks = [look(browser, text, width, axe=axe) for width in WIDTHS]
     faults = [fault for one in looks for fault in one.faults(desk=one.width == WIDTHS[0])]
     faults += [f"names the address {address}" for address in addresses(text)]
     if options.shots is not None:
@@ -116,10 +126,11 @@ def main() -> None:
     sys.exit(1 if faults else 0)
 
 
-def look(browser: str, text: str, width: int) -> Look:
-    """Open the page with the probe in a frame of this width."""
+def look(browser: str, text: str, width: int, *, axe: str) -> Look:
+    """Open the page with the probe in a frame of this width; axe : the script of axe-core, or nothing."""
+    scripts = f"<script>{axe}</script>{PROBE}</body>" if axe else f"{PROBE}</body>"
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "page.html").write_text(text.replace("</body>", f"{PROBE}</body>"), "utf-8")
+        (Path(folder) / "page.html").write_text(text.replace("</body>", scripts), "utf-8")
         frame = Path(folder) / "frame.html"
         frame.write_text(FRAME.format(width=width, height=HEIGHT), "utf-8")
         done = _run(browser, folder, f"--window-size={max(WIDTHS)},{HEIGHT}", "--dump-dom", frame.as_uri())

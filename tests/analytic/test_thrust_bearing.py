@@ -203,7 +203,7 @@ def test_shoulders_lie_on_both_sides_of_the_contact() -> None:
     ("changed", "words"),
     [
         ({"operation": replace(thrust(500.0), radial_load=np.array([3.0]))}, r"radial_load = 3 N: .* axial_load alone"),
-        ({"operation": replace(thrust(500.0), moment=np.array([-0.2]))}, r"moment = -0.2 N m: .* axial_load alone"),
+        ({"operation": replace(thrust(500.0), moment=np.array([-0.2]))}, r"moment = -200 N mm: .* axial_load alone"),
         (
             {"operation": thrust(5.0, speed=300.0)},
             r"centrifugal force .* raise the load or lower the speed",

@@ -147,7 +147,7 @@ def test_a_contact_beyond_its_accuracy_ends_with_status_3_and_its_uncertainty(co
     result = command("contact", "--pair", "pocket", *given, "--tolerance", "0.2 %", "--json")
     assert json.loads(result.out)["pair"] == "pocket"  # the answer is there, as uncertain as it is
     assert result.status == 3
-    assert "not solved to 0.002: approach" in result.err
+    assert "not solved to 0.2 %: approach" in result.err
 
 
 @pytest.mark.usefixtures("coarse")

@@ -168,7 +168,7 @@ def test_a_scene_has_a_path_or_is_built_in(grid_file: Callable[..., Path], tmp_p
     text = grid_file("").read_text("utf-8").partition("[axes]")[0]
     (tmp_path / "own.toml").write_text(text.replace("[scene]", "").replace("[scene.", "["), "utf-8")
     assert load_grid(grid_file(axes, head='scene = "own.toml"', scene="")).scene(0).name == "swept"
-    assert builtin.name == "6205 under 1000 N thrust"
+    assert builtin.name == "6205 of the paper under 1000 N thrust, oil"
     with pytest.raises(InputError, match=r"nowhere\.toml: No such file or directory; give the path of a scene file"):
         load_grid(grid_file(axes, head='scene = "nowhere.toml"', scene=""))
     with pytest.raises(InputError, match="scene is missing; give its path"):

@@ -45,7 +45,7 @@ def test_a_cage_at_rest_has_its_closed_form(scene: Scene) -> None:
     assert found.chosen is found.methods[0]  # seconds, for a thousandth of that
     assert found.methods[-1].bound is not None  # 3.6 %, by which the error may be off: at 5 % it would not be sure
     assert found.methods[0].known_error == pytest.approx(error + found.methods[-1].bound, rel=1e-12)
-    assert 'from "rest", 2 seeds of 0.00639 s at -83 rad/s' in found.reference  # the fastest point
+    assert 'from "rest", 2 seeds of 0.00639 s at -792.59 rpm' in found.reference  # the fastest point
     assert "117 times as long" in found.reference  # 5 seeds of 0.3 s over 2 of 0.00639 s
 
 
