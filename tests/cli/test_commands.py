@@ -324,7 +324,7 @@ def test_cost_shows_error_and_time_of_each_method(command, monkeypatch: pytest.M
     measure = cost.measure_cost
     monkeypatch.setattr(cost, "measure_cost", lambda *given, **how: kept.append(measure(*given, **how)) or kept[0])
     folder = tmp_path / "cost"
-    shown = command("cost", "--tolerance", "0.5 %", "--out", str(folder))
+    shown = command("cost", "6205-dry", "--tolerance", "0.5 %", "--out", str(folder))
     assert shown.status == 0
     for words in ("Hertz contact", "Load of the heaviest ball", "Contact, inner", "Price of the next digit", "GiB"):
         assert words in shown.out
