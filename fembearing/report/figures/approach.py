@@ -39,7 +39,7 @@ def _curve(panel: Axes, contact: Contact, units: Units) -> None:
         markersize=5,
         label="finite elements",
     )
-    panel.set_title(contact_place(contact).replace(", ", ",\n"), fontsize=10)
+    panel.set_title(contact_place(contact).replace(", ", ",\n"), fontsize=9)
     panel.set(xlabel=f"approach, {units.small_length.name}", xlim=(0, None), ylim=(0, None))
 
 

@@ -69,18 +69,18 @@ def _drawn(start_up: str, blocks: str) -> str:
 
 
 def orbit_figure(motion: CageRecord, units: Units, *, captioned: bool = False) -> Figure:
-    """Orbit of the cage's centre, how often each force is exceeded, and below them the forces over time."""
-    figure = Figure(figsize=(WIDTH, 8.4 if captioned else 7.0), layout="constrained")
-    grid = figure.add_gridspec(2, 2)
-    _orbit(figure.add_subplot(grid[0, 0]), motion, units)
-    _forces(figure.add_subplot(grid[1, :]), motion, units)
-    _excess(figure.add_subplot(grid[0, 1]), motion, units)
+    """Orbit of the cage's centre, how often each force is exceeded, and the forces over time."""
+    figure = Figure(figsize=(WIDTH, 4.4 if captioned else 3.2), layout="constrained")
+    orbit, excess, forces = figure.subplots(1, 3, width_ratios=(1, 1, 1.5))
+    _orbit(orbit, motion, units)
+    _excess(excess, motion, units)
+    _forces(forces, motion, units)
     for panel in figure.axes:
-        panel.tick_params(labelsize=9)
+        panel.tick_params(labelsize=8)
     torque, high = (units.torque.written(value, ".3g") for value in (motion.torque, motion.torque_interval[1]))
     low = f"{units.torque.number(motion.torque_interval[0]):.3g}"
     figure.suptitle(
-        f'{motion.bearing} at {units.speed.written(motion.inner_speed, ".5g")}: regime "{motion.state}",\nstarted '
+        f'{motion.bearing} at {units.speed.written(motion.inner_speed, ".5g")}: regime "{motion.state}", started '
         f'"{motion.start}"; cage torque {torque}, {low} to {high} at 95 %',
         parse_math=False,  # a bearing's name is a person's
         fontsize=10,
@@ -124,7 +124,7 @@ def _forces(panel: Axes, motion: CageRecord, units: Units) -> None:
         panel.plot(MILLISECOND.factor * np.array(forces.time), shown, color=colour, lw=0.6, label=label)
     panel.axvspan(0, start_up, color=STARTING, alpha=0.35, lw=0, label="start-up")
     panel.axhline(median, color=BLOCKS, ls="--", lw=1, label=f"median of blocks, {median:.3g} {force.name}")
-    panel.set(xlabel=f"time, {MILLISECOND.name}", ylabel=f"force of balls on the cage, {force.name}")
+    panel.set(xlabel=f"time, {MILLISECOND.name}", ylabel=f"force on the cage, {force.name}")
     panel.set_title("Forces", fontsize=10)
     low = max(LEAST_SHOWN * median, min(least, median) / 2)
     panel.set(yscale="log", xlim=(0, 2 * start_up), ylim=(low if low > 0 else None, None))
@@ -147,7 +147,7 @@ def _excess(panel: Axes, motion: CageRecord, units: Units) -> None:
     panel.axvspan(*(factor * np.array(motion.max_force_interval)), color=BLOCKS, alpha=0.2, lw=0)
     panel.axvline(median, color=BLOCKS, ls="--", lw=1, label="median of blocks, 95 %")
     panel.set(xlabel=f"largest force of one ball, {units.force.name}", ylabel="exceeded in, %")
-    panel.set_title("How often a force is exceeded", fontsize=10)
+    panel.set_title("How often exceeded", fontsize=10)
     panel.set(yscale="log", ylim=(None, 150))
     panel.yaxis.set_major_formatter("{x:g}")
     least, most = panel.get_xlim()

@@ -15,7 +15,7 @@ from fembearing.report.phrases import place_of
 
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 BELOW = 0.4  # of the least point of a panel: where the slope to compare with ends
-HIGH = 3.2  # inches, of a panel with its key
+HIGH = 2.7  # inches, of a panel with its key
 DIMENSIONS = 3  # cells of size h are as h^-3 unknowns
 CAPTION = (
     "Distance of each quantity from the value that its meshes are extrapolated to, against the number of unknowns; the "
@@ -28,8 +28,8 @@ CAPTION = (
 def convergence_plot(document: Report) -> tuple[Figure | None, str]:
     """A panel for each quantity."""
     contacts = document.contacts
-    figure = Figure(figsize=(WIDTH, 3 * HIGH), layout="constrained")
-    panels = figure.subplots(3, 2).ravel()
+    figure = Figure(figsize=(WIDTH, 2 * HIGH), layout="constrained")
+    panels = figure.subplots(2, 3).ravel()
     for panel, (name, quantity) in zip(panels, CONTACT.items(), strict=False):
         for contact in contacts:
             _convergence(panel, contact, name)
@@ -43,10 +43,10 @@ def convergence_plot(document: Report) -> tuple[Figure | None, str]:
             axis.set_major_locator(LogLocator(subs=(1, 3) if axis is panel.yaxis else (1,)))
             axis.set_major_formatter(numbers)
             axis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
-        panel.tick_params(labelsize=9)
+        panel.tick_params(labelsize=8)
         legend_below(panel, columns=1, size=8)
-    for panel in panels[::2]:
-        panel.set_ylabel("distance from the limit, %")
+    for panel in panels[::3]:
+        panel.set_ylabel("distance, %")
     panels[-1].set_axis_off()
     return figure, CAPTION
 

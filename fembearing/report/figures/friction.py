@@ -11,7 +11,7 @@ from fembearing.report.figures.style import BLUE, GREEN, GREY, RED, WIDTH, scale
 from fembearing.report.figures.torque import NO_TORQUE
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--"), "pocket": (GREEN, "^", ":")}  # lines may lie on another
-HIGH = 2.2  # inches, of a panel
+HIGH = 2.9  # inches, of the figure
 PARTED = 3.0  # film over roughness, from which hardly a summit touches: a rule of thumb
 NOTHING_SLIDES = "Nothing that slides was computed: there is no friction coefficient."
 
@@ -45,17 +45,15 @@ def friction_plot(document: Report) -> tuple[Figure | None, str]:
         caption += (
             " No film is computed: the scene gives the coefficient of the races, so that it is one at all speeds."
         )
-    figure = Figure(figsize=(WIDTH, 1.2 + HIGH * len(shown)), layout="constrained")
-    panels = figure.subplots(len(shown), 1, squeeze=False)[:, 0]
+    figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
+    panels = figure.subplots(1, len(shown), squeeze=False)[0]
     for panel, (curves, label, title) in zip(panels, shown, strict=True):
         _curves(panel, axis, curves)
         panel.set_ylabel(label)
         panel.set_title(title, fontsize=10)
         if title == "Film" and panel.get_ylim()[0] < PARTED < panel.get_ylim()[1]:
             panel.axhline(PARTED, color=GREY, linewidth=1, linestyle="-.", label="summits part, about")
-        if panel is not panels[-1]:
-            panel.set_xlabel("")
-            panel.tick_params(labelbottom=False)
+        panel.tick_params(labelsize=8)
     handles = {words: line for panel in panels for line, words in zip(*panel.get_legend_handles_labels(), strict=True)}
     figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3, frameon=False, fontsize=9)
     return figure, caption

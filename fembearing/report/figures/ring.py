@@ -17,7 +17,7 @@ QUARTER = 90  # degrees between ticks of the azimuth
 
 
 def ring_plot(document: Report) -> tuple[Figure | None, str]:
-    """Polar plots of the loads, and below them the angles, at the first and the last operating point."""
+    """Polar plots of the loads, and beside them the angles, at the first and the last operating point."""
     if document.torque is None:
         return None, NO_TORQUE
     points, units = document.torque.points, document.units
@@ -25,19 +25,18 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     shown = [(point, point.ring.balls) for point in ends if point.ring is not None]
     if not shown:
         return None, "The scene has a pair of bearings: ring and balls are those of each bearing, from Python."
-    figure = Figure(figsize=(WIDTH, 6.0), layout="constrained")
-    grid = figure.add_gridspec(2, len(shown), height_ratios=(1.7, 1))
-    for column, (point, balls) in enumerate(shown):
-        polar = figure.add_subplot(grid[0, column], projection="polar")
-        assert isinstance(polar, PolarAxes)
+    figure = Figure(figsize=(WIDTH, 2.8), layout="constrained")
+    for part, (point, balls) in zip(figure.subfigures(1, len(shown), squeeze=False)[0], shown, strict=True):
         words = loads_of(point, present_loads(points), units)
-        polar.set_title(f"{units.speed.written(point.inner_speed, '.4g')},\n{words}", fontsize=10)
+        part.suptitle(f"{units.speed.written(point.inner_speed, '.4g')}, {words}", fontsize=10)
+        polar = part.add_subplot(1, 2, 1, projection="polar")
+        assert isinstance(polar, PolarAxes)
         _loads(polar, balls, units)
-        _angles(figure.add_subplot(grid[1, column]), balls)
+        _angles(part.add_subplot(1, 2, 2), balls)
     handles, labels = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
     caption = (
-        f"Load of every ball, {units.force.name}, and below it the contact angle, around the bearing. 0 degrees is "
+        f"Load of every ball, {units.force.name}, and beside it the contact angle, around the bearing. 0 degrees is "
         "the direction of the radial load, x. A ball at the centre carries no load."
     )
     return figure, caption

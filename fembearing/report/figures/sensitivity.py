@@ -29,8 +29,8 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
     still = [each.name for each in sensitivity.inputs if each.swing < LEAST and not each.refused]
     outputs = sensitivity.outputs
     quantity = NAMES[outputs[0].quantity]
-    figure = Figure(figsize=(WIDTH, 0.4 + len(outputs) * (0.8 + 0.29 * len(moving))), layout="constrained")
-    panels = figure.subplots(len(outputs), 1, squeeze=False, sharex=True)[:, 0]
+    figure = Figure(figsize=(WIDTH, 1.0 + 0.22 * len(moving)), layout="constrained")
+    panels = figure.subplots(1, len(outputs), squeeze=False, sharex=True, sharey=True)[0]
     for number, (panel, output) in enumerate(zip(panels, outputs, strict=True)):
         for row, each in enumerate(moving):
             _bars(panel, row, each, number, units)
@@ -38,10 +38,10 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
         panel.set_title(_title(output, outputs, units), fontsize=10)
         panel.set_yticks(range(len(moving)), [f"{each.name}, {_shown(each, each.value, units)}" for each in moving])
         panel.set_ylim(len(moving) - 0.4, -0.6)
-        panel.tick_params(labelsize=9)
+        panel.tick_params(labelsize=8)
         panel.margins(x=0.42)  # for the labels
+        panel.set_xlabel(f"change of the {quantity}, %")
         panel.grid(alpha=0.3, axis="x")
-    panels[-1].set_xlabel(f"change of the {quantity}, %")
     return figure, _caption(sensitivity, quantity, still=still, less=less)
 
 

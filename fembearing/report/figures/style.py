@@ -22,9 +22,9 @@ CONTACTS = {  # pair and geometry -> colour and mark
     ("pocket", "wall"): (PURPLE, "D"),
 }
 DECADE = 10.0  # what spans more is drawn on a logarithmic scale
-WIDTH = 5.8  # inches, of every figure: letters of 10 points are 9 pixels high on a telephone, and as large on paper
-SIDE_BY_SIDE = 2  # panels at most
-UPPER, LOWER = 2.5, 2.1  # inches: heights of the two panels of a contact
+WIDTH = 8.4  # inches, of every figure; a page of A4 shows it at 7.2 inches, so that letters of 10 points print as 8.6
+SIDE_BY_SIDE = 4  # panels at most
+UPPER, LOWER = 1.8, 1.4  # inches: heights of the two panels of a contact
 DrawContact = Callable[[Axes, Contact, Units], None]
 DOTS = 192  # per inch: twice those of a screen
 MANY = 25  # points on a line: more have no marks
@@ -54,7 +54,7 @@ def look_of(pair: str, geometry: str) -> tuple[str, str]:
 def contact_columns(
     contacts: Sequence[Contact], *rows: DrawContact, units: Units, labels: tuple[str, str], shared: bool = False
 ) -> Figure:
-    """Two panels for each contact, one above the other, and two contacts side by side, with one legend for all.
+    """Two panels for each contact, one above the other, and up to four contacts side by side, with one legend for all.
 
     rows : what draws the upper and the lower panel;  labels : of the vertical axis of both
     shared : both panels of a contact have one horizontal axis
@@ -70,7 +70,7 @@ def contact_columns(
             above = above or panel
             draw(panel, contact, units)
             panel.set_ylabel("" if column else label)
-            panel.tick_params(labelsize=9)
+            panel.tick_params(labelsize=8)
             panel.grid(alpha=0.3)
     handles, words = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, words, loc="outside lower center", ncols=SIDE_BY_SIDE, frameon=False, fontsize=9)

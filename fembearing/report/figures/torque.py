@@ -29,7 +29,7 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     if len(document.torque.points) == 1:
         return None, ""  # a table says it
     axis = axis_of(document.torque.points, document.units)
-    figure = Figure(figsize=(WIDTH, 4.8), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 3.2), layout="constrained")
     panel = figure.subplots()
     draw_parts(panel, axis)
     known = _total(panel, axis)
@@ -40,7 +40,7 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     panel.set_ylim(0, None)
     panel.grid(alpha=0.3)
     handles, words = panel.get_legend_handles_labels()
-    figure.legend(handles, words, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
+    figure.legend(handles, words, loc="outside lower center", ncols=4, frameon=False, fontsize=9)
     caption = "The parts of the torque, stacked: their upper edge is the total. "
     caption += f"{'Dashed' if axis.joined else 'Bars'}: its uncertainty, {known}."
     if document.cage_records:
