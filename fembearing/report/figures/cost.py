@@ -22,7 +22,7 @@ COLUMNS = (
 )
 HIGH = 3.5  # inches, of a panel with its key
 MOST_PANELS = 4  # in a figure: so many fit a printed page
-BELOW = -0.28  # of a panel's height: where its key begins, under the name of the axis
+BELOW = -0.24  # of a panel's height: where its key begins, under the name of the axis
 UNITS = {"seconds": (1.0, "time, s"), "memory": (2.0**-30, "memory, GiB")}
 
 
