@@ -133,7 +133,7 @@ def friction_torque(
         ),
         inner=_loaded(balls, 0, at),
         outer=_loaded(balls, 1, at),
-        ring=state_of_ring(scene.bearing, scene.contact_angle, balls),
+        ring=state_of_ring(scene.bearing, scene.contact_angle, balls, operation),
         effects=ledger.effects(parts, total),
         sliding="auto" if sliding is None else sliding.method,
         clearances=scene.clearances,

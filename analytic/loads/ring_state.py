@@ -18,7 +18,7 @@ from analytic.loads.ball_balance import contact_tangent, in_series
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.ring_balance import groove_travel
 from analytic.loads.thrust import play_and_free_angle
-from analytic.scene import Array, Bearing, ContactAngle
+from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 FREEDOMS = ("axial", "x", "y", "tilt_x", "tilt_y")
 UNLOADED = 1e-9  # load over that of the heaviest ball, below which a ball says nothing of the ring's place
@@ -33,6 +33,7 @@ class RingState(Brief):
     load: Array  # (n, 2, Z) Q on inner and outer race, N
     contact_angle: Array  # (n, 2, Z) rad, negative where the ball is pressed towards -z
     approach: Array  # (n, 2, Z) delta, m
+    sideways: Array  # (n, 5) load on the ring that the balls' equilibrium leaves out, N and N m: 0 where it has all
 
     def _facts(self) -> Iterator[str]:
         points, _, balls = self.load.shape
@@ -41,7 +42,7 @@ class RingState(Brief):
 
     def at(self, points: NDArray[np.intp]) -> "RingState":
         """The state at some operating points."""
-        rows = {name: getattr(self, name)[points] for name in ("load", "contact_angle", "approach")}
+        rows = {name: getattr(self, name)[points] for name in ("load", "contact_angle", "approach", "sideways")}
         return replace(self, **rows)
 
     @property
@@ -53,9 +54,10 @@ class RingState(Brief):
     def displacement(self) -> Array | None:
         """(n, 5) along z, x and y, m; tilt about x and y, rad; from concentric rings with their grooves in line.
 
-        In a thrust bearing it begins where the washers just touch the balls. Where the loaded balls leave a freedom, as
-        where one ball alone carries load, it is the smallest displacement that fits. None for a contact angle that the
-        scene gives, which no displacement belongs to.
+        In a thrust bearing it begins where the washers just touch the balls. A load that the effect load_distribution
+        leaves out, because it hardly changes the balls, moves the ring by the inverse of the stiffness. Where the
+        loaded balls leave a freedom, as where one ball alone carries load, it is the smallest displacement that fits.
+        None for a contact angle that the scene gives, which no displacement belongs to.
         """
         bearing = self.bearing
         distance = bearing.groove_centre_distance
@@ -75,7 +77,7 @@ class RingState(Brief):
             if balls.any():
                 travel = geometry.travel[balls].reshape(-1, 5)
                 place[row] = np.linalg.lstsq(travel, moved[row, balls].ravel(), rcond=1e-12)[0]
-        return place / scale
+        return place / scale + (np.linalg.pinv(self.stiffness, hermitian=True) @ self.sideways[..., None])[..., 0]
 
     @cached_property
     def stiffness(self) -> Array:
@@ -150,9 +152,18 @@ class RingState(Brief):
         )
 
 
-def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: LoadedBalls) -> RingState:
-    """The state of ring and balls; balls : all of the bearing, under thrust one that stands for all."""
+def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: LoadedBalls, operation: Operation) -> RingState:
+    """The state of ring and balls; balls : all of the bearing, under thrust one that stands for all.
+
+    operation : every array (n,)
+    """
     count = (2, balls.load.shape[1], bearing.ball_count)
     each = (balls.load, balls.side * balls.contact_angle, balls.contact.approach)
     load, contact_angle, approach = (np.broadcast_to(values, count).swapaxes(0, 1) for values in each)
-    return RingState(bearing=bearing, angle=angle, load=load, contact_angle=contact_angle, approach=approach)
+    sideways = np.zeros((len(load), len(FREEDOMS)))
+    if balls.load.shape[2] == 1:
+        sideways[:, FREEDOMS.index("x")] = operation.radial_load
+        sideways[:, FREEDOMS.index("tilt_y")] = operation.moment
+    return RingState(
+        bearing=bearing, angle=angle, load=load, contact_angle=contact_angle, approach=approach, sideways=sideways
+    )
