@@ -31,6 +31,7 @@ RPM, NEWTON, NEWTON_MILLIMETRE = Unit("rpm", 30 / np.pi), Unit("N", 1.0), Unit("
 GIGAPASCAL, MILLIMETRE, MICROMETRE = Unit("GPa", 1e-9), Unit("mm", 1e3), Unit("um", 1e6)
 DEGREE, PERCENT = Unit("deg", 180 / np.pi), Unit("%", 100.0)
 SHORT = 9e-5  # m: what is shorter is shown in micrometres
+LEVEL = 1e-9  # rad: a smaller angle is rounding of 0
 FAST = 1e5  # rpm: faster has no digits after the point and no power of ten
 
 
@@ -56,7 +57,8 @@ def speed_of(radians_per_second: float) -> str:
 
 def angle_of(radians: float) -> str:
     """An angle in degrees, with radians beside."""
-    return f"{DEGREE.written(radians, '.4g')} ({radians:.4g} rad)"
+    shown = 0.0 if abs(radians) < LEVEL else radians
+    return f"{DEGREE.written(shown, '.4g')} ({shown:.4g} rad)"
 
 
 def percent_of(share: float, digits: int = 3) -> str:

@@ -21,6 +21,7 @@ from analytic.words import angle_of, length_of, percent_of, pressure_of, speed_o
         (speed_of(-np.pi / 3), "-10 rpm"),
         (speed_of(1e4 * np.pi), "300000 rpm"),
         (angle_of(np.pi / 6), "30 deg (0.5236 rad)"),
+        (angle_of(-3.77e-18), "0 deg (0 rad)"),  # rounding of an equilibrium
         (percent_of(0.553), "55.3 %"),
         (percent_of(0.0257, 2), "2.6 %"),
         (percent_of(47.5), "4750 %"),  # no power of ten

@@ -180,8 +180,8 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
                 *(f"{getattr(group, race)[point] * factor:.3g}" for group, factor in known.values()),
             )
     out.print(table)
-    low, high = friction.contact_angle[list(points)].min(), friction.contact_angle[list(points)].max()
-    angle = angle_of(low) if low == high else f"{angle_of(low)} to {angle_of(high)}"
+    angles = friction.contact_angle[list(points)]
+    angle = " to ".join(dict.fromkeys((angle_of(angles.min()), angle_of(angles.max()))))
     out.print(
         f"Contact angle {angle}, mean of both races. a along rolling, b transverse"
         + ("; asperities: their share of the load" if "asperities, %" in known else "")
