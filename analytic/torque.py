@@ -178,7 +178,8 @@ def _in_any_direction(
         without = torque(None)
         changes = [np.abs(torque(down) - without) for down in DIRECTIONS]
     except FembearingError as problem:
-        reason = f"the balls' weight counts, its direction is not given, and with one there may be no answer: {problem}"
+        why = str(problem).removesuffix(".")
+        reason = f"the balls' weight counts, its direction is not given, and with one there may be no answer: {why}"
         unsure = np.full(result.inner_speed.shape, np.inf)
         return replace(result, numerical_uncertainty=unsure, unknown=(*result.unknown, reason))
     spread = BETWEEN * share_in(np.max(changes, axis=0), without) * share_in(result.torque.race, result.torque.total)

@@ -29,7 +29,7 @@ from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.geometry import USUAL_SHOULDERS, Race, race_curvatures, shoulder_distances
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.scene import Array, Bearing, Contact, Material
-from analytic.words import percent_of
+from analytic.words import DEGREE, Unit, percent_of
 
 OFF_SHOULDER = 1.15  # least distance from a fitted contact's centre to the shoulder, in Hertz's semi-axes b
 # Beyond its range the fit's change of Hertz is held at the border, and follows a power of b/r beyond the largest size,
@@ -301,6 +301,13 @@ def _held(values: Mapping[str, Array]) -> tuple[ContactShape, Array]:
     return ContactShape(**held), grown
 
 
+def _range(name: str, value: float, low: float, high: float) -> str:
+    """A ratio outside its range, or an angle in degrees."""
+    unit = DEGREE if name == "contact_angle" else Unit("", 1.0)
+    ends = f"{unit.number(low):.4g} to {unit.written(high, '.4g')}"
+    return f"{name.replace('_', ' ')} {unit.written(value, '.4g')} is outside {ends}"
+
+
 def _outside(values: Mapping[str, Array], applied: Array) -> Iterator[str]:
     """Which ratios lie outside the range, and what the correction does there."""
 
@@ -316,7 +323,7 @@ def _outside(values: Mapping[str, Array], applied: Array) -> Iterator[str]:
         if outside.any():
             farthest = value[outside][np.argmax(np.abs(value[outside] - (low + high) / 2))]
             least = applied[value == farthest].min()
-            yield f"{name} {farthest:.4g} is outside {low:g} to {high:g} of the fit: {done(least)}"
+            yield f"{_range(name, farthest, low, high)} of the fit: {done(least)}"
     near = np.minimum(values["shoulder"], values["far_shoulder"]) < OFF_SHOULDER * values["size"]
     if near.any():
         yield (

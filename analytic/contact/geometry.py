@@ -186,17 +186,19 @@ def _groove(bearing: Bearing, race: Race) -> Groove:
     groove = bearing.inner if race == "inner" else bearing.outer
     if not groove.groove_radius > bearing.ball_radius > 0:
         raise InputError(
-            f"{race} groove_radius {groove.groove_radius!r} m must exceed the ball radius {bearing.ball_radius!r} m: "
+            f"{race} groove_radius {length_of(groove.groove_radius, '.6g')} must exceed the ball radius "
+            f"{length_of(bearing.ball_radius, '.6g')}: "
             "at conformity 0.5 the contact is a line, not a point; usual are 0.51 to 0.54 ball diameters"
         )
     near, far = groove.shoulder_half_width, groove.far_shoulder_half_width
     if near is not None and not 0 < near < groove.groove_radius:
         raise InputError(
-            f"{race} shoulder_half_width {near!r} m must lie between 0 and groove_radius {groove.groove_radius!r} m"
+            f"{race} shoulder_half_width {length_of(near)} must lie between 0 and groove_radius "
+            f"{length_of(groove.groove_radius)}"
         )
     if far is not None and not 0 <= far < groove.groove_radius:
         raise InputError(
-            f"{race} far_shoulder_half_width {far!r} m must be at least 0, which is a counterbored ring, and below "
-            f"groove_radius {groove.groove_radius!r} m"
+            f"{race} far_shoulder_half_width {length_of(far)} must be at least 0, which is a counterbored ring, and "
+            f"below groove_radius {length_of(groove.groove_radius)}"
         )
     return groove

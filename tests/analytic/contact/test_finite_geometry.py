@@ -170,8 +170,8 @@ def test_beyond_the_range_the_correction_is_held_with_a_warning(name: str, value
     found = finite_geometry_factors(replace(base, **{name: np.array([inside, value, inside])}))
     np.testing.assert_array_equal(found.covered, [True, False, True])
     (warning,) = found.warnings
-    assert name in warning
-    assert f"{value:.4g}" in warning
+    assert name.replace("_", " ") in warning
+    assert f"{np.rad2deg(value) if name == 'contact_angle' else value:.4g}" in warning
     border = stored_fit()["range"][name.removeprefix("far_")][int(value > inside)]
     held = finite_geometry_factors(replace(base, **{name: np.array(border)}))
     for quantity in NAMES:
@@ -201,6 +201,11 @@ def test_beyond_the_range_nothing_jumps_and_two_steps_away_hertz_stays(name: str
         assert factor[-1] == 1
         assert uncertainty[-1] > change
     assert "is not applied" in found.warnings[0]
+
+
+def test_an_angle_outside_the_fit_is_told_in_degrees() -> None:
+    (warning,) = finite_geometry_factors(replace(SHAPE, contact_angle=np.deg2rad(46.5))).warnings
+    assert warning.startswith("contact angle 46.5 deg is outside 0 to 45.84 deg of the fit")  # 0.8 rad
 
 
 def test_a_contact_near_its_shoulder_is_held() -> None:

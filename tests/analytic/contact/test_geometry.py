@@ -171,9 +171,16 @@ def test_a_far_shoulder_that_is_not_given_is_as_the_near_one(bearing_6205: Beari
 
 
 @pytest.mark.parametrize(
-    ("near", "far", "words"), [(3.1e-3, -0.1e-3, "at least 0"), (3.1e-3, 4.3e-3, "below groove_radius")]
+    ("near", "far", "words"),
+    [
+        (3.1e-3, -0.1e-3, "-0.1 mm must be at least 0"),
+        (3.1e-3, 4.3e-3, "4.3 mm must be .* below groove_radius 4.* mm"),
+        (4.5e-3, 3.1e-3, r"4.5 mm must lie between 0 and groove_radius 4\.\d+ mm"),
+    ],
 )
-def test_an_impossible_far_shoulder_is_refused(bearing_6205: Bearing, near: float, far: float, words: str) -> None:
+def test_an_impossible_shoulder_is_refused_in_millimetres(
+    bearing_6205: Bearing, near: float, far: float, words: str
+) -> None:
     with pytest.raises(InputError, match=words):
         race_contact(with_half_widths(bearing_6205, near, far), "inner", contact_angle=0.1, ball_load=LOAD)
 
