@@ -32,11 +32,11 @@ UNKNOWN_SHOULDER = (
 )
 SKIDS = (
     "Force of the oil that holds the balls back, over the friction of the race that turns them, in contacts that slide "
-    "as fast as they roll; beyond 1 the balls skid."
+    "as fast as they roll; beyond the limit the balls skid."
 )
 LETS_GO = (
     "Gyroscopic moment of a ball over what the friction of both races holds, in contacts that slide as fast as they "
-    "roll; beyond 1 the ball turns across its grooves."
+    "roll; beyond the limit the ball turns across its grooves."
 )
 GRIP = (
     "Share of the grip of the races that the force of the cage uses, of a whirl by its weakest ball; beyond it balls "
