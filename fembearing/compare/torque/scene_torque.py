@@ -18,6 +18,7 @@ from analytic.uncertainty import with_model_uncertainty
 from analytic.verdicts import numerical_check, physical_checks
 from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
+from fembearing.compare.torque.catalogue_models import CatalogueBand
 from fembearing.compare.torque.verdicts import Verdicts
 from fembearing.progress import Progress, silent
 
@@ -78,9 +79,7 @@ class SceneTorque(Brief):
             )
         band, total = self.catalogue.band, self.friction.torque.total
         if band is not None:
-            outside = np.count_nonzero((total < band.low) | (total > band.high))
-            where = f"outside the catalogue band at {outside} of" if outside else "within the catalogue band at all"
-            yield f"The torque is {where} {total.size} operating points."
+            yield f"The torque is {_place(total, band)}."
         other, given = self.scene.bearing.other_candidate, self.scene.bearing
         if other is not None and self.other_candidate is not None:
             first, second = total, self.other_candidate.torque.total
@@ -142,6 +141,18 @@ def _input_to_json(given: StatedInput) -> dict[str, Any]:
 
 def _balls(bearing: Bearing) -> str:
     return f"{bearing.ball_count} balls of {bearing.ball_diameter * 1e3:.4g} mm"
+
+
+def _place(total: Array, band: CatalogueBand) -> str:
+    """Where the torque lies by the catalogue band, in words."""
+    places = {"below": total < band.low, "above": total > band.high}
+    outside = {side: np.count_nonzero(points) for side, points in places.items() if points.any()}
+    if not outside:
+        return "within the catalogue band"
+    if total.size == 1:
+        return f"{next(iter(outside))} the catalogue band"
+    where = " and ".join(f"{side} it at {count}" for side, count in outside.items())
+    return f"outside the catalogue band: {where} of {total.size} operating points"
 
 
 def _span(values: Array, form: str) -> str:

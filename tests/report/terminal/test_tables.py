@@ -158,7 +158,7 @@ def test_the_catalogue_band_is_noted_and_not_judged(made: Validation) -> None:
     assert made.torque is not None
     band = CatalogueBand(low=np.full(3, 30e-3), high=np.full(3, 45e-3), values={})
     result = replace(made, torque=replace(made.torque, catalogue=BesideCatalogue(band=band, note="a band")))
-    outside = "The torque is outside the catalogue band at 1 of 3 operating points."
+    outside = "The torque is outside the catalogue band: above it at 1 of 3 operating points."
     assert outside in " ".join(text_of(result).split())
     assert report_of(result).to_json()["torque"]["notes"] == [outside]
     assert result.verdicts.summary() == made.verdicts.summary()
