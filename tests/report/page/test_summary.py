@@ -242,3 +242,20 @@ def test_every_table_says_what_its_rows_and_columns_are(document: Document, tmp_
     assert not re.findall(r"<th(?![^>]*scope=)[ >]", text)  # thead is another tag
     assert all(re.findall(r"<th|<thead", table) for table in re.findall(r"<table.*?</table>", text, re.DOTALL))
     assert not re.findall(r"<img(?![^>]*alt=)", text)
+
+
+def test_the_page_says_why_the_ball_loads_of_contacts_and_torque_differ(document: Document, tmp_path: Path) -> None:
+    """Where the torque's contacts have the fit for finite geometry; those that are compared are Hertz's as they are."""
+    why = "the torque's contacts have the fit for finite geometry"
+    assert document["torque_change"]["finite_geometry"] is not None  # beside the torque, and not in its contacts
+    assert why not in unescape(written(document, tmp_path))
+    document["torque_change"]["finite_geometry"] = None
+    assert why in unescape(summary_of(written(document, tmp_path)))
+
+
+def test_a_page_in_inches_says_that_its_notes_are_metric(document: Document, tmp_path: Path) -> None:
+    document["torque"]["notes"] = ["The combined roughness is 0.1 um."]
+    said = "Notes and warnings name metric units"
+    assert said not in summary_of(written(document, tmp_path))
+    document["report"]["units"] = "inch"
+    assert said in summary_of(written(document, tmp_path))

@@ -31,6 +31,10 @@ from fembearing.report.phrases import (
 )
 
 MOST_NAMED = 8  # assumed inputs that the summary names
+OTHER_LOADS = (
+    "Ball load and angle follow from Hertz's contacts. Those of the torque, in the table of balls, differ a little, as "
+    "the torque's contacts have the fit for finite geometry."
+)
 MOST_NOTES, LONGEST = 5, 320  # notes of the summary, and letters of one and of a fact: the appendices have all
 
 
@@ -259,7 +263,11 @@ def _contacts_at(document: Report) -> str:
     if document.torque is None:
         return "Races: the heaviest ball of all operating points."
     points = document.torque.points
-    return f"Races: the heaviest ball, at {point_name(points, heaviest_point(points), document.units)}."
+    place = f"Races: the heaviest ball, at {point_name(points, heaviest_point(points), document.units)}."
+    change = document.torque_change
+    if change is None or change.finite_geometry is not None:
+        return place
+    return f"{place} {OTHER_LOADS}"
 
 
 def _change(document: Report) -> str:
@@ -272,7 +280,7 @@ def _change(document: Report) -> str:
     if relative is None:
         return ""
     return (
-        "With contacts of finite elements in place of Hertz's the torque at "
+        "With contacts of finite elements the torque at "
         f"{point_name(torque.points, index, document.units)} changes by {100 * relative:+.2f} \N{PLUS-MINUS SIGN} "
         f"{100 * change.uncertainty:.2f} %."
     )
