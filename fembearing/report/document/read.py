@@ -96,8 +96,8 @@ def _remedy(content: dict[str, Any]) -> str:
     origin = content.get("provenance")
     versions = origin.get("versions") if isinstance(origin, dict) else None
     wrote = versions.get("fembearing") if isinstance(versions, dict) else None
-    by = f"was written by fembearing {wrote}, this is {_ours()}" if isinstance(wrote, str) else f"this is {_ours()}"
-    return f"it was changed, or {by}: run `fembearing validate` again"
+    other = f" or was written by fembearing {wrote}, this is {_ours()}" if isinstance(wrote, str) else ""
+    return f"it was changed{'' if wrote == _ours() else other}: run `fembearing validate` again"
 
 
 def _ours() -> str:

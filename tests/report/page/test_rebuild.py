@@ -196,8 +196,10 @@ def test_a_key_that_the_page_reads_is_missed(document: dict[str, Any], tmp_path:
         rebuild_page(write(tmp_path, document))
 
 
-def test_a_key_of_another_version_is_named_with_both(document: dict[str, Any], tmp_path: Path) -> None:
+def test_a_missing_key_is_named_with_both_versions_where_they_differ(document: dict[str, Any], tmp_path: Path) -> None:
     del document["contacts"][2]["meshes"]
+    with pytest.raises(InputError, match=r"contacts\.2\.meshes is missing; it was changed: run"):
+        rebuild_page(write(tmp_path, document))
     document["provenance"]["versions"]["fembearing"] = "0.0.3"
     with pytest.raises(InputError, match=r"contacts\.2\.meshes is missing; .*written by fembearing 0\.0\.3, this is"):
         rebuild_page(write(tmp_path, document))
