@@ -8,6 +8,7 @@ import pytest
 from analytic.scene import ContactAngle, Operation, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
+from fembearing.compare.torque import sensitivity
 from fembearing.compare.torque.sensitivity import Input, Sensitivity, sensitivity_of, variations, with_clearance
 from fembearing.plain_types import plain
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
@@ -121,6 +122,31 @@ def test_a_given_coefficient_makes_all_speeds_one(dry: Scene) -> None:
     # All that slides does so with this coefficient, and the share of spin between the races stays. (Creep would take
     # more of the slip from a higher friction.)
     np.testing.assert_allclose(changes(found, "friction coefficient"), [[-0.2], [0.2]], rtol=1e-4)
+
+
+def test_a_cage_that_its_balls_squeeze_stays_at_rest(dry: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With balls that move freely each input would take as long as the torque's own motion of the cage."""
+    effects = []
+
+    def noted(scene: Scene):
+        effects.append(friction_torque(scene).effects)
+        return friction_torque(scene)
+
+    monkeypatch.setattr(sensitivity, "friction_torque", noted)
+    assert dry.cage is not None
+    ball = dry.bearing.ball_diameter
+    pocket = {"pocket_diameter": 1.003 * ball, "pocket_depth": 0.5015 * ball}
+    tight = replace(dry.cage, **pocket, start="rest", duration=0.004, seeds=2)
+    loads = Operation(axial_load=np.array([90.0]), radial_load=np.array([600.0]), inner_speed=np.array([210.0]))
+    own = replace(
+        dry, contact_angle=ContactAngle(rule="solved"), friction_coefficient=0.08, cage=tight, operation=loads
+    )
+    monkeypatch.setattr(sensitivity, "variations", lambda _: iter(()))
+    decided = {each.name: each.decision for each in friction_torque(own).effects}
+    assert decided["ball_dynamics"] == "on"
+    sensitivity_of(own)
+    for found in effects:
+        assert {each.decision for each in found if each.name in ("cage_dynamics", "ball_dynamics")} == {"off"}
 
 
 def test_equal_speeds_are_told_apart_by_their_loads(dry: Scene) -> None:
