@@ -230,6 +230,7 @@ class Lubricant(Noun):
     supply: Supply = "oil_bath"  # how oil returns to the track
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
     compressible: bool = False  # whether pressure squeezes the oil in the film
+    name: str = field(default="", compare=False)  # under which its numbers were looked up; empty: they are given
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
 
 

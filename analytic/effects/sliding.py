@@ -24,6 +24,7 @@ from analytic.sliding.levers import creep_numbers, full_spin_lever, largest_erro
 from analytic.words import percent_of
 
 LIGHT = 0.01  # of the heaviest ball's load: a lighter ball may slide, its friction is in proportion
+HELD = 0.1  # of the heaviest ball's load: below it a ball leaves the loaded zone, and turns as it likes
 TURNING_FREELY = ("free_ball", "closed_creep", "marched_creep")  # methods of sliding for free balls
 
 
@@ -213,7 +214,7 @@ class Estimate:
     def gyroscopic_hold(self, scene: Scene) -> Array:
         """(n,) gyroscopic moment of a ball over the most that friction across both grooves can hold."""
         largest = self.resisting.balls.load.max(axis=0)
-        carries = largest >= LIGHT * largest.max(axis=1, keepdims=True)
+        carries = largest >= HELD * largest.max(axis=1, keepdims=True)
         return np.where(carries, self._gyroscopic(scene, self._most_friction()), 0.0).max(axis=1)
 
     def sliding_number(self) -> Array | None:

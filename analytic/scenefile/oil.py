@@ -101,6 +101,7 @@ def completed_lubricant(given: Mapping[str, Any]) -> Lubricant:
         density=density.value,
         eyring_stress=stress.value,
         limiting_shear=shear.value,
+        name=oil.name if "name" in given else "",
         origins=read_only({name: each.origin for name, each in properties.items()}),
         **choices,
     )

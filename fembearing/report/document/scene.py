@@ -85,6 +85,7 @@ class Lubricant(Noun):
     pressure_viscosity: float
     eyring_stress: float
     traction: str
+    name: str
 
 
 class Autocorrelation(Noun):

@@ -69,14 +69,16 @@ def _drawn(start_up: str, blocks: str) -> str:
 
 
 def orbit_figure(motion: CageRecord, units: Units, *, captioned: bool = False) -> Figure:
-    """Orbit of the cage's centre, how often each force is exceeded, and the forces over time."""
-    figure = Figure(figsize=(WIDTH, 4.4 if captioned else 3.2), layout="constrained")
-    orbit, excess, forces = figure.subplots(1, 3, width_ratios=(1, 1, 1.5))
+    """Orbit of the cage's centre, the forces over time, and how often each is exceeded."""
+    figure = Figure(figsize=(WIDTH, 4.8 if captioned else 3.0), layout="constrained")
+    orbit, forces, excess = figure.subplots(1, 3, width_ratios=(1, 1.5, 1))
     _orbit(orbit, motion, units)
-    _excess(excess, motion, units)
     _forces(forces, motion, units)
+    _excess(excess, motion, units)
     for panel in figure.axes:
         panel.tick_params(labelsize=8)
+        for axis in (panel.xaxis, panel.yaxis):
+            axis.label.set_size(9)
     torque, high = (units.torque.written(value, ".3g") for value in (motion.torque, motion.torque_interval[1]))
     low = f"{units.torque.number(motion.torque_interval[0]):.3g}"
     figure.suptitle(
@@ -86,7 +88,7 @@ def orbit_figure(motion: CageRecord, units: Units, *, captioned: bool = False) -
         fontsize=10,
     )
     if captioned:
-        figure.supxlabel(textwrap.fill(cage_caption(motion), 88), x=0.01, ha="left", fontsize=8)
+        figure.supxlabel(textwrap.fill(cage_caption(motion), 130), x=0.01, ha="left", fontsize=8)
     return figure
 
 
@@ -109,7 +111,7 @@ def _orbit(panel: Axes, motion: CageRecord, units: Units) -> None:
     panel.set_aspect("equal", adjustable="datalim")
     panel.margins(0.12)
     panel.grid(alpha=0.3)
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=1, fontsize=8, frameon=False)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=2, fontsize=8, frameon=False)
 
 
 def _forces(panel: Axes, motion: CageRecord, units: Units) -> None:
@@ -130,7 +132,7 @@ def _forces(panel: Axes, motion: CageRecord, units: Units) -> None:
     panel.set(yscale="log", xlim=(0, 2 * start_up), ylim=(low if low > 0 else None, None))
     panel.yaxis.set_major_formatter("{x:g}")
     panel.grid(alpha=0.3)
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=1, fontsize=8, frameon=False)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=2, fontsize=8, frameon=False)
 
 
 def _excess(panel: Axes, motion: CageRecord, units: Units) -> None:
@@ -155,4 +157,4 @@ def _excess(panel: Axes, motion: CageRecord, units: Units) -> None:
         panel.set(xscale="log", xlim=(max(least, LEAST_SHOWN * median), 1.3 * most))
         panel.xaxis.set_major_formatter("{x:g}")
     panel.grid(alpha=0.3, which="both")
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=1, fontsize=8, frameon=False)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=1, fontsize=8, frameon=False)

@@ -29,7 +29,7 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
     still = [each.name for each in sensitivity.inputs if each.swing < LEAST and not each.refused]
     outputs = sensitivity.outputs
     quantity = NAMES[outputs[0].quantity]
-    figure = Figure(figsize=(WIDTH, 1.0 + 0.22 * len(moving)), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 0.9 + 0.2 * len(moving)), layout="constrained")
     panels = figure.subplots(1, len(outputs), squeeze=False, sharex=True, sharey=True)[0]
     for number, (panel, output) in enumerate(zip(panels, outputs, strict=True)):
         for row, each in enumerate(moving):

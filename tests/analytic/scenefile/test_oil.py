@@ -29,6 +29,7 @@ def refused(text: str) -> str:
 
 def test_a_named_oil_is_that_of_the_prints() -> None:
     named = oil('name = "ISO VG 46"')
+    assert named.name == "ISO VG 46 mineral"
     # 46 mm2/s at 40 degC (ISO 3448), 875 kg/m3 at 15 degC less 0.6 for each kelvin; 12.45 46^0.113 1/GPa.
     assert named.density == pytest.approx(860.0, rel=1e-12)  # round-off
     assert named.viscosity == pytest.approx(46e-6 * 860.0, rel=1e-12)

@@ -96,7 +96,7 @@ def test_forces_are_drawn_over_time_in_ms(record: CageRecord, panels: list[Axes]
     assert np.isnan(drawn[~pressed, 1]).all()  # nothing touches: nothing on a logarithmic scale
     total = points_of(line_of(forces, "sum over all balls"))[-1, 1]
     np.testing.assert_allclose(total, 6.58e-3 * 9.80665, rtol=0.05)  # weight; the forces fan out over three balls
-    assert (forces.get_xlabel(), forces.get_ylabel()) == ("time, ms", "force of balls on the cage, N")
+    assert (forces.get_xlabel(), forces.get_ylabel()) == ("time, ms", "force on the cage, N")
 
 
 def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:

@@ -60,9 +60,10 @@ def _facts(scene: Scene, units: Units) -> Iterator[tuple[str, str]]:
         yield "contact angle", f"solved from the load; unloaded: {free}"
     if scene.lubricant is not None:
         oil = scene.lubricant
+        named = f"{oil.name} " if oil.name else ""
         yield (
             "lubricant",
-            f"at {units.temperature.written(oil.temperature, '.4g')}; {oil.viscosity:.3g} Pa s at "
+            f"{named}at {units.temperature.written(oil.temperature, '.4g')}; {oil.viscosity:.3g} Pa s at "
             f"{units.temperature.written(oil.reference_temperature, '.4g')}, pressure-viscosity "
             f"{units.per_pressure.written(oil.pressure_viscosity, '.3g')}, Eyring stress "
             f"{units.stress.written(oil.eyring_stress, '.3g')}",
