@@ -32,7 +32,7 @@ def test_pressures_of_the_file_are_the_knots() -> None:
     )
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_command_agrees_with_tamaas(run_script: Callable[..., str]) -> None:
     pytest.importorskip("tamaas", reason="its wheels are for Linux on x86-64 only")
     printed = run_script("elastic_gap.py", "--check")

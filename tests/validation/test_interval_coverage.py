@@ -17,7 +17,7 @@ def test_measured_films_lie_in_the_stated_interval(script: Callable[[str], Modul
     assert slow.covered > found["slower films", "film formula"].covered
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_measured_torques_are_counted_against_an_interval_that_is_not_moved(
     script: Callable[[str], ModuleType],
 ) -> None:

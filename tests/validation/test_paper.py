@@ -190,7 +190,7 @@ def test_the_printed_equations_jump_and_the_derived_ones_do_not(comparison: Modu
     assert found[5].printed[1] > 10 * found[5].derived[1]
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_script_makes_every_figure_and_the_calibrated_forces_are_within_1_7(run_script, tmp_path: Path) -> None:
     printed = run_script("paper.py", "--out", tmp_path)
     assert "no evidence for the model" in printed
