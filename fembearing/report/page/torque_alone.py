@@ -1,12 +1,11 @@
 """A torque as one small HTML page: table, figure, effects, and what to know of them. It needs no other file."""
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
 from analytic.result import COORDINATES
 from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.provenance import provenance_of
 from fembearing.report.figures.page_plots import embedded
 from fembearing.report.figures.torque import PARTS
+from fembearing.report.page.template import filled
 from fembearing.report.phrases import (
     CHECKS,
     LOADS,
@@ -36,20 +35,14 @@ HEADS = {  # of the table, from the left
 
 def torque_page(result: SceneTorque, figure: bytes) -> str:
     """The page;  figure : PNG."""
-    environment = Environment(
-        loader=PackageLoader("fembearing.report.page"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
     friction, verdicts = result.friction, result.verdicts
     assert verdicts.numerical is not None
     model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
     varied = {name: float(part.max()) for name, part in (friction.model_parts or {}).items()}
     known = shown_columns(result)
     shown = {name: known[name] for name in HEADS if name in known and (name not in LOADS or any(known[name].values))}
-    return environment.get_template("torque_alone.html").render(
+    return filled(
+        "torque_alone.html",
         name=result.scene.name,
         bearing=result.scene.bearing.name,
         heads=[f"{HEADS[name]}, {each.unit.name}" for name, each in shown.items()],

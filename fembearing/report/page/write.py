@@ -6,8 +6,6 @@ section shows comes from `fembearing.report.page.sections`, its plots from `femb
 
 from pathlib import Path
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
-
 from analytic.oil.film import FILM_FACTORS
 from fembearing.quantities import RPM
 from fembearing.report import phrases
@@ -27,6 +25,7 @@ from fembearing.report.page.sections.ring import ring_section
 from fembearing.report.page.sections.summary import summary_of
 from fembearing.report.page.sections.torque import torque_section
 from fembearing.report.page.sections.verdicts import verdict_section
+from fembearing.report.page.template import filled
 
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
@@ -37,16 +36,9 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
 
     folder : where the pictures of the document lie; the page says which of them is missing
     """
-    environment = Environment(
-        loader=PackageLoader("fembearing.report.page"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters |= {"shown": phrases.shown, "listed": phrases.listed}
     appendices = appendices_of(document)
-    page = environment.get_template("page.html").render(
+    page = filled(
+        "page.html",
         document=document,
         generator=GENERATOR,
         header=header_of(document),
