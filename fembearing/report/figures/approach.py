@@ -20,7 +20,7 @@ CAPTION = (
 def approach_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
     units = document.units
-    labels = (f"load, {units.force.name}", "approach over Hertz's,\nless 1, %")
+    labels = (f"load, {units.force.name}", "approach over\nHertz's, less 1, %")
     return contact_columns(document.contacts, _curve, _apart, units=units, labels=labels), CAPTION
 
 
@@ -39,7 +39,8 @@ def _curve(panel: Axes, contact: Contact, units: Units) -> None:
         markersize=5,
         label="finite elements",
     )
-    panel.set_title(contact_place(contact).replace(", ", ",\n"), fontsize=9)
+    panel.set_title(contact_place(contact).replace(", ", ",\n"))
+    panel.margins(0.1)
     panel.set(xlabel=f"approach, {units.small_length.name}", xlim=(0, None), ylim=(0, None))
 
 
@@ -63,8 +64,8 @@ def _apart(panel: Axes, contact: Contact, units: Units) -> None:
         markersize=5,
         capsize=4,
     )
+    panel.margins(x=0.1, y=0.25)
     panel.set(xlabel=f"load, {units.force.name}", xlim=(0, None))
-    panel.margins(y=0.25)
 
 
 def _known(values: list[float | None]) -> np.ndarray:

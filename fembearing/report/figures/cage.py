@@ -10,10 +10,12 @@ from matplotlib.figure import Figure
 from fembearing.quantities import MILLISECOND, Units
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import CageRecord
-from fembearing.report.figures.style import BLACK, BLUE, ORANGE, RED, WIDTH
+from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, RED, TITLE, WIDTH, lettered
 
 STARTING, MEASURED, BLOCKS, LIMIT = "silver", BLUE, RED, BLACK
+HIGH, CAPTION_HIGH = 2.7, 1.0  # inches
 LEAST_SHOWN = 1e-3  # of the median of blocks: a force below is nothing
+BELOW = 4.0  # letters, from a panel to its key: the ticks and the name of the axis are between
 WIDE = 20.0  # from the least force to the greatest: beyond, a logarithmic scale
 WHAT_TO_SEE = {
     "rest": "The cage rests: after the start-up its centre keeps its place, moved sideways by the friction of the "
@@ -62,34 +64,29 @@ def _drawn(start_up: str, blocks: str) -> str:
     return (
         f"Orbit: grey the start-up of {start_up}, which no statistics count, blue after it; dashed the edge of the "
         "room, where the balls stop a level cage. Forces: the largest of one ball on its pocket since the instant "
-        "before, and the sum over all balls. How often a force is exceeded: of instants of this motion and of "
-        f"{blocks} of all seeds; band: 95 % interval of their median. The motion is run anew: after an irregular "
-        "start-up it need not be one of those of the statistics."
+        "before, and the sum over all balls; grey the start-up. How often a force is exceeded: of instants of this "
+        f"motion and of {blocks} of all seeds; band: 95 % interval of their median. The motion is run anew: after an "
+        "irregular start-up it need not be one of those of the statistics."
     )
 
 
 def orbit_figure(motion: CageRecord, units: Units, *, captioned: bool = False) -> Figure:
-    """Orbit of the cage's centre, the forces over time, and how often each is exceeded."""
-    figure = Figure(figsize=(WIDTH, 4.8 if captioned else 3.0), layout="constrained")
-    orbit, forces, excess = figure.subplots(1, 3, width_ratios=(1, 1.5, 1))
-    _orbit(orbit, motion, units)
-    _forces(forces, motion, units)
-    _excess(excess, motion, units)
-    for panel in figure.axes:
-        panel.tick_params(labelsize=8)
-        for axis in (panel.xaxis, panel.yaxis):
-            axis.label.set_size(9)
+    """Orbit of the cage's centre, forces over time, and how often each force is exceeded."""
+    figure = Figure(figsize=(WIDTH, HIGH + (CAPTION_HIGH if captioned else 0.0)), layout="constrained")
+    for panel, draw in zip(figure.subplots(1, 3), (_orbit, _forces, _excess), strict=True):
+        draw(panel, motion, units)
     torque, high = (units.torque.written(value, ".3g") for value in (motion.torque, motion.torque_interval[1]))
     low = f"{units.torque.number(motion.torque_interval[0]):.3g}"
     figure.suptitle(
         f'{motion.bearing} at {units.speed.written(motion.inner_speed, ".5g")}: regime "{motion.state}", started '
         f'"{motion.start}"; cage torque {torque}, {low} to {high} at 95 %',
         parse_math=False,  # a bearing's name is a person's
-        fontsize=10,
+        fontsize=TITLE,
+        wrap=True,
     )
     if captioned:
-        figure.supxlabel(textwrap.fill(cage_caption(motion), 130), x=0.01, ha="left", fontsize=8)
-    return figure
+        figure.supxlabel(textwrap.fill(cage_caption(motion), 118), x=0.01, ha="left", fontsize=LETTERS)
+    return lettered(figure)
 
 
 def _orbit(panel: Axes, motion: CageRecord, units: Units) -> None:
@@ -105,13 +102,16 @@ def _orbit(panel: Axes, motion: CageRecord, units: Units) -> None:
         middle = small.factor * np.array(room.middle)
         head = middle + 0.35 * small.factor * room.size * pull / np.linalg.norm(pull)
         panel.annotate("", xy=tuple(head), xytext=tuple(middle), arrowprops={"arrowstyle": "->"})
-        panel.annotate("gravity", xy=tuple(head), xytext=(0, -12), textcoords="offset points", ha="center", fontsize=9)
+        panel.annotate(
+            "gravity", xy=tuple(head), xytext=(0, -12), textcoords="offset points", ha="center", fontsize=LETTERS
+        )
     panel.set(xlabel=f"x, {small.name}", ylabel=f"y, {small.name}")
-    panel.set_title("Orbit of the cage's centre", fontsize=10)
+    panel.set_title("Orbit of the cage's centre")
     panel.set_aspect("equal", adjustable="datalim")
+    panel.set_box_aspect(1)
     panel.margins(0.12)
     panel.grid(alpha=0.3)
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=2, fontsize=8, frameon=False)
+    _key(panel, columns=2)
 
 
 def _forces(panel: Axes, motion: CageRecord, units: Units) -> None:
@@ -124,15 +124,15 @@ def _forces(panel: Axes, motion: CageRecord, units: Units) -> None:
         shown = np.where(values > 0, values, np.nan)
         least = min(least, values[values > 0].min(initial=np.inf))
         panel.plot(MILLISECOND.factor * np.array(forces.time), shown, color=colour, lw=0.6, label=label)
-    panel.axvspan(0, start_up, color=STARTING, alpha=0.35, lw=0, label="start-up")
+    panel.axvspan(0, start_up, color=STARTING, alpha=0.35, lw=0)
     panel.axhline(median, color=BLOCKS, ls="--", lw=1, label=f"median of blocks, {median:.3g} {force.name}")
     panel.set(xlabel=f"time, {MILLISECOND.name}", ylabel=f"force on the cage, {force.name}")
-    panel.set_title("Forces", fontsize=10)
+    panel.set_title("Forces")
     low = max(LEAST_SHOWN * median, min(least, median) / 2)
     panel.set(yscale="log", xlim=(0, 2 * start_up), ylim=(low if low > 0 else None, None))
     panel.yaxis.set_major_formatter("{x:g}")
     panel.grid(alpha=0.3)
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=2, fontsize=8, frameon=False)
+    _key(panel)
 
 
 def _excess(panel: Axes, motion: CageRecord, units: Units) -> None:
@@ -149,7 +149,7 @@ def _excess(panel: Axes, motion: CageRecord, units: Units) -> None:
     panel.axvspan(*(factor * np.array(motion.max_force_interval)), color=BLOCKS, alpha=0.2, lw=0)
     panel.axvline(median, color=BLOCKS, ls="--", lw=1, label="median of blocks, 95 %")
     panel.set(xlabel=f"largest force of one ball, {units.force.name}", ylabel="exceeded in, %")
-    panel.set_title("How often exceeded", fontsize=10)
+    panel.set_title("How often exceeded")
     panel.set(yscale="log", ylim=(None, 150))
     panel.yaxis.set_major_formatter("{x:g}")
     least, most = panel.get_xlim()
@@ -157,4 +157,17 @@ def _excess(panel: Axes, motion: CageRecord, units: Units) -> None:
         panel.set(xscale="log", xlim=(max(least, LEAST_SHOWN * median), 1.3 * most))
         panel.xaxis.set_major_formatter("{x:g}")
     panel.grid(alpha=0.3, which="both")
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.22), ncols=1, fontsize=8, frameon=False)
+    _key(panel)
+
+
+def _key(panel: Axes, *, columns: int = 1) -> None:
+    """Below the panel, where no data are."""
+    panel.legend(
+        loc="upper center",
+        bbox_to_anchor=(0.5, 0),
+        borderaxespad=BELOW,
+        ncols=columns,
+        columnspacing=1.0,
+        fontsize=LETTERS,
+        frameon=False,
+    )

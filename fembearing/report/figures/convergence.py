@@ -10,12 +10,13 @@ from matplotlib.ticker import LogLocator, NullFormatter
 from fembearing.quantities import CONTACT
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report
-from fembearing.report.figures.style import GREY, WIDTH, legend_below, look_of
+from fembearing.report.figures.style import GREY, LETTERS, WIDTH, lettered, look_of
 from fembearing.report.phrases import place_of
 
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 BELOW = 0.4  # of the least point of a panel: where the slope to compare with ends
-HIGH = 2.7  # inches, of a panel with its key
+HIGH = 3.5  # inches
+SHORT = 50.0  # from the least unknowns to the most: beyond, ticks at 3, 30, 300 run into their neighbours
 DIMENSIONS = 3  # cells of size h are as h^-3 unknowns
 CAPTION = (
     "Distance of each quantity from the value that its meshes are extrapolated to, against the number of unknowns; the "
@@ -26,29 +27,30 @@ CAPTION = (
 
 
 def convergence_plot(document: Report) -> tuple[Figure | None, str]:
-    """A panel for each quantity."""
+    """A panel for each quantity, and the key in the place of a sixth."""
     contacts = document.contacts
-    figure = Figure(figsize=(WIDTH, 2 * HIGH), layout="constrained")
+    figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
     panels = figure.subplots(2, 3).ravel()
     for panel, (name, quantity) in zip(panels, CONTACT.items(), strict=False):
         for contact in contacts:
             _convergence(panel, contact, name)
         _formal_slope(panel, contacts, name)
         cut = name == "peak_pressure" and any(contact.shoulder for contact in contacts)
-        panel.set_title(f"{quantity.name}{', cut off: at y = 0' if cut else ''}", fontsize=10)
+        panel.set_title(f"{quantity.name}{', cut off: at y = 0' if cut else ''}")
         panel.set(xscale="log", yscale="log")
         panel.set_xlabel("unknowns")
         panel.grid(alpha=0.3, which="both")
-        for axis, numbers in ((panel.xaxis, "{x:,.0f}"), (panel.yaxis, "{x:g}")):
-            axis.set_major_locator(LogLocator(subs=(1, 3) if axis is panel.yaxis else (1,)))
+        low, high = panel.get_xlim()
+        for axis, numbers, short in ((panel.xaxis, "{x:,.0f}", high < SHORT * low), (panel.yaxis, "{x:g}", True)):
+            axis.set_major_locator(LogLocator(subs=(1, 3) if short else (1,)))
             axis.set_major_formatter(numbers)
             axis.set_minor_formatter(NullFormatter())  # over one decade they would run into each other
-        panel.tick_params(labelsize=8)
-        legend_below(panel, columns=1, size=8)
     for panel in panels[::3]:
-        panel.set_ylabel("distance, %")
+        panel.set_ylabel("distance from the limit, %")
     panels[-1].set_axis_off()
-    return figure, CAPTION
+    key = dict(zip(*reversed(panels[0].get_legend_handles_labels()), strict=True))
+    panels[-1].legend(key.values(), key.keys(), loc="center left", frameon=False, fontsize=LETTERS)
+    return lettered(figure), CAPTION
 
 
 def _convergence(panel: Axes, contact: Contact, name: str) -> None:
@@ -56,13 +58,12 @@ def _convergence(panel: Axes, contact: Contact, name: str) -> None:
     colour, mark = look_of(contact.pair, contact.geometry)
     unknowns, distance = _distances(contact, name)
     study = contact.convergence[name]
-    order = "no order" if study.order is None else f"order {study.order:.1f}"
     panel.plot(
         *(unknowns, distance, mark),
         linestyle="--" if study.richardson is None else "-",
         color=colour,
         markersize=5,
-        label=f"{_short(contact)}: {order}",
+        label=_short(contact),
     )
 
 
@@ -91,4 +92,13 @@ def _formal_slope(panel: Axes, contacts: Sequence[Contact], name: str) -> None:
     ends = np.array([unknowns.min(), unknowns.max()])
     slope = (ends / ends[0]) ** (-order / DIMENSIONS)
     lowest = np.min(distance / (unknowns / ends[0]) ** (-order / DIMENSIONS))
-    panel.plot(ends, BELOW * lowest * slope, "-.", color=GREY, linewidth=1, label=f"formal order {order:g}")
+    panel.plot(ends, BELOW * lowest * slope, "-.", color=GREY, linewidth=1, label="formal order")
+    middle = (np.sqrt(ends[0] * ends[1]), BELOW * lowest * np.sqrt(slope[1]))
+    panel.annotate(
+        f"order {order:g}",
+        *(middle, (-4, -1)),
+        textcoords="offset points",
+        ha="right",
+        va="top",
+        fontsize=LETTERS,
+    )

@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from fembearing.report.document.report import Ladder, Method
-from fembearing.report.figures.style import BLUE, SIDE_BY_SIDE, WIDTH
+from fembearing.report.figures.style import BLUE, LETTERS, SIDE_BY_SIDE, WIDTH, lettered
 from fembearing.report.phrases import capital, short_name
 
 LEAST, MOST = 1e-4, 500.0  # %: what is nearer to the reference, or farther off, is drawn here
@@ -20,13 +20,13 @@ COLUMNS = (
     *("name", "error", "bound", "seconds", "spread", "repeats", "warm_up", "predicted", "memory", "unknowns"),
     *("chosen", "failed"),
 )
-HIGH = 3.5  # inches, of a panel with its key
-MOST_PANELS = 4  # in a figure: so many fit a printed page
-BELOW = -0.24  # of a panel's height: where its key begins, under the name of the axis
+HIGH = 3.2  # inches, of a panel with its key
+ROOM = 5.0  # before the shortest time and beyond the longest, for the number beside a point
+BELOW = -0.2  # of a panel's height: where its key begins, under the name of the axis
 UNITS = {"seconds": (1.0, "time, s"), "memory": (2.0**-30, "memory, GiB")}
 
 
-def cost_figures(ladders: Sequence[Ladder], *, tolerance: float, most: int = MOST_PANELS) -> list[Figure]:
+def cost_figures(ladders: Sequence[Ladder], *, tolerance: float, most: int = SIDE_BY_SIDE) -> list[Figure]:
     """A panel for each quantity, error of each method against its median time, and one for the memory of all of them.
 
     most : panels in a figure
@@ -40,35 +40,35 @@ def cost_figures(ladders: Sequence[Ladder], *, tolerance: float, most: int = MOS
     figures = [_empty(min(most, count - first)) for first in range(0, count, most)]
     panels = [panel for figure in figures for panel in figure.axes]
     times = [place[0] for ladder in shown for method in ladder.methods if (place := _place(method, "seconds"))]
-    low, high = 10 ** np.floor(np.log10(min(times, default=1))), 10 ** np.floor(np.log10(max(times, default=1)) + 1)
+    low, high = min(times, default=1.0) / ROOM, max(times, default=1.0) * ROOM
     for panel in panels:
         panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
         panel.set(xscale="log", yscale="log", ylim=(LEAST / 3, MOST), xlabel=UNITS["seconds"][1], xlim=(low, high))
         panel.xaxis.set_major_locator(LogLocator(numticks=5))
         panel.xaxis.set_minor_formatter(NullFormatter())
         panel.grid(alpha=0.3)
-        panel.tick_params(labelsize=9)
     for panel, ladder in zip(panels, shown, strict=False):
-        panel.set_title(capital(ladder.quantity), fontsize=10)
+        panel.set_title(capital(ladder.quantity))
         _draw(panel, ladder, "seconds", BLUE)
         _number(panel, ladder)
     if with_memory:
         sizes = [place[0] for ladder in with_memory for method in ladder.methods if (place := _place(method, "memory"))]
         panels[-1].set(xlabel=UNITS["memory"][1], xscale="linear", xlim=(0, 1.1 * max(sizes)))
-        panels[-1].set_title("Memory", fontsize=10)
+        panels[-1].set_title("Memory")
         for number, ladder in enumerate(with_memory):
             _draw(panels[-1], ladder, "memory", f"C{number}")
-        panels[-1].legend(fontsize=8)
-    return figures
+        panels[-1].legend(loc="upper left", bbox_to_anchor=(0.0, BELOW), fontsize=LETTERS, frameon=False, borderpad=0)
+    return [lettered(figure) for figure in figures]
 
 
 def _empty(count: int) -> Figure:
-    """A figure with so many panels, two side by side."""
+    """A figure with so many panels, side by side as they fit."""
     rows = -(-count // SIDE_BY_SIDE)
+    columns = -(-count // rows)
     figure = Figure(figsize=(WIDTH, HIGH * rows), layout="constrained")
     for place in range(count):
-        panel = figure.add_subplot(rows, SIDE_BY_SIDE, 1 + place)
-        panel.set_ylabel("" if place % SIDE_BY_SIDE else "error, %")
+        panel = figure.add_subplot(rows, columns, 1 + place)
+        panel.set_ylabel("" if place % columns else "error, %")
     return figure
 
 
@@ -98,15 +98,22 @@ def _number(panel: Axes, ladder: Ladder) -> None:
         place = _place(method, "seconds")
         if place is None:
             continue
-        beside = (4, -9) if method.error is None else (4, 3)  # points; the reference often stands on the last method
-        panel.annotate(f"{number}", place, xytext=beside, textcoords="offset points", fontsize=8)
+        above = method.error is None  # the reference often stands on the last method
+        panel.annotate(
+            f"{number}",
+            *(place, (4, 3) if above else (-4, -4)),
+            textcoords="offset points",
+            ha="left" if above else "right",
+            va="bottom" if above else "top",
+            fontsize=LETTERS,
+        )
         key.append(Line2D([], [], linestyle="none", label=f"{number} {short_name(method.name)}"))
     panel.legend(
         handles=key,
         loc="upper left",
         bbox_to_anchor=(0.0, BELOW),
         ncols=1,
-        fontsize=8,
+        fontsize=LETTERS,
         frameon=False,
         handlelength=0,
         handletextpad=0,

@@ -7,11 +7,11 @@ from matplotlib.figure import Figure
 from analytic.scene import Array
 from fembearing.report.document.report import Report
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
-from fembearing.report.figures.style import BLUE, GREEN, GREY, RED, WIDTH, scaled
+from fembearing.report.figures.style import BLUE, GREEN, GREY, LETTERS, RED, WIDTH, lettered, scaled
 from fembearing.report.figures.torque import NO_TORQUE
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--"), "pocket": (GREEN, "^", ":")}  # lines may lie on another
-HIGH = 2.9  # inches, of the figure
+HIGH = 2.6  # inches
 PARTED = 3.0  # film over roughness, from which hardly a summit touches: a rule of thumb
 NOTHING_SLIDES = "Nothing that slides was computed: there is no friction coefficient."
 
@@ -50,13 +50,14 @@ def friction_plot(document: Report) -> tuple[Figure | None, str]:
     for panel, (curves, label, title) in zip(panels, shown, strict=True):
         _curves(panel, axis, curves)
         panel.set_ylabel(label)
-        panel.set_title(title, fontsize=10)
+        panel.set_title(title)
         if title == "Film" and panel.get_ylim()[0] < PARTED < panel.get_ylim()[1]:
             panel.axhline(PARTED, color=GREY, linewidth=1, linestyle="-.", label="summits part, about")
-        panel.tick_params(labelsize=8)
     handles = {words: line for panel in panels for line, words in zip(*panel.get_legend_handles_labels(), strict=True)}
-    figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3, frameon=False, fontsize=9)
-    return figure, caption
+    figure.legend(
+        handles.values(), handles.keys(), loc="outside lower center", ncols=4, frameon=False, fontsize=LETTERS
+    )
+    return lettered(figure), caption
 
 
 def _curves(panel: Axes, axis: SeriesAxis, curves: dict[str, Array]) -> None:

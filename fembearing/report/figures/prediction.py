@@ -6,10 +6,11 @@ from matplotlib.figure import Figure
 from fembearing.quantities import Units
 from fembearing.report.document.prediction import PredictedPoint, Prediction
 from fembearing.report.document.report import Report
-from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH
+from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
 from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads
 
-MOST = 10  # inputs that are drawn
+MOST = 8  # inputs that are drawn
+ROW, HEADS = 0.14, 1.15  # inches: of a bar with its name, and of all that stands above and below
 LEAST = 0.005  # total index of an input that is drawn
 
 
@@ -34,22 +35,20 @@ def interval_figure(prediction: Prediction, units: Units) -> Figure:
         place for place in prediction.ranked[:MOST] if max(point.indices.total[place] for point in points) >= LEAST
     ]
     parts = list(points[0].made_of)
-    figure = Figure(figsize=(WIDTH, 2.2 + 0.3 * (len(parts) + 1 + len(drawn))), layout="constrained")
-    ratios = (len(parts) + 2, len(drawn) + 2)
+    figure = Figure(figsize=(WIDTH, HEADS + ROW * (len(parts) + 1 + len(drawn))), layout="constrained")
+    ratios = (len(parts) + 2, len(drawn) + 1)
     panels = figure.subplots(2, len(points), squeeze=False, sharex="row", sharey="row", height_ratios=ratios)
     for column, point in zip(panels.T, points, strict=True):
         _ends(column[0], point, parts, units)
         _indices(column[1], point, drawn)
         loads = loads_of(point, present_loads(prediction.points), units)
-        column[0].set_title(f"{units.speed.written(point.inner_speed, '.4g')},\n{loads}", fontsize=10)
+        column[0].set_title(f"{units.speed.written(point.inner_speed, '.4g')}, {loads}")
     names = [MADE_OF.get(name, name) for name in ("total", *parts)]
-    panels[0, 0].set_yticks(range(len(names)), names, fontsize=9)
-    panels[1, 0].set_yticks(
-        range(len(drawn)), [input_name(prediction.inputs[place].key) for place in drawn], fontsize=9
-    )
-    for panel in panels[:, 0]:
+    inputs = [input_name(prediction.inputs[place].key) for place in drawn]
+    for panel, rows in zip(panels[:, 0], (names, inputs), strict=True):
+        panel.set_yticks(range(len(rows)), rows)
         panel.invert_yaxis()
-    return figure
+    return lettered(figure)
 
 
 def _ends(panel: Axes, point: PredictedPoint, parts: list[str], units: Units) -> None:

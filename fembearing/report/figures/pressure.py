@@ -34,7 +34,7 @@ CUT = (
 def pressure_plot(document: Report) -> tuple[Figure | None, str]:
     """A column for each contact."""
     units = document.units
-    labels = (f"pressure, {units.pressure.name}", "FE less Hertz,\n% of the peak")
+    labels = (f"pressure, {units.pressure.name}", "less Hertz,\n% of its peak")
     figure = contact_columns(document.contacts, _profile, _difference, units=units, labels=labels, shared=True)
     cut = any(contact.shoulder for contact in document.contacts)
     return figure, CAPTION + (CUT if cut else "")
@@ -57,9 +57,7 @@ def _profile(panel: Axes, contact: Contact, units: Units) -> None:
     for y in _shoulders(contact):
         panel.axvline(y / hertz.semi_axis_transverse, color=RED, linewidth=1, linestyle=":")
     place = contact_place(contact).replace(", ", ",\n")
-    a, b = units.length.number(hertz.semi_axis_rolling), units.length.written(hertz.semi_axis_transverse, ".4g")
-    axes = f"{ROLLING.symbol} {a:.4g}, {TRANSVERSE.symbol} {b}"
-    panel.set_title(f"{place}\n{units.force.written(contact.load, '.4g')}\n{axes}", fontsize=9)
+    panel.set_title(f"{place}\n{units.force.written(contact.load, '.4g')}")
     panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * factor * hertz.peak_pressure))
 
 
@@ -81,7 +79,7 @@ def _difference(panel: Axes, contact: Contact, units: Units) -> None:  # noqa: A
         panel.plot(fine / hertz[name], 100 * expected / hertz.peak_pressure, line, color=colour, linewidth=1)
     panel.axhline(0, color=BLACK, linewidth=1)
     panel.set_ylim(-2.5 * max(largest, 0.4), 2.5 * max(largest, 0.4))
-    panel.set_xlabel("x/a, y/b of Hertz")
+    panel.set_xlabel("position, semi-axes")
 
 
 def _semi_ellipse(position: Array, quantities: OfQuantities[float], semi_axis: str) -> Array:

@@ -4,15 +4,18 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
+from matplotlib.ticker import MaxNLocator
 
 from fembearing.quantities import Units
 from fembearing.report.document.report import Report
 from fembearing.report.document.ring import Balls
-from fembearing.report.figures.style import BLUE, RED, WIDTH
+from fembearing.report.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
 from fembearing.report.figures.torque import NO_TORQUE
 from fembearing.report.phrases import loads_of, present_loads
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--")}  # the lines may lie on each other
+HIGH = 2.5  # inches
+LEAST_SPAN = 0.1  # degrees, of the angles: closer ones are alike, and their round-off is not to be seen
 QUARTER = 90  # degrees between ticks of the azimuth
 
 
@@ -25,21 +28,24 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     shown = [(point, point.ring.balls) for point in ends if point.ring is not None]
     if not shown:
         return None, "The scene has a pair of bearings: ring and balls are those of each bearing, from Python."
-    figure = Figure(figsize=(WIDTH, 2.8), layout="constrained")
-    for part, (point, balls) in zip(figure.subfigures(1, len(shown), squeeze=False)[0], shown, strict=True):
-        words = loads_of(point, present_loads(points), units)
-        part.suptitle(f"{units.speed.written(point.inner_speed, '.4g')}, {words}", fontsize=10)
-        polar = part.add_subplot(1, 2, 1, projection="polar")
+    figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
+    grid = figure.add_gridspec(1, 2 * len(shown))
+    for column, (point, balls) in enumerate(shown):
+        polar = figure.add_subplot(grid[column], projection="polar")
         assert isinstance(polar, PolarAxes)
+        words = loads_of(point, present_loads(points), units)
         _loads(polar, balls, units)
-        _angles(part.add_subplot(1, 2, 2), balls)
+        angles = figure.add_subplot(grid[len(shown) + column])
+        _angles(angles, balls)
+        for panel in (polar, angles):
+            panel.set_title(f"{units.speed.written(point.inner_speed, '.4g')},\n{words}")
     handles, labels = figure.axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, fontsize=9)
+    figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, fontsize=LETTERS)
     caption = (
-        f"Load of every ball, {units.force.name}, and beside it the contact angle, around the bearing. 0 degrees is "
+        f"Load of every ball, {units.force.name}, and at the right its contact angle, around the bearing. 0 degrees is "
         "the direction of the radial load, x. A ball at the centre carries no load."
     )
-    return figure, caption
+    return lettered(figure), caption
 
 
 def _loads(panel: PolarAxes, balls: Balls, units: Units) -> None:
@@ -47,9 +53,11 @@ def _loads(panel: PolarAxes, balls: Balls, units: Units) -> None:
     for race, (colour, mark, line) in LOOKS.items():
         load = [units.force.number(each) for each in getattr(balls, f"{race}_load")]
         panel.plot(azimuth, [*load, load[0]], f"{line}{mark}", color=colour, markersize=4, label=f"{race} race")
-    panel.set_ylim(0, 1.1 * units.force.number(max(*balls.inner_load, *balls.outer_load, 1e-12)))
-    panel.tick_params(labelsize=8)
-    panel.set_rlabel_position(QUARTER / 4)
+    most = 1.1 * units.force.number(max(*balls.inner_load, *balls.outer_load, 1e-12))
+    panel.set_rticks([tick for tick in MaxNLocator(3).tick_values(0, most) if 0 < tick < most])
+    panel.set_ylim(0, most)
+    panel.set_thetagrids(range(0, 360, QUARTER))
+    panel.set_rlabel_position(1.5 * QUARTER)  # where a radial load presses no ball
 
 
 def _angles(panel: Axes, balls: Balls) -> None:
@@ -58,6 +66,8 @@ def _angles(panel: Axes, balls: Balls) -> None:
         panel.plot(np.degrees(balls.azimuth), angle, mark, color=colour, markersize=4)
     panel.set(xlabel="azimuth, deg", ylabel="contact angle, deg", xlim=(-10, 360))
     panel.set_xticks(range(0, 361, QUARTER))
-    panel.ticklabel_format(axis="y", useOffset=False)
-    panel.tick_params(labelsize=8)
+    low, high = panel.get_ylim()
+    beyond = max(0.0, (LEAST_SPAN - (high - low)) / 2)
+    panel.set_ylim(low - beyond, high + beyond)
+    panel.ticklabel_format(axis="y", style="plain", useOffset=False)
     panel.grid(alpha=0.3)

@@ -2,19 +2,22 @@
 
 from collections.abc import Sequence
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.quantities import CONTACT, Units
 from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Input, PeakPressure, Sensitivity, TotalTorque
-from fembearing.report.figures.style import BLACK, BLUE, ORANGE, WIDTH
+from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.report.phrases import loads_of, present_loads
 
 NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
 LEAST = 1e-6  # relative: inputs that move nothing by as much are named in the caption alone
 MOST = 12  # inputs that are drawn
+ROW, HEADS = 0.19, 0.85  # inches: of an input, and of all that stands above and below
 HEIGHT = 0.36  # of a bar; two on one side stand one above the other
+APART = 2  # points: by which the values of such two stand farther apart than the bars
 NOT_COMPUTED = "No sensitivity was computed."
 
 
@@ -29,20 +32,19 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
     still = [each.name for each in sensitivity.inputs if each.swing < LEAST and not each.refused]
     outputs = sensitivity.outputs
     quantity = NAMES[outputs[0].quantity]
-    figure = Figure(figsize=(WIDTH, 0.9 + 0.2 * len(moving)), layout="constrained")
+    figure = Figure(figsize=(WIDTH, HEADS + ROW * len(moving)), layout="constrained")
     panels = figure.subplots(1, len(outputs), squeeze=False, sharex=True, sharey=True)[0]
     for number, (panel, output) in enumerate(zip(panels, outputs, strict=True)):
         for row, each in enumerate(moving):
             _bars(panel, row, each, number, units)
         panel.axvline(0, color=BLACK, linewidth=0.8)
-        panel.set_title(_title(output, outputs, units), fontsize=10)
+        panel.set_title(_title(output, outputs, units))
         panel.set_yticks(range(len(moving)), [f"{each.name}, {_shown(each, each.value, units)}" for each in moving])
         panel.set_ylim(len(moving) - 0.4, -0.6)
-        panel.tick_params(labelsize=8)
-        panel.margins(x=0.42)  # for the labels
-        panel.set_xlabel(f"change of the {quantity}, %")
+        panel.margins(x=0.6)  # for the labels
         panel.grid(alpha=0.3, axis="x")
-    return figure, _caption(sensitivity, quantity, still=still, less=less)
+        panel.set_xlabel(f"change of the {quantity}, %")
+    return lettered(figure), _caption(sensitivity, quantity, still=still, less=less)
 
 
 def _bars(panel: Axes, row: int, each: Input, output: int, units: Units) -> None:
@@ -57,11 +59,11 @@ def _bars(panel: Axes, row: int, each: Input, output: int, units: Units) -> None
         panel.annotate(
             _shown(each, getattr(each, name), units),
             (change, row + aside),
-            xytext=(3 if change >= 0 else -3, 0),
+            xytext=(3 if change >= 0 else -3, -np.sign(aside) * APART),
             textcoords="offset points",
             ha="left" if change >= 0 else "right",
             va="center",
-            fontsize=8,
+            fontsize=LETTERS,
         )
 
 

@@ -68,7 +68,7 @@ class SeriesAxis:
         if not self.joined:
             names = self.names
             step = -(-len(names) // MOST_TICKS)
-            panel.set_xticks(self.values[::step], names[::step], fontsize=9, rotation=STEEP, ha="right")
+            panel.set_xticks(self.values[::step], names[::step], rotation=STEEP, ha="right")
             panel.set_xlim(-0.6, len(names) - 0.4)
         elif self.values[0] > 0 and self.values[-1] > DECADE * self.values[0]:
             panel.set_xscale("log")

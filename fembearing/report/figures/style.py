@@ -22,9 +22,11 @@ CONTACTS = {  # pair and geometry -> colour and mark
     ("pocket", "wall"): (PURPLE, "D"),
 }
 DECADE = 10.0  # what spans more is drawn on a logarithmic scale
-WIDTH = 8.4  # inches, of every figure; a page of A4 shows it at 7.2 inches, so that letters of 10 points print as 8.6
+WIDTH = 7.2  # inches, of every figure: that of the text on a printed page, so that letters keep their size there
+TITLE, LETTERS = 9, 8  # points
 SIDE_BY_SIDE = 4  # panels at most
-UPPER, LOWER = 1.8, 1.4  # inches: heights of the two panels of a contact
+UPPER, LOWER = 1.6, 1.2  # inches: heights of the two panels of a contact
+HEADS = 0.7  # inches: titles of a row of contacts, and names of its axes
 DrawContact = Callable[[Axes, Contact, Units], None]
 DOTS = 192  # per inch: twice those of a screen
 MANY = 25  # points on a line: more have no marks
@@ -46,6 +48,16 @@ def _saved(figure: Figure, **how: Any) -> bytes:
     return content.getvalue()
 
 
+def lettered(figure: Figure) -> Figure:
+    """The same figure, with titles, axes and ticks in the letters that all figures have."""
+    for panel in figure.axes:
+        panel.title.set_fontsize(TITLE)
+        panel.xaxis.label.set_fontsize(LETTERS)
+        panel.yaxis.label.set_fontsize(LETTERS)
+        panel.tick_params(labelsize=LETTERS)
+    return figure
+
+
 def look_of(pair: str, geometry: str) -> tuple[str, str]:
     """Colour and mark of a contact."""
     return CONTACTS.get((pair, geometry), (BLACK, "x"))
@@ -54,13 +66,14 @@ def look_of(pair: str, geometry: str) -> tuple[str, str]:
 def contact_columns(
     contacts: Sequence[Contact], *rows: DrawContact, units: Units, labels: tuple[str, str], shared: bool = False
 ) -> Figure:
-    """Two panels for each contact, one above the other, and up to four contacts side by side, with one legend for all.
+    """Two panels for each contact, one above the other, contacts side by side, with one legend for all.
 
     rows : what draws the upper and the lower panel;  labels : of the vertical axis of both
     shared : both panels of a contact have one horizontal axis
     """
-    columns, storeys = min(len(contacts), SIDE_BY_SIDE), -(-len(contacts) // SIDE_BY_SIDE)
-    figure = Figure(figsize=(WIDTH, 0.4 + storeys * (UPPER + LOWER)), layout="constrained")
+    storeys = -(-len(contacts) // SIDE_BY_SIDE)
+    columns = -(-len(contacts) // storeys)
+    figure = Figure(figsize=(WIDTH, 0.3 + storeys * (HEADS + UPPER + LOWER)), layout="constrained")
     grid = figure.add_gridspec(2 * storeys, columns, height_ratios=(UPPER, LOWER) * storeys)
     for number, contact in enumerate(contacts):
         storey, column = divmod(number, columns)
@@ -70,16 +83,10 @@ def contact_columns(
             above = above or panel
             draw(panel, contact, units)
             panel.set_ylabel("" if column else label)
-            panel.tick_params(labelsize=8)
             panel.grid(alpha=0.3)
     handles, words = figure.axes[0].get_legend_handles_labels()
-    figure.legend(handles, words, loc="outside lower center", ncols=SIDE_BY_SIDE, frameon=False, fontsize=9)
-    return figure
-
-
-def legend_below(panel: Axes, *, columns: int = 2, size: float = 9) -> None:
-    """Under the axis' label, where no data are."""
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=columns, fontsize=size, frameon=False)
+    figure.legend(handles, words, loc="outside lower center", ncols=SIDE_BY_SIDE, frameon=False, fontsize=LETTERS)
+    return lettered(figure)
 
 
 def scaled(panel: Axes, values: np.ndarray, *, axis: str = "y") -> None:

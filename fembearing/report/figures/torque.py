@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from fembearing.quantities import QUANTITIES
 from fembearing.report.document.report import Published, Report
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
-from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, WIDTH
+from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, SKY, WIDTH, lettered
 
 PARTS = {  # from the bottom, with words for the legend
     "spin": ("spin", BLUE),
@@ -18,6 +18,7 @@ PARTS = {  # from the bottom, with words for the legend
     "declared": ("declared: seals, drag", GREY),
 }
 BAR = 0.6  # width
+HIGH = 3.1  # inches
 PAPER_MARKS = "Dv^<"
 NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both lubricant and surface."
 
@@ -29,23 +30,23 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     if len(document.torque.points) == 1:
         return None, ""  # a table says it
     axis = axis_of(document.torque.points, document.units)
-    figure = Figure(figsize=(WIDTH, 3.2), layout="constrained")
+    figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
     panel = figure.subplots()
     draw_parts(panel, axis)
     known = _total(panel, axis)
     printed = _paper(panel, axis, document.published)
     axis.apply(panel)
     panel.set_ylabel(QUANTITIES["torque"].in_units(document.units).heading)
-    panel.set_title(axis.fixed, fontsize=10)
+    panel.set_title(axis.fixed)
     panel.set_ylim(0, None)
     panel.grid(alpha=0.3)
     handles, words = panel.get_legend_handles_labels()
-    figure.legend(handles, words, loc="outside lower center", ncols=4, frameon=False, fontsize=9)
+    figure.legend(handles, words, loc="outside right upper", frameon=False, fontsize=LETTERS)
     caption = "The parts of the torque, stacked: their upper edge is the total. "
     caption += f"{'Dashed' if axis.joined else 'Bars'}: its uncertainty, {known}."
     if document.cage_records:
         caption += " The cage is in it with its motion."
-    return figure, caption + printed
+    return lettered(figure), caption + printed
 
 
 def draw_parts(panel: Axes, axis: SeriesAxis) -> None:
@@ -102,7 +103,7 @@ def _paper(panel: Axes, axis: SeriesAxis, published: Published | None) -> str:
         ]
         x, y = np.transpose(drawn)
         label = f"paper, Sq {axis.units.small_length.written(rms, '.3g')}: total"
-        panel.plot(x, y, mark, color=RED, markerfacecolor="white", markersize=8, label=label, linestyle="none")
+        panel.plot(x, y, mark, color=RED, markerfacecolor="white", markersize=6, label=label, linestyle="none")
     words = (
         " Open marks: totals that the paper prints, its cage in motion among them; computed there, not measured, with "
         "an oil and a hardness that it does not name."
