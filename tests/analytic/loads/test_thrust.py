@@ -187,7 +187,7 @@ def test_a_bearing_without_an_angle_is_refused(bearing_6205: Bearing) -> None:
         free_angle(with_clearance(bearing_6205, 0.81e-3))
     narrow = replace(bearing_6205, inner=replace(bearing_6205.inner, groove_radius=3.97e-3))
     for angle in (SOLVED, ContactAngle(rule="given", value=0.18)):
-        with pytest.raises(InputError, match=r"inner groove_radius 0\.00397 m must exceed .* line"):
+        with pytest.raises(InputError, match=r"inner groove_radius 3\.97 mm must exceed .* line"):
             thrust_equilibrium(narrow, angle, axial_load=5.0)
 
 
