@@ -95,7 +95,8 @@ def physical_checks(friction: FrictionTorque) -> tuple[PhysicalCheck, ...]:
         not known and low ones would cut off more
     sliding : rolling force of the oil over the friction of each race, against 1; only where rolling and sliding are
         computed
-    gyroscopic_hold : gyroscopic moment of a ball over what friction holds, against 1; only where balls turn and slide
+    gyroscopic_hold : gyroscopic moment over what friction holds, against 1, of balls with a tenth of the heaviest load
+        or more; only where balls turn and slide
     cage_force : share of the races' grip that the cage uses, against 0.9; only with a cage
     """
     return tuple(_checks(friction))

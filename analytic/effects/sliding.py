@@ -23,8 +23,9 @@ from analytic.scene import Array, Scene
 from analytic.sliding.levers import creep_numbers, full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 from analytic.words import percent_of
 
-LIGHT = 0.01  # of the heaviest ball's load: a lighter ball may slide, its friction is in proportion
-HELD = 0.1  # of the heaviest ball's load: below it a ball leaves the loaded zone, and turns as it likes
+LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly changes the torque
+# Of the heaviest ball's load, a judgement: a lighter ball is at the edge of the loaded zone, and its slip costs little.
+IN_LOADED_ZONE = 0.1
 TURNING_FREELY = ("free_ball", "closed_creep", "marched_creep")  # methods of sliding for free balls
 
 
@@ -212,9 +213,9 @@ class Estimate:
         return self._gyroscopic(scene, friction).max(axis=1)
 
     def gyroscopic_hold(self, scene: Scene) -> Array:
-        """(n,) gyroscopic moment of a ball over the most that friction across both grooves can hold."""
+        """(n,) gyroscopic moment over the most that friction across both grooves holds, in the loaded zone."""
         largest = self.resisting.balls.load.max(axis=0)
-        carries = largest >= HELD * largest.max(axis=1, keepdims=True)
+        carries = largest >= IN_LOADED_ZONE * largest.max(axis=1, keepdims=True)
         return np.where(carries, self._gyroscopic(scene, self._most_friction()), 0.0).max(axis=1)
 
     def sliding_number(self) -> Array | None:

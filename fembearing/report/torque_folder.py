@@ -126,8 +126,10 @@ def _write_motions(
     return written, None if trouble is None else f"there is no picture of the cage: {trouble}"
 
 
-def _why_at_rest(result: SceneTorque) -> str:
-    """Why no cage moved."""
+def _why_at_rest(result: SceneTorque) -> str | None:
+    """Why no cage moved; None for a scene that has none."""
+    if result.scene.cage is None:
+        return None
     reason = next(effect.reason for effect in result.friction.effects if effect.name == "cage_dynamics")
     if result.friction.cage is not None and not np.any(result.friction.inner_speed):
         reason = "nothing turns"

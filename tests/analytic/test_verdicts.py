@@ -12,7 +12,7 @@ from analytic.result import FrictionTorque
 from analytic.scene import Arrangement, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
 from analytic.verdicts import PhysicalCheck, numerical_check, physical_checks
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, present
 
 ANGLE = 0.23  # rad, given: then the load of each ball is known
 PLAIN = {"finite_geometry": "off", "load_distribution": "off", "centrifugal": "off", "weight": "off"}
@@ -115,15 +115,37 @@ def test_the_gyroscopic_moment_is_held_until_coulomb_friction_ends() -> None:
     assert hold(2 * 23.0, 0.083).value == pytest.approx(4 * one.value, rel=1e-9)  # round-off
     limit = 0.083 * one.value
     assert [hold(23.0, factor * limit).verdict for factor in (1.001, 0.999)] == ["pass", "fail"]
-    # Its size under outer control, tan(beta) = sin(al)/(cos(al) + D/d_m) [Harris2007]
-    bearing, result = BEARING_6205, friction_torque(replace(given, effects=PLAIN | {"creep": "off"}))
-    angle, load = float(result.contact_angle[0]), float(result.ball_load[0])
+    result = friction_torque(replace(given, effects=PLAIN | {"creep": "off"}))
+    hold_by_hand = outer_control_hold(result.contact_angle, result.ball_load)[0]
+    assert one.value == pytest.approx(hold_by_hand, rel=1e-9)  # round-off
+
+
+def outer_control_hold(angle: np.ndarray, load: np.ndarray) -> np.ndarray:
+    """At 23 rad/s, for one load and angle on both races; tan(beta) = sin(al)/(cos(al) + D/d_m) [Harris2007]."""
+    bearing = BEARING_6205
     r, middle = bearing.ball_radius, bearing.pitch_diameter / 2
     lean = np.arctan2(np.sin(angle), np.cos(angle) + r / middle)
     orbit = 23.0 * (1 - r * np.cos(angle) / middle) / 2
     ball = orbit * (middle + r * np.cos(angle)) / (r * np.cos(angle - lean))
     moment = 0.4 * bearing.ball_mass * r**2 * orbit * ball * np.sin(lean)
-    assert one.value == pytest.approx(moment / (2 * 0.083 * load * r), rel=1e-9)  # round-off
+    return moment / (2 * 0.083 * load * r)
+
+
+def test_the_hold_of_balls_at_the_edge_of_the_loaded_zone_does_not_count() -> None:
+    given = scene(100.0, speed=23.0, contact_angle=ContactAngle(rule="solved"))
+    operation = replace(given.operation, radial_load=300.0)
+    ruled = PLAIN | {"creep": "off", "load_distribution": "on"}
+    result = friction_torque(
+        replace(given, operation=operation, friction_coefficient=0.083, effects=ruled, spin_rule="outer_control")
+    )
+    ring = present(result.ring)
+    load, angle = ring.load[0, 0], ring.contact_angle[0, 0]
+    holds, share = outer_control_hold(angle, load), load / load.max()
+    assert share.min() < 0.09
+    assert np.argmax(holds) == np.argmin(share)  # the lightest ball would be the worst
+    expected = holds[share >= 0.1].max()
+    found = check(result, "gyroscopic_hold", "ball")
+    assert found.value == pytest.approx(expected, rel=1e-3)  # the balls' own forces part the loads of both races
 
 
 def lubricated(speed: float, load: float, **given: Any) -> Scene:
