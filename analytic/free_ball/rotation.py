@@ -117,7 +117,8 @@ class FreeTurning:
         self.speed, self.inertia = inner_speed, inertia
         self.shape = inner_speed.shape if balls is None else (*inner_speed.shape, balls)
         self.laws = tuple(_numbers(law.point_law, inner_speed, self.shape) for law in tractions)
-        self.lubricant = tractions[0].point_law.lubricant or tractions[1].point_law.lubricant
+        law = tractions[0].point_law
+        self.thickening = float(law.growth), float(law.exponent)
         grooves = (bearing.inner, bearing.outer)
         self.flexibility = [
             32 / (3 * np.pi**2 * float(contact_modulus(bearing.ball_material, groove.material))) for groove in grooves
@@ -294,13 +295,11 @@ class FreeTurning:
 
     def _thickening(self, contacts: Array) -> tuple[Array, float]:
         """ln of the oil's viscosity over that at pressure 0, at equal steps of the pressure in Pa."""
-        if self.lubricant is None:
-            return np.zeros(2), 1.0
         area = contacts[..., ROLLING] * contacts[..., TRANSVERSE]
         peak = np.divide(1.5 * contacts[..., LOAD], np.pi * area, out=np.zeros_like(area), where=area > 0)
         highest = 1.01 * float(np.max(peak * contacts[..., SHARE], initial=1.0))
         pressures = np.linspace(0.0, highest, PRESSURES)
-        return log_thickening(self.lubricant, pressures), float(pressures[1])
+        return np.array([log_thickening(*self.thickening, pressure) for pressure in pressures]), float(pressures[1])
 
 
 def _numbers(law: PointLaw, speed: Array, shape: tuple[int, ...]) -> Array:

@@ -6,28 +6,31 @@ at one speed under its mean pressure. Without sliding the stress is the limit of
 Source: oil by [Eyring1936], with a limit as in [Bair1979].
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled
 from analytic.oil.mixed import MixedContact
-from analytic.oil.viscosity import viscosity_under_pressure
+from analytic.oil.viscosity import POLE_PRESSURE, inlet_viscosity, pressure_thickening
 from analytic.scene import Array, Lubricant
 
 MOST_THICKENING = 600.0  # in the logarithm: such an oil is solid
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class PointLaw:
-    """A law of traction in numbers, for compiled loops: at the pressure p and the slip speed v the stress is
+class PointLaw(NamedTuple):
+    """A law of traction in numbers: at the pressure p and the slip speed v the stress is
 
-        boundary p + plain + min(eyring asinh(fluidity v eta(share p)/eta(0)), limit p)
+        boundary p + plain + min(eyring asinh(fluidity v eta/eta_0), limit p)
+        ln(eta/eta_0) = growth [(1 + 5.1e-9 share p)^exponent - 1], at most MOST_THICKENING
 
-    with eta from `log_thickening`; the fields broadcast.
+    The fields are numbers in compiled code; elsewhere they broadcast.
     """
 
     boundary: Array | float = 0.0
@@ -36,21 +39,95 @@ class PointLaw:
     eyring: Array | float = 0.0  # Pa; 0: nothing depends on the speed
     fluidity: Array | float = 0.0  # s/m; infinite: the oil shears at its limit
     share: Array | float = 0.0  # of the pressure, in the oil
-    lubricant: Lubricant | None = None
+    growth: Array | float = 0.0
+    exponent: Array | float = 0.0
+
+
+@compiled
+def log_thickening(growth, exponent, pressure):
+    """ln(eta/eta_0) of an oil under the pressure p, Pa, at most MOST_THICKENING; growth, exponent : of a `PointLaw`."""
+    return min(growth * np.expm1(exponent * np.log1p(pressure / POLE_PRESSURE)), MOST_THICKENING)
+
+
+@compiled
+def stress_and_slope(law, pressure, speed):
+    """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers."""
+    steady = law.boundary * pressure + law.plain
+    if law.eyring == 0.0:
+        return steady, 0.0
+    limit = law.limit * pressure
+    if law.fluidity == np.inf:
+        return steady + limit, 0.0
+    fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
+    rate = fluidity * speed
+    oil = law.eyring * np.arcsinh(rate)
+    if not oil < limit:
+        return steady + limit, 0.0
+    return steady + oil, law.eyring * fluidity / np.sqrt(1.0 + rate * rate)
+
+
+@compiled
+def _stress_of_each(laws, pressure, speed):
+    """(n,) stress; laws : (8, n) fields of `PointLaw`."""
+    stress = np.empty(pressure.size)
+    for i in range(pressure.size):
+        stress[i] = stress_and_slope(law_at(laws, i), pressure[i], speed[i])[0]
+    return stress
+
+
+@compiled
+def law_at(laws, index):
+    """The law in a column of (8, n) fields of `PointLaw`."""
+    return PointLaw(
+        laws[0, index],
+        laws[1, index],
+        laws[2, index],
+        laws[3, index],
+        laws[4, index],
+        laws[5, index],
+        laws[6, index],
+        laws[7, index],
+    )
+
+
+def _stress(law: PointLaw, pressure: ArrayLike, speed: ArrayLike) -> Array:
+    """Stress, Pa; numbers of the law, pressure and speed broadcast."""
+    *laws, pressures, speeds = np.broadcast_arrays(*law, pressure, speed)
+    stress = _stress_of_each(
+        np.stack([field.ravel() for field in laws]).astype(np.float64),
+        pressures.ravel().astype(np.float64),
+        speeds.ravel().astype(np.float64),
+    )
+    return stress.reshape(pressures.shape)
+
+
+class _Law(ABC):
+    @property
+    @abstractmethod
+    def point_law(self) -> PointLaw: ...
+
+    def stress(self, pressure: ArrayLike, speed: ArrayLike) -> Array:
+        """Stress, Pa; pressure : p, Pa, >= 0;  speed : |v|, m/s, >= 0; both broadcast with the fields."""
+        return _stress(self.point_law, pressure, speed)
+
+    def force(self, contact: EllipticContact) -> Callable[[ArrayLike], Array]:
+        """Friction of a contact that slides everywhere at one speed under its mean pressure, N, over |v| in m/s.
+
+        The contact broadcasts with the fields. It is a force because the coefficient has no limit at Q = 0.
+        """
+        law, pressure, area = self.point_law, contact.mean_pressure, contact.area
+        boundary, oil = np.asarray(law.boundary) * np.asarray(contact.load), law._replace(boundary=0.0)
+        return lambda speed: boundary + area * _stress(oil, pressure, speed)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CoulombTraction:
+class CoulombTraction(_Law):
     """mu times the pressure, at any speed."""
 
     friction_coefficient: Array | float  # mu, >= 0
 
     def __post_init__(self) -> None:
         require_non_negative(friction_coefficient=self.friction_coefficient)
-
-    def stress(self, pressure: Array, speed: Array) -> Array:  # noqa: ARG002
-        """mu p, Pa; the arguments broadcast with mu."""
-        return np.asarray(self.friction_coefficient) * pressure
 
     @property
     def depends_on_speed(self) -> bool:
@@ -60,14 +137,9 @@ class CoulombTraction:
     def point_law(self) -> PointLaw:
         return PointLaw(boundary=self.friction_coefficient)
 
-    def force(self, contact: EllipticContact) -> Callable[[Array], Array]:
-        """mu Q, N, as a function of the speed; the contact broadcasts with mu."""
-        friction = np.asarray(self.friction_coefficient) * np.asarray(contact.load)
-        return lambda _: friction
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class MixedTraction:
+class MixedTraction(_Law):
     """Boundary friction on a share of the load, oil on the rest of load and area; the fields broadcast.
 
     The oil carries the share 1 - s of the pressure, which determines its viscosity and its limit.
@@ -96,38 +168,15 @@ class MixedTraction:
     def depends_on_speed(self) -> bool:
         return self.lubricant.traction != "eyring_constant"
 
-    def stress(self, pressure: Array, speed: Array) -> Array:
-        """mu_b s_b p + tau A_oil/A_H, Pa; pressure p >= 0, Pa, and speed |v|, m/s, broadcast with the fields."""
-        oil = _oil_shear(self.lubricant, (1 - np.asarray(self.asperity_share)) * pressure, self.oil_thickness)(speed)
-        return np.asarray(self.boundary_friction) * self.boundary_share * pressure + oil * self.oil_area
-
     @property
     def point_law(self) -> PointLaw:
-        lubricant, area = self.lubricant, np.asarray(self.oil_area)
-        boundary = np.asarray(self.boundary_friction) * self.boundary_share
-        if not self.depends_on_speed:
-            return PointLaw(boundary=boundary, plain=lubricant.eyring_stress * area)
-        thickness, share = np.asarray(self.oil_thickness), 1 - np.asarray(self.asperity_share)
-        flows = viscosity_under_pressure(lubricant)(np.zeros(())) / lubricant.eyring_stress
-        return PointLaw(
-            boundary=boundary,
-            limit=lubricant.limiting_shear * share * area,
-            eyring=lubricant.eyring_stress * area,
-            fluidity=np.divide(flows, thickness, out=np.full(thickness.shape, np.inf), where=thickness > 0),
-            share=share,
-            lubricant=lubricant,
+        return _law_of_oil(
+            self.lubricant,
+            boundary=np.asarray(self.boundary_friction) * self.boundary_share,
+            share=1 - np.asarray(self.asperity_share),
+            area=np.asarray(self.oil_area),
+            thickness=np.asarray(self.oil_thickness),
         )
-
-    def force(self, contact: EllipticContact) -> Callable[[Array], Array]:
-        """mu_b s_b Q + tau A_oil, N, as a function of the speed |v|, m/s, with tau at the mean pressure Q/A_H.
-
-        The contact broadcasts with the fields. It is a force because the coefficient has no limit at Q = 0.
-        """
-        oil_pressure = (1 - np.asarray(self.asperity_share)) * contact.mean_pressure
-        shear = _oil_shear(self.lubricant, oil_pressure, self.oil_thickness)
-        boundary = np.asarray(self.boundary_friction) * self.boundary_share * np.asarray(contact.load)
-        wetted = self.oil_area * contact.area
-        return lambda speed: boundary + shear(speed) * wetted
 
 
 def mixed_traction(lubricant: Lubricant, boundary_friction: float, shared: MixedContact) -> MixedTraction:
@@ -145,12 +194,6 @@ def mixed_traction(lubricant: Lubricant, boundary_friction: float, shared: Mixed
 Traction = CoulombTraction | MixedTraction
 
 
-def log_thickening(lubricant: Lubricant, pressure: Array) -> Array:
-    """ln(eta(p)/eta(0)) of the oil at its temperature, at most MOST_THICKENING; pressure : p, Pa, >= 0."""
-    viscosity = viscosity_under_pressure(lubricant)
-    return np.minimum(np.log(viscosity(pressure) / viscosity(np.zeros(()))), MOST_THICKENING)
-
-
 def oil_shear_stress(
     lubricant: Lubricant, *, pressure: ArrayLike, speed: ArrayLike, film_thickness: ArrayLike
 ) -> Array:
@@ -165,30 +208,35 @@ def oil_shear_stress(
     Shear heating within the film is left out; it lowers tau where sliding is fast.
     """
     require_non_negative(pressure=pressure, speed=speed)
+    law = _law_of_oil(lubricant, boundary=0.0, share=1.0, area=1.0, thickness=np.asarray(film_thickness))
     try:
-        return _oil_shear(lubricant, np.asarray(pressure), np.asarray(film_thickness))(np.asarray(speed))
+        return _stress(law, pressure, speed)
     except ValueError as problem:
-        if isinstance(problem, InputError):
-            raise
         raise InputError("pressure, speed and film have shapes that do not fit: give equal lengths") from problem
 
 
-def _oil_shear(lubricant: Lubricant, pressure: Array, film_thickness: ArrayLike) -> Callable[[Array], Array]:
-    """oil_shear_stress as a function of the speed, which is not checked; the viscosity is computed once."""
-    require_positive(eyring_stress=lubricant.eyring_stress)
-    require_non_negative(limiting_shear=lubricant.limiting_shear)
+def _law_of_oil(
+    lubricant: Lubricant, *, boundary: Array | float, share: Array | float, area: Array | float, thickness: Array
+) -> PointLaw:
+    """Oil on a share of the area and of the pressure; thickness : of the oil, m; at 0 and below it shears at its limit.
+
+    boundary : friction coefficient of the rest
+    """
     eyring = lubricant.eyring_stress
+    require_positive(eyring_stress=eyring)
+    require_non_negative(limiting_shear=lubricant.limiting_shear)
     if lubricant.traction == "eyring_constant":
-        return lambda speed: np.full(np.broadcast(pressure, speed, film_thickness).shape, eyring)
+        return PointLaw(boundary=boundary, plain=eyring * area)
     if lubricant.traction != "eyring_sinh":
         raise InputError(f'traction must be "eyring_sinh" or "eyring_constant", got {lubricant.traction!r}')
-    film, limit = np.maximum(film_thickness, 0.0), lubricant.limiting_shear * pressure
-    fluidity = viscosity_under_pressure(lubricant)(pressure) / eyring
-
-    def shear(speed: Array) -> Array:
-        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # solid oil or no film: the limit holds
-            rate = speed / film * fluidity
-        rate = np.where(np.isnan(rate), np.where(film > 0, 0.0, np.inf), rate)
-        return np.minimum(eyring * np.arcsinh(rate), limit)
-
-    return shear
+    flows = inlet_viscosity(lubricant).viscosity / eyring
+    growth, exponent = pressure_thickening(lubricant)
+    return PointLaw(
+        boundary=boundary,
+        limit=lubricant.limiting_shear * share * area,
+        eyring=eyring * area,
+        fluidity=np.divide(flows, thickness, out=np.full(thickness.shape, np.inf), where=thickness > 0),
+        share=share,
+        growth=growth,
+        exponent=exponent,
+    )

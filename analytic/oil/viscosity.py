@@ -6,9 +6,7 @@ measured oils above some 0.5 GPa. Beyond 1 GPa, where races work, it is unphysic
 Source: [Roelands1966].
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -60,11 +58,10 @@ def roelands_viscosity(
     return np.asarray(viscosity) * _thickening(np.asarray(pressure), log_factor, exponent, shift)
 
 
-@lru_cache(maxsize=64)
-def viscosity_under_pressure(lubricant: Lubricant) -> Callable[[Array], Array]:
-    """roelands_viscosity at the lubricant's temperature as a function of the pressure in Pa, which is not checked.
+def pressure_thickening(lubricant: Lubricant) -> tuple[float, float]:
+    """(growth, exponent) of ln(eta(p)/eta(0)) = growth [(1 + 5.1e-9 p)^exponent - 1] at the lubricant's temperature.
 
-    Terms without the pressure are computed once, because an integral over a contact needs thousands of pressures.
+    growth = G [(T - 138)/(T_0 - 138)]^-S and exponent = Z of `roelands_viscosity`. Raises as `inlet_viscosity` does.
     """
     log_factor, shift = _thermal(
         temperature=lubricant.temperature,
@@ -73,8 +70,7 @@ def viscosity_under_pressure(lubricant: Lubricant) -> Callable[[Array], Array]:
         viscosity_temperature=lubricant.viscosity_temperature,
     )
     require_non_negative(pressure_viscosity=lubricant.pressure_viscosity)
-    exponent = lubricant.pressure_viscosity * POLE_PRESSURE / log_factor
-    return lambda pressure: lubricant.viscosity * _thickening(pressure, log_factor, exponent, shift)
+    return float(log_factor * np.exp(shift)), float(lubricant.pressure_viscosity * POLE_PRESSURE / log_factor)
 
 
 def inlet_viscosity(lubricant: Lubricant) -> InletViscosity:
