@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.hertz import hertz_contact
 from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
 Numbers = Array | float
@@ -75,6 +76,21 @@ class RollingContact(EllipticContact):
         require_non_negative(rolling_rate=self.rolling_rate)
 
     @property
+    def fields(self) -> tuple[Numbers, ...]:
+        """Nine numbers in the order of `ContactNumbers`, which broadcast; the entrainment is unknown here."""
+        return (
+            self.load,
+            self.semi_axis_rolling,
+            self.semi_axis_transverse,
+            self.curvature_rolling,
+            self.curvature_transverse,
+            self.modulus,
+            self.deformed_radius,
+            self.rolling_rate,
+            np.nan,
+        )
+
+    @property
     def ball_diameter(self) -> Array:
         """D, m: the ball is convex, so 2/D is the mean curvature 1/R of both bodies and half their difference 1/R_y."""
         return 2 / (1 / np.asarray(self.deformed_radius) + np.asarray(self.curvature_transverse) / 2)
@@ -95,6 +111,22 @@ class ContactNumbers(NamedTuple):
     deformed_radius: float  # R, transverse radius of the contact surface, m
     rolling_rate: float  # w_roll/w
     entrainment: float  # u/w, of both surfaces relative to the contact, m
+
+
+@compiled
+def contact_at(rows: Array, first: int, index: int) -> ContactNumbers:
+    """The contact whose fields are nine rows from the first on, of the element at the index."""
+    return ContactNumbers(
+        rows[first, index],
+        rows[first + 1, index],
+        rows[first + 2, index],
+        rows[first + 3, index],
+        rows[first + 4, index],
+        rows[first + 5, index],
+        rows[first + 6, index],
+        rows[first + 7, index],
+        rows[first + 8, index],
+    )
 
 
 def elliptic_contact(

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import EllipticContact
 from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.oil.mixed import MixedContact
 from analytic.oil.viscosity import POLE_PRESSURE, inlet_viscosity, pressure_thickening
 from analytic.scene import Array, Lubricant
@@ -44,13 +44,13 @@ class PointLaw(NamedTuple):
 
 
 @compiled
-def log_thickening(growth, exponent, pressure):
+def log_thickening(growth: float, exponent: float, pressure: float) -> float:
     """ln(eta/eta_0) of an oil under the pressure p, Pa, at most MOST_THICKENING; growth, exponent : of a `PointLaw`."""
     return min(growth * np.expm1(exponent * np.log1p(pressure / POLE_PRESSURE)), MOST_THICKENING)
 
 
 @compiled
-def stress_and_slope(law, pressure, speed):
+def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
     """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers."""
     steady = law.boundary * pressure + law.plain
     if law.eyring == 0.0:
@@ -67,38 +67,32 @@ def stress_and_slope(law, pressure, speed):
 
 
 @compiled
-def _stress_of_each(laws, pressure, speed):
-    """(n,) stress; laws : (8, n) fields of `PointLaw`."""
-    stress = np.empty(pressure.size)
-    for i in range(pressure.size):
-        stress[i] = stress_and_slope(law_at(laws, i), pressure[i], speed[i])[0]
-    return stress
+def law_at(rows: Array, first: int, index: int) -> PointLaw:
+    """The law whose fields are eight rows from the first on, of the element at the index."""
+    return PointLaw(
+        rows[first, index],
+        rows[first + 1, index],
+        rows[first + 2, index],
+        rows[first + 3, index],
+        rows[first + 4, index],
+        rows[first + 5, index],
+        rows[first + 6, index],
+        rows[first + 7, index],
+    )
 
 
 @compiled
-def law_at(laws, index):
-    """The law in a column of (8, n) fields of `PointLaw`."""
-    return PointLaw(
-        laws[0, index],
-        laws[1, index],
-        laws[2, index],
-        laws[3, index],
-        laws[4, index],
-        laws[5, index],
-        laws[6, index],
-        laws[7, index],
-    )
+def _stress_of_each(rows: Array) -> Array:
+    stress = np.empty(rows.shape[1])
+    for i in range(rows.shape[1]):
+        stress[i] = stress_and_slope(law_at(rows, 0, i), rows[8, i], rows[9, i])[0]
+    return stress
 
 
 def _stress(law: PointLaw, pressure: ArrayLike, speed: ArrayLike) -> Array:
     """Stress, Pa; numbers of the law, pressure and speed broadcast."""
-    *laws, pressures, speeds = np.broadcast_arrays(*law, pressure, speed)
-    stress = _stress_of_each(
-        np.stack([field.ravel() for field in laws]).astype(np.float64),
-        pressures.ravel().astype(np.float64),
-        speeds.ravel().astype(np.float64),
-    )
-    return stress.reshape(pressures.shape)
+    rows, shape = rows_of(*law, pressure, speed)
+    return _stress_of_each(rows).reshape(shape)
 
 
 class _Law(ABC):

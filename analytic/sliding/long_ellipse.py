@@ -11,19 +11,225 @@ Source: [Johnson1985] sections 8.5 and 9.2. The moments are derived here. They a
 with each moment in its right place and a continuous limit.
 """
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import Pair, RollingContact
-from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.root import Sought, bracketed_root
+from analytic.contact.rolling_contact import ContactNumbers, Pair, RollingContact, contact_at
+from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.oil.traction import PointLaw, law_at, stress_and_slope
 from analytic.scene import Array, SpinRule
 
+LARGEST = float(np.finfo(np.float64).max)
 FULL_SPIN = 0.5  # from this |eps| on one pure-rolling line has left the contact and the other is its centre
 # Tolerance of the share of spin, and of the moments that it balances: the limit of Newton's quadratic steps.
-ROUND_OFF = 4 * np.finfo(np.float64).eps
+ROUND_OFF = 4 * float(np.finfo(np.float64).eps)
+SPIN_STIFFNESS = 0.9163  # d(M_spin/mu Q b)/d eps at eps = 0, its largest value
+RULES: dict[SpinRule, int] = {"balanced": 0, "inner_control": 1, "outer_control": 2}
+MOST_STEPS = 200  # of a balance of spin; 4 to 8 are usual, and halving the bracket alone takes 60
+
+
+@compiled
+def half_distance(ratio: float) -> float:
+    """d, half the distance of the pure-rolling lines in units of b, for eps >= 0; beyond eps = 1/2 its value there."""
+    root = np.sqrt(1 - min(ratio, FULL_SPIN) ** 2)
+    return 2 * root * np.sin(np.arcsin(1 / (2 * root**3)) / 3)
+
+
+@compiled
+def spin_moment(ratio: float) -> float:
+    """M_spin/(mu Q b) for eps >= 0: 3 eps d (1 - eps^2 - d^2), the factorised bracket of `microslip_moments`."""
+    eps, d = min(ratio, FULL_SPIN), half_distance(ratio)
+    return 3 * eps * d * (1 - eps**2 - d**2)
+
+
+@compiled
+def spin_stiffness(ratio: float) -> float:
+    """Derivative of `spin_moment` by eps. It falls from 0.916 to 0 at eps = 1/2; at most round-off is below 0."""
+    if ratio >= FULL_SPIN:
+        return 0.0
+    d = half_distance(ratio)
+    bracket = 1 - ratio**2 - d**2
+    return 3 * d * bracket - 12 * ratio**2 * d**3 / bracket
+
+
+@compiled
+def rolling_moment(ratio: float) -> float:
+    """M_roll R/(mu Q b^2) for eps >= 0: the bracket of `microslip_moments` in eps and d; 0 from eps = 1/2 on."""
+    if ratio >= FULL_SPIN:
+        return 0.0
+    d = half_distance(ratio)
+    cubes, fifths = 3 * ratio**2 + d**2, 5 * ratio**4 + 10 * ratio**2 * d**2 + d**4
+    return max(0.1 - d * cubes / 2 + 0.3 * d * fifths, 0.0)
+
+
+@compiled
+def creep_number(ratio: float) -> float:
+    """c 2 R/(w_roll b^2) of no net force for eps >= 0: -g1 g2; 0 where one line has left the contact."""
+    return half_distance(ratio) ** 2 - ratio**2 if ratio < FULL_SPIN else 0.0
+
+
+@compiled
+def spin_to_roll(contact: ContactNumbers, spin_rate: float) -> float:
+    """eps = (w_s/w_roll)(R/b); of a contact that is a point, the largest number if it spins, and 0 if it does not."""
+    if spin_rate == 0.0:
+        return 0.0
+    ratio = spin_rate * contact.deformed_radius / (contact.rolling_rate * contact.semi_axis_transverse)
+    return min(max(ratio, -LARGEST), LARGEST)
+
+
+class Slip(NamedTuple):
+    """What the slip of one contact does, with rates per unit ring speed w."""
+
+    spin_rate: float  # w_s/w
+    spin_moment: float  # N m, with the sign of the spin
+    rolling_moment: float  # N m
+    coefficient: float  # of the Coulomb friction that loses the same power at the same sliding; 0 without load
+    slip_speed: float  # m/s, mean weighted by the pressure
+    creep: float  # c/w, m
+
+
+@compiled
+def line_slip(contact: ContactNumbers, law: PointLaw, ring_speed: float, spin_rate: float) -> tuple[Slip, float]:
+    """The slip of a long ellipse with one coefficient, and the slope of its spin moment over w_s/w, N m.
+
+    ring_speed : |w|, rad/s;  spin_rate : w_s/w. The coefficient is that of the law at the mean pressure and at the mean
+    sliding speed |w| (M_roll w_roll + M_spin w_s)/(mu Q), whose slope over w_s/w is |w| M_spin/(mu Q).
+    """
+    eps, b, roll = abs(spin_to_roll(contact, spin_rate)), contact.semi_axis_transverse, contact.rolling_rate
+    per_force, curved = b * spin_moment(eps), b**2 / contact.deformed_radius * rolling_moment(eps)
+    speed = ring_speed * (per_force * abs(spin_rate) + curved * roll)
+    area = np.pi * contact.semi_axis_rolling * b
+    pressure = contact.load / area if area > 0.0 else 0.0
+    stress, steepness = stress_and_slope(law, pressure, speed)
+    force = law.boundary * contact.load + area * (stress - law.boundary * pressure)
+    slope = area * steepness * ring_speed * per_force**2
+    if spin_rate != 0.0:
+        slope += force * b * spin_stiffness(eps) * eps / abs(spin_rate)
+    else:
+        slope += force * b * SPIN_STIFFNESS * spin_to_roll(contact, 1.0)
+    return (
+        Slip(
+            spin_rate,
+            np.copysign(force * per_force, spin_rate),
+            force * curved,
+            force / contact.load if contact.load > 0.0 else 0.0,
+            speed,
+            roll * b**2 / (2 * contact.deformed_radius) * creep_number(eps),
+        ),
+        slope,
+    )
+
+
+@compiled
+def balanced_line(
+    contacts: tuple[ContactNumbers, ContactNumbers],
+    laws: tuple[PointLaw, PointLaw],
+    ring_speed: float,
+    spin_difference: float,
+) -> tuple[float, float]:
+    """Shares of the spin on inner and outer race that make their moments opposite; NaN where they are not found.
+
+    Newton's method in a bracket finds the share of the contact that can carry the larger moment. Only this share can be
+    close to 0, and so it keeps its digits. Its moment less the other one grows with the share, from below 0 to above.
+    """
+    inner, _ = line_slip(contacts[0], laws[0], ring_speed, spin_difference)
+    outer, _ = line_slip(contacts[1], laws[1], ring_speed, spin_difference)
+    first = 1 if outer.spin_moment > inner.spin_moment else 0
+    contact, law, other, other_law = contacts[first], laws[first], contacts[1 - first], laws[1 - first]
+    stiff = inner.spin_moment * spin_to_roll(contacts[0], 1.0)
+    stiff_other = outer.spin_moment * spin_to_roll(contacts[1], 1.0)
+    if first == 1:
+        stiff, stiff_other = stiff_other, stiff
+    share = stiff_other / (stiff + stiff_other) if stiff + stiff_other > 0.0 else 0.5  # both moments linear in spin
+    low, high, last, before = 0.0, 1.0, 1.0, 1.0
+    for _ in range(MOST_STEPS):
+        slip, slope = line_slip(contact, law, ring_speed, share * spin_difference)
+        taken, slope_taken = line_slip(other, other_law, ring_speed, (1 - share) * spin_difference)
+        left = slip.spin_moment - taken.spin_moment
+        if abs(left) <= ROUND_OFF * slip.spin_moment:
+            break
+        if left < 0.0:
+            low = share
+        elif left > 0.0:
+            high = share
+        else:
+            return np.nan, np.nan
+        slopes = spin_difference * (slope + slope_taken)  # 0 where both spin in full
+        step = -left / slopes if slopes > 0.0 else np.inf
+        if not (low <= share + step <= high and abs(step) <= abs(before) / 2):
+            step = (low + high) / 2 - share
+        share, before, last = share + step, last, step
+        if abs(step) <= ROUND_OFF * share:
+            break
+    return (share, 1 - share) if first == 0 else (1 - share, share)
+
+
+@compiled
+def line_slips(
+    contacts: tuple[ContactNumbers, ContactNumbers],
+    laws: tuple[PointLaw, PointLaw],
+    ring_speed: float,
+    spin_difference: float,
+    rule: int,
+) -> tuple[Slip, Slip]:
+    """The slip of a ball on both races by `line_slip`; rule : by `RULES`, which share of the spin each race takes.
+
+    spin_difference : (w_s,i - w_s,o)/w, >= 0
+    """
+    share, rest = float(rule - 1), float(2 - rule)
+    if rule == 0:
+        share, rest = balanced_line(contacts, laws, ring_speed, spin_difference)
+    inner, _ = line_slip(contacts[0], laws[0], ring_speed, share * spin_difference)
+    outer, _ = line_slip(contacts[1], laws[1], ring_speed, -rest * spin_difference)
+    return inner, outer
+
+
+@compiled
+def _line_slips_of_each(rows: Array, rule: int) -> Array:
+    fields = np.empty((12, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 26, i))
+        inner, outer = line_slips(contacts, laws, rows[34, i], rows[35, i], rule)
+        for k in range(6):
+            fields[k, i], fields[6 + k, i] = inner[k], outer[k]
+    return fields
+
+
+def slip_along_lines(
+    contacts: Pair, laws: tuple[PointLaw, PointLaw], *, ring_speed: ArrayLike, spin_difference: ArrayLike, spin_rule: str
+) -> tuple[Array, ...]:
+    """The twelve fields of `Slip` on inner and outer race; all fields and arguments broadcast.
+
+    ring_speed : |w|, rad/s. Raises InputError for an unknown rule, ConvergenceError where no share of spin balances.
+    """
+    rows, shape = rows_of(*contacts[0].fields, *contacts[1].fields, *laws[0], *laws[1], ring_speed, spin_difference)
+    fields = _line_slips_of_each(rows, code_of(spin_rule))
+    require_balance(fields)
+    return tuple(fields.reshape(12, *shape))
+
+
+def code_of(spin_rule: str) -> int:
+    """The number of a rule in compiled code. Raises InputError for an unknown rule."""
+    if spin_rule not in RULES:
+        raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
+    return RULES[spin_rule]
+
+
+def require_balance(fields: Array) -> None:
+    """Raise ConvergenceError where the share of the spin, and so the fields (12, n) of a slip, are not numbers."""
+    if np.isnan(fields[0]).any():
+        raise ConvergenceError(
+            iterations=MOST_STEPS,
+            residual=float("nan"),
+            tolerance=ROUND_OFF,
+            unit="of the spin",
+            problem="the balance of spin between both races",
+            remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
+        )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -70,7 +276,7 @@ def pure_rolling_lines(spin_to_roll: ArrayLike) -> tuple[Array, Array]:
     """
     require_finite(spin_to_roll=spin_to_roll)
     ratio = np.asarray(spin_to_roll, dtype=np.float64)
-    distance = np.where(np.abs(ratio) < FULL_SPIN, _half_distance(np.abs(ratio)), np.abs(ratio))
+    distance = np.where(np.abs(ratio) < FULL_SPIN, _numbers(ratio)[2], np.abs(ratio))
     return -ratio - distance, -ratio + distance
 
 
@@ -95,8 +301,8 @@ def microslip_moments(
     require_finite(spin_to_roll=spin_to_roll)
     ratio, half_length = np.asarray(spin_to_roll), np.asarray(semi_axis_transverse)
     friction = np.asarray(friction_force)
-    spin = friction * half_length * np.sign(ratio) * _spin_moment(np.abs(ratio))
-    return spin, friction * half_length**2 / np.asarray(deformed_radius) * _rolling_moment(np.abs(ratio))
+    spin, rolling, _ = _numbers(ratio)
+    return friction * half_length * np.sign(ratio) * spin, friction * half_length**2 / np.asarray(deformed_radius) * rolling
 
 
 def microslip_torque(
@@ -122,33 +328,16 @@ def microslip_torque(
     for contact, force in zip(contacts, friction_force, strict=True):
         require_positive(rolling_rate=contact.rolling_rate)
         require_non_negative(friction_force=force)
-    difference = np.asarray(spin_difference, dtype=np.float64)
-    match spin_rule:
-        case "balanced":
-            shares = _balanced_shares(contacts, friction_force, difference)
-        case "inner_control":
-            shares = np.zeros_like(difference), np.ones_like(difference)
-        case "outer_control":
-            shares = np.ones_like(difference), np.zeros_like(difference)
-        case _:
-            raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
-    rates = shares[0] * difference, -shares[1] * difference
-    (inner_spin, inner_roll), (outer_spin, outer_roll) = (
-        contact_moments(contact, friction_force=force, spin_rate=rate)
-        for contact, force, rate in zip(contacts, friction_force, rates, strict=True)
+    inner, outer = (replace(contact, load=force) for contact, force in zip(contacts, friction_force, strict=True))
+    law = PointLaw(boundary=1.0)
+    slips = slip_along_lines(
+        (inner, outer), (law, law), ring_speed=0.0, spin_difference=spin_difference, spin_rule=spin_rule
     )
     return MicroslipTorque.of(
-        contacts, spin_rates=rates, spin_moments=(inner_spin, outer_spin), rolling_moments=(inner_roll, outer_roll)
-    )
-
-
-def contact_moments(contact: RollingContact, *, friction_force: ArrayLike, spin_rate: ArrayLike) -> tuple[Array, Array]:
-    """(spin moment, rolling moment), N m, of a contact that spins with w_s/w = spin_rate, by microslip_moments."""
-    return microslip_moments(
-        friction_force=friction_force,
-        semi_axis_transverse=contact.semi_axis_transverse,
-        deformed_radius=contact.deformed_radius,
-        spin_to_roll=spin_to_roll_ratio(contact, spin_rate=spin_rate),
+        contacts,
+        spin_rates=(slips[0], slips[6]),
+        spin_moments=(slips[1], slips[7]),
+        rolling_moments=(slips[2], slips[8]),
     )
 
 
@@ -163,82 +352,16 @@ def spin_to_roll_ratio(contact: RollingContact, *, spin_rate: ArrayLike) -> Arra
         return np.nan_to_num(numerator / denominator, nan=0.0)
 
 
-def long_ellipse_creep(contact: RollingContact, *, spin_rate: ArrayLike) -> Array:
-    """c/w of no net force on a contact that spins with w_s/w = spin_rate, m: -w_roll b^2/(2 R) g1 g2.
-
-    0 for a contact that is a point, and where one line has left the contact.
-    """
-    eps = np.abs(spin_to_roll_ratio(contact, spin_rate=spin_rate))
-    product = np.where(eps < FULL_SPIN, _half_distance(eps) ** 2 - np.minimum(eps, FULL_SPIN) ** 2, 0.0)
-    length = np.asarray(contact.semi_axis_transverse)
-    return np.asarray(contact.rolling_rate) * length**2 / (2 * np.asarray(contact.deformed_radius)) * product
+def _numbers(ratio: Array) -> tuple[Array, Array, Array]:
+    """(spin moment over mu Q b, rolling moment R/(mu Q b^2), d) at |eps|."""
+    rows, shape = rows_of(np.abs(ratio))
+    spin, rolling, distance = _of_each_ratio(rows[0]).reshape(3, *shape)
+    return spin, rolling, distance
 
 
-def _balanced_shares(
-    contacts: Pair, friction_force: tuple[ArrayLike, ArrayLike], difference: Array
-) -> tuple[Array, Array]:
-    """Shares of w_s,i - w_s,o on inner and outer race that make their moments opposite; they add up to 1.
-
-    Newton's method in a bracket finds the share of the contact that can carry the larger moment. Only this share can be
-    close to 0, and so it keeps its digits. Its moment less the other one grows with the share, from below 0 to above.
-    """
-    limit_inner, limit_outer, ratio_inner, ratio_outer = np.broadcast_arrays(
-        *(
-            np.asarray(force) * np.asarray(contact.semi_axis_transverse)
-            for contact, force in zip(contacts, friction_force, strict=True)
-        ),
-        *(spin_to_roll_ratio(contact, spin_rate=difference) for contact in contacts),
-    )
-    swap = limit_outer > limit_inner
-    limit, limit_other = np.where(swap, limit_outer, limit_inner), np.where(swap, limit_inner, limit_outer)
-    ratio, ratio_other = np.where(swap, ratio_outer, ratio_inner), np.where(swap, ratio_inner, ratio_outer)
-    stiff, stiff_other = limit * ratio, limit_other * ratio_other
-    total = stiff + stiff_other
-    share = np.divide(stiff_other, total, out=np.full_like(total, 0.5), where=total > 0)  # both moments linear in spin
-
-    def excess(share: Array) -> tuple[Array, Array]:
-        eps, eps_other = ratio * share, ratio_other * (1 - share)
-        moment = limit * _spin_moment(eps)
-        left = moment - limit_other * _spin_moment(eps_other)
-        slope = stiff * _spin_stiffness(eps) + stiff_other * _spin_stiffness(eps_other)  # 0 where both spin in full
-        return np.where(np.abs(left) <= ROUND_OFF * moment, 0.0, left), slope
-
-    share = bracketed_root(
-        excess,
-        start=share,
-        low=np.zeros_like(share),
-        high=np.ones_like(share),
-        relative=ROUND_OFF,
-        sought=Sought(
-            unit="of the spin",
-            problem="the balance of spin between both races",
-            remedy="Check that loads, semi-axes and friction coefficients of both contacts are of ordinary size.",
-        ),
-    )
-    return np.where(swap, 1 - share, share), np.where(swap, share, 1 - share)
-
-
-def _half_distance(ratio: Array) -> Array:
-    """d, half the distance of the pure-rolling lines in units of b, for eps >= 0; beyond eps = 1/2 its value there."""
-    root = np.sqrt(1 - np.minimum(ratio, FULL_SPIN) ** 2)
-    return 2 * root * np.sin(np.arcsin(1 / (2 * root**3)) / 3)
-
-
-def _spin_moment(ratio: Array) -> Array:
-    """M_spin/(mu Q b) for eps >= 0: 3 eps d (1 - eps^2 - d^2), the factorised bracket of `microslip_moments`."""
-    eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
-    return 3 * eps * d * (1 - eps**2 - d**2)
-
-
-def _spin_stiffness(ratio: Array) -> Array:
-    """Derivative of `_spin_moment` by eps. It falls from 0.916 to 0 at eps = 1/2; at most round-off is below 0."""
-    eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
-    bracket = 1 - eps**2 - d**2
-    return np.where(ratio < FULL_SPIN, 3 * d * bracket - 12 * eps**2 * d**3 / bracket, 0.0)
-
-
-def _rolling_moment(ratio: Array) -> Array:
-    """M_roll R/(mu Q b^2) for eps >= 0: the bracket of `microslip_moments` in eps and d; 0 from eps = 1/2 on."""
-    eps, d = np.minimum(ratio, FULL_SPIN), _half_distance(ratio)
-    cubes, fifths = 3 * eps**2 + d**2, 5 * eps**4 + 10 * eps**2 * d**2 + d**4
-    return np.where(ratio < FULL_SPIN, np.maximum(0.1 - d * cubes / 2 + 0.3 * d * fifths, 0.0), 0.0)
+@compiled
+def _of_each_ratio(ratios: Array) -> Array:
+    numbers = np.empty((3, ratios.size))
+    for i in range(ratios.size):
+        numbers[:, i] = spin_moment(ratios[i]), rolling_moment(ratios[i]), half_distance(ratios[i])
+    return numbers
