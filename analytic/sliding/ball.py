@@ -13,25 +13,43 @@ law of traction takes the true sliding speeds, which are |w| times as large.
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import Pair, RollingContact
+from analytic.contact.rolling_contact import ContactNumbers, Pair, RollingContact, contact_at
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.root import SecantSlopes, Sought, bracketed_root
-from analytic.oil.traction import Traction
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.oil.traction import PointLaw, Traction, law_at
 from analytic.scene import Array, Lubricant, SlidingMethod, SpinRule
-from analytic.sliding.ellipse import NODES, SlipMoments, power_of_panels, slip_along_axis, slip_over_ellipse
-from analytic.sliding.long_ellipse import MicroslipTorque, contact_moments, long_ellipse_creep, microslip_torque
+from analytic.sliding.ellipse import (
+    BALANCED,
+    NODES,
+    Quadrature,
+    Slider,
+    SlipSums,
+    forceless_slip,
+    power_of_panels,
+    quadrature_of,
+    require_forceless,
+    slider_of,
+)
+from analytic.sliding.long_ellipse import (
+    MicroslipTorque,
+    Slip,
+    balanced_line,
+    code_of,
+    line_slip,
+    require_balance,
+    slip_along_lines,
+)
 
-SLIP = {"along_axis": slip_along_axis, "over_ellipse": slip_over_ellipse}
-ROUND_OFF = 4 * np.finfo(np.float64).eps  # of a spin moment, and of the share of spin that balances it
+INTEGRATED = {"along_axis": False, "over_ellipse": True}  # whether sideways
+NEARLY_BALANCED = 1e-9  # net force over all friction while the share of spin is sought: the power is second order in it
 LAST_STEP = 1e-6  # of the share of spin: the power is least at the balance, so its error is the square of this step
-EDGE = 1e-3  # a share of spin at which the search may begin
-BLOCK = 32  # points at a time: a contact has 768 nodes
+MOST_STEPS = 100  # of the share of spin; 3 to 6 are usual
+BLOCK = 1 << 14  # points at a time: each has 36 numbers
 
 Tractions = tuple[Traction, Traction]  # on the inner and on the outer race
 
@@ -64,7 +82,6 @@ def slip_friction(
     spin_difference: ArrayLike,
     spin_rule: SpinRule,
     rule: SlipRule,
-    near: SlipFriction | None = None,
 ) -> SlipFriction:
     """Torque of one ball from its slip on both races; all fields, ring_speed and spin_difference broadcast.
 
@@ -72,7 +89,6 @@ def slip_friction(
     ring_speed : w, inner less outer, rad/s, any sign; at 0 the law of traction gives its limit
     spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) if the contact angles are equal
     spin_rule : as in `long_ellipse.microslip_torque`
-    near : a result by another method; an integral begins the search of the spin there
     With `single_coefficient` each contact has the force of its law at the mean sliding speed
         |v| = |w| [w_roll M_roll + w_s M_spin]/(mu Q)
     of its share of the spin. With every method the moment of a contact grows with this share, so there is one balance.
@@ -86,42 +102,155 @@ def slip_friction(
     for contact in contacts:
         require_positive(rolling_rate=contact.rolling_rate)
     speed, difference = np.abs(np.asarray(ring_speed, dtype=np.float64)), np.asarray(spin_difference, dtype=np.float64)
-    numbers = (value for each in (*contacts, *traction) for value in _numbers(each).values())
+    laws = traction[0].point_law, traction[1].point_law
+    numbers = (*contacts[0].fields, *contacts[1].fields, *laws[0], *laws[1], speed, difference)
     try:
-        shape = np.broadcast_shapes(speed.shape, difference.shape, *map(np.shape, numbers))
+        shape = np.broadcast_shapes(*map(np.shape, numbers))
     except ValueError as problem:
         raise InputError("both contacts and their speeds have shapes that do not fit: give equal lengths") from problem
-    speed, difference = (np.broadcast_to(value, shape) for value in (speed, difference))
     if rule.method == "single_coefficient":
-        columns = _single_coefficient(contacts, traction, speed, difference, spin_rule)
-    elif rule.method in SLIP:
-        slip = partial(SLIP[rule.method], nodes=rule.nodes)
-        start = np.full(shape, 0.5)
-        if near is not None:
-            rate = np.broadcast_to(near.torque.inner_spin_rate, shape)
-            start = np.divide(rate, difference, out=start, where=difference > 0)
-        columns = _in_blocks(
-            lambda pair, laws, *speeds: _integrated(pair, laws, speeds, spin_rule, slip),
-            *(contacts, traction, speed, difference, start),
-        )
+        fields = slip_along_lines(contacts, laws, ring_speed=speed, spin_difference=difference, spin_rule=spin_rule)
+    elif rule.method in INTEGRATED:
+        code, quadrature = code_of(spin_rule), quadrature_of(rule.nodes)
+        fields = _in_blocks(numbers, shape, lambda rows: _integrated(rows, code, quadrature, INTEGRATED[rule.method]))
     else:
         raise InputError(f'method must be "single_coefficient", "along_axis" or "over_ellipse", got {rule.method!r}')
-    inner_rate, inner_spin, inner_roll, inner_coefficient, inner_slip, inner_creep = columns[:6]
-    outer_rate, outer_spin, outer_roll, outer_coefficient, outer_slip, outer_creep = columns[6:]
+    inner, outer = Slip(*fields[:6]), Slip(*fields[6:12])
     return SlipFriction(
         torque=MicroslipTorque.of(
             contacts,
-            spin_rates=(inner_rate, outer_rate),
-            spin_moments=(inner_spin, outer_spin),
-            rolling_moments=(inner_roll, outer_roll),
+            spin_rates=(inner.spin_rate, outer.spin_rate),
+            spin_moments=(inner.spin_moment, outer.spin_moment),
+            rolling_moments=(inner.rolling_moment, outer.rolling_moment),
         ),
-        inner_coefficient=inner_coefficient,
-        outer_coefficient=outer_coefficient,
-        inner_slip_speed=inner_slip,
-        outer_slip_speed=outer_slip,
-        inner_creep=inner_creep,
-        outer_creep=outer_creep,
+        inner_coefficient=inner.coefficient,
+        outer_coefficient=outer.coefficient,
+        inner_slip_speed=inner.slip_speed,
+        outer_slip_speed=outer.slip_speed,
+        inner_creep=inner.creep,
+        outer_creep=outer.creep,
     )
+
+
+@compiled
+def at_ring_speed(law: PointLaw, ring_speed: float) -> PointLaw:
+    """The law over slip per unit ring speed; ring_speed : |w|, rad/s. At standstill it is that of slow sliding."""
+    fluidity = law.fluidity if law.fluidity == np.inf else law.fluidity * ring_speed
+    return PointLaw(
+        law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, law.growth, law.exponent
+    )
+
+
+@compiled
+def _moment_and_slope(slider: Slider, sums: SlipSums) -> tuple[float, float]:
+    """|M_spin|, N m, and its slope over |w_s|, N m s, along the c of no net force."""
+    follows = sums.mixed**2 / sums.by_creep if sums.by_creep > 0.0 else 0.0
+    return slider.transverse * sums.spin, slider.transverse**2 * max(sums.by_spin - follows, 0.0)
+
+
+@compiled
+def slips_over_contacts(
+    contacts: tuple[ContactNumbers, ContactNumbers],
+    laws: tuple[PointLaw, PointLaw],
+    ring_speed: float,
+    spin_difference: float,
+    rule: int,
+    quadrature: Quadrature,
+    sideways: bool,
+) -> tuple[Slip, Slip, int]:
+    """The slip of a ball on both races by integrals; arguments as `long_ellipse.line_slips`, and `ellipse.slip_sums`.
+
+    The last is the number of integrals, 0 where one has no c. Newton's method in a bracket finds the share of the spin
+    on the inner race. It begins at that of `long_ellipse.balanced_line`.
+    """
+    inner, outer = slider_of(contacts[0]), slider_of(contacts[1])
+    inner_law, outer_law = at_ring_speed(laws[0], ring_speed), at_ring_speed(laws[1], ring_speed)
+    share, rest = float(rule - 1), float(2 - rule)
+    if rule == 0:
+        share, rest = balanced_line(contacts, laws, ring_speed, spin_difference)
+    creep = line_slip(contacts[0], laws[0], ring_speed, share * spin_difference)[0].creep
+    other_creep = line_slip(contacts[1], laws[1], ring_speed, rest * spin_difference)[0].creep
+    low, high, step, before, count = 0.0, 1.0, 1.0, 1.0, 0
+    for _ in range(MOST_STEPS):
+        nearly = NEARLY_BALANCED if rule == 0 and abs(step) > LAST_STEP else BALANCED
+        spin, other_spin = share * spin_difference * inner.transverse, rest * spin_difference * outer.transverse
+        creep, sums, number = forceless_slip(inner, inner_law, creep, spin, quadrature, sideways, nearly)
+        other_creep, other, more = forceless_slip(outer, outer_law, other_creep, other_spin, quadrature, sideways, nearly)
+        count += number + more
+        if number == 0 or more == 0:
+            count = 0
+            break
+        moment, slope = _moment_and_slope(inner, sums)
+        other_moment, other_slope = _moment_and_slope(outer, other)
+        left = moment - other_moment
+        if rule != 0 or abs(step) <= LAST_STEP or left == 0.0:
+            break
+        if left < 0.0:
+            low = share
+        else:
+            high = share
+        slopes = spin_difference * (slope + other_slope)
+        last = step
+        step = -left / slopes if slopes > 0.0 else np.inf
+        if not (low <= share + step <= high and abs(step) <= abs(before) / 2):
+            step = (low + high) / 2 - share
+        before = last
+        if sums.by_creep > 0.0:
+            creep += sums.mixed / sums.by_creep * step * spin_difference * inner.transverse
+        if other.by_creep > 0.0:
+            other_creep -= other.mixed / other.by_creep * step * spin_difference * outer.transverse
+        share, rest = share + step, rest - step
+    return (
+        _slip(contacts[0], inner, sums, share * spin_difference, ring_speed, creep),
+        _slip(contacts[1], outer, other, -rest * spin_difference, ring_speed, other_creep),
+        count,
+    )
+
+
+@compiled
+def _slip(
+    contact: ContactNumbers, slider: Slider, sums: SlipSums, rate: float, ring_speed: float, creep: float
+) -> Slip:
+    return Slip(
+        rate,
+        np.sign(rate) * slider.transverse * sums.spin,
+        sums.rolling * slider.transverse**2 / (2 * contact.deformed_radius),
+        sums.power / sums.unit if sums.unit > 0.0 else 0.0,
+        ring_speed * sums.unit / contact.load if contact.load > 0.0 else 0.0,
+        creep if contact.load > 0.0 else 0.0,
+    )
+
+
+@compiled
+def _slips_of_each(rows: Array, rule: int, quadrature: Quadrature, sideways: bool) -> Array:
+    fields = np.empty((13, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 26, i))
+        inner, outer, count = slips_over_contacts(
+            contacts, laws, rows[34, i], rows[35, i], rule, quadrature, sideways
+        )
+        for k in range(6):
+            fields[k, i], fields[6 + k, i] = inner[k], outer[k]
+        fields[12, i] = count
+    return fields
+
+
+def _integrated(rows: Array, rule: int, quadrature: Quadrature, sideways: bool) -> Array:
+    fields = _slips_of_each(rows, rule, quadrature, sideways)
+    require_balance(fields)
+    require_forceless(fields[12])
+    return fields
+
+
+def _in_blocks(numbers: tuple[Any, ...], shape: tuple[int, ...], evaluate: Callable[[Array], Array]) -> Array:
+    """(k, *shape) of compiled loops over numbers that broadcast to this shape, some points at a time."""
+    flat = [np.broadcast_to(number, shape).reshape(-1) for number in numbers]
+    size = flat[0].size
+    blocks = [
+        evaluate(rows_of(*(number[start : start + BLOCK] for number in flat))[0])
+        for start in range(0, max(size, 1), BLOCK)
+    ]
+    return np.concatenate(blocks, axis=1).reshape(-1, *shape)
 
 
 def slip_power(
@@ -140,188 +269,23 @@ def slip_power(
     sliding : by any method and nodes; its creep and spin rates count. Panels as in `ellipse.slip_power`
     nodes, sideways : of the one evaluation of the integrals
     """
-    torque = sliding.torque
-    rates = (torque.inner_spin_rate, torque.outer_spin_rate)
-    fields = (np.abs(np.asarray(ring_speed, dtype=np.float64)), *rates, sliding.inner_creep, sliding.outer_creep)
-    shape = sliding.inner_creep.shape
-
-    def panels(pair: Pair, laws: Tractions, fast: Array, *known: Array) -> Columns:
-        both = _Stacked.of(pair, laws, fast)
-        power = power_of_panels(
-            both.contact,
-            traction=both.stress,
-            spin_rate=np.concatenate(known[:2]),
-            creep_speed=np.concatenate(known[2:]),
-            nodes=nodes,
-            sideways=sideways,
-        )
-        power = both.loaded[:, None] * power
-        return *power[: fast.size].T, *power[fast.size :].T
-
-    columns = _in_blocks(panels, contacts, traction, *(np.broadcast_to(field, shape) for field in fields))
-    return np.stack(columns).reshape(2, 2, 3, *shape)
-
-
-def _in_blocks(evaluate: Callable[..., "Columns"], contacts: Pair, traction: Tractions, *fields: Array) -> "Columns":
-    """Columns of evaluate(contacts, traction, *fields) of one shape, a block of points at a time."""
-    shape = fields[0].shape
-    flat = with_numbers(contacts, traction, lambda value: np.broadcast_to(value, shape).ravel())
-    numbers = [field.ravel() for field in fields]
-    blocks = []
-    for part in np.array_split(np.arange(numbers[0].size), max(1, -(-numbers[0].size // BLOCK))):
-        block = with_numbers(*flat, lambda value, part=part: value[part])
-        blocks.append(evaluate(*block, *(number[part] for number in numbers)))
-    return tuple(np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
-
-
-# For the inner and then the outer contact: spin rate, spin moment, rolling moment, coefficient, slip speed, creep.
-Columns = tuple[Array, ...]
-
-
-def _single_coefficient(
-    contacts: Pair, traction: Tractions, speed: Array, difference: Array, spin_rule: SpinRule
-) -> Columns:
-    laws = [law.force(contact) for law, contact in zip(traction, contacts, strict=True)]
-    if not any(law.depends_on_speed for law in traction):  # the forces are known: Coulomb's closed form
-        forces = tuple(np.broadcast_to(law(speed), speed.shape) for law in laws)
-        torque = microslip_torque(
-            contacts, friction_force=(forces[0], forces[1]), spin_difference=difference, spin_rule=spin_rule
-        )
-        moments = (
-            (torque.inner_spin_rate, torque.inner_spin_moment, torque.inner_rolling_moment),
-            (torque.outer_spin_rate, torque.outer_spin_moment, torque.outer_rolling_moment),
-        )
-        return tuple(
-            column
-            for contact, force, (rate, spin, roll) in zip(contacts, forces, moments, strict=True)
-            for column in (
-                *(rate, spin, roll, _over(force, contact.load)),
-                speed * _over(spin * rate + roll * contact.rolling_rate, force),
-                long_ellipse_creep(contact, spin_rate=rate),
+    torque, speed, powers = sliding.torque, np.abs(np.asarray(ring_speed, dtype=np.float64)), []
+    known = (torque.inner_spin_rate, sliding.inner_creep), (torque.outer_spin_rate, sliding.outer_creep)
+    for contact, law, (rate, creep) in zip(contacts, traction, known, strict=True):
+        numbers = law.point_law
+        with np.errstate(invalid="ignore"):  # at standstill the film is 0 too, and the oil shears at its limit
+            fluidity = np.where(np.isinf(numbers.fluidity), np.inf, np.asarray(numbers.fluidity) * speed)
+        powers.append(
+            power_of_panels(
+                contact,
+                law=numbers._replace(fluidity=fluidity),
+                spin_rate=rate,
+                creep_speed=creep,
+                nodes=nodes,
+                sideways=sideways,
             )
         )
-
-    def columns(race: int, rate: Array) -> Columns:
-        spin, roll = contact_moments(contacts[race], friction_force=1.0, spin_rate=rate)  # per N of friction
-        slip = speed * (spin * rate + roll * contacts[race].rolling_rate)
-        force = np.broadcast_to(laws[race](slip), speed.shape)
-        creep = long_ellipse_creep(contacts[race], spin_rate=rate)
-        return rate, force * spin, force * roll, _over(force, contacts[race].load), slip, creep
-
-    share = _inner_share(
-        spin_rule,
-        lambda x: (columns(0, x * difference)[1], columns(1, (x - 1) * difference)[1]),
-        np.full(speed.shape, 0.5),
-    )
-    return *columns(0, share * difference), *columns(1, (share - 1) * difference)
-
-
-def _inner_share(spin_rule: SpinRule, spin_moments: Callable[[Array], tuple[Array, Array]], start: Array) -> Array:
-    """Share of the spin difference on the inner race; spin_moments: share -> moments on inner and outer race.
-
-    start : a guess, above 0 and below 1
-    """
-    none, whole = np.zeros_like(start), np.ones_like(start)
-    if spin_rule == "inner_control":
-        return none
-    if spin_rule == "outer_control":
-        return whole
-    if spin_rule != "balanced":
-        raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
-
-    def excess(share: Array) -> Array:
-        moment, other = spin_moments(share)
-        return np.where(np.abs(moment + other) <= ROUND_OFF * moment, 0.0, moment + other)
-
-    start = np.clip(start, EDGE, 1 - EDGE)
-    moment, other = spin_moments(start)
-    slope = moment / start - other / (1 - start)  # as if the moments grew evenly: the step ends between 0 and 1
-    step = np.divide(moment + other, slope, out=np.zeros_like(start), where=slope > 0)
-    return bracketed_root(
-        SecantSlopes(excess, slope),
-        start=np.clip(start - step, none, whole),
-        low=none,
-        high=whole,
-        relative=ROUND_OFF,
-        absolute=LAST_STEP,
-        sought=Sought(
-            unit="of the spin",
-            problem="the balance of spin between both races",
-            remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
-        ),
-    )
-
-
-def _integrated(
-    contacts: Pair,
-    traction: Tractions,
-    speeds: tuple[Array, ...],
-    spin_rule: SpinRule,
-    slip: Callable[..., SlipMoments],
-) -> Columns:
-    """Integrals over every contact; all numbers (n,).
-
-    speeds : ring speed, spin difference, and a guess of its share on the inner race
-    One call integrates both races, because most callers have few points.
-    """
-    speed, difference, start = speeds
-    n = speed.size
-    both = _Stacked.of(contacts, traction, speed)
-    last: SlipMoments | None = None
-
-    def moments(share: Array) -> SlipMoments:
-        nonlocal last
-        rate = np.concatenate([share * difference, (share - 1) * difference])
-        last = slip(both.contact, traction=both.stress, spin_rate=rate, near=last)
-        return SlipMoments(**{name: both.loaded * value for name, value in vars(last).items()})
-
-    def spin_moments(share: Array) -> tuple[Array, Array]:
-        spin = moments(share).spin_moment
-        return spin[:n], spin[n:]
-
-    share = _inner_share(spin_rule, spin_moments, start)
-    result = moments(share)
-    columns = (
-        *(np.concatenate([share * difference, (share - 1) * difference]), result.spin_moment, result.rolling_moment),
-        *(
-            _over(result.slip_power, result.unit_power),
-            np.concatenate([speed, speed]) * _over(result.unit_power, both.load),
-        ),
-        result.creep_speed,
-    )
-    return *(column[:n] for column in columns), *(column[n:] for column in columns)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Stacked:
-    """Both races of n points as one array of 2 n contacts. One without load is a point, and gets semi-axes of 1."""
-
-    contact: RollingContact
-    load: Array
-    loaded: NDArray[np.bool_]
-    stress: Callable[[Array, Array], Array]  # of pressure and speed over the ring speed
-
-    @classmethod
-    def of(cls, contacts: Pair, traction: Tractions, ring_speed: Array) -> "_Stacked":
-        n = ring_speed.size
-        both = {name: np.concatenate([getattr(contact, name) for contact in contacts]) for name in vars(contacts[0])}
-        loaded = both["load"] > 0
-        for name in ("semi_axis_rolling", "semi_axis_transverse"):
-            both[name] = np.where(loaded, both[name], 1.0)
-        laws = [_changed(law, lambda value: np.asarray(value)[..., None]) for law in traction]
-        fast = ring_speed[:, None]
-
-        def stress(pressure: Array, slide: Array) -> Array:
-            halves = zip(laws, (slice(n), slice(n, None)), strict=True)
-            return np.concatenate([law.stress(pressure[half], fast * slide[half]) for law, half in halves])
-
-        return cls(contact=RollingContact(**both), load=both["load"], loaded=loaded, stress=stress)
-
-
-def _over(numerator: Array, denominator: ArrayLike) -> Array:
-    """The quotient, and 0 where the denominator is 0."""
-    top, bottom = np.broadcast_arrays(numerator, denominator)
-    return np.divide(top, bottom, out=np.zeros(top.shape), where=bottom > 0)
+    return np.stack(powers).reshape(2, 2, 3, *powers[0].shape[1:])
 
 
 def with_numbers(contacts: Pair, traction: Tractions, change: Callable[[Any], Any]) -> tuple[Pair, Tractions]:

@@ -10,28 +10,214 @@ Coulomb friction its moments are those of `analytic.sliding.long_ellipse.microsl
 Source: derived here.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import RollingContact
-from analytic.errors import InputError, require_finite, require_positive
-from analytic.numerics.root import SecantSlopes, Sought, bracketed_root
+from analytic.contact.rolling_contact import ContactNumbers, RollingContact, contact_at
+from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.oil.traction import PointLaw, law_at, stress_and_slope
 from analytic.scene import Array
-from analytic.sliding.long_ellipse import pure_rolling_lines
 
-Traction = Callable[[Array, Array], Array]  # (pressure, speed) -> stress, Pa; all (*points, nodes)
-# Net force that counts as none, relative to the sum of all friction: round-off of the sum over a thousand nodes.
-BALANCED = 1e-14
-LAST_STEP = 1e-9  # of c, relative: secant steps converge so fast that the next one would be round-off
-ROLLS_NOT = 1e9  # eps from which a contact only spins
+BALANCED = 1e-14  # net force that counts as none, over all friction: round-off of the sum over a thousand nodes
+LAST_STEP = 1e-11  # of c, relative: Newton's steps converge so fast that the next one would be round-off
+LEAST_GAIN = 0.25  # of a step: where the net force falls by less, the next slope is a secant
+ROUND_OFF = 1e-10  # of c, relative: a secant over less would be round-off
+RESOLVED = 1e-5  # v_y at the rim over the slope of v_x along b, from which nodes at the end of a panel see the turn
+MOST_STEPS = 200  # 3 to 8 are usual; halving the bracket alone takes 60
 NODES = (16, 16)  # transverse and rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
+Quadrature = tuple[Array, Array, Array, Array]
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+class Slider(NamedTuple):
+    """A contact as its slip sees it. Rates per unit ring speed w make every speed a length."""
+
+    peak: float  # p0, Pa
+    rolling: float  # a, m
+    transverse: float  # b, m
+    roll: float  # w_roll b^2/(2 R), m/s
+
+
+class SlipSums(NamedTuple):
+    """Integrals over a contact at a creep speed c and a spin w_s b, and slopes by both."""
+
+    force: float  # int tau v_x/|v| dA, N
+    spin: float  # M_spin/b, N
+    rolling: float  # int tau (v_x/|v|) (y/b)^2 dA, N
+    power: float  # int tau |v| dA, W
+    unit: float  # int p |v| dA, W
+    friction: float  # int tau dA, N
+    by_creep: float  # -d force/dc, N s/m, >= 0
+    mixed: float  # d force/d spin = -d(spin moment)/dc
+    by_spin: float  # d(spin moment)/d spin, >= 0
+
+
+@compiled
+def slider_of(contact: ContactNumbers) -> Slider:
+    """A contact with semi-axes above 0; one without load is a point, gets semi-axes of 1 m, and has no pressure."""
+    a, b = contact.semi_axis_rolling, contact.semi_axis_transverse
+    if contact.load == 0.0:
+        a, b = 1.0, 1.0
+    roll = contact.rolling_rate * b**2 / (2 * contact.deformed_radius)
+    return Slider(1.5 * contact.load / (np.pi * a * b), a, b, roll)
+
+
+@compiled
+def slip_sums(
+    slider: Slider,
+    law: PointLaw,
+    creep: float,
+    spin: float,
+    quadrature: Quadrature,
+    sideways: bool,
+    panels: tuple[int, int],
+) -> SlipSums:
+    """The sums over some of three transverse panels, which meet where v_x = 0 on the axis.
+
+    creep : c, m/s;  spin : |w_s| b, m/s;  sideways : with v_y;  panels : (0, 3) for all
+    quadrature : places and weights in a panel, and those along rolling, from 0 to 1
+    """
+    places, widths, along, lengths = quadrature
+    if slider.peak == 0.0:
+        return SlipSums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    root = np.sqrt(max(spin * spin + 4.0 * slider.roll * creep, 0.0))
+    near = 2.0 * creep / (spin + root) if spin + root > 0.0 else 0.0
+    far = -(spin + root) / (2.0 * slider.roll) if slider.roll > 0.0 else -1.0
+    edges = (-1.0, min(max(far, -1.0), 1.0), min(max(near, -1.0), 1.0), 1.0)
+    arm = slider.rolling / slider.transverse
+    turns = sideways and spin > 0.0
+    turn_at_rim = spin * arm if turns else 0.0  # |v_y| at x = a
+    force = moment = rolling = power = unit = friction = by_creep = mixed = by_spin = 0.0
+    least = 1e-200 * (slider.roll + spin if slider.roll + spin > 0.0 else 1.0)
+    for panel in range(panels[0], panels[1]):
+        low, length = edges[panel], edges[panel + 1] - edges[panel]
+        if length <= 0.0:
+            continue
+        for j in range(places.size):
+            y = low + length * places[j]
+            slide = (slider.roll * y + spin) * y - creep
+            half = np.sqrt((1.0 - y) * (1.0 + y))  # half-length in the direction of rolling, in units of a
+            strip = 2.0 * length * widths[j] * slider.rolling * slider.transverse * half
+            # |v| = sqrt(slide^2 + (turn x)^2) has a near kink at x = 0 where slide is small; x ~ sinh(z t) removes it.
+            steep = max(turn_at_rim * half / max(abs(slide), least), 1e-8)  # at 1e-8 sinh is its argument
+            z = np.arcsinh(steep) if turns else 0.0
+            for k in range(along.size):
+                x, weight = along[k], lengths[k]
+                if turns:
+                    grown = np.expm1(z * x)
+                    x = (grown + grown / (grown + 1.0)) / (2.0 * steep)
+                    weight *= z * np.sqrt(1.0 / (steep * steep) + x * x)
+                turn, lever = turn_at_rim * half * x, arm * half * x
+                speed = np.sqrt(slide * slide + turn * turn)
+                pressure = slider.peak * half * np.sqrt(max((1.0 - x) * (1.0 + x), 0.0))
+                stress, slope = stress_and_slope(law, pressure, speed)
+                area = strip * weight
+                unit += area * pressure * speed
+                power += area * stress * speed
+                friction += area * stress
+                if speed == 0.0:
+                    continue
+                e_x, e_y, over = slide / speed, turn / speed, stress / speed
+                force += area * stress * e_x
+                moment += area * stress * (e_x * y + e_y * lever)
+                rolling += area * stress * e_x * y * y
+                # How stress changes with slip: by its size along it, by its direction across it. One component has one.
+                across = over if turns else 0.0
+                t_xx, t_yy = slope * e_x * e_x + across * e_y * e_y, slope * e_y * e_y + across * e_x * e_x
+                t_xy = (slope - across) * e_x * e_y
+                by_creep += area * t_xx
+                mixed += area * (t_xx * y + t_xy * lever)
+                by_spin += area * (t_xx * y * y + 2.0 * t_xy * y * lever + t_yy * lever * lever)
+    for line in edges[1:3]:  # without v_y, or nearly, the stress jumps where the slip turns round: a slope too
+        steepness = abs(2.0 * slider.roll * line + spin)
+        if turn_at_rim > RESOLVED * steepness or abs(line) == 1.0 or steepness == 0.0:
+            continue
+        half, jump = np.sqrt((1.0 - line) * (1.0 + line)), 0.0
+        for k in range(along.size):
+            height = np.sqrt((1.0 - along[k]) * (1.0 + along[k]))
+            jump += lengths[k] * stress_and_slope(law, slider.peak * half * height, 0.0)[0]
+        jump *= 4.0 * slider.rolling * slider.transverse * half / steepness
+        by_creep += jump
+        mixed += jump * line
+        by_spin += jump * line * line
+    return SlipSums(force, moment, rolling, power, unit, friction, by_creep, mixed, by_spin)
+
+
+@compiled
+def forceless_slip(
+    slider: Slider,
+    law: PointLaw,
+    start: float,
+    spin: float,
+    quadrature: Quadrature,
+    sideways: bool,
+    balanced: float,
+) -> tuple[float, SlipSums, int]:
+    """c that leaves no net force, the sums there, and the number of sums; 0 where none is found.
+
+    start : a guess of c, m/s;  balanced : net force that counts as none, over all friction; others as `slip_sums`
+    Newton's method in a bracket: at one end all friction points forwards, at the other backwards.
+    """
+    roll = slider.roll
+    vertex = -spin / (2.0 * roll) if spin < 2.0 * roll else -1.0
+    low, high = (roll * vertex + spin) * vertex, roll + spin
+    creep, step, before = min(max(start, low), high), high - low, high - low
+    older, older_force = creep, np.inf
+    for number in range(1, MOST_STEPS):
+        sums = slip_sums(slider, law, creep, spin, quadrature, sideways, (0, 3))
+        if abs(sums.force) <= balanced * sums.friction:
+            return creep, sums, number
+        if sums.force > 0.0:
+            low = creep
+        elif sums.force < 0.0:
+            high = creep
+        else:
+            break
+        slope, moved = sums.by_creep, creep - older
+        if abs(sums.force) > LEAST_GAIN * abs(older_force) and abs(moved) > ROUND_OFF * abs(creep):
+            slope = (older_force - sums.force) / moved
+        older, older_force, last = creep, sums.force, step
+        step = sums.force / slope if slope > 0.0 else np.inf
+        if not (low <= creep + step <= high and abs(step) <= abs(before) / 2):
+            step = (low + high) / 2.0 - creep
+        before, creep = last, creep + step
+        if abs(step) <= LAST_STEP * abs(creep):
+            return creep, slip_sums(slider, law, creep, spin, quadrature, sideways, (0, 3)), number + 1
+    return creep, slip_sums(slider, law, creep, spin, quadrature, sideways, (0, 3)), 0
+
+
+@compiled
+def _moments_of_each(rows: Array, quadrature: Quadrature, sideways: bool) -> Array:
+    fields = np.empty((6, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        contact, law, rate = contact_at(rows, 0, i), law_at(rows, 9, i), rows[17, i]
+        slider = slider_of(contact)
+        spin = abs(rate) * slider.transverse
+        creep, sums, number = forceless_slip(slider, law, slider.roll / 8, spin, quadrature, sideways, BALANCED)
+        fields[0, i] = np.sign(rate) * sums.spin * slider.transverse
+        fields[1, i] = sums.rolling * slider.transverse**2 / (2 * contact.deformed_radius)
+        fields[2, i], fields[3, i], fields[4, i], fields[5, i] = sums.power, sums.unit, creep, number
+    return fields
+
+
+@compiled
+def _powers_of_each(rows: Array, quadrature: Quadrature, sideways: bool) -> Array:
+    powers = np.empty((6, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        contact, law, rate, creep = contact_at(rows, 0, i), law_at(rows, 9, i), rows[17, i], rows[18, i]
+        slider = slider_of(contact)
+        spin = abs(rate) * slider.transverse
+        for panel in range(3):
+            sums = slip_sums(slider, law, creep, spin, quadrature, sideways, (panel, panel + 1))
+            powers[panel, i], powers[3 + panel, i] = sums.power, creep * sums.force
+    return powers
+
+
+@dataclass(frozen=True, eq=False)
 class SlipMoments:
     """Friction of one or many contacts; every field has the broadcast shape of the arguments."""
 
@@ -40,254 +226,101 @@ class SlipMoments:
     slip_power: Array  # W: spin moment times w_s + rolling moment times w_roll
     unit_power: Array  # W: what a friction coefficient of 1 would lose at the same sliding of every point
     creep_speed: Array  # c, m/s
-    creep_stiffness: Array  # s/m: by how much the net force over all friction falls as c grows; about right
+    sums: Array  # number of integrals that each took
 
 
 def slip_over_ellipse(
     contact: RollingContact,
     *,
-    traction: Traction,
+    law: PointLaw,
     spin_rate: ArrayLike,
     nodes: tuple[int, int] = NODES,
-    near: SlipMoments | None = None,
 ) -> SlipMoments:
     """Moments of one contact by sliding in both directions at every point; fields and spin_rate broadcast.
 
     contact : with semi-axes > 0; its pressure has the peak p0 = 3 Q/(2 pi a b), and its curvatures are not used
-    traction : (pressure, speed) -> stress, Pa, >= 0, each of shape (*points, nodes), with pressure >= 0 in Pa and speed
-        |v| in m/s. Coulomb friction is `lambda pressure, speed: 0.08 * pressure`. The stress must not fall as the speed
-        grows, or more than one c may leave no force. A law with a kink, such as a cap, needs more nodes
+    law : its numbers broadcast; Coulomb friction is `PointLaw(boundary=0.08)`. A law with a kink, such as a cap, needs
+        more nodes. Its fluidity belongs to |v| in the unit of the rates
     spin_rate : w_s, any sign, in the unit of the contact's rolling_rate: rad/s, or per unit ring speed w. With rates
         per unit w, speeds, creep speed and slip power are per unit w too
     nodes : in the transverse direction for each of three panels that meet where v_x = 0, and in that of rolling
-    near : the same contacts at another spin; the search of c begins at theirs
         M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
     Raises InputError if an argument has the wrong sign or is not finite, ConvergenceError if no c is found.
     """
-    return _slip(contact, traction, spin_rate, nodes=nodes, sideways=True, near=near)
+    return _slip(contact, law, spin_rate, nodes=nodes, sideways=True)
 
 
 def slip_along_axis(
     contact: RollingContact,
     *,
-    traction: Traction,
+    law: PointLaw,
     spin_rate: ArrayLike,
     nodes: tuple[int, int] = NODES,
-    near: SlipMoments | None = None,
 ) -> SlipMoments:
     """The same with v_y = 0, for a contact much longer transverse to rolling; arguments as in `slip_over_ellipse`.
 
     The traction still follows the pressure at each point in the direction of rolling.
     """
-    return _slip(contact, traction, spin_rate, nodes=nodes, sideways=False, near=near)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Sliding:
-    """A contact at one c; arrays (*points, transverse nodes, rolling nodes), where either of the last two may be 1.
-
-    x and y are in units of a and b. The fields are even in x, so weights for x > 0 cover both halves.
-    """
-
-    x: Array
-    y: Array
-    slide: Array  # v_x, m/s
-    turn: Array  # |v_y| at x = a, m/s
-    speed: Array  # |v|, m/s
-    unit: Array  # p dA, N
-    friction: Array  # tau dA, N
-
-    @property
-    def pull(self) -> Array:
-        """tau v_x/|v| dA over v_x, N s/m."""
-        return np.divide(self.friction, self.speed, out=np.zeros_like(self.friction), where=self.speed > 0)
-
-
-def _sum(of_nodes: Array) -> Array:
-    return np.sum(of_nodes, axis=(-2, -1))
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Integrand:
-    """Numbers of shape (*points, 1), and the quadrature; spin is a magnitude, because y may point either way."""
-
-    traction: Traction
-    pressure: Array  # p0
-    rolling: Array  # a
-    transverse: Array  # b
-    roll: Array  # w_roll b^2/(2 R), m/s
-    spin: Array  # |w_s| b, m/s
-    sideways: bool
-    nodes: tuple[int, int]
-
-    def at(self, creep: Array) -> _Sliding:
-        """Sliding and friction at every node; creep (*points, 1)."""
-        y, y_weight = self._transverse_nodes(creep)
-        slide = ((self.roll * y + self.spin) * y - creep)[..., None]
-        half = np.sqrt((1 - y) * (1 + y))[..., None]  # half-length in the direction of rolling, in units of a
-        turn = (self.spin * self.rolling / self.transverse)[..., None] * self.sideways
-        tau, weight = _unit_gauss(self.nodes[1])
-        x, x_weight = tau * (2 - tau), 2 * (1 - tau) * weight  # makes the root of the pressure at the rim smooth
-        if self.sideways:
-            # |v| = sqrt(slide^2 + (turn x)^2) has a near kink at x = 0 where slide is small; x ~ sinh(z t) removes it.
-            least = 1e-200 * np.where(self.roll + self.spin > 0, self.roll + self.spin, 1.0)[..., None]
-            steep = np.maximum(turn * half / np.maximum(np.abs(slide), least), 1e-8)  # at 1e-8 sinh is its argument
-            z = np.arcsinh(steep)
-            x, t = np.exp(z * (x - 1)) * np.expm1(-2 * z * x) / np.expm1(-2 * z), x_weight
-            x_weight = z * np.hypot(1 / steep, x) * t
-        area = 2 * (y_weight * self.rolling * self.transverse)[..., None] * half * x_weight
-        speed = np.hypot(slide, turn * half * x)
-        pressure = self.pressure[..., None] * half * np.sqrt((1 - x) * (1 + x))
-        flat = (*speed.shape[:-2], -1)
-        stress = self.traction(pressure.reshape(flat), speed.reshape(flat)).reshape(speed.shape)
-        return _Sliding(
-            x=x * half,
-            y=y[..., None],
-            slide=slide,
-            turn=turn,
-            speed=speed,
-            unit=pressure * area,
-            friction=stress * area,
-        )
-
-    def _transverse_nodes(self, creep: Array) -> tuple[Array, Array]:
-        """y/b and weights of three panels that meet where v_x = 0, denser at their ends; (*points, 3 nodes)."""
-        root = np.sqrt(np.maximum(self.spin**2 + 4 * self.roll * creep, 0.0))
-        near = np.divide(2 * creep, self.spin + root, out=np.zeros_like(root), where=self.spin + root > 0)
-        far = np.divide(-(self.spin + root), 2 * self.roll, out=np.full_like(root, -1.0), where=self.roll > 0)
-        one = np.ones_like(root)
-        edges = np.clip(np.concatenate([-one, far, near, one], axis=-1), -1, 1)
-        t, weight = _unit_gauss(self.nodes[0])
-        step, slope = t**3 * (10 - 15 * t + 6 * t**2), 30 * t**2 * (1 - t) ** 2
-        length = np.diff(edges, axis=-1)[..., None]
-        flat = (*root.shape[:-1], -1)
-        return (edges[..., :-1, None] + length * step).reshape(flat), (length * slope * weight).reshape(flat)
+    return _slip(contact, law, spin_rate, nodes=nodes, sideways=False)
 
 
 def power_of_panels(
     contact: RollingContact,
     *,
-    traction: Traction,
+    law: PointLaw,
     spin_rate: ArrayLike,
     creep_speed: ArrayLike,
     nodes: tuple[int, int],
     sideways: bool,
 ) -> Array:
-    """What each of the three transverse panels adds to two powers at a given c, (*points, 6), W: one evaluation.
+    """What each of the three transverse panels adds to two powers at a given c, (6, *points), W: one evaluation.
 
     creep_speed : c, m/s, of a solution, perhaps with other nodes;  sideways : with v_y;  others as `slip_over_ellipse`
     The powers are those of slip, int tau |v| dA, and of the net force, c int tau v_x/|v| dA.
     """
-    integrand = _integrand(contact, traction, spin_rate, nodes=nodes, sideways=sideways)
-    creep = np.broadcast_to(creep_speed, integrand.roll.shape[:-1])[..., None, None]
-    at = integrand.at(creep[..., 0])
-    powers = (at.friction * at.speed, creep * at.pull * at.slide)
-    panels = [each.reshape(*each.shape[:-2], 3, -1).sum(axis=-1) for each in powers]
-    return np.concatenate(panels, axis=-1)
+    rows, shape = rows_of(*contact.fields, *law, spin_rate, creep_speed)
+    return _powers_of_each(rows, quadrature_of(nodes), sideways).reshape(6, *shape)
 
 
-def _integrand(
-    contact: RollingContact, traction: Traction, spin_rate: ArrayLike, *, nodes: tuple[int, int], sideways: bool
-) -> _Integrand:
+def _slip(
+    contact: RollingContact, law: PointLaw, spin_rate: ArrayLike, *, nodes: tuple[int, int], sideways: bool
+) -> SlipMoments:
     require_positive(
         semi_axis_rolling=contact.semi_axis_rolling, semi_axis_transverse=contact.semi_axis_transverse, nodes=nodes
     )
     require_finite(spin_rate=spin_rate)
-    names = ("load", "semi_axis_rolling", "semi_axis_transverse", "deformed_radius", "rolling_rate")
     try:
-        arrays = np.broadcast_arrays(
-            *(np.asarray(value, dtype=np.float64) for value in (*(getattr(contact, name) for name in names), spin_rate))
-        )
+        rows, shape = rows_of(*contact.fields, *law, spin_rate)
     except ValueError as problem:
         raise InputError(
             "the arguments of a slip have shapes that do not fit together: give equal lengths"
         ) from problem
-    load, rolling, transverse, radius, roll, spin = (array[..., None] for array in arrays)
-    return _Integrand(
-        traction=traction,
-        pressure=1.5 * load / (np.pi * rolling * transverse),
-        rolling=rolling,
-        transverse=transverse,
-        roll=roll * transverse**2 / (2 * radius),
-        spin=np.abs(spin) * transverse,
-        sideways=sideways,
-        nodes=nodes,
-    )
+    fields = _moments_of_each(rows, quadrature_of(nodes), sideways)
+    require_forceless(fields[5])
+    return SlipMoments(*fields.reshape(6, *shape))
 
 
-def _slip(
-    contact: RollingContact,
-    traction: Traction,
-    spin_rate: ArrayLike,
-    *,
-    nodes: tuple[int, int],
-    sideways: bool,
-    near: SlipMoments | None,
-) -> SlipMoments:
-    integrand = _integrand(contact, traction, spin_rate, nodes=nodes, sideways=sideways)
-    creep, stiffness = _forceless_creep(integrand, near)
-    at = integrand.at(creep)
-    pull, rolling, transverse = at.pull, integrand.rolling[..., None], integrand.transverse[..., None]
-    return SlipMoments(
-        spin_moment=np.sign(spin_rate) * _sum(pull * (at.slide * at.y * transverse + at.turn * at.x**2 * rolling)),
-        rolling_moment=_sum(pull * at.slide * at.y**2)
-        * np.asarray(contact.semi_axis_transverse) ** 2
-        / (2 * np.asarray(contact.deformed_radius)),
-        slip_power=_sum(at.friction * at.speed),
-        unit_power=_sum(at.unit * at.speed),
-        creep_speed=creep[..., 0],
-        creep_stiffness=stiffness[..., 0],
-    )
-
-
-def _forceless_creep(integrand: _Integrand, near: SlipMoments | None) -> tuple[Array, Array]:
-    """c of no net force and its stiffness, (*points, 1).
-
-    Its bracket: at one end all friction points forwards, at the other backwards.
-    """
-    roll, spin = integrand.roll, integrand.spin
-    vertex = -np.divide(spin, 2 * roll, out=np.ones_like(spin), where=spin < 2 * roll)
-    low, high = (roll * vertex + spin) * vertex, roll + spin
-
-    def rising(creep: Array) -> Array:
-        at = integrand.at(creep)
-        force, friction = _sum(at.pull * at.slide), _sum(at.friction)
-        share = np.divide(force, friction, out=np.zeros_like(force), where=friction != 0)  # nan stays
-        return np.where(np.abs(share) <= BALANCED, 0.0, -share)[..., None]
-
-    if near is None:
-        start, stiffness = _coulomb_creep(integrand)
-    else:
-        start, stiffness = near.creep_speed[..., None], near.creep_stiffness[..., None]
-    secant = SecantSlopes(rising, stiffness)
-    creep = bracketed_root(
-        secant,
-        start=np.clip(start, low, high),
-        low=low,
-        high=high,
-        relative=LAST_STEP,
-        sought=Sought(
-            unit="of the slip speed",
+def require_forceless(sums: Array) -> None:
+    """Raise ConvergenceError where the number of sums of `forceless_slip` is 0."""
+    if not sums.all():
+        raise ConvergenceError(
+            iterations=MOST_STEPS,
+            residual=float("nan"),
+            tolerance=BALANCED,
+            unit="of the friction",
             problem="the balance of friction in the direction of rolling",
             remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",
-        ),
-    )
-    return creep, secant.slopes
-
-
-def _coulomb_creep(integrand: _Integrand) -> tuple[Array, Array]:
-    """c and its stiffness by Coulomb friction on a long ellipse: where a search may begin."""
-    roll, spin = integrand.roll, integrand.spin
-    eps = np.divide(spin, 2 * roll, out=np.full_like(spin, ROLLS_NOT), where=spin < 2 * ROLLS_NOT * roll)
-    lines = pure_rolling_lines(eps)
-    width, slope = np.zeros_like(roll), np.hypot(spin, roll)
-    for line in lines:
-        width = width + np.maximum(1 - line**2, 0.0)
-    stiffness = 1.5 * np.divide(width, slope, out=np.zeros_like(slope), where=slope > 0)
-    return -roll * lines[0] * lines[1], stiffness
+        )
 
 
 @cache
+def quadrature_of(nodes: tuple[int, int]) -> Quadrature:
+    """Places and weights of so many transverse nodes in a panel, denser at its ends, and of those along rolling."""
+    (t, weight), (s, length) = (_unit_gauss(count) for count in nodes)
+    # Along rolling x = s (2 - s) makes the root of the pressure at the rim smooth.
+    return t**3 * (10 - 15 * t + 6 * t**2), 30 * t**2 * (1 - t) ** 2 * weight, s * (2 - s), 2 * (1 - s) * length
+
+
 def _unit_gauss(nodes: int) -> tuple[Array, Array]:
     """Gauss-Legendre nodes and weights on 0 to 1."""
     x, weight = np.polynomial.legendre.leggauss(nodes)

@@ -147,9 +147,7 @@ class Sliders:
     model: SlidingModel
     ring_speed: Array
 
-    def slide(
-        self, quadrature: Quadrature, points: Points = slice(None), near: SlipFriction | None = None
-    ) -> SlipFriction:
+    def slide(self, quadrature: Quadrature, points: Points = slice(None)) -> SlipFriction:
         shape = self.balls.load.shape[1:]
         difference = np.abs(self.balls.motion.spin_difference) if self.model.spins else np.zeros(shape)
         contacts, traction = self._at(points)
@@ -160,7 +158,6 @@ class Sliders:
             spin_difference=difference[points],
             spin_rule=self.model.spin_rule,
             rule=quadrature.rule,
-            near=near,
         )
 
     def errors_at(self, result: SlipFriction, points: Points = slice(None)) -> Callable[[Quadrature], Array]:
@@ -222,7 +219,7 @@ class Sliders:
             sampled = self._sampled(quadrature, cheap, np.flatnonzero(moving), allowed)
             if sampled is not None:
                 return sampled
-        return self._all_points(quadrature, self.slide(quadrature, near=cheap))
+        return self._all_points(quadrature, self.slide(quadrature))
 
     @property
     def _are_alike(self) -> bool:
@@ -261,7 +258,7 @@ class Sliders:
         def evaluate(points: NDArray[np.intp]) -> Array:
             nonlocal worst
             at = moving[points]
-            found = self.slide(quadrature, at, _rows(cheap, at))
+            found = self.slide(quadrature, at)
             worst = max(worst, BETWEEN * float(np.max(self.errors_at(found, at)(quadrature))))
             return (_quantities(found) - base[at]) / scale[at]
 
@@ -281,7 +278,7 @@ class Sliders:
         values[moving] += scale[moving] * series.values
         standing = np.flatnonzero(self.ring_speed == 0)
         if standing.size:
-            values[standing] = _quantities(self.slide(quadrature, standing, _rows(cheap, standing)))
+            values[standing] = _quantities(self.slide(quadrature, standing))
         return Sliding(
             spin=self.balls.alike * values[:, 0],
             conformity=self.balls.alike * values[:, 1],
