@@ -7,11 +7,16 @@ is nearly linear in asinh(t) at both ends of the table. It is extrapolated there
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.special import log_ndtr
 
 from analytic.errors import InputError, require_positive
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.cubic import Cubic, cubic_at, smooth_cubic
+from analytic.numerics.normal_distribution import log_upper_tail
 from analytic.scene import Array
 from analytic.surface.asperity import PLASTIC_RATIO, first_yield, summit_integrals
 from analytic.surface.moments import Summits
@@ -22,27 +27,58 @@ STEP = 0.0125  # in asinh(t)
 KINK_REACH, KINK_STEP = 9.0, 0.06  # in t, around where the highest summits reach w_1 and w_2
 
 
-@dataclass(frozen=True, eq=False)
-class Cubic:
-    """A cubic spline for few x at a time: a call of SciPy's spline would take longer than the rest of the solution."""
+class SummitTable(NamedTuple):
+    """An `AsperityTable` in numbers, for compiled formulas."""
 
-    inner: Array  # knots without the ends; the first and the last piece extrapolate
-    left: Array  # left knot of each piece
-    coefficients: Array  # (4, pieces), highest power first
+    mean_height: float  # of the summits, m
+    height_deviation: float  # of the summits, m
+    log_scale: float  # ln of pi R_a density sigma_s H, Pa
+    log_area_scale: float  # ln of pi R_a density sigma_s
+    pressure: Cubic  # of asinh(t)
+    area: Cubic  # of asinh(t)
+    height: Cubic  # asinh(t) over asinh(ln p - log_scale), which is straight where t is large
 
-    @classmethod
-    def through(cls, x: Array, y: Array) -> "Cubic":
-        from scipy.interpolate import CubicSpline  # a fifth of a second to import, only for rough surfaces
 
-        spline = CubicSpline(x, y)
-        return cls(x[1:-1], x[:-1], np.asarray(spline.c))
+@compiled
+def log_pressure_at(table: SummitTable, film_thickness: float) -> float:
+    """ln of p_a in Pa."""
+    t = (film_thickness - table.mean_height) / table.height_deviation
+    return table.log_scale + log_upper_tail(t) + cubic_at(table.pressure, np.arcsinh(t))[0]
 
-    def __call__(self, x: Array) -> tuple[Array, Array]:
-        """Value and slope."""
-        piece = self.inner.searchsorted(x)
-        c3, c2, c1, c0 = self.coefficients[:, piece]
-        d = x - self.left[piece]
-        return ((c3 * d + c2) * d + c1) * d + c0, (3 * c3 * d + 2 * c2) * d + c1
+
+@compiled
+def separation_of(table: SummitTable, log_pressure: float) -> tuple[float, float]:
+    """Where ln p_a is this: h, m, and its derivative by ln p_a."""
+    q = log_pressure - table.log_scale
+    v, slope = cubic_at(table.height, np.arcsinh(q))
+    deviation = table.height_deviation
+    return table.mean_height + deviation * np.sinh(v), deviation * np.cosh(v) * slope / np.hypot(1.0, q)
+
+
+@compiled
+def summit_area(table: SummitTable, film_thickness: float) -> float:
+    """Real over nominal area, at most 1."""
+    t = (film_thickness - table.mean_height) / table.height_deviation
+    log_area = table.log_area_scale + log_upper_tail(t) + cubic_at(table.area, np.arcsinh(t))[0]
+    return np.exp(min(log_area, 0.0))
+
+
+@compiled
+def _log_pressures(table: SummitTable, film_thickness: Array) -> Array:
+    return np.array([log_pressure_at(table, height) for height in film_thickness])
+
+
+@compiled
+def _separations(table: SummitTable, log_pressure: Array) -> Array:
+    both = np.empty((2, log_pressure.size))
+    for i in range(log_pressure.size):
+        both[0, i], both[1, i] = separation_of(table, log_pressure[i])
+    return both
+
+
+@compiled
+def _areas(table: SummitTable, film_thickness: Array) -> Array:
+    return np.array([summit_area(table, height) for height in film_thickness])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -50,29 +86,23 @@ class AsperityTable:
     """Pressure and area of one rough surface; build it with `tabulated_asperities`."""
 
     summits: Summits
-    log_scale: float  # ln of pi R_a density sigma_s H, Pa
-    log_area_scale: float  # ln of pi R_a density sigma_s
-    pressure_spline: Cubic  # of asinh(t)
-    area_spline: Cubic  # of asinh(t)
-    height_spline: Cubic  # asinh(t) over asinh(ln p - log_scale), which is straight where t is large
+    numbers: SummitTable
 
-    def log_pressure(self, film_thickness: Array) -> Array:
+    def log_pressure(self, film_thickness: ArrayLike) -> Array:
         """ln of p_a in Pa, also where p_a itself underflows to 0; film_thickness : m, any finite number."""
-        t = (film_thickness - self.summits.mean_height) / self.summits.height_deviation
-        return self.log_scale + log_ndtr(-t) + self.pressure_spline(np.arcsinh(t))[0]
+        (height,), shape = rows_of(film_thickness)
+        return _log_pressures(self.numbers, height).reshape(shape)
 
-    def separation(self, log_pressure: Array) -> tuple[Array, Array]:
+    def separation(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """The inverse of log_pressure: h, m, and its derivative by ln p_a."""
-        q = log_pressure - self.log_scale
-        y = np.arcsinh(q)
-        v, slope = self.height_spline(y)
-        slope = self.summits.height_deviation * np.cosh(v) * slope / np.hypot(1.0, q)
-        return self.summits.mean_height + self.summits.height_deviation * np.sinh(v), slope
+        (given,), shape = rows_of(log_pressure)
+        height, slope = _separations(self.numbers, given).reshape(2, *shape)
+        return height, slope
 
-    def area_fraction(self, film_thickness: Array) -> Array:
+    def area_fraction(self, film_thickness: ArrayLike) -> Array:
         """Real over nominal area, at most 1; film_thickness : m, any finite number."""
-        t = (film_thickness - self.summits.mean_height) / self.summits.height_deviation
-        return np.exp(np.minimum(self.log_area_scale + log_ndtr(-t) + self.area_spline(np.arcsinh(t))[0], 0.0))
+        (height,), shape = rows_of(film_thickness)
+        return _areas(self.numbers, height).reshape(shape)
 
 
 @lru_cache(maxsize=64)
@@ -106,9 +136,13 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     log_area_scale = float(np.log(np.pi * summits.radius * summits.density * deviation))
     return AsperityTable(
         summits=summits,
-        log_scale=log_area_scale + float(np.log(hardness)),
-        log_area_scale=log_area_scale,
-        pressure_spline=Cubic.through(v, log_load - higher),
-        area_spline=Cubic.through(v, log_area - higher),
-        height_spline=Cubic.through(np.arcsinh(log_load[::-1]), v[::-1]),
+        numbers=SummitTable(
+            mean_height=float(summits.mean_height),
+            height_deviation=deviation,
+            log_scale=log_area_scale + float(np.log(hardness)),
+            log_area_scale=log_area_scale,
+            pressure=smooth_cubic(v, log_load - higher),
+            area=smooth_cubic(v, log_area - higher),
+            height=smooth_cubic(np.arcsinh(log_load[::-1]), v[::-1]),
+        ),
     )

@@ -10,13 +10,16 @@ Gaps are over sigma, the rms height; pressures over E* slope, with slope = sqrt(
 
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from analytic import catalog
 from analytic.errors import InputError, require_positive
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.cubic import Cubic, cubic_at, monotone_cubic
 from analytic.scene import Array, Autocorrelation
-from analytic.surface.asperity_table import Cubic
 from analytic.surface.boundary_elements import NO_GAP, pressed
 from analytic.surface.heightmap import HeightMap, levelled, measure
 from analytic.surface.moments import SpectralMoments
@@ -26,6 +29,60 @@ MOST_POINTS = 256
 PRESSURES = (1.0, 0.7, 0.45, 0.3, 0.2, 0.1, 0.05, 0.02, 0.007, 0.002)
 STEEPEST = 300.0  # in ln p beyond the last knot: there exp(2 ln p) would soon overflow, and ln gap goes on straight
 LONGEST = 0.5  # of the side of a map: a correlation length that the map does not show counts as so much
+
+
+class ElasticNumbers(NamedTuple):
+    """An `ElasticGap` in numbers, for compiled formulas.
+
+    Below the first knot p_1 the gap over sigma is e + sqrt(a^2 + 2 ln(p_1/p)).
+    """
+
+    log_sigma: float  # of m
+    log_scale: float  # ln of E* slope, Pa
+    first: float  # knots, ln of p/(E* slope)
+    last: float
+    gap: Cubic  # ln of the mean gap over sigma
+    area: Cubic  # of ln(-ln(1 - area)), which is ln p where p is small and 2 ln p where it is large
+    start: float  # a
+    offset: float  # e
+
+
+@compiled
+def elastic_log_gap(law: ElasticNumbers, log_pressure: float) -> tuple[float, float]:
+    """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of p in Pa."""
+    at = log_pressure - law.log_scale
+    if at < law.first:
+        root = np.sqrt(law.start * law.start + 2.0 * (law.first - at))
+        return law.log_sigma + np.log(law.offset + root), -1.0 / (root * (law.offset + root))
+    value, slope = cubic_at(law.gap, min(at, law.last))
+    if at > law.last:
+        beyond = at - law.last
+        growth = np.exp(2.0 * min(beyond, STEEPEST))
+        value += slope * ((growth - 1.0) / 2.0 + growth * max(beyond - STEEPEST, 0.0))
+        slope *= growth
+    return law.log_sigma + value, slope
+
+
+@compiled
+def elastic_area(law: ElasticNumbers, log_pressure: float) -> float:
+    """Real over nominal area, 0 to 1; log_pressure : ln of p in Pa."""
+    at = log_pressure - law.log_scale
+    inside = min(max(at, law.first), law.last)
+    outside = min(at - law.first, 0.0) + 2.0 * max(at - law.last, 0.0)
+    return -np.expm1(-np.exp(min(cubic_at(law.area, inside)[0] + outside, STEEPEST)))
+
+
+@compiled
+def _log_gaps(law: ElasticNumbers, log_pressure: Array) -> Array:
+    both = np.empty((2, log_pressure.size))
+    for i in range(log_pressure.size):
+        both[0, i], both[1, i] = elastic_log_gap(law, log_pressure[i])
+    return both
+
+
+@compiled
+def _areas(law: ElasticNumbers, log_pressure: Array) -> Array:
+    return np.array([elastic_area(law, each) for each in log_pressure])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -43,26 +100,13 @@ class GapCurve:
     areas: Array  # real over nominal area
     width: float  # of those surfaces, in correlation lengths
 
-    def log_gap(self, log_pressure: Array) -> tuple[Array, Array]:
+    def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """ln of the mean gap over sigma, and its derivative by ln p, below 0; log_pressure : ln of p/(E* slope)."""
-        first, last = self.knots[0], self.knots[-1]
-        value, slope = self._gap(np.clip(log_pressure, first, last))
-        start, offset = self._tail
-        root = np.sqrt(start**2 + 2 * np.maximum(first - log_pressure, 0.0))
-        beyond = np.maximum(log_pressure - last, 0.0)
-        growth = np.exp(2 * np.minimum(beyond, STEEPEST))
-        steep = slope * ((growth - 1) / 2 + growth * np.maximum(beyond - STEEPEST, 0.0))
-        low = log_pressure < first
-        return (
-            np.where(low, np.log(offset + root), value + steep),
-            np.where(low, -1 / (root * (offset + root)), slope * growth),
-        )
+        return self._dimensionless.log_gap(log_pressure)
 
-    def area_fraction(self, log_pressure: Array) -> Array:
+    def area_fraction(self, log_pressure: ArrayLike) -> Array:
         """Real over nominal area, rising with p from 0 to 1: proportional to p where small."""
-        inside = np.clip(log_pressure, self.knots[0], self.knots[-1])
-        outside = np.minimum(log_pressure - self.knots[0], 0) + 2 * np.maximum(log_pressure - self.knots[-1], 0)
-        return -np.expm1(-np.exp(np.minimum(self._area(inside)[0] + outside, STEEPEST)))
+        return self._dimensionless.area_fraction(log_pressure)
 
     def spread(self, log_pressure: Array) -> Array:
         """Standard deviation of ln gap between surfaces of this width, each with its own sigma and slope.
@@ -71,22 +115,26 @@ class GapCurve:
         """
         return np.interp(log_pressure, self.knots, self.spreads)
 
-    @cached_property
-    def _gap(self) -> Cubic:
-        return _monotone(self.knots, self.gaps)
+    @property
+    def _dimensionless(self) -> "ElasticGap":
+        return ElasticGap(curve=self, sigma=1.0, log_scale=0.0)
 
     @cached_property
-    def _area(self) -> Cubic:
-        """Of ln(-ln(1 - area)), which is ln p where p is small and 2 ln p where it is large."""
-        return _monotone(self.knots, np.log(-np.log1p(-self.areas)))
-
-    @cached_property
-    def _tail(self) -> tuple[float, float]:
-        """a, e of the gap e + sqrt(a^2 + 2 ln(p_1/p)) below the first knot p_1."""
-        _, slope = self._gap(self.knots[:1])
-        gap = float(np.exp(self.gaps[0]))
-        start = -1 / (gap * float(slope[0]))
-        return start, gap - start
+    def numbers(self) -> ElasticNumbers:
+        """In units of sigma and of E* slope."""
+        gap = monotone_cubic(self.knots, self.gaps)
+        height = float(np.exp(self.gaps[0]))
+        start = -1 / (height * float(gap.coefficients[0, 2]))
+        return ElasticNumbers(
+            log_sigma=0.0,
+            log_scale=0.0,
+            first=float(self.knots[0]),
+            last=float(self.knots[-1]),
+            gap=gap,
+            area=monotone_cubic(self.knots, np.log(-np.log1p(-self.areas))),
+            start=start,
+            offset=height - start,
+        )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -97,14 +145,20 @@ class ElasticGap:
     sigma: float  # rms height of both surfaces, m
     log_scale: float  # ln of E* slope, Pa
 
-    def log_gap(self, log_pressure: Array) -> tuple[Array, Array]:
-        """ln of the mean gap in m, and its derivative by ln p, below 0."""
-        value, slope = self.curve.log_gap(log_pressure - self.log_scale)
-        return value + np.log(self.sigma), slope
+    @property
+    def numbers(self) -> ElasticNumbers:
+        return self.curve.numbers._replace(log_sigma=float(np.log(self.sigma)), log_scale=self.log_scale)
 
-    def area_fraction(self, log_pressure: Array) -> Array:
+    def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
+        """ln of the mean gap in m, and its derivative by ln p, below 0."""
+        (given,), shape = rows_of(log_pressure)
+        value, slope = _log_gaps(self.numbers, given).reshape(2, *shape)
+        return value, slope
+
+    def area_fraction(self, log_pressure: ArrayLike) -> Array:
         """Real over nominal area."""
-        return self.curve.area_fraction(log_pressure - self.log_scale)
+        (given,), shape = rows_of(log_pressure)
+        return _areas(self.numbers, given).reshape(shape)
 
 
 def gap_between(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> ElasticGap:
@@ -165,17 +219,3 @@ def _of_heights(content: bytes, shape: tuple[int, int]) -> GapCurve:
     width = min(shape) / min(measure(piece).correlation_length, LONGEST * min(shape))
     table = declared_gap_curve(Autocorrelation(kind="gaussian", length=10.0, spacing=1.0))
     return GapCurve(knots=knots, gaps=gaps, areas=areas, spreads=table.spread(knots) * table.width / width, width=width)
-
-
-def _monotone(x: Array, y: Array) -> Cubic:
-    """A cubic with continuous slope that rises or falls as the points do, at the ends too.
-
-    There the slope of SciPy's monotone cubic may be 0; here it is at least a third of that of the last piece.
-    """
-    from scipy.interpolate import CubicHermiteSpline, PchipInterpolator  # slow to import, only for rough surfaces
-
-    slopes = np.array(PchipInterpolator(x, y).derivative()(x))
-    pieces = np.diff(y) / np.diff(x)
-    for end in (0, -1):
-        slopes[end] = np.sign(pieces[end]) * np.clip(abs(slopes[end]), abs(pieces[end]) / 3, 3 * abs(pieces[end]))
-    return Cubic(x[1:-1], x[:-1], np.asarray(CubicHermiteSpline(x, y, slopes).c))

@@ -1,21 +1,65 @@
 """The gap law of a scene's surfaces: how much room they leave for the oil while asperities carry a pressure."""
 
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
+from analytic.numerics.compilation import compiled
+from analytic.numerics.cubic import Cubic
 from analytic.scene import Array, Material, Surface
 from analytic.surface.asperity import first_yield, softer_hardness
-from analytic.surface.asperity_table import tabulated_asperities
-from analytic.surface.elastic_gap import declared_gap_curve, gap_between, measured_gap_curve
+from analytic.surface.asperity_table import SummitTable, tabulated_asperities
+from analytic.surface.elastic_gap import (
+    ElasticNumbers,
+    declared_gap_curve,
+    elastic_area,
+    elastic_log_gap,
+    gap_between,
+    measured_gap_curve,
+)
 from analytic.surface.roughness import GapRoughness
-from analytic.surface.truncated_gap import TruncatedGap
+from analytic.surface.truncated_gap import TruncatedGap, TruncatedNumbers, truncated_area, truncated_log_gap
 
 NEVER_YIELDS = 400.0  # standard deviations of height that a summit of [Greenwood1966] can be pressed in
 
 
+SMOOTH, TRUNCATED, ELASTIC = 0, 1, 2  # kinds of GapNumbers
+NO_CUBIC = Cubic(np.zeros(1), np.zeros((1, 4)))
+NOT_TRUNCATED = TruncatedNumbers(SummitTable(0.0, 1.0, 0.0, 0.0, NO_CUBIC, NO_CUBIC, NO_CUBIC), 1.0)
+NOT_ELASTIC = ElasticNumbers(0.0, 0.0, 0.0, 0.0, NO_CUBIC, NO_CUBIC, 1.0, 0.0)
+
+
+class GapNumbers(NamedTuple):
+    """A gap law of any kind in numbers, for compiled formulas; only the part of its kind has a meaning."""
+
+    kind: int
+    truncated: TruncatedNumbers
+    elastic: ElasticNumbers
+
+
+@compiled
+def log_gap_of(gap: GapNumbers, log_pressure: float) -> tuple[float, float]:
+    """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
+    if gap.kind == TRUNCATED:
+        return truncated_log_gap(gap.truncated, log_pressure)
+    return elastic_log_gap(gap.elastic, log_pressure)
+
+
+@compiled
+def area_of(gap: GapNumbers, log_pressure: float) -> float:
+    """Real over nominal area, 0 to 1."""
+    if gap.kind == TRUNCATED:
+        return truncated_area(gap.truncated, log_pressure)
+    return elastic_area(gap.elastic, log_pressure)
+
+
 class GapLaw(Protocol):
     """How much room rough surfaces leave for the oil, for one pair of surfaces."""
+
+    @property
+    def numbers(self) -> TruncatedNumbers | ElasticNumbers:
+        """The law for compiled formulas; see `gap_numbers`."""
+        ...
 
     def log_gap(self, log_pressure: Array) -> tuple[Array, Array]:
         """ln of the mean gap in m, and its derivative by ln p, < 0.
@@ -56,3 +100,13 @@ def gap_law(
         asperities=tabulated_asperities(summits=summits, modulus=modulus, hardness=hardness),
         deviation=roughness.rms_roughness,
     )
+
+
+def gap_numbers(law: GapLaw | None) -> GapNumbers:
+    """A law in numbers; None: smooth."""
+    if law is None:
+        return GapNumbers(SMOOTH, NOT_TRUNCATED, NOT_ELASTIC)
+    numbers = law.numbers
+    if isinstance(numbers, TruncatedNumbers):
+        return GapNumbers(TRUNCATED, numbers, NOT_ELASTIC)
+    return GapNumbers(ELASTIC, NOT_TRUNCATED, numbers)

@@ -7,14 +7,70 @@ Source: the average gap of [Patir1978].
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-from scipy.special import erfcx, log_ndtr
+from numpy.typing import ArrayLike
 
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.normal_distribution import LOG_PEAK, mean_excess, mills_ratio
 from analytic.scene import Array
-from analytic.surface.asperity_table import AsperityTable
+from analytic.surface.asperity_table import AsperityTable, SummitTable, separation_of, summit_area
 
-FAR = 100.0  # standard deviations: from here on the series below is exact, and 1 - t sqrt(pi/2) erfcx loses digits
+
+class TruncatedNumbers(NamedTuple):
+    """A `TruncatedGap` in numbers, for compiled formulas."""
+
+    summits: SummitTable
+    deviation: float  # sigma, m
+
+
+@compiled
+def log_gap_at(separation: float) -> tuple[float, float]:
+    """ln[phi(x) + x Phi(x)] and its derivative, at x = d/sigma; phi, Phi : normal density and distribution."""
+    x = separation
+    if x < 0.0:  # both divided by phi
+        excess = mean_excess(-x)
+        return np.log(excess) + LOG_PEAK - x * x / 2.0, mills_ratio(-x) / excess
+    density = np.exp(LOG_PEAK - x * x / 2.0)
+    below = 1.0 - density * mills_ratio(x)
+    gap = density + x * below
+    return np.log(gap), below / gap
+
+
+@compiled
+def truncated_log_gap(law: TruncatedNumbers, log_pressure: float) -> tuple[float, float]:
+    """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
+    separation, slope = separation_of(law.summits, log_pressure)
+    log_gap, steepness = log_gap_at(separation / law.deviation)
+    return np.log(law.deviation) + log_gap, steepness * slope / law.deviation
+
+
+@compiled
+def truncated_area(law: TruncatedNumbers, log_pressure: float) -> float:
+    """Real over nominal area, 0 to 1."""
+    return summit_area(law.summits, separation_of(law.summits, log_pressure)[0])
+
+
+@compiled
+def _mean_gaps(separation: Array) -> Array:
+    both = np.empty((2, separation.size))
+    for i in range(separation.size):
+        both[0, i], both[1, i] = log_gap_at(separation[i])
+    return both
+
+
+@compiled
+def _log_gaps(law: TruncatedNumbers, log_pressure: Array) -> Array:
+    both = np.empty((2, log_pressure.size))
+    for i in range(log_pressure.size):
+        both[0, i], both[1, i] = truncated_log_gap(law, log_pressure[i])
+    return both
+
+
+@compiled
+def _areas(law: TruncatedNumbers, log_pressure: Array) -> Array:
+    return np.array([truncated_area(law, each) for each in log_pressure])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -24,36 +80,28 @@ class TruncatedGap:
     asperities: AsperityTable
     deviation: float  # sigma, of the heights of both surfaces, m
 
-    def log_gap(self, log_pressure: Array) -> tuple[Array, Array]:
+    @property
+    def numbers(self) -> TruncatedNumbers:
+        return TruncatedNumbers(self.asperities.numbers, self.deviation)
+
+    def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
-        separation, slope = self.asperities.separation(log_pressure)
-        log_gap, steepness = log_mean_gap(separation / self.deviation)
-        return np.log(self.deviation) + log_gap, steepness * slope / self.deviation
+        (given,), shape = rows_of(log_pressure)
+        value, slope = _log_gaps(self.numbers, given).reshape(2, *shape)
+        return value, slope
 
-    def area_fraction(self, log_pressure: Array) -> Array:
+    def area_fraction(self, log_pressure: ArrayLike) -> Array:
         """Real over nominal area, 0 to 1."""
-        return self.asperities.area_fraction(self.asperities.separation(log_pressure)[0])
+        (given,), shape = rows_of(log_pressure)
+        return _areas(self.numbers, given).reshape(shape)
 
 
-def log_mean_gap(separation: Array) -> tuple[Array, Array]:
+def log_mean_gap(separation: ArrayLike) -> tuple[Array, Array]:
     """ln[phi(x) + x Phi(x)] and its derivative, for any finite x; phi, Phi : normal density and distribution.
 
     separation : x = d/sigma, of the mean planes. The result is ln of <max(x - z, 0)> for a standard normal z, in
     logarithms throughout: the gap itself falls below the smallest number at x = -38.
     """
-    x = np.asarray(separation, dtype=np.float64)
-    t = np.maximum(-x, 0.0)
-    near = np.minimum(t, FAR)
-    inverse = 1 / np.maximum(t, FAR) ** 2
-    over_density = np.where(  # of the left side, gap/phi
-        t < FAR,
-        np.log1p(-near * np.sqrt(np.pi / 2) * erfcx(near / np.sqrt(2))),
-        np.log(inverse) + np.log1p(-inverse * (3 - inverse * (15 - 105 * inverse))),
-    )
-    right = np.maximum(x, 0.0)
-    density, below = np.exp(-(right**2) / 2) / np.sqrt(2 * np.pi), np.exp(log_ndtr(right))
-    gap = density + right * below
-    left = over_density - x**2 / 2 - np.log(2 * np.pi) / 2
-    # On the left Phi/phi over gap/phi: their logarithms cancel to 4 digits at x = -1e6.
-    steepness = np.where(x < 0, np.sqrt(np.pi / 2) * erfcx(t / np.sqrt(2)) * np.exp(-over_density), below / gap)
-    return np.where(x < 0, left, np.log(gap)), steepness
+    (given,), shape = rows_of(separation)
+    value, slope = _mean_gaps(given).reshape(2, *shape)
+    return value, slope

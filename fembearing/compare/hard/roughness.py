@@ -135,7 +135,7 @@ ROUGHNESS_CASES: tuple[HardCase, ...] = (
         name="surface: nearly flat",
         problem="Sq of 1e-18 m: the loads of summits are too small for a double",
         answer="a refusal that names 0 as the remedy",
-        evaluate=lambda: rough(1e-18).log_scale,
+        evaluate=lambda: rough(1e-18).numbers.log_scale,
         refusal="all but flat: give a rougher surface, or an rms_roughness of 0",
     ),
     HardCase(

@@ -8,11 +8,12 @@ import pytest
 from scipy.integrate import quad
 from scipy.stats import norm
 
+from analytic.numerics.normal_distribution import FAR
 from analytic.scene import Surface
 from analytic.surface.asperity import separation_at
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
-from analytic.surface.truncated_gap import FAR, TruncatedGap, log_mean_gap
+from analytic.surface.truncated_gap import TruncatedGap, log_mean_gap
 from tests.analytic.specimens import FINISH, present
 from tests.contacts import STEEL
 
