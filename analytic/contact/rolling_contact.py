@@ -52,6 +52,21 @@ class EllipticContact:
             ) from problem
 
     @property
+    def fields(self) -> tuple[Numbers, ...]:
+        """Nine numbers in the order of `ContactNumbers`, which broadcast; NaN where the contact does not have them."""
+        return (
+            self.load,
+            self.semi_axis_rolling,
+            self.semi_axis_transverse,
+            self.curvature_rolling,
+            self.curvature_transverse,
+            self.modulus,
+            np.nan,
+            np.nan,
+            np.nan,
+        )
+
+    @property
     def area(self) -> Array:
         """A_H = pi a b, m^2."""
         return np.pi * np.asarray(self.semi_axis_rolling) * np.asarray(self.semi_axis_transverse)
@@ -77,18 +92,7 @@ class RollingContact(EllipticContact):
 
     @property
     def fields(self) -> tuple[Numbers, ...]:
-        """Nine numbers in the order of `ContactNumbers`, which broadcast; the entrainment is unknown here."""
-        return (
-            self.load,
-            self.semi_axis_rolling,
-            self.semi_axis_transverse,
-            self.curvature_rolling,
-            self.curvature_transverse,
-            self.modulus,
-            self.deformed_radius,
-            self.rolling_rate,
-            np.nan,
-        )
+        return (*super().fields[:6], self.deformed_radius, self.rolling_rate, np.nan)
 
     @property
     def ball_diameter(self) -> Array:

@@ -14,11 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import EllipticContact
+from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.oil.mixed import MixedContact
-from analytic.oil.viscosity import POLE_PRESSURE, inlet_viscosity, pressure_thickening
+from analytic.oil.viscosity import OilNumbers, oil_numbers, pressure_growth
 from analytic.scene import Array, Lubricant
 
 MOST_THICKENING = 600.0  # in the logarithm: such an oil is solid
@@ -46,7 +46,7 @@ class PointLaw(NamedTuple):
 @compiled
 def log_thickening(growth: float, exponent: float, pressure: float) -> float:
     """ln(eta/eta_0) of an oil under the pressure p, Pa, at most MOST_THICKENING; growth, exponent : of a `PointLaw`."""
-    return min(growth * np.expm1(exponent * np.log1p(pressure / POLE_PRESSURE)), MOST_THICKENING)
+    return min(pressure_growth(growth, exponent, pressure), MOST_THICKENING)
 
 
 @compiled
@@ -59,7 +59,7 @@ def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[floa
     if law.fluidity == np.inf:
         return steady + limit, 0.0
     fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
-    rate = fluidity * speed
+    rate = fluidity * speed if speed > 0.0 else 0.0  # also of a film so thin that the fluidity overflows
     oil = law.eyring * np.arcsinh(rate)
     if not oil < limit:
         return steady + limit, 0.0
@@ -82,17 +82,58 @@ def law_at(rows: Array, first: int, index: int) -> PointLaw:
 
 
 @compiled
-def _stress_of_each(rows: Array) -> Array:
+def mean_force(law: PointLaw, contact: ContactNumbers, speed: float) -> float:
+    """Friction of a contact that slides everywhere at the speed |v|, m/s, under its mean pressure, N."""
+    area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
+    if area == 0.0:
+        return law.boundary * contact.load
+    oil = PointLaw(0.0, law.plain, law.limit, law.eyring, law.fluidity, law.share, law.growth, law.exponent)
+    return law.boundary * contact.load + area * stress_and_slope(oil, contact.load / area, speed)[0]
+
+
+@compiled
+def law_of_oil(oil: OilNumbers, boundary: float, share: float, area: float, thickness: float) -> PointLaw:
+    """Oil on a share of the pressure and of the area; boundary : friction coefficient of the rest, over all pressure.
+
+    thickness : of the oil, m; at 0 and below it shears at its limit
+    """
+    if oil.constant_stress:
+        return PointLaw(boundary, oil.eyring_stress * area, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    fluidity = oil.viscosity / oil.eyring_stress / thickness if thickness > 0.0 else np.inf
+    limit, eyring = oil.limiting_shear * share * area, oil.eyring_stress * area
+    return PointLaw(boundary, 0.0, limit, eyring, fluidity, share, oil.growth, oil.exponent)
+
+
+@compiled
+def _stresses(rows: Array) -> Array:
     stress = np.empty(rows.shape[1])
     for i in range(rows.shape[1]):
         stress[i] = stress_and_slope(law_at(rows, 0, i), rows[8, i], rows[9, i])[0]
     return stress
 
 
+@compiled
+def _forces(rows: Array) -> Array:
+    force = np.empty(rows.shape[1])
+    for i in range(rows.shape[1]):
+        force[i] = mean_force(law_at(rows, 0, i), contact_at(rows, 8, i), rows[17, i])
+    return force
+
+
+@compiled
+def _laws(oil: OilNumbers, rows: Array) -> Array:
+    laws = np.empty((8, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        law = law_of_oil(oil, rows[0, i], rows[1, i], rows[2, i], rows[3, i])
+        for k in range(8):
+            laws[k, i] = law[k]
+    return laws
+
+
 def _stress(law: PointLaw, pressure: ArrayLike, speed: ArrayLike) -> Array:
     """Stress, Pa; numbers of the law, pressure and speed broadcast."""
     rows, shape = rows_of(*law, pressure, speed)
-    return _stress_of_each(rows).reshape(shape)
+    return _stresses(rows).reshape(shape)
 
 
 class _Law(ABC):
@@ -109,9 +150,13 @@ class _Law(ABC):
 
         The contact broadcasts with the fields. It is a force because the coefficient has no limit at Q = 0.
         """
-        law, pressure, area = self.point_law, contact.mean_pressure, contact.area
-        boundary, oil = np.asarray(law.boundary) * np.asarray(contact.load), law._replace(boundary=0.0)
-        return lambda speed: boundary + area * _stress(oil, pressure, speed)
+        law, fields = self.point_law, contact.fields
+
+        def force(speed: ArrayLike) -> Array:
+            rows, shape = rows_of(*law, *fields, speed)
+            return _forces(rows).reshape(shape)
+
+        return force
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -164,12 +209,12 @@ class MixedTraction(_Law):
 
     @property
     def point_law(self) -> PointLaw:
-        return _law_of_oil(
+        return _oiled(
             self.lubricant,
             boundary=np.asarray(self.boundary_friction) * self.boundary_share,
             share=1 - np.asarray(self.asperity_share),
-            area=np.asarray(self.oil_area),
-            thickness=np.asarray(self.oil_thickness),
+            area=self.oil_area,
+            thickness=self.oil_thickness,
         )
 
 
@@ -202,35 +247,24 @@ def oil_shear_stress(
     Shear heating within the film is left out; it lowers tau where sliding is fast.
     """
     require_non_negative(pressure=pressure, speed=speed)
-    law = _law_of_oil(lubricant, boundary=0.0, share=1.0, area=1.0, thickness=np.asarray(film_thickness))
+    law = _oiled(lubricant, boundary=0.0, share=1.0, area=1.0, thickness=film_thickness)
     try:
         return _stress(law, pressure, speed)
     except ValueError as problem:
         raise InputError("pressure, speed and film have shapes that do not fit: give equal lengths") from problem
 
 
-def _law_of_oil(
-    lubricant: Lubricant, *, boundary: Array | float, share: Array | float, area: Array | float, thickness: Array
+def _oiled(
+    lubricant: Lubricant, *, boundary: ArrayLike, share: ArrayLike, area: ArrayLike, thickness: ArrayLike
 ) -> PointLaw:
-    """Oil on a share of the area and of the pressure; thickness : of the oil, m; at 0 and below it shears at its limit.
-
-    boundary : friction coefficient of the rest
-    """
-    eyring = lubricant.eyring_stress
-    require_positive(eyring_stress=eyring)
+    """`law_of_oil` of arguments that broadcast; the thickening is the same everywhere."""
+    require_positive(eyring_stress=lubricant.eyring_stress)
     require_non_negative(limiting_shear=lubricant.limiting_shear)
-    if lubricant.traction == "eyring_constant":
-        return PointLaw(boundary=boundary, plain=eyring * area)
-    if lubricant.traction != "eyring_sinh":
+    if lubricant.traction not in ("eyring_sinh", "eyring_constant"):
         raise InputError(f'traction must be "eyring_sinh" or "eyring_constant", got {lubricant.traction!r}')
-    flows = inlet_viscosity(lubricant).viscosity / eyring
-    growth, exponent = pressure_thickening(lubricant)
-    return PointLaw(
-        boundary=boundary,
-        limit=lubricant.limiting_shear * share * area,
-        eyring=eyring * area,
-        fluidity=np.divide(flows, thickness, out=np.full(thickness.shape, np.inf), where=thickness > 0),
-        share=share,
-        growth=growth,
-        exponent=exponent,
-    )
+    oil = oil_numbers(lubricant)
+    rows, shape = rows_of(boundary, share, area, thickness)
+    fields = _laws(oil, rows)[:6].reshape(6, *shape)
+    if oil.constant_stress:
+        return PointLaw(*fields)
+    return PointLaw(*fields, growth=oil.growth, exponent=oil.exponent)

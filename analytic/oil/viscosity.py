@@ -7,11 +7,14 @@ Source: [Roelands1966].
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Lubricant
 
 LOG_POLE_VISCOSITY = -9.67  # ln of the viscosity in Pa s to which every oil tends
@@ -26,6 +29,75 @@ class InletViscosity:
     viscosity: float  # eta_0, Pa s
     pressure_viscosity: float  # alpha_p, 1/Pa
     viscosity_temperature: float  # beta, 1/K
+
+
+class OilNumbers(NamedTuple):
+    """An oil at one temperature, for compiled formulas; `oil_at` makes another temperature of it."""
+
+    temperature: float  # K
+    viscosity: float  # eta at ambient pressure, Pa s
+    pressure_viscosity: float  # alpha_p, 1/Pa
+    viscosity_temperature: float  # beta, 1/K
+    growth: float  # ln(eta) + 9.67
+    exponent: float  # Z
+    thermal_conductivity: float  # k_f, W/(m K)
+    density: float  # kg/m^3
+    eyring_stress: float  # tau_E, Pa
+    limiting_shear: float  # zeta
+    constant_stress: bool  # it shears at tau_E, whatever the speed
+    compressible: bool
+
+
+@compiled
+def pressure_growth(growth: float, exponent: float, pressure: float) -> float:
+    """ln(eta(p)/eta(0)) = growth [(1 + 5.1e-9 p)^exponent - 1]; growth, exponent : of `OilNumbers`;  pressure : p, Pa."""
+    # expm1 keeps the digits where the pressure is small.
+    return growth * np.expm1(exponent * np.log1p(pressure / POLE_PRESSURE))
+
+
+@compiled
+def warmed(viscosity: float, viscosity_temperature: float, before: float, temperature: float) -> tuple[float, float]:
+    """eta at another temperature, and ln(eta) + 9.67 there over that before; ambient pressure.
+
+    viscosity, viscosity_temperature : eta and beta at the temperature before, K
+    """
+    growth = np.log(viscosity) - LOG_POLE_VISCOSITY
+    slope = viscosity_temperature * (before - POLE_TEMPERATURE) / growth  # S
+    shift = -slope * np.log((temperature - POLE_TEMPERATURE) / (before - POLE_TEMPERATURE))
+    return viscosity * np.exp(growth * np.expm1(shift)), np.exp(shift)
+
+
+@compiled
+def oil_at(oil: OilNumbers, temperature: float) -> OilNumbers:
+    """The oil at another temperature, K, by Roelands: its viscosity and its slopes; the rest is taken as constant."""
+    viscosity, left = warmed(oil.viscosity, oil.viscosity_temperature, oil.temperature, temperature)
+    distances = (oil.temperature - POLE_TEMPERATURE) / (temperature - POLE_TEMPERATURE)
+    return OilNumbers(
+        temperature,
+        viscosity,
+        oil.pressure_viscosity * left,  # both slopes follow ln(eta) + 9.67
+        oil.viscosity_temperature * left * distances,
+        oil.growth * left,
+        oil.exponent,
+        oil.thermal_conductivity,
+        oil.density,
+        oil.eyring_stress,
+        oil.limiting_shear,
+        oil.constant_stress,
+        oil.compressible,
+    )
+
+
+@compiled
+def _viscosities(rows: Array) -> Array:
+    found = np.empty(rows.shape[1])
+    for i in range(rows.shape[1]):
+        pressure, temperature, viscosity, alpha, reference, beta = rows[:, i]
+        growth = np.log(viscosity) - LOG_POLE_VISCOSITY
+        exponent = alpha * POLE_PRESSURE / growth
+        ambient, left = warmed(viscosity, beta, reference, temperature)
+        found[i] = ambient * np.exp(pressure_growth(growth * left, exponent, pressure))
+    return found
 
 
 def roelands_viscosity(
@@ -47,30 +119,48 @@ def roelands_viscosity(
     0.8; with Z above 1 the viscosity would grow faster than by Barus's law.
     """
     require_non_negative(pressure=pressure)
-    log_factor, shift = _thermal(
+    _require_liquid(
         temperature=temperature,
         viscosity=viscosity,
         reference_temperature=reference_temperature,
         viscosity_temperature=viscosity_temperature,
     )
     require_non_negative(pressure_viscosity=pressure_viscosity)
-    exponent = np.asarray(pressure_viscosity) * POLE_PRESSURE / log_factor
-    return np.asarray(viscosity) * _thickening(np.asarray(pressure), log_factor, exponent, shift)
+    rows, shape = rows_of(
+        *(pressure, temperature, viscosity, pressure_viscosity), reference_temperature, viscosity_temperature
+    )
+    return _viscosities(rows).reshape(shape)
 
 
-def pressure_thickening(lubricant: Lubricant) -> tuple[float, float]:
-    """(growth, exponent) of ln(eta(p)/eta(0)) = growth [(1 + 5.1e-9 p)^exponent - 1] at the lubricant's temperature.
+@lru_cache(maxsize=64)
+def oil_numbers(lubricant: Lubricant) -> OilNumbers:
+    """A lubricant at its temperature in numbers. Raises InputError as `inlet_viscosity` does, or for a stress.
 
-    growth = G [(T - 138)/(T_0 - 138)]^-S and exponent = Z of `roelands_viscosity`. Raises as `inlet_viscosity` does.
+    A constant Eyring stress does not need the limiting shear, but that must have a meaning too.
     """
-    log_factor, shift = _thermal(
+    _require_liquid(
         temperature=lubricant.temperature,
         viscosity=lubricant.viscosity,
         reference_temperature=lubricant.reference_temperature,
         viscosity_temperature=lubricant.viscosity_temperature,
     )
     require_non_negative(pressure_viscosity=lubricant.pressure_viscosity)
-    return float(log_factor * np.exp(shift)), float(lubricant.pressure_viscosity * POLE_PRESSURE / log_factor)
+    growth = float(np.log(lubricant.viscosity)) - LOG_POLE_VISCOSITY
+    reference = OilNumbers(
+        temperature=float(lubricant.reference_temperature),
+        viscosity=float(lubricant.viscosity),
+        pressure_viscosity=float(lubricant.pressure_viscosity),
+        viscosity_temperature=float(lubricant.viscosity_temperature),
+        growth=growth,
+        exponent=float(lubricant.pressure_viscosity * POLE_PRESSURE / growth),
+        thermal_conductivity=float(lubricant.thermal_conductivity),
+        density=float(lubricant.density),
+        eyring_stress=float(lubricant.eyring_stress),
+        limiting_shear=float(lubricant.limiting_shear),
+        constant_stress=lubricant.traction == "eyring_constant",
+        compressible=bool(lubricant.compressible),
+    )
+    return oil_at(reference, float(lubricant.temperature))
 
 
 def inlet_viscosity(lubricant: Lubricant) -> InletViscosity:
@@ -78,37 +168,21 @@ def inlet_viscosity(lubricant: Lubricant) -> InletViscosity:
 
     Raises InputError if a temperature is not above 138 K or the viscosity not above 6.3e-5 Pa s.
     """
-    log_factor, shift = _thermal(
-        temperature=lubricant.temperature,
-        viscosity=lubricant.viscosity,
-        reference_temperature=lubricant.reference_temperature,
-        viscosity_temperature=lubricant.viscosity_temperature,
-    )
-    cooling = float(np.exp(shift))  # both slopes follow ln(eta) + 9.67
-    distances = (lubricant.reference_temperature - POLE_TEMPERATURE) / (lubricant.temperature - POLE_TEMPERATURE)
+    oil = oil_numbers(lubricant)
     return InletViscosity(
-        viscosity=lubricant.viscosity * float(np.exp(log_factor * np.expm1(shift))),
-        pressure_viscosity=lubricant.pressure_viscosity * cooling,
-        viscosity_temperature=lubricant.viscosity_temperature * cooling * distances,
+        viscosity=oil.viscosity,
+        pressure_viscosity=oil.pressure_viscosity,
+        viscosity_temperature=oil.viscosity_temperature,
     )
 
 
-def _thickening(pressure: Array, log_factor: Array, exponent: Array | float, shift: Array) -> Array:
-    """eta/eta_0 = exp(G ((1 + 5.1e-9 p)^Z [(T - 138)/(T_0 - 138)]^-S - 1))."""
-    # expm1 keeps the digits of the factor where pressure and heating are small.
-    growth = log_factor * np.expm1(exponent * np.log1p(pressure / POLE_PRESSURE) + shift)
-    with np.errstate(over="ignore"):  # large Z under very large pressure: the oil does not flow
-        return np.exp(growth)
-
-
-def _thermal(
+def _require_liquid(
     *,
     temperature: ArrayLike,
     viscosity: ArrayLike,
     reference_temperature: ArrayLike,
     viscosity_temperature: ArrayLike,
-) -> tuple[Array, Array]:
-    """G = ln(eta_0) + 9.67 and -S ln[(T - 138)/(T_0 - 138)]."""
+) -> None:
     require_positive(viscosity=viscosity)
     require_non_negative(viscosity_temperature=viscosity_temperature)
     for name, value in {"temperature": temperature, "reference_temperature": reference_temperature}.items():
@@ -118,12 +192,8 @@ def _thermal(
                 f"{name} must be above {POLE_TEMPERATURE:g} K, where Roelands' oil is solid, got "
                 f"{float(np.min(value))!r}; give it in K"
             )
-    log_factor = np.log(viscosity) - LOG_POLE_VISCOSITY
-    if np.min(log_factor) <= 0:
+    if np.min(np.log(viscosity)) <= LOG_POLE_VISCOSITY:
         raise InputError(
             f"viscosity must be above {np.exp(LOG_POLE_VISCOSITY):.2g} Pa s, the thinnest oil that "
             f"Roelands' formula knows, got {float(np.min(viscosity))!r}; oils have 1e-3 to 10 Pa s"
         )
-    distance = np.asarray(reference_temperature) - POLE_TEMPERATURE
-    slope = np.asarray(viscosity_temperature) * distance / log_factor
-    return log_factor, -slope * np.log((np.asarray(temperature) - POLE_TEMPERATURE) / distance)
