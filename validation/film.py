@@ -18,7 +18,8 @@ from rich.table import Table
 from scipy.optimize import brentq
 
 from analytic.contact.rolling_contact import elliptic_contact
-from analytic.oil.film import FILM_FACTORS, FITTED_ELLIPTICITY, FORMULA_UNCERTAINTY, central_film
+from analytic.oil.asymptotes import FITTED_ELLIPTICITY
+from analytic.oil.film import FILM_FACTORS, FORMULA_UNCERTAINTY, central_film
 
 mpl.use("agg")
 

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from analytic.loads.balls import LoadedBalls
-from analytic.oil.film import FilmAsymptotes, film_asymptotes
+from analytic.oil.asymptotes import FilmAsymptotes
+from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import MixedTraction, mixed_traction
 from analytic.oil.variation import Variation
@@ -42,11 +43,11 @@ class LubricatedRaces:
         if gaps[0] is gaps[1]:
             contacts = balls.contacts
             return mixed_contact(contacts, self.film, gap=gaps[0], film_factor=factor, pressure_factor=pressure)
-        films = {name: np.broadcast_to(values, factor.shape) for name, values in vars(self.film).items()}
+        films = np.broadcast_arrays(*self.film, factor)[:-1]
         races = [
             mixed_contact(
                 balls.race(race),
-                FilmAsymptotes(**{name: values[race] for name, values in films.items()}),
+                FilmAsymptotes(*(values[race] for values in films)),
                 gap=gap,
                 film_factor=factor[race],
                 pressure_factor=pressure,

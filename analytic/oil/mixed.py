@@ -6,18 +6,18 @@ molecule lubricates no more: it leaves boundary friction.
 Source: the shared load of [Johnson1972]; that the oil fills the mean gap follows from the flow, u times this gap.
 """
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import expit
 
-from analytic.contact.rolling_contact import EllipticContact
-from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.numerics.root import Sought, bracketed_root
-from analytic.oil.film import FilmAsymptotes
+from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
+from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.oil.asymptotes import FilmAsymptotes, film_at, log_film_of, thinned
 from analytic.scene import Array
-from analytic.surface.gap import GapLaw
+from analytic.surface.gap import SMOOTH, GapLaw, GapNumbers, area_of, gap_numbers, log_gap_of
 
 # Thickness over which a film turns into a layer of molecules that shears like a boundary film, a choice of this model:
 # measured films follow the formula for films down to about 1 nm [Johnston1991].
@@ -25,7 +25,113 @@ MOLECULAR_FILM = 1e-9  # h_m, m
 LAST_STEP = 1e-9  # of ln(s/(1 - s)); Newton's quadratic steps leave far less
 NO_SHARE = -40.0  # ln(s/(1 - s)): asperities carry less than round-off of the load
 NEARLY_ALL = 40.0  # s is 1 in double precision
-BLOCK = 4096  # contacts at a time: the arrays stay in the processor's cache
+MOST_STEPS = 200  # each halves the bracket or the step before the last; 4 to 8 are usual
+
+
+class MixedNumbers(NamedTuple):
+    """One `MixedContact` in numbers, for compiled formulas; an asperity_share of NaN: the root was not found."""
+
+    asperity_share: float  # s
+    boundary_share: float  # s_b
+    film_thickness: float  # h, m
+    area_fraction: float  # A_a/A_H
+    capped: bool
+    without_film: bool
+
+
+class SharedLoad(NamedTuple):
+    """What asperities carry, and what they leave."""
+
+    share: float  # s; NaN: not found
+    log_height: float  # ln of the film thickness in m
+    touched: float  # A_a/A_H
+
+
+@compiled
+def balanced_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float) -> SharedLoad:
+    """Where both carry: the film is as thick as the gap that asperities leave; log_softness : ln(A_H/F) in 1/Pa.
+
+    The unknown is z = ln(s/(1 - s)), which keeps the digits of s and 1 - s. For z > 0 the film is at least that of
+    rigid bodies, h_RI (1 - s)^-2, and the gap at most that of s = 1/2, which bounds z. Newton's method in this bracket.
+    """
+    low, z = NO_SHARE, 0.0
+    high = max((log_gap_of(gap, -np.log(2) - log_softness)[0] - film.rigid) / 2, 0.0) + NEARLY_ALL
+    last = before = high - low
+    for _ in range(MOST_STEPS):
+        log_share, log_remaining = -np.logaddexp(0.0, -z), -np.logaddexp(0.0, z)
+        log_film, thicker = log_film_of(film, log_remaining)
+        log_gap, narrower = log_gap_of(gap, log_share - log_softness)
+        excess = log_film - log_gap  # rises with z
+        if excess == 0.0 or (abs(last) <= 1e-12 * abs(z) + LAST_STEP and not np.isnan(excess)):
+            return SharedLoad(np.exp(log_share), log_film, area_of(gap, log_share - log_softness))
+        if excess < 0.0:
+            low = z
+        else:
+            high = z
+        step = excess / (np.exp(log_share) * thicker + np.exp(log_remaining) * narrower)
+        if not (low <= z + step <= high and abs(step) <= abs(before) / 2):
+            step = (low + high) / 2 - z
+        before, last = last, step
+        z += step
+    return SharedLoad(np.nan, np.nan, np.nan)
+
+
+@compiled
+def shared_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float, load: float) -> SharedLoad:
+    """The load on film and asperities; arguments as in `balanced_load`."""
+    log_film = log_film_of(film, 0.0)[0]
+    dry = log_film == -np.inf
+    if gap.kind == SMOOTH:
+        return SharedLoad(1.0 if dry and load > 0.0 else 0.0, log_film, 1.0 if dry else 0.0)
+    if load == 0.0:
+        return SharedLoad(0.0, log_film, 0.0)
+    log_dry = log_gap_of(gap, -log_softness)[0]
+    if dry or log_dry >= film.clearance:
+        return SharedLoad(1.0, log_dry, area_of(gap, -log_softness))
+    if log_film >= log_gap_of(gap, NO_SHARE - log_softness)[0]:
+        return SharedLoad(0.0, log_film, 0.0)
+    return balanced_load(film, gap, log_softness)
+
+
+@compiled
+def mixed_of(
+    contact: ContactNumbers, film: FilmAsymptotes, gap: GapNumbers, film_factor: float, pressure_factor: float
+) -> MixedNumbers:
+    """The contact of `mixed_contact`."""
+    factored = thinned(film, np.log(film_factor))
+    area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
+    log_softness = np.log(area * pressure_factor) - np.log(contact.load) if contact.load > 0.0 else 0.0
+    share, log_height, touched = shared_load(factored, gap, log_softness, contact.load)
+    height, without = np.exp(log_height), factored.rigid == -np.inf
+    boundary = share + (1.0 - share) * np.exp(-height / MOLECULAR_FILM)
+    capped = not without and height >= np.exp(film.clearance)
+    return MixedNumbers(share, boundary, height, touched, capped, without)
+
+
+@compiled
+def oil_beside(area_fraction: float, film_thickness: float, without_film: bool) -> tuple[float, float]:
+    """Share of the area where oil shears, and its thickness there, m: `oil_area`, `oil_thickness` of `MixedContact`."""
+    beside = 1.0 - area_fraction
+    area = 0.0 if without_film else beside * -np.expm1(-film_thickness / MOLECULAR_FILM)
+    return area, film_thickness / beside if beside > 0.0 else 0.0
+
+
+@compiled
+def _oils(rows: Array) -> Array:
+    both = np.empty((2, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        both[0, i], both[1, i] = oil_beside(rows[0, i], rows[1, i], rows[2, i] != 0.0)
+    return both
+
+
+@compiled
+def _mixed(rows: Array, gap: GapNumbers, pressure_factor: float) -> Array:
+    fields = np.empty((6, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        found = mixed_of(contact_at(rows, 8, i), film_at(rows, i), gap, rows[17, i], pressure_factor)
+        fields[0, i], fields[1, i], fields[2, i] = found.asperity_share, found.boundary_share, found.film_thickness
+        fields[3, i], fields[4, i], fields[5, i] = found.area_fraction, found.capped, found.without_film
+    return fields
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -43,13 +149,17 @@ class MixedContact:
     @property
     def oil_area(self) -> Array:
         """Share of the contact's area where oil shears: neither touched by asperities nor only a molecule thick."""
-        return (1 - self.area_fraction) * -np.expm1(-self.film_thickness / MOLECULAR_FILM) * ~self.without_film
+        return self._oil_beside[0]
 
     @property
     def oil_thickness(self) -> Array:
         """Thickness of the oil beside the touching area, m: h/(1 - A_a/A_H)."""
-        beside = 1 - self.area_fraction
-        return np.divide(self.film_thickness, beside, out=np.zeros_like(beside), where=beside > 0)
+        return self._oil_beside[1]
+
+    @property
+    def _oil_beside(self) -> Array:
+        rows, shape = rows_of(self.area_fraction, self.film_thickness, self.without_film)
+        return _oils(rows).reshape(2, *shape)
 
     def race(self, race: int) -> "MixedContact":
         """The contacts of one race, where the first axis counts races."""
@@ -82,97 +192,33 @@ def mixed_contact(
     """
     require_non_negative(film_factor=film_factor)
     require_positive(pressure_factor=pressure_factor)
-    force, area = np.asarray(contact.load, dtype=np.float64), contact.area
+    if np.any((contact.area == 0) & (np.asarray(contact.load) > 0)):
+        raise InputError(
+            "semi_axis_rolling or semi_axis_transverse is 0 under load: give the semi-axes of the smooth contact"
+        )
     try:
-        with np.errstate(divide="ignore", invalid="ignore"):  # without load the softness is not used
-            log_factor, log_softness = np.log(film_factor), np.log(area * pressure_factor) - np.log(force)
-            thinned = {
-                name: np.where(log_factor == -np.inf, -np.inf, log_factor + getattr(film, name))
-                for name in ("rigid", "elastic", "unloaded", "piezoviscous")
-            }
-        parts = (*vars(replace(film, **thinned)).values(), log_softness, force)
-        shape = np.broadcast(*parts).shape
-        numbers = np.empty((len(parts), *shape))
-        for row, part in enumerate(parts):
-            numbers[row] = part
+        rows, shape = rows_of(*film, *contact.fields, film_factor)
     except ValueError as problem:
         raise InputError(
             "the arguments of a mixed contact have shapes that do not fit together: give equal lengths"
         ) from problem
-    if np.any(np.isneginf(numbers[-2])):  # ln 0 less the ln of a load
-        raise InputError(
-            "semi_axis_rolling or semi_axis_transverse is 0 under load: give the semi-axes of the smooth contact"
-        )
-    flat = numbers.reshape(len(parts), -1)
-    blocks = [_shared(flat[:, start : start + BLOCK], gap) for start in range(0, max(flat.shape[1], 1), BLOCK)]
-    share, height, touched = (np.concatenate(rows).reshape(shape) for rows in zip(*blocks, strict=True))
-    film, *_ = _unpacked(numbers)
-    without_film = np.isneginf(film.rigid)
-    return MixedContact(
-        asperity_share=share,
-        boundary_share=share + (1 - share) * np.exp(-height / MOLECULAR_FILM),
-        film_thickness=height,
-        area_fraction=touched,
-        capped=~without_film & (height >= np.exp(film.clearance)),
-        outside_range=film.outside_range,
-        without_film=without_film,
-    )
-
-
-def _shared(numbers: Array, gap: GapLaw | None) -> tuple[Array, Array, Array]:
-    """Share, film thickness and area fraction of the contacts in the columns of numbers."""
-    film, log_softness, load = _unpacked(numbers)
-    log_film, loaded = film.log_film(0.0)[0], load > 0
-    dry = np.isneginf(log_film)
-    if gap is None:
-        return np.where(dry & loaded, 1.0, 0.0), np.exp(log_film), np.where(dry, 1.0, 0.0)
-    share, touched, log_height = np.zeros(load.shape), np.zeros(load.shape), log_film.copy()
-    log_pressure = -np.where(loaded, log_softness, 0.0)  # if asperities carry all
-    log_dry = gap.log_gap(log_pressure)[0]
-    carried = loaded & (dry | (log_dry >= film.clearance))
-    share[carried], log_height[carried] = 1.0, log_dry[carried]
-    touched[carried] = gap.area_fraction(log_pressure[carried])
-    sharing = loaded & ~carried
-    sharing[sharing] = log_film[sharing] < gap.log_gap(NO_SHARE + log_pressure[sharing])[0]
-    if sharing.any():
-        share[sharing], log_height[sharing], touched[sharing] = _balanced(numbers[:, sharing], gap)
-    return share, np.exp(log_height), touched
-
-
-def _unpacked(numbers: Array) -> tuple[FilmAsymptotes, Array, Array]:
-    """The film, ln(A_H/F) and F from the rows of numbers."""
-    *film, log_softness, load = numbers
-    names = (field.name for field in fields(FilmAsymptotes))
-    return FilmAsymptotes(**dict(zip(names, film, strict=True))), log_softness, load
-
-
-def _balanced(numbers: Array, gap: GapLaw) -> tuple[Array, Array, Array]:
-    """s, ln h and the touching area where both carry: the film is as thick as the gap that asperities leave.
-
-    The unknown is z = ln(s/(1 - s)), which keeps the digits of s and 1 - s. For z > 0 the film is at least that of
-    rigid bodies, h_RI (1 - s)^-2, and the gap at most that of s = 1/2, which bounds z.
-    """
-    film, log_softness, _ = _unpacked(numbers)
-
-    def excess(z: Array) -> tuple[Array, Array]:
-        log_share, log_remaining = -np.logaddexp(0.0, -z), -np.logaddexp(0.0, z)
-        log_film, thicker = film.log_film(log_remaining)
-        log_gap, narrower = gap.log_gap(log_share - log_softness)
-        return log_film - log_gap, -np.exp(log_share) * thicker - np.exp(log_remaining) * narrower
-
-    half = gap.log_gap(-np.log(2) - log_softness)[0]
-    z = bracketed_root(
-        excess,
-        start=np.zeros(half.shape),
-        low=np.full(half.shape, NO_SHARE),
-        high=np.maximum((half - film.rigid) / 2, 0.0) + NEARLY_ALL,
-        relative=1e-12,
-        absolute=LAST_STEP,
-        sought=Sought(
+    fields = _mixed(rows, gap_numbers(gap), float(pressure_factor)).reshape(6, *shape)
+    share, boundary_share, thickness, touched, capped, without_film = fields
+    if np.isnan(share).any():
+        raise ConvergenceError(
+            iterations=MOST_STEPS,
+            residual=np.nan,
+            tolerance=LAST_STEP,
             unit="of ln(s/(1 - s))",
             problem="the load shared by film and asperities",
             remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
-        ),
+        )
+    return MixedContact(
+        asperity_share=share,
+        boundary_share=boundary_share,
+        film_thickness=thickness,
+        area_fraction=touched,
+        capped=capped != 0,
+        outside_range=np.broadcast_to(film.outside_range, shape),
+        without_film=without_film != 0,
     )
-    log_pressure = -np.logaddexp(0.0, -z) - log_softness
-    return expit(z), film.log_film(-np.logaddexp(0.0, z))[0], gap.area_fraction(log_pressure)

@@ -50,7 +50,7 @@ class OilNumbers(NamedTuple):
 
 @compiled
 def pressure_growth(growth: float, exponent: float, pressure: float) -> float:
-    """ln(eta(p)/eta(0)) = growth [(1 + 5.1e-9 p)^exponent - 1]; growth, exponent : of `OilNumbers`;  pressure : p, Pa."""
+    """ln(eta(p)/eta(0)) = growth [(1 + 5.1e-9 p)^exponent - 1]; the first two of `OilNumbers`; pressure : p, Pa."""
     # expm1 keeps the digits where the pressure is small.
     return growth * np.expm1(exponent * np.log1p(pressure / POLE_PRESSURE))
 

@@ -1,7 +1,5 @@
 """The shared load: both equations that it solves, from boundary friction to the full film, its limits, and units."""
 
-from dataclasses import replace
-
 import hypothesis.strategies as st
 import numpy as np
 import pytest
@@ -237,13 +235,13 @@ def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float
     softer = given | {"load": load * left, "modulus": E * left}
     # Without a limit by the clearance, which would hide the rest.
     contacts = (hertzian(each) for each in (softer, given))
-    reduced, asymptotes = (replace(film_asymptotes(contact, **rest), clearance=np.inf) for contact, rest in contacts)
+    reduced, asymptotes = (film_asymptotes(contact, **rest)._replace(clearance=np.inf) for contact, rest in contacts)
     log_h, slope = asymptotes.log_film(share)
     np.testing.assert_allclose(log_h, reduced.log_film(0.0)[0], atol=1e-12)  # round-off of logarithms up to 100
     step = 1e-5
     beyond, before = (asymptotes.log_film(share + d)[0] for d in (step, -step))
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), atol=1e-8)  # round-off of 1e-14 over the step
-    full = replace(asymptotes, clearance=log_h - 0.1)
+    full = asymptotes._replace(clearance=log_h - 0.1)
     assert full.log_film(share) == (full.clearance, 0.0)  # it cannot grow
 
 
