@@ -183,7 +183,7 @@ def hertz_fields(fields: Array, shape: tuple[int, ...]) -> HertzContact:
             problem="the ellipse",
             remedy="Check that the curvatures are of ordinary size.",
         )
-    return HertzContact(**dict(zip(HertzNumbers._fields, fields.reshape(-1, *shape), strict=True)))
+    return HertzContact(**dict(zip(HertzNumbers._fields, fields.reshape(len(fields), *shape), strict=True)))
 
 
 def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
