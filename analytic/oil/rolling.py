@@ -7,14 +7,15 @@ ones. Heating and starvation of the inlet reduce it by the factors of [SKF2018].
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ellipe, expit
 
-from analytic.contact.hertz import hertz_contact
-from analytic.contact.rolling_contact import EllipticContact, RollingContact
+from analytic.contact.hertz import HertzNumbers, elliptic_integrals, unit_hertz
+from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, RollingContact, contact_at
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Supply
 
 STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "oil_spot": 6e-8, "grease": 6e-8}  # K_rs
@@ -22,7 +23,6 @@ DEEP_GROOVE, ANGULAR_CONTACT = 3.1, 4.4  # K_Z of bearings of one row
 # Loss factors of bearing steel under rolling that are in use, as no measured one was found. 0.004 to 0.01 are usual; a
 # formula in [Balan2015] amounts to 0.023 and 0.028 in its two contacts.
 HYSTERESIS_LOSS = (0.003, 0.025)
-UNFIT = "the arguments of a rolling resistance have shapes that do not fit together: give equal lengths"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -32,6 +32,116 @@ class RollingResistance:
     force: Array  # f, on each of the two surfaces, against its motion, N, >= 0
     power: Array  # 2 |u| f, W, >= 0
     outside_range: NDArray[np.bool_]  # longer in rolling than transverse, or so fast that rigid bodies resist less
+
+
+class RollingGroups(NamedTuple):
+    """What both formulas are made of, with the symbols of hydrodynamic_rolling."""
+
+    stiffness: float  # E'
+    radius: float  # R_x
+    ellipticity: float  # R_x/R_y
+    semi_axis: float  # b
+    slenderness: float  # kappa
+    beta: float
+    load: float  # W
+    speed: float  # U
+    loading: float  # M; 1 at standstill, where it is infinite and there is no force
+    rigid: float  # 1/(1 + M/6.6)
+
+
+@compiled
+def rolling_groups(contact: ContactNumbers, unit: HertzNumbers, viscosity: float, speed: float) -> RollingGroups:
+    """unit : Hertz's contact of this one under 1 N;  viscosity : eta_0, Pa s;  speed : |u|, m/s"""
+    rolling, transverse, stiffness = contact.curvature_rolling, contact.curvature_transverse, 2 * contact.modulus
+    slenderness = unit.semi_axis_x / unit.semi_axis_y  # the same at every load
+    squared = min(slenderness, 1 / slenderness) ** 2
+    integral_k, share = elliptic_integrals(squared)
+    beta = 4 / np.pi * integral_k * (1 - (1 - squared) * share) / (1 + transverse / rolling)  # E = K - m D
+    load = contact.load * rolling**2 / stiffness
+    heavy = beta**0.25 * slenderness * load  # M U^(3/4), finite at standstill
+    relative = 2 * viscosity * speed * rolling / stiffness
+    power = relative**0.75
+    return RollingGroups(
+        stiffness,
+        1 / rolling,
+        transverse / rolling,
+        unit.semi_axis_y * np.cbrt(contact.load),
+        slenderness,
+        beta,
+        load,
+        relative,
+        heavy / power if relative > 0.0 else 1.0,
+        power / (power + heavy / 6.6) if relative > 0.0 else 0.0,
+    )
+
+
+@compiled
+def truncation(group: RollingGroups, reach: float) -> float:
+    """C of `hydrodynamic_rolling`; reach : r."""
+    if reach == 0.0:  # without load
+        return 1.0
+    slender = min(group.slenderness, 1.0)
+    shorter = (0.15 + 4.72 * group.loading**-0.39 * slender ** (0.484 * group.loading**0.165)) / 0.85  # 1/c - 1
+    weaker = np.log(shorter) + (2 - slender) * (0.0018 * group.loading + 1.33) * np.log(reach)
+    return 1 / (1 + np.exp(weaker))
+
+
+@compiled
+def biboulet_force(contact: ContactNumbers, group: RollingGroups) -> tuple[float, bool]:
+    """f of `hydrodynamic_rolling`, N, and whether rigid bodies resist less than elastic ones."""
+    rising = 0.77 * group.beta ** (-1 / 3) * group.slenderness**0.12 * group.speed ** (2 / 3)
+    level = 1.8 * group.beta**-0.25 * group.speed**0.75
+    width = 2 * group.semi_axis * group.stiffness * group.radius
+    diameter = 2 / (1 / contact.deformed_radius + contact.curvature_transverse / 2)  # as RollingContact.ball_diameter
+    cut = truncation(group, min(2 * group.semi_axis / diameter, 1.0))
+    return cut * width * (group.rigid * rising + (1 - group.rigid) * level), rising < level
+
+
+@compiled
+def houpert_force(group: RollingGroups, pressure_viscosity: float) -> float:
+    """f of `houpert_rolling`, N."""
+    rigid = 0.835 * group.ellipticity**-0.358 * group.speed**0.636 * group.load**0.364
+    elastic = 1.544 * np.cbrt(group.beta) * group.slenderness**-0.577 * group.speed**0.656 * group.load**0.466
+    elastic *= (pressure_viscosity * group.stiffness) ** 0.022
+    return group.stiffness * group.radius**2 * (group.rigid * rigid + (1 - group.rigid) * elastic)
+
+
+@compiled
+def groups_at(rows: Array, index: int) -> RollingGroups:
+    """Of the contact, the viscosity and the speed in the first eleven rows, of the element at the index."""
+    contact = contact_at(rows, 0, index)
+    unit = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)
+    return rolling_groups(contact, unit, rows[9, index], rows[10, index])
+
+
+@compiled
+def _biboulet_forces(rows: Array) -> Array:
+    both = np.empty((2, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        both[0, i], both[1, i] = biboulet_force(contact_at(rows, 0, i), groups_at(rows, i))
+    return both
+
+
+@compiled
+def _houpert_forces(rows: Array) -> Array:
+    forces = np.empty(rows.shape[1])
+    for i in range(rows.shape[1]):
+        forces[i] = houpert_force(groups_at(rows, i), rows[11, i])
+    return forces
+
+
+@compiled
+def heated_rolling(diameter_speed: float, kinematic_viscosity: float) -> float:
+    """phi_ish of `inlet_shear_factor`; diameter_speed : n d_m, mm/min;  kinematic_viscosity : nu, mm^2/s."""
+    return 1 / (1 + 1.84e-9 * diameter_speed**1.28 * kinematic_viscosity**0.64)
+
+
+@compiled
+def _heated_rollings(rows: Array) -> Array:
+    factors = np.empty(rows.shape[1])
+    for i in range(rows.shape[1]):
+        factors[i] = heated_rolling(rows[0, i], rows[1, i])
+    return factors
 
 
 def hydrodynamic_rolling(
@@ -57,13 +167,9 @@ def hydrodynamic_rolling(
     Raises InputError if an argument has the wrong sign or is not finite, or if shapes do not broadcast.
     Source: equations 32, 35 and 36 of [Biboulet2010].
     """
-    group = _groups(contact, viscosity=viscosity, entrainment_speed=entrainment_speed)
-    rising = 0.77 * group.beta ** (-1 / 3) * group.slenderness**0.12 * group.speed ** (2 / 3)
-    level = 1.8 * group.beta**-0.25 * group.speed**0.75
-    width = 2 * group.semi_axis * group.stiffness * group.radius
-    cut = _truncation(group, np.minimum(2 * group.semi_axis / contact.ball_diameter, 1.0))
-    force = cut * width * (group.rigid * rising + (1 - group.rigid) * level)
-    return _resistance(contact, force, entrainment_speed, too_fast=rising < level)
+    rows, shape = _rows(contact, viscosity, entrainment_speed)
+    force, too_fast = _biboulet_forces(rows).reshape(2, *shape)
+    return _resistance(contact, force, entrainment_speed, too_fast=too_fast != 0)
 
 
 def houpert_rolling(
@@ -80,74 +186,21 @@ def houpert_rolling(
     Source: [Houpert1987], in the notation of [Biboulet2010].
     """
     require_positive(pressure_viscosity=pressure_viscosity)
-    group = _groups(contact, viscosity=viscosity, entrainment_speed=entrainment_speed)
-    try:
-        load, material = group.load, np.asarray(pressure_viscosity) * group.stiffness
-        rigid = 0.835 * group.ellipticity**-0.358 * group.speed**0.636 * load**0.364
-        elastic = 1.544 * np.cbrt(group.beta) * group.slenderness**-0.577 * group.speed**0.656 * load**0.466
-        force = group.rigid * rigid + (1 - group.rigid) * elastic * material**0.022
-    except ValueError as problem:
-        raise InputError(UNFIT) from problem
-    return _resistance(contact, group.stiffness * group.radius**2 * force, entrainment_speed)
+    rows, shape = _rows(contact, viscosity, entrainment_speed, pressure_viscosity)
+    return _resistance(contact, _houpert_forces(rows).reshape(shape), entrainment_speed)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Groups:
-    """What both formulas are made of, with the symbols of hydrodynamic_rolling."""
-
-    stiffness: Array  # E'
-    radius: Array  # R_x
-    ellipticity: Array  # R_x/R_y
-    semi_axis: Array  # b
-    slenderness: Array  # kappa
-    beta: Array
-    load: Array  # W
-    speed: Array  # U
-    loading: Array  # M; 1 at standstill, where it is infinite and there is no force
-    rigid: Array  # 1/(1 + M/6.6)
-
-
-def _groups(contact: EllipticContact, *, viscosity: ArrayLike, entrainment_speed: ArrayLike) -> _Groups:
+def _rows(
+    contact: EllipticContact, viscosity: ArrayLike, entrainment_speed: ArrayLike, *others: ArrayLike
+) -> tuple[Array, tuple[int, ...]]:
     require_positive(viscosity=viscosity)
     require_finite(entrainment_speed=entrainment_speed)
-    rolling, transverse, load, modulus = (
-        np.asarray(value, dtype=np.float64)
-        for value in (contact.curvature_rolling, contact.curvature_transverse, contact.load, contact.modulus)
-    )
-    unit = hertz_contact(curvature_x=rolling, curvature_y=transverse, load=1.0, modulus=modulus)
-    stiffness = 2 * modulus
-    slenderness = unit.semi_axis_x / unit.semi_axis_y  # the same at every load
-    ellipse = ellipe(1 - np.minimum(slenderness, 1 / slenderness) ** 2)
-    beta = 4 / np.pi * ellipse / (1 + transverse / rolling)
-    relative_load = load * rolling**2 / stiffness
-    heavy = beta**0.25 * slenderness * relative_load  # M U^(3/4), finite at standstill
     try:
-        speed = 2 * np.asarray(viscosity) * np.abs(np.asarray(entrainment_speed)) * rolling / stiffness
-        power, moving = speed**0.75, speed > 0
-        shape = np.broadcast(power, heavy).shape
+        return rows_of(*contact.fields, viscosity, np.abs(entrainment_speed), *others)
     except ValueError as problem:
-        raise InputError(UNFIT) from problem
-    return _Groups(
-        stiffness=stiffness,
-        radius=1 / rolling,
-        ellipticity=transverse / rolling,
-        semi_axis=unit.semi_axis_y * np.cbrt(load),
-        slenderness=slenderness,
-        beta=beta,
-        load=relative_load,
-        speed=speed,
-        loading=np.divide(heavy, power, out=np.ones(shape), where=moving),
-        rigid=np.divide(power, power + heavy / 6.6, out=np.zeros(shape), where=moving),
-    )
-
-
-def _truncation(group: _Groups, reach: Array) -> Array:
-    """C of hydrodynamic_rolling; reach : r."""
-    slender = np.minimum(group.slenderness, 1.0)
-    with np.errstate(divide="ignore", invalid="ignore"):  # M^-0.39 and ln r without load, where C is 1
-        shorter = (0.15 + 4.72 * group.loading**-0.39 * slender ** (0.484 * group.loading**0.165)) / 0.85  # 1/c - 1
-        weaker = np.log(shorter) + (2 - slender) * (0.0018 * group.loading + 1.33) * np.log(reach)
-    return np.where(reach > 0, expit(-weaker), 1.0)
+        raise InputError(
+            "the arguments of a rolling resistance have shapes that do not fit together: give equal lengths"
+        ) from problem
 
 
 def _resistance(
@@ -194,7 +247,8 @@ def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinem
     require_positive(mean_diameter=mean_diameter, kinematic_viscosity=kinematic_viscosity)
     require_non_negative(ring_speed=ring_speed)
     surface = per_minute(ring_speed) * np.asarray(mean_diameter) * 1e3  # n d_m, mm/min
-    return 1 / (1 + 1.84e-9 * surface**1.28 * square_millimetres(kinematic_viscosity) ** 0.64)
+    rows, shape = rows_of(surface, square_millimetres(kinematic_viscosity))
+    return _heated_rollings(rows).reshape(shape)
 
 
 def replenishment_factor(

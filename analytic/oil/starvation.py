@@ -9,17 +9,25 @@ Sources: [Hamrock1977b] for the film, [Biboulet2010a] for rolling.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import EllipticContact
-from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.numerics.root import Sought, bracketed_root
+from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
+from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array
 
-LINE_EDGE = np.log(4 * np.sqrt(2) / 3)  # ln of the factor of (m - 1)^1.5, the gap next to the edge of a line contact
+LINE_EDGE = float(
+    np.log(4 * np.sqrt(2) / 3)
+)  # ln of the factor of (m - 1)^1.5, the gap next to the edge of a line contact
 NEAR, FAR = 4.5e-4, 1e8  # of m - 1: nearer the terms of the gap cancel, farther it is m^2; either to 1e-12
+LOG_NEAR, LOG_FAR = float(np.log(NEAR)), float(np.log(FAR))
+LOG_THINNING = float(np.log(3.06))
+LOG_2 = float(np.log(2))
+MOST_STEPS = 200  # each halves the bracket or the step before the last; 3 to 6 are usual
+LAST_STEP = 1e-12  # of ln(m - 1)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -32,6 +40,173 @@ class Starvation:
     rolling_factor: Array  # g, starved over flooded resistance to rolling, 0 to 1
 
 
+class StarvedNumbers(NamedTuple):
+    """One `Starvation` in numbers, for compiled formulas; a degree of NaN: the root was not found."""
+
+    degree: float
+    film_factor: float
+    fullness: float
+    rolling_factor: float
+
+
+FLOODED = StarvedNumbers(np.inf, 1.0, np.inf, 1.0)
+
+
+@compiled
+def log_reach(contact: ContactNumbers, film: float) -> float:
+    """ln(R_x h/a^2) of a contact with load and film."""
+    return np.log(film) - np.log(contact.curvature_rolling) - 2 * np.log(contact.semi_axis_rolling)
+
+
+@compiled
+def log_film_factor(log_excess: float, reach: float) -> float:
+    """ln f of `film_factor`; log_excess : ln(m - 1);  reach : of `log_reach`."""
+    return min(0.29 * (log_excess - LOG_THINNING - 0.58 * reach), 0.0)
+
+
+@compiled
+def log_line_gap(log_excess: float) -> float:
+    """ln of the bracket in `meniscus_gap`, (sinh 2t - 2t)/2 with m = cosh t."""
+    if log_excess < LOG_NEAR:
+        # In powers of m - 1, from those of t: (4 sqrt 2/3) (m - 1)^1.5 [1 + 3/20 (m - 1) - 3/224 (m - 1)^2]
+        near = np.exp(log_excess)
+        return LINE_EDGE + 1.5 * log_excess + np.log1p(near * (3 / 20 - 3 / 224 * near))
+    if log_excess > LOG_FAR:
+        return 2 * np.logaddexp(0.0, log_excess)
+    excess = np.exp(log_excess)
+    root = np.sqrt(excess * (excess + 2))
+    return np.log((1 + excess) * root - np.log1p(excess + root))
+
+
+@compiled
+def log_gap_ratio(log_excess: float, reach: float) -> float:
+    """ln(h_a/h)."""
+    return np.logaddexp(log_film_factor(log_excess, reach), log_line_gap(log_excess) - LOG_2 - reach)
+
+
+@compiled
+def log_excess_at(log_gap: float, reach: float) -> float:
+    """ln(m - 1) at which ln(h_a/h) is log_gap, by Newton's method in a bracket; NaN if it is not found.
+
+    One of the two parts of h_a/h is at least half of the whole, which bounds m - 1 by each part alone. The part of the
+    line lies between the larger of (4 sqrt 2/3) (m - 1)^1.5 and (m - 1)^2 and twice of it.
+    """
+    half, line = log_gap - LOG_2, log_gap + LOG_2 + reach
+    low_line, high_line = line - 2 * LOG_2, line
+    low = min((low_line - LINE_EDGE) / 1.5, low_line / 2)
+    if half < 0.0:  # f is never above 1
+        low = min(low, half / 0.29 + LOG_THINNING + 0.58 * reach)
+    high = min((high_line - LINE_EDGE) / 1.5, high_line / 2)
+    if log_gap < 0.0:
+        high = min(high, log_gap / 0.29 + LOG_THINNING + 0.58 * reach)
+    z, last, before = high, high - low, high - low
+    for _ in range(MOST_STEPS):
+        gap = log_gap_ratio(z, reach)
+        film, beside = log_film_factor(z, reach), log_line_gap(z)
+        excess = np.exp(min(max(z, LOG_NEAR), LOG_FAR))
+        # d ln(line's gap)/dz: 2 e sqrt(e (e + 2)) over it, which goes from 1.5 to 2
+        growth = 2 * excess * np.sqrt(excess * (excess + 2)) / np.exp(log_line_gap(np.log(excess)))
+        slope = growth * np.exp(beside - LOG_2 - reach - gap)
+        if film < 0.0:
+            slope += 0.29 * np.exp(film - gap)
+        if gap < log_gap:
+            low = z
+        elif gap > log_gap:
+            high = z
+        else:
+            return z
+        step = (log_gap - gap) / slope
+        if not (low <= z + step <= high and abs(step) <= abs(before) / 2):
+            step = (low + high) / 2 - z
+        before, last = last, step
+        z += step
+        if abs(last) <= 1e-14 * abs(z) + LAST_STEP and not np.isnan(gap):
+            return z
+    return np.nan
+
+
+@compiled
+def rolling_left(fullness: float) -> float:
+    """g(S) of `rolling_factor`."""
+    few, inverse = min(fullness, 1.0), 1 / max(fullness, 1.0)  # above 1 in powers of 1/S, as S^2 may overflow
+    return few * (few + 162.8 * inverse) / (few**2 + 193.1 * few * inverse + 1257 * inverse**2)
+
+
+@compiled
+def fullness_leaving(factor: float) -> float:
+    """S at which g(S) is the factor."""
+    half = (162.8 - 193.1 * factor) / 2
+    root = np.sqrt(half**2 + (1 - factor) * 1257 * factor)
+    return 1257 * factor / (half + root) if half > 0.0 else (root - half) / (1 - factor)
+
+
+@compiled
+def starved_by_degree(contact: ContactNumbers, degree: float, film: float, ratio: float) -> StarvedNumbers:
+    """What the degree leaves, as `starved_at_degree` says; film : h, m, flooded;  ratio : h_min/h."""
+    if contact.semi_axis_rolling == 0.0 or film == 0.0:
+        return StarvedNumbers(degree, 1.0, np.inf, 1.0)
+    reach, log_excess = log_reach(contact, film), np.log(degree - 1)
+    fullness = np.exp(log_gap_ratio(log_excess, reach) - np.log(ratio)) if degree < np.inf else np.inf
+    return StarvedNumbers(degree, np.exp(log_film_factor(log_excess, reach)), fullness, rolling_left(fullness))
+
+
+@compiled
+def starved_by_factor(contact: ContactNumbers, factor: float, film: float, ratio: float) -> StarvedNumbers:
+    """The degree that leaves this much of rolling, as `starved_at_factor` says; the rest as for a degree."""
+    if contact.semi_axis_rolling == 0.0 or film == 0.0:
+        return FLOODED
+    fullness = fullness_leaving(factor)
+    if fullness == np.inf:
+        return StarvedNumbers(np.inf, 1.0, fullness, factor)
+    if fullness == 0.0:
+        return StarvedNumbers(1.0, 0.0, fullness, factor)
+    reach = log_reach(contact, film)
+    degree = 1 + np.exp(log_excess_at(np.log(fullness) + np.log(ratio), reach))
+    return StarvedNumbers(degree, np.exp(log_film_factor(np.log(degree - 1), reach)), fullness, factor)
+
+
+@compiled
+def _by_degree(rows: Array) -> Array:
+    fields = np.empty((4, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        found = starved_by_degree(contact_at(rows, 0, i), rows[9, i], rows[10, i], rows[11, i])
+        for k in range(4):
+            fields[k, i] = found[k]
+    return fields
+
+
+@compiled
+def _by_factor(rows: Array) -> Array:
+    fields = np.empty((4, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        found = starved_by_factor(contact_at(rows, 0, i), rows[9, i], rows[10, i], rows[11, i])
+        for k in range(4):
+            fields[k, i] = found[k]
+    return fields
+
+
+@compiled
+def _meniscus_gaps(rows: Array) -> Array:
+    gaps = np.empty(rows.shape[1])
+    for i in range(rows.shape[1]):
+        contact, degree, film = contact_at(rows, 0, i), rows[9, i], rows[10, i]
+        gaps[i] = starved_by_degree(contact, degree, film, 1.0).film_factor * film
+        if contact.semi_axis_rolling > 0.0:
+            beside = np.exp(log_line_gap(np.log(degree - 1))) * contact.semi_axis_rolling**2
+            gaps[i] += beside * contact.curvature_rolling / 2
+    return gaps
+
+
+@compiled
+def _rolling_factors(fullness: Array) -> Array:
+    return np.array([rolling_left(each) for each in fullness])
+
+
+@compiled
+def _fullnesses(factor: Array) -> Array:
+    return np.array([fullness_leaving(each) for each in factor])
+
+
 def starved_at_degree(
     contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike, minimum_ratio: ArrayLike
 ) -> Starvation:
@@ -42,14 +217,9 @@ def starved_at_degree(
     film : h, flooded, in the centre, m, >= 0;  minimum_ratio : h_min/h of `film.minimum_ratio`, > 0
     Raises InputError if an argument is out of range or if shapes do not broadcast.
     """
-    fullness = inlet_fullness(contact, degree=degree, film=film, minimum_ratio=minimum_ratio)
-    shape = fullness.shape
-    return Starvation(
-        degree=np.broadcast_to(np.asarray(degree, dtype=np.float64), shape),
-        film_factor=np.broadcast_to(film_factor(contact, degree=degree, film=film), shape),
-        fullness=fullness,
-        rolling_factor=rolling_factor(fullness),
-    )
+    require_positive(minimum_ratio=minimum_ratio)
+    rows, shape = _rows(contact, _degrees(degree), film, minimum_ratio)
+    return Starvation(**dict(zip(StarvedNumbers._fields, _by_degree(rows).reshape(4, *shape), strict=True)))
 
 
 def starved_at_factor(
@@ -63,20 +233,18 @@ def starved_at_factor(
     and f are those of the edge. Contacts that count as flooded keep all of rolling, whatever g.
     """
     require_positive(minimum_ratio=minimum_ratio)
-    reach, flooded = _reach(contact, film)
-    wanted, reach, flooded, ratio = _together(fullness_at(rolling_factor), reach, flooded, minimum_ratio)
-    wanted = np.where(flooded, np.inf, wanted)
-    degree = np.where(wanted == 0, 1.0, np.inf)
-    starved = (wanted > 0) & (wanted < np.inf)
-    if starved.any():
-        log_gap = np.log(wanted[starved]) + np.log(ratio[starved])
-        degree[starved] = 1 + np.exp(_log_excess(log_gap, reach[starved]))
-    return Starvation(
-        degree=degree,
-        film_factor=film_factor(contact, degree=degree, film=film),
-        fullness=wanted,
-        rolling_factor=np.where(flooded, 1.0, rolling_factor),
-    )
+    rows, shape = _rows(contact, _factors(rolling_factor), film, minimum_ratio)
+    fields = _by_factor(rows).reshape(4, *shape)
+    if np.isnan(fields[0]).any():
+        raise ConvergenceError(
+            iterations=MOST_STEPS,
+            residual=np.nan,
+            tolerance=LAST_STEP,
+            unit="of ln(m - 1)",
+            problem="the distance of the meniscus from a starved contact",
+            remedy="Check that film, semi-axis and curvature are of ordinary size.",
+        )
+    return Starvation(**dict(zip(StarvedNumbers._fields, fields, strict=True)))
 
 
 def film_factor(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike) -> Array:
@@ -84,8 +252,7 @@ def film_factor(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike)
 
     Arguments and errors : as in starved_at_degree
     """
-    log_excess, reach, flooded = _together(_log_of_excess(degree), *_reach(contact, film))
-    return np.where(flooded, 1.0, np.exp(_log_film_factor(log_excess, reach)))
+    return starved_at_degree(contact, degree=degree, film=film, minimum_ratio=1.0).film_factor
 
 
 def meniscus_gap(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike) -> Array:
@@ -93,11 +260,8 @@ def meniscus_gap(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike
 
     The second term is the gap outside the contact of dry cylinders. Arguments and errors : as in starved_at_degree
     """
-    factor = film_factor(contact, degree=degree, film=film)
-    with np.errstate(invalid="ignore"):  # without load an infinite degree is no distance
-        beside = np.exp(_log_line_gap(_log_of_excess(degree))) * np.asarray(contact.semi_axis_rolling) ** 2
-    beside = np.where(np.asarray(contact.semi_axis_rolling) > 0, beside, 0.0)
-    return factor * np.asarray(film) + beside * np.asarray(contact.curvature_rolling) / 2
+    rows, shape = _rows(contact, _degrees(degree), film)
+    return _meniscus_gaps(rows).reshape(shape)
 
 
 def inlet_fullness(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike, minimum_ratio: ArrayLike) -> Array:
@@ -105,11 +269,7 @@ def inlet_fullness(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLi
 
     Arguments and errors : as in starved_at_degree
     """
-    require_positive(minimum_ratio=minimum_ratio)
-    reach, flooded = _reach(contact, film)
-    log_excess, reach, flooded, ratio = _together(_log_of_excess(degree), reach, flooded, minimum_ratio)
-    with np.errstate(over="ignore"):  # a flooded inlet
-        return np.where(flooded, np.inf, np.exp(_log_gap(log_excess, reach) - np.log(ratio)))
+    return starved_at_degree(contact, degree=degree, film=film, minimum_ratio=minimum_ratio).fullness
 
 
 def rolling_factor(fullness: ArrayLike) -> Array:
@@ -117,11 +277,10 @@ def rolling_factor(fullness: ArrayLike) -> Array:
 
     fullness : S, >= 0, may be inf; the fit is for 2 and more. Source: equation 44 of [Biboulet2010a].
     """
-    s = np.asarray(fullness, dtype=np.float64)
+    (s,), shape = rows_of(fullness)
     if not np.all(s >= 0):
         raise InputError(f"fullness = {fullness!r} must be at least 0: give inf for a flooded inlet")
-    few, inverse = np.minimum(s, 1.0), 1 / np.maximum(s, 1.0)  # above 1 in powers of 1/S, as S^2 may overflow
-    return few * (few + 162.8 * inverse) / (few**2 + 193.1 * few * inverse + 1257 * inverse**2)
+    return _rolling_factors(s).reshape(shape)
 
 
 def fullness_at(factor: ArrayLike) -> Array:
@@ -129,100 +288,33 @@ def fullness_at(factor: ArrayLike) -> Array:
 
     Raises InputError unless the factor is 0 to 1.
     """
+    (g,), shape = rows_of(_factors(factor))
+    return _fullnesses(g).reshape(shape)
+
+
+def _factors(factor: ArrayLike) -> Array:
     g = np.asarray(factor, dtype=np.float64)
     if not np.all((g >= 0) & (g <= 1)):
         raise InputError(f"rolling_factor = {factor!r} must lie in 0 to 1: give 1 for a flooded inlet")
-    half = (162.8 - 193.1 * g) / 2
-    root = np.sqrt(half**2 + (1 - g) * 1257 * g)
-    with np.errstate(divide="ignore"):
-        return np.where(half > 0, 1257 * g / (np.abs(half) + root), (root - half) / (1 - g))
+    return g
 
 
-def _log_of_excess(degree: ArrayLike) -> Array:
-    """ln(m - 1), -inf at the edge."""
+def _degrees(degree: ArrayLike) -> Array:
     m = np.asarray(degree, dtype=np.float64)
     if not np.all(m >= 1):
         raise InputError(
             f"lubricant.starvation_degree = {degree!r} must be at least 1, where the oil begins at the edge of the "
             "contact: usual are 1.1 to 10, and inf is flooded"
         )
-    with np.errstate(divide="ignore"):
-        return np.log(m - 1)
+    return m
 
 
-def _reach(contact: EllipticContact, film: ArrayLike) -> tuple[Array, Array]:
-    """ln(R_x h/a^2), and where the contact counts as flooded, with 0 there."""
+def _rows(contact: EllipticContact, given: Array, film: ArrayLike, *others: ArrayLike) -> tuple[Array, tuple[int, ...]]:
+    """Rows of the contact's fields, the degree or factor, the film and others, and the shape."""
     require_non_negative(film=film)
-    a, curvature, h = _together(contact.semi_axis_rolling, contact.curvature_rolling, film)
-    flooded = (a == 0) | (h == 0)
-    a, h = np.where(flooded, 1.0, a), np.where(flooded, curvature, h)
-    return np.log(h) - np.log(curvature) - 2 * np.log(a), flooded
-
-
-def _together(*values: ArrayLike) -> tuple[Array, ...]:
     try:
-        return tuple(np.broadcast_arrays(*(np.asarray(value) for value in values)))
+        return rows_of(*contact.fields, given, film, *others)
     except ValueError as problem:
         raise InputError(
             "the arguments of a starved inlet have shapes that do not fit together: give equal lengths"
         ) from problem
-
-
-def _log_film_factor(log_excess: Array, reach: Array) -> Array:
-    return np.minimum(0.29 * (log_excess - np.log(3.06) - 0.58 * reach), 0.0)
-
-
-def _log_gap(log_excess: Array, reach: Array) -> Array:
-    """ln(h_a/h)."""
-    return np.logaddexp(_log_film_factor(log_excess, reach), _log_line_gap(log_excess) - np.log(2) - reach)
-
-
-def _log_line_gap(log_excess: Array) -> Array:
-    """ln of the bracket in meniscus_gap, (sinh 2t - 2t)/2 with m = cosh t."""
-    between = np.exp(np.clip(log_excess, np.log(NEAR), np.log(FAR)))
-    root = np.sqrt(between * (between + 2))
-    middle = np.log((1 + between) * root - np.log1p(between + root))
-    far = 2 * np.logaddexp(0.0, log_excess)
-    near = np.exp(np.minimum(log_excess, np.log(NEAR)))
-    # In powers of m - 1, from those of t: (4 sqrt 2/3) (m - 1)^1.5 [1 + 3/20 (m - 1) - 3/224 (m - 1)^2]
-    series = LINE_EDGE + 1.5 * log_excess + np.log1p(near * (3 / 20 - 3 / 224 * near))
-    return np.where(log_excess < np.log(NEAR), series, np.where(log_excess > np.log(FAR), far, middle))
-
-
-def _log_excess(log_gap: Array, reach: Array) -> Array:
-    """ln(m - 1) at which ln(h_a/h) is log_gap."""
-
-    def by_film(log_part: Array) -> Array:
-        """Where f alone is as large; it never is above 1."""
-        return np.where(log_part < 0, log_part / 0.29 + np.log(3.06) + 0.58 * reach, np.inf)
-
-    def by_line(log_part: Array) -> Array:
-        """Where the larger of (4 sqrt 2/3) (m - 1)^1.5 and (m - 1)^2, in place of the line's gap, is as large."""
-        log_line = log_part + np.log(2) + reach
-        return np.minimum((log_line - LINE_EDGE) / 1.5, log_line / 2)
-
-    def excess_gap(z: Array) -> tuple[Array, Array]:
-        gap = _log_gap(z, reach)
-        film, line = _log_film_factor(z, reach), _log_line_gap(z)
-        e = np.exp(np.clip(z, np.log(NEAR), np.log(FAR)))
-        # d ln(line's gap)/dz: 2 e sqrt(e (e + 2)) over it, which goes from 1.5 to 2
-        growth = 2 * e * np.sqrt(e * (e + 2)) / np.exp(_log_line_gap(np.log(e)))
-        slope = 0.29 * (film < 0) * np.exp(film - gap) + growth * np.exp(line - np.log(2) - reach - gap)
-        return gap - log_gap, slope
-
-    # The line's gap lies between the larger one and twice of it; one of two parts is at least half of the whole.
-    low = np.minimum(by_film(log_gap - np.log(2)), by_line(log_gap - 2 * np.log(2)))
-    high = np.minimum(by_film(log_gap), by_line(log_gap))
-    return bracketed_root(
-        excess_gap,
-        start=high,
-        low=low,
-        high=high,
-        relative=1e-14,
-        absolute=1e-12,
-        sought=Sought(
-            unit="of ln(m - 1)",
-            problem="the distance of the meniscus from a starved contact",
-            remedy="Check that film, semi-axis and curvature are of ordinary size.",
-        ),
-    )
