@@ -19,6 +19,7 @@ from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Supply
 
 STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "oil_spot": 6e-8, "grease": 6e-8}  # K_rs
+PER_MINUTE, SQUARE_MILLIMETRES = 60 / (2 * np.pi), 1e6  # in a rad/s, in a m^2
 DEEP_GROOVE, ANGULAR_CONTACT = 3.1, 4.4  # K_Z of bearings of one row
 # Loss factors of bearing steel under rolling that are in use, as no measured one was found. 0.004 to 0.01 are usual; a
 # formula in [Balan2015] amounts to 0.023 and 0.028 in its two contacts.
@@ -131,16 +132,45 @@ def _houpert_forces(rows: Array) -> Array:
 
 
 @compiled
-def heated_rolling(diameter_speed: float, kinematic_viscosity: float) -> float:
-    """phi_ish of `inlet_shear_factor`; diameter_speed : n d_m, mm/min;  kinematic_viscosity : nu, mm^2/s."""
-    return 1 / (1 + 1.84e-9 * diameter_speed**1.28 * kinematic_viscosity**0.64)
+def heated_rolling(mean_diameter: float, ring_speed: float, kinematic_viscosity: float) -> float:
+    """phi_ish of `inlet_shear_factor`; arguments in SI as there."""
+    surface = PER_MINUTE * ring_speed * mean_diameter * 1e3  # n d_m, mm/min
+    return 1 / (1 + 1.84e-9 * surface**1.28 * (SQUARE_MILLIMETRES * kinematic_viscosity) ** 0.64)
+
+
+@compiled
+def replenished(rate: float, ring_speed: float, kinematic_viscosity: float) -> float:
+    """phi_rs of `replenishment_factor`; rate : of `replenishment_rate`; the others in SI as there."""
+    return np.exp(-rate * kinematic_viscosity * ring_speed)
+
+
+@compiled
+def hysteresis(contact: ContactNumbers, loss: float) -> float:
+    """M_h of `hysteresis_moment`, N m; loss : alpha'."""
+    return 3 / 16 * loss * contact.load * contact.semi_axis_rolling
+
+
+@compiled
+def _hysteresis_moments(rows: Array) -> Array:
+    moments = np.empty(rows.shape[1])
+    for i in range(rows.shape[1]):
+        moments[i] = hysteresis(contact_at(rows, 0, i), rows[9, i])
+    return moments
+
+
+@compiled
+def _replenished(rows: Array) -> Array:
+    factors = np.empty(rows.shape[1])
+    for i in range(rows.shape[1]):
+        factors[i] = replenished(rows[0, i], rows[1, i], rows[2, i])
+    return factors
 
 
 @compiled
 def _heated_rollings(rows: Array) -> Array:
     factors = np.empty(rows.shape[1])
     for i in range(rows.shape[1]):
-        factors[i] = heated_rolling(rows[0, i], rows[1, i])
+        factors[i] = heated_rolling(rows[0, i], rows[1, i], rows[2, i])
     return factors
 
 
@@ -233,9 +263,8 @@ def hysteresis_moment(contact: EllipticContact, *, hysteresis_loss: ArrayLike) -
     Source: equation 8 of [Paper], from [Johnson1985] p. 285.
     """
     require_non_negative(hysteresis_loss=hysteresis_loss)
-    return np.asarray(
-        3 / 16 * np.asarray(hysteresis_loss) * np.asarray(contact.load) * np.asarray(contact.semi_axis_rolling)
-    )
+    rows, shape = rows_of(*contact.fields, hysteresis_loss)
+    return _hysteresis_moments(rows).reshape(shape)
 
 
 def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinematic_viscosity: ArrayLike) -> Array:
@@ -246,8 +275,7 @@ def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinem
     """
     require_positive(mean_diameter=mean_diameter, kinematic_viscosity=kinematic_viscosity)
     require_non_negative(ring_speed=ring_speed)
-    surface = per_minute(ring_speed) * np.asarray(mean_diameter) * 1e3  # n d_m, mm/min
-    rows, shape = rows_of(surface, square_millimetres(kinematic_viscosity))
+    rows, shape = rows_of(mean_diameter, ring_speed, kinematic_viscosity)
     return _heated_rollings(rows).reshape(shape)
 
 
@@ -268,13 +296,24 @@ def replenishment_factor(
     The factor is 0 to 1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s.
     Source: [SKF2018].
     """
+    require_positive(kinematic_viscosity=kinematic_viscosity)
+    require_non_negative(ring_speed=ring_speed)
+    rate = replenishment_rate(
+        bore_diameter=bore_diameter, outside_diameter=outside_diameter, supply=supply, geometry=geometry
+    )
+    rows, shape = rows_of(rate, ring_speed, kinematic_viscosity)
+    return _replenished(rows).reshape(shape)
+
+
+def replenishment_rate(
+    *, bore_diameter: ArrayLike, outside_diameter: ArrayLike, supply: Supply, geometry: float = DEEP_GROOVE
+) -> Array:
+    """-ln phi_rs over nu in m^2/s and the ring speed in rad/s, s^2/m^2; arguments as in `replenishment_factor`."""
     if supply not in STARVATION:
         raise InputError(f"supply must be one of {', '.join(STARVATION)}, got {supply!r}")
     bore, outside = ring_diameters(bore_diameter, outside_diameter)
-    require_positive(kinematic_viscosity=kinematic_viscosity)
-    require_non_negative(ring_speed=ring_speed)
-    passing = square_millimetres(kinematic_viscosity) * per_minute(ring_speed) * (bore + outside)
-    return np.exp(-STARVATION[supply] * passing * np.sqrt(geometry / (2 * (outside - bore))))
+    rate = STARVATION[supply] * (bore + outside) * np.sqrt(geometry / (2 * (outside - bore)))  # over nu n
+    return square_millimetres(per_minute(rate))
 
 
 def ring_diameters(bore_diameter: ArrayLike, outside_diameter: ArrayLike) -> tuple[Array, Array]:
@@ -291,9 +330,9 @@ def ring_diameters(bore_diameter: ArrayLike, outside_diameter: ArrayLike) -> tup
 
 def per_minute(speed: ArrayLike) -> Array:
     """n, 1/min, from a speed in rad/s."""
-    return np.asarray(speed) * 60 / (2 * np.pi)
+    return np.asarray(speed) * PER_MINUTE
 
 
 def square_millimetres(kinematic_viscosity: ArrayLike) -> Array:
     """nu, mm^2/s, from m^2/s."""
-    return 1e6 * np.asarray(kinematic_viscosity)
+    return np.asarray(kinematic_viscosity) * SQUARE_MILLIMETRES

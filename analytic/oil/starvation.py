@@ -218,7 +218,7 @@ def starved_at_degree(
     Raises InputError if an argument is out of range or if shapes do not broadcast.
     """
     require_positive(minimum_ratio=minimum_ratio)
-    rows, shape = _rows(contact, _degrees(degree), film, minimum_ratio)
+    rows, shape = _rows(contact, checked_degrees(degree), film, minimum_ratio)
     return Starvation(**dict(zip(StarvedNumbers._fields, _by_degree(rows).reshape(4, *shape), strict=True)))
 
 
@@ -236,15 +236,20 @@ def starved_at_factor(
     rows, shape = _rows(contact, _factors(rolling_factor), film, minimum_ratio)
     fields = _by_factor(rows).reshape(4, *shape)
     if np.isnan(fields[0]).any():
-        raise ConvergenceError(
-            iterations=MOST_STEPS,
-            residual=np.nan,
-            tolerance=LAST_STEP,
-            unit="of ln(m - 1)",
-            problem="the distance of the meniscus from a starved contact",
-            remedy="Check that film, semi-axis and curvature are of ordinary size.",
-        )
+        raise no_meniscus()
     return Starvation(**dict(zip(StarvedNumbers._fields, fields, strict=True)))
+
+
+def no_meniscus() -> ConvergenceError:
+    """The error where a degree is NaN."""
+    return ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=np.nan,
+        tolerance=LAST_STEP,
+        unit="of ln(m - 1)",
+        problem="the distance of the meniscus from a starved contact",
+        remedy="Check that film, semi-axis and curvature are of ordinary size.",
+    )
 
 
 def film_factor(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike) -> Array:
@@ -260,7 +265,7 @@ def meniscus_gap(contact: EllipticContact, *, degree: ArrayLike, film: ArrayLike
 
     The second term is the gap outside the contact of dry cylinders. Arguments and errors : as in starved_at_degree
     """
-    rows, shape = _rows(contact, _degrees(degree), film)
+    rows, shape = _rows(contact, checked_degrees(degree), film)
     return _meniscus_gaps(rows).reshape(shape)
 
 
@@ -299,7 +304,8 @@ def _factors(factor: ArrayLike) -> Array:
     return g
 
 
-def _degrees(degree: ArrayLike) -> Array:
+def checked_degrees(degree: ArrayLike) -> Array:
+    """The degree as an array. Raises InputError where it is below 1."""
     m = np.asarray(degree, dtype=np.float64)
     if not np.all(m >= 1):
         raise InputError(
