@@ -1,0 +1,128 @@
+"""A lubricated contact of a ball with its race as one compiled formula: film, shared load, traction, rolling.
+
+`analytic.oil.inlets`, `analytic.oil.lubricated_races` and `analytic.races` do the same for arrays of contacts, step by
+step; every step is the same compiled formula.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from analytic.contact.hertz import HertzNumbers
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.numerics.compilation import compiled
+from analytic.oil.asymptotes import asymptotes_of
+from analytic.oil.inlets import InletNumbers, OilSupply, inflow_of, inlet_of
+from analytic.oil.mixed import MixedNumbers, mixed_of, oil_beside
+from analytic.oil.rolling import biboulet_force, houpert_force, rolling_groups
+from analytic.oil.traction import PointLaw, law_of_oil
+from analytic.oil.variation import Variation
+from analytic.oil.viscosity import OilNumbers
+from analytic.surface.gap import SMOOTH, GapNumbers
+
+
+class Lubrication(NamedTuple):
+    """What all contacts of a race share besides the oil, and what counts in them."""
+
+    gap: GapNumbers
+    boundary_friction: float
+    supply: OilSupply
+    asperities: bool  # they carry load
+    heats: bool  # shear heats the inlets
+    starves: bool  # oil does not return in time
+    film: float  # factors on what the formulas give
+    asperity_pressure: float
+    rolling: float
+    houpert: bool  # the older formula for rolling
+
+
+class LubricatedContact(NamedTuple):
+    """A contact at its speed."""
+
+    mixed: MixedNumbers
+    law: PointLaw
+    inlet: InletNumbers
+    rolling_torque: float  # about the bearing axis, N m
+
+
+@compiled
+def rolling_torque_of(
+    contact: ContactNumbers,
+    unit: HertzNumbers,
+    oil: OilNumbers,
+    inlet: InletNumbers,
+    lubrication: Lubrication,
+    ring_speed: float,
+) -> float:
+    """Torque by hydrodynamic rolling about the bearing axis, N m; arguments as in `lubricated_contact`."""
+    group = rolling_groups(contact, unit, oil.viscosity, abs(ring_speed * contact.entrainment))
+    houpert = lubrication.houpert
+    force = houpert_force(group, oil.pressure_viscosity) if houpert else biboulet_force(contact, group)[0]
+    left = lubrication.rolling
+    if lubrication.heats:
+        left *= inlet.rolling_heating
+    if lubrication.starves:
+        left *= inlet.starvation.rolling_factor
+    return left * 2.0 * force * contact.entrainment
+
+
+@compiled
+def lubricated_contact(
+    contact: ContactNumbers,
+    unit: HertzNumbers,
+    peak_pressure: float,
+    oil: OilNumbers,
+    lubrication: Lubrication,
+    ring_speed: float,
+) -> LubricatedContact:
+    """A contact of a ball with its race in oil.
+
+    unit : under 1 N by Hertz alone, as the formula for rolling has it;  peak_pressure : p0, Pa
+    ring_speed : w, rad/s, of either sign
+    mixed.asperity_share or inlet.starvation.degree of NaN: the root was not found
+    """
+    inflow = inflow_of(contact, oil, ring_speed)
+    film = asymptotes_of(contact, inflow)
+    inlet = inlet_of(contact, peak_pressure, oil, film, lubrication.supply, ring_speed)
+    thinner = lubrication.film
+    if lubrication.heats:
+        thinner *= inlet.film_heating
+    if lubrication.starves:
+        thinner *= inlet.starvation.film_factor
+    kind = lubrication.gap.kind if lubrication.asperities else SMOOTH
+    gap = GapNumbers(kind, lubrication.gap.truncated, lubrication.gap.elastic)
+    mixed = mixed_of(contact, film, gap, thinner, lubrication.asperity_pressure)
+    area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
+    boundary = lubrication.boundary_friction * mixed.boundary_share
+    return LubricatedContact(
+        mixed,
+        law_of_oil(oil, boundary, 1.0 - mixed.asperity_share, area, thickness),
+        inlet,
+        rolling_torque_of(contact, unit, oil, inlet, lubrication, ring_speed),
+    )
+
+
+def lubrication_of(
+    gap: GapNumbers,
+    supply: OilSupply,
+    *,
+    boundary_friction: float,
+    asperities: bool,
+    heats: bool,
+    starves: bool,
+    variation: Variation,
+) -> Lubrication:
+    """What counts in the contacts of a race; gap : of ball and race;  supply : of the bearing."""
+    known = not (np.isnan(supply.degree) and np.isnan(supply.rate))
+    return Lubrication(
+        gap=gap,
+        boundary_friction=float(boundary_friction),
+        supply=supply,
+        asperities=asperities,
+        heats=heats,
+        starves=starves and known,
+        film=variation.film,
+        asperity_pressure=variation.asperity_pressure,
+        rolling=variation.rolling,
+        houpert=variation.rolling_formula == "houpert",
+    )
