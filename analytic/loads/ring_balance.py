@@ -21,7 +21,8 @@ TOLERANCE = 1e-12
 PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps
 # Of A0, likewise: the place of a ball under a force of its own is computed from the grooves' centres.
 BALL_ROUND_OFF = 16 * np.finfo(np.float64).eps
-ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of the balls' loads times A0, whose rounding moves them
+# Of the balls' loads times A0, whose rounding moves them, or times the way of a load that no bearing survives.
+ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps
 LEAST_BALLS = 3  # of a row that hold a ring in all five freedoms
 FREEDOMS = 5
 APPROACH = 3  # among the fields of HertzNumbers
@@ -173,56 +174,57 @@ def ring_work(balls: int) -> RingWork:
 @compiled
 def _balance_at(rows: BallRows, point: RingPoint, work: RingWork) -> Balance:
     """The balance of a ring at its place, with its balls settled; writes their forces and the tangent."""
-    distance, place, tangent, gradient = rows.grooves.distance, point.place, point.tangent, work.gradient
-    energy = stiffness = heaviest = most = reach = trace = all_loads = farthest = 0.0
+    distance, travel = rows.grooves.distance, rows.travel
+    place, tangent, gradient = point.place, point.tangent, work.gradient
+    energy = stiffness = heaviest = most = reach = trace = all_loads = farthest = left = 0.0
     has_own_force = False
     for i in range(FREEDOMS):
         gradient[i] = -point.ring_force[i]
         energy -= point.ring_force[i] * place[i]
         most, reach = max(most, abs(point.ring_force[i])), max(reach, abs(place[i]))
-        tangent[i, : i + 1] = 0.0
-    for j in range(len(rows.travel)):
-        radial, axial = rows.travel[j]
-        u_r, u_a = 0.0, rows.offset[j]
+        for k in range(i + 1):
+            tangent[i, k] = 0.0
+    for j in range(len(travel)):
+        radial, axial = 0.0, rows.offset[j]
         for i in range(FREEDOMS):
-            u_r += radial[i] * place[i]
-            u_a += axial[i] * place[i]
+            radial += travel[j, 0, i] * place[i]
+            axial += travel[j, 1, i] * place[i]
         softness, own = (point.unit[0, APPROACH, j], point.unit[1, APPROACH, j]), (point.own[j, 0], point.own[j, 1])
-        ball = settled_ball(rows.grooves, (u_r, u_a), softness, own, (point.moved[j, 0], point.moved[j, 1]))
+        ball = settled_ball(rows.grooves, (radial, axial), softness, own, (point.moved[j, 0], point.moved[j, 1]))
         if not ball.left <= ball.tolerance:
             return Balance(energy, 0.0, ball.left, ball.tolerance, distance, True)
-        point.force[j, 0], point.force[j, 1] = ball.force
+        for k in range(2):
+            point.force[j, k], point.moved[j, k] = ball.force[k], ball.moved[k]
+            work.arm[0, j, k], work.arm[1, j, k] = ball.inner_arm[k], ball.outer_arm[k]
         point.load[0, j], point.load[1, j] = ball.inner_load, ball.outer_load
-        work.arm[0, j, 0], work.arm[0, j, 1] = ball.inner_arm
-        work.arm[1, j, 0], work.arm[1, j, 1] = ball.outer_arm
-        point.moved[j, 0], point.moved[j, 1] = ball.moved
         rr, ra, aa = ball.tangent
         for i in range(FREEDOMS):
-            gradient[i] += radial[i] * ball.force[0] + axial[i] * ball.force[1]
-            along_r, along_a = radial[i] * rr + axial[i] * ra, radial[i] * ra + axial[i] * aa
+            gradient[i] += travel[j, 0, i] * ball.force[0] + travel[j, 1, i] * ball.force[1]
+            along_radial = travel[j, 0, i] * rr + travel[j, 1, i] * ra
+            along_axial = travel[j, 0, i] * ra + travel[j, 1, i] * aa
             for k in range(i + 1):
-                tangent[i, k] += along_r * radial[k] + along_a * axial[k]
+                tangent[i, k] += along_radial * travel[j, 0, k] + along_axial * travel[j, 1, k]
         energy += ball.energy
-        heaviest, all_loads = max(heaviest, ball.outer_load), all_loads + ball.outer_load
-        farthest = max(farthest, abs(rows.offset[j]))
-        has_own_force = has_own_force or own[0] != 0.0 or own[1] != 0.0
+        all_loads += ball.outer_load
+        heaviest, farthest = max(heaviest, ball.outer_load), max(farthest, abs(rows.offset[j]))
+        if own[0] != 0.0 or own[1] != 0.0:
+            has_own_force = True
         stiffness += 1.5 * np.cbrt(ball.inner_load) / softness[0]  # dQ/d delta, N/m
-    left = 0.0
     for i in range(FREEDOMS):
         left = max(left, abs(gradient[i]))
         trace += tangent[i, i]
         for k in range(i):
             tangent[k, i] = tangent[i, k]
-    reach += farthest
-    rounding = PLACE_ROUND_OFF * reach * trace
+    longest = max(distance, reach + farthest)
+    rounding = PLACE_ROUND_OFF * (reach + farthest) * trace
     if has_own_force:
         rounding += BALL_ROUND_OFF * distance * stiffness
     return Balance(
         energy=energy,
-        energy_rounding=ENERGY_ROUND_OFF * distance * all_loads,
+        energy_rounding=ENERGY_ROUND_OFF * longest * all_loads,
         left=left,
         tolerance=TOLERANCE * (most + heaviest) + rounding,
-        longest_step=max(distance, reach),
+        longest_step=longest,
         has_loose_ball=False,
     )
 

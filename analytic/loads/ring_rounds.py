@@ -10,9 +10,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.contact.factors import FactorNumbers
+from analytic.contact.factors import FactorNumbers, corrected
+from analytic.contact.geometry import rolling_curvature
+from analytic.contact.hertz import unit_hertz
 from analytic.loads.numbers import BearingNumbers
-from analytic.loads.race_contacts import unit_contact_on
 from analytic.loads.ring_balance import APPROACH, FREEDOMS, BallRows, RingPoint, RingWork, point_of, settle_ring
 from analytic.loads.turning import TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
@@ -78,8 +79,10 @@ def _hold_contacts(ring: RingNumbers, factors: Array, point: RingPoint) -> None:
     for race in range(2):
         numbers = ring.bearing.inner if race == 0 else ring.bearing.outer
         for j in range(len(point.own)):
-            f = factors[race, :, min(j, last)]
-            unit = unit_contact_on(numbers, point.angle[race, j], FactorNumbers(f[0], f[1], f[2], f[3]))
+            angle, f = point.angle[race, j], factors[race, :, min(j, last)]
+            if j == 0 or angle != point.angle[race, j - 1]:  # under a radial load all angles are 0
+                hertz = unit_hertz(rolling_curvature(numbers, angle), numbers.curvature_transverse, numbers.modulus)
+            unit = corrected(hertz, FactorNumbers(f[0], f[1], f[2], f[3]))
             for k in range(len(unit)):
                 point.unit[race, k, j] = unit[k]
 
