@@ -14,10 +14,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import ellipe
 
 from analytic.cage.pocket import impact
+from analytic.contact.hertz import elliptic_integrals
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import STANDARD_GRAVITY, Array, PocketAxis
 from analytic.words import length_of
 
@@ -214,6 +215,39 @@ def whirl_number(
     return np.divide(thrown, weight, out=np.where(thrown > 0, np.inf, 0.0), where=weight > 0)
 
 
+@compiled
+def hanging_torque(mu: float, weight: float, surface_rate: float, contact_angle: float) -> float:
+    """The formula of `rest_torque`; weight : m g, N;  surface_rate : r w_b/w, m."""
+    square = np.cos(contact_angle) ** 2
+    integral, share = elliptic_integrals(square)  # K(m) and D/K at m = sin^2 al; E = K - m D
+    slip = surface_rate * 2 / np.pi * integral * (1 - np.sin(contact_angle) ** 2 * share)
+    return mu * weight / np.sqrt(1 + mu**2) * slip
+
+
+@compiled
+def braking_torque(
+    drag: float, mu: float, cage_rate: float, orbit_speed: float, ball_surface_speed: float, pitch_radius: float
+) -> float:
+    """The formula of `braked_torque`; ball_surface_speed : r w_b, m/s."""
+    return drag * cage_rate * (orbit_speed + mu * ball_surface_speed / pitch_radius)
+
+
+@compiled
+def _hanging_torques(rows: Array) -> Array:
+    torques = np.empty(rows.shape[1])
+    for i in range(torques.size):
+        torques[i] = hanging_torque(rows[0, i], rows[1, i], rows[2, i], rows[3, i])
+    return torques
+
+
+@compiled
+def _braking_torques(rows: Array) -> Array:
+    torques = np.empty(rows.shape[1])
+    for i in range(torques.size):
+        torques[i] = braking_torque(rows[0, i], rows[1, i], rows[2, i], rows[3, i], rows[4, i], rows[5, i])
+    return torques
+
+
 def rest_torque(
     *,
     friction_coefficient: ArrayLike,
@@ -238,10 +272,9 @@ def rest_torque(
         contact_angle=contact_angle,
         gravity=gravity,
     )
-    mu = np.asarray(friction_coefficient)
-    force = np.asarray(cage_mass) * np.asarray(gravity) / np.sqrt(1 + mu**2)
-    slip = np.asarray(ball_rate) * np.asarray(ball_radius) * 2 / np.pi * ellipe(np.sin(contact_angle) ** 2)
-    return np.asarray(mu * force * slip)
+    weight, rate = np.asarray(cage_mass) * np.asarray(gravity), np.asarray(ball_rate) * np.asarray(ball_radius)
+    rows, shape = rows_of(friction_coefficient, weight, rate, contact_angle)
+    return _hanging_torques(rows).reshape(shape)
 
 
 def braked_torque(
@@ -271,8 +304,8 @@ def braked_torque(
         ball_radius=ball_radius,
     )
     surface = np.asarray(ball_speed) * np.asarray(ball_radius)
-    slip = np.asarray(friction_coefficient) * surface / np.asarray(pitch_radius)
-    return np.asarray(np.asarray(drag) * np.asarray(cage_rate) * (np.asarray(orbit_speed) + slip))
+    rows, shape = rows_of(drag, friction_coefficient, cage_rate, orbit_speed, surface, pitch_radius)
+    return _braking_torques(rows).reshape(shape)
 
 
 def whirl_speed(

@@ -46,7 +46,7 @@ from analytic.sliding.long_ellipse import (
 )
 
 INTEGRATED = {"along_axis": False, "over_ellipse": True}  # whether sideways
-NEARLY_BALANCED = 1e-5  # net force over all friction while the share of spin is sought; the last search is exact
+NEARLY_BALANCED = 1e-7  # net force over all friction while the share of spin is sought; the last search is exact
 LAST_STEP = 1e-6  # of the share of spin: the power is least at the balance, so its error is the square of this step
 MOST_STEPS = 100  # of the share of spin; 3 to 6 are usual
 BLOCK = 1 << 14  # points at a time: each has 36 numbers

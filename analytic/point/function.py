@@ -1,0 +1,151 @@
+"""The friction torque as a function for loops over time steps."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.brief import Brief
+from analytic.effects.sliding import TURNING_FREELY
+from analytic.effects.table import ENTRIES
+from analytic.errors import FembearingError, InputError, require_finite
+from analytic.point.numbers import Counted, PointModel, Workspace, point_model, workspace
+from analytic.point.torque import PointTorque, torques_of_points
+from analytic.scene import Array, Operation, Scene
+from analytic.torque import friction_torque
+
+Invalid = Literal["raise", "nan"]
+AT_REST = {"cage_dynamics": "off", "ball_dynamics": "off"}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TorqueFunction(Brief):
+    """The torque of a scene at any load, speed and oil temperature; `torque_function` makes it.
+
+    Not for two threads at once: all calls share their work arrays.
+    """
+
+    scene: Scene  # with every effect settled
+    is_compiled: bool  # else each call is a `friction_torque`
+    invalid: Invalid
+    model: PointModel | None
+    work: Workspace
+    points: Array  # (5, 1) of one call
+    torques: Array  # (6, 1)
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.scene.name, "compiled" if self.is_compiled else "not compiled")
+
+    def __call__(
+        self,
+        *,
+        axial_load: float,
+        inner_speed: float,
+        radial_load: float = 0.0,
+        moment: float = 0.0,
+        temperature: float | None = None,
+    ) -> float:
+        """Torque about the bearing axis, N m, a magnitude: it opposes inner_speed.
+
+        axial_load : N;  inner_speed : rad/s, of either sign;  radial_load : along x, N;  moment : about y, N m
+        temperature : of the oil at the inlets, K; None: the scene's
+        Raises InputError and ConvergenceError as `friction_torque` does; returns NaN instead where `invalid` is "nan".
+        """
+        points = self.points
+        points[0, 0], points[1, 0], points[2, 0], points[3, 0] = axial_load, radial_load, moment, inner_speed
+        points[4, 0] = self._temperature if temperature is None else temperature
+        if self.model is not None:
+            torques_of_points(self.model, points, self.work, self.torques)
+            if self.torques[0, 0] == self.torques[0, 0]:
+                return float(self.torques[0, 0])
+        return self._slowly(points[:, 0])
+
+    def series(
+        self,
+        *,
+        axial_load: ArrayLike,
+        inner_speed: ArrayLike,
+        radial_load: ArrayLike = 0.0,
+        moment: ArrayLike = 0.0,
+        temperature: ArrayLike | None = None,
+    ) -> Array:
+        """The same at many points; the arguments broadcast, and the torque has their shape."""
+        warm = self._temperature if temperature is None else temperature
+        given = np.broadcast_arrays(axial_load, radial_load, moment, inner_speed, warm)
+        points = np.stack([np.asarray(each, dtype=np.float64).ravel() for each in given])
+        torques = np.full((len(PointTorque._fields), points.shape[1]), np.nan)
+        if self.model is not None:
+            torques_of_points(self.model, points, self.work, torques)
+        for index in np.flatnonzero(np.isnan(torques[0])):
+            torques[0, index] = self._slowly(points[:, index])
+        return torques[0].reshape(given[0].shape)
+
+    @property
+    def _temperature(self) -> float:
+        return np.nan if self.scene.lubricant is None else self.scene.lubricant.temperature
+
+    def _slowly(self, point: Array) -> float:
+        """By `friction_torque`, which has every closed form and every error."""
+        axial, radial, moment, speed, temperature = (float(value) for value in point)
+        try:
+            if self.scene.lubricant is not None:
+                require_finite(temperature=temperature)
+            operation = Operation(axial_load=axial, inner_speed=speed, radial_load=radial, moment=moment)
+            scene, oil = replace(self.scene, operation=operation), self.scene.lubricant
+            if oil is not None and temperature != oil.temperature:
+                scene = replace(scene, lubricant=replace(oil, temperature=temperature))
+            return float(friction_torque(scene).torque.total[0])
+        except FembearingError:
+            if self.invalid == "nan":
+                return np.nan
+            raise
+
+
+def torque_function(scene: Scene, *, invalid: Invalid = "raise") -> TorqueFunction:
+    """The friction torque of a scene as a function of load, speed and temperature, for a loop over time steps.
+
+    invalid : what a call gives for numbers without an answer: `raise` an error, or "nan"
+    Every effect counts that the scene has the input for and does not rule out, whatever the load: nothing is decided
+    from call to call. The scene's own operating points settle how sliding is computed. The cage rests on its balls.
+    Calls take some hundredths to tenths of a millisecond. They are compiled where closed kinematics turn the balls: by
+    friction.spin_rule, or under "free" where the scene's points need no creep. Else each call is a `friction_torque`
+    (`is_compiled`).
+    Raises InputError for a scene whose cage has to move, and as `friction_torque` does at the scene's points.
+    """
+    if invalid not in ("raise", "nan"):
+        raise InputError(f'invalid must be "raise" or "nan", got {invalid!r}')
+    for name in AT_REST:
+        if scene.effects.get(name) == "on":
+            raise InputError(f'effects.{name} = "on": a moving cage has no torque at one instant; give "auto" or "off"')
+    weight = {} if scene.down is not None else {"weight": "off"}  # its direction is not known
+    still = replace(scene, effects={**scene.effects, **AT_REST, **weight})
+    result = friction_torque(still)
+    by_rule = replace(
+        still,
+        tolerance=0.0,  # every effect counts
+        sliding=scene.sliding if result.sliding == "auto" else result.sliding,
+        spin_rule="balanced" if scene.spin_rule == "free" else scene.spin_rule,
+    )
+    turns_freely = result.sliding in TURNING_FREELY
+    closed = scene.arrangement is None and scene.microslip == "derived" and not turns_freely
+    settled = result.settled(still) if turns_freely else by_rule
+    return TorqueFunction(
+        scene=settled,
+        is_compiled=closed,
+        invalid=invalid,
+        model=point_model(settled, _counted(settled)) if closed else None,
+        work=workspace(settled),
+        points=np.zeros((5, 1)),
+        torques=np.zeros((len(PointTorque._fields), 1)),
+    )
+
+
+def _counted(scene: Scene) -> Counted:
+    """Every effect that the scene has the input for and does not rule out."""
+    on = {
+        name: scene.effects.get(name) != "off" and (name not in ENTRIES or ENTRIES[name].lacks(scene) is None)
+        for name in Counted._fields
+    }
+    return Counted(**on | {"oil": scene.lubricant is not None, "weight": on["weight"] and scene.down is not None})
