@@ -1,5 +1,6 @@
 """Cubic splines as tables of numbers, for compiled formulas: SciPy makes them, and nothing of it is needed later."""
 
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -8,39 +9,49 @@ from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
 
-class Cubic(NamedTuple):
-    """A piecewise cubic; the first and the last piece extrapolate."""
+class Pieces(NamedTuple):
+    """A cubic spline: rows of an array (rows, 5), which other splines may share.
 
-    left: Array  # (pieces,) where each piece begins, rising
-    coefficients: Array  # (pieces, 4) of the distance from there, highest power first
+    A row is where a piece begins, and the coefficients of the distance from there, highest power first. The first and
+    the last piece extrapolate. Compiled formulas share one array, because numba counts references to each at each call.
+    """
+
+    first: int
+    beyond: int  # the row after the last
 
 
 @compiled
-def cubic_at(cubic: Cubic, x: float) -> tuple[float, float]:
+def cubic_at(rows: Array, pieces: Pieces, x: float) -> tuple[float, float]:
     """Value and slope at x."""
-    piece, beyond = 0, cubic.left.size
+    piece, beyond = pieces.first, pieces.beyond
     while beyond - piece > 1:
         middle = (piece + beyond) // 2
-        if cubic.left[middle] < x:
+        if rows[middle, 0] < x:
             piece = middle
         else:
             beyond = middle
-    c3, c2, c1, c0 = cubic.coefficients[piece]
-    d = x - cubic.left[piece]
-    return ((c3 * d + c2) * d + c1) * d + c0, (3 * c3 * d + 2 * c2) * d + c1
+    d, c3, c2, c1 = x - rows[piece, 0], rows[piece, 1], rows[piece, 2], rows[piece, 3]
+    return ((c3 * d + c2) * d + c1) * d + rows[piece, 4], (3 * c3 * d + 2 * c2) * d + c1
 
 
-def smooth_cubic(x: Array, y: Array) -> Cubic:
-    """With continuous curvature, through points of rising x."""
+def together(*splines: Array) -> tuple[Array, list[Pieces]]:
+    """One array of several splines, and where each of them is."""
+    ends = np.cumsum([0, *map(len, splines)])
+    return np.concatenate(splines), [Pieces(int(a), int(b)) for a, b in pairwise(ends)]
+
+
+def smooth_cubic(x: Array, y: Array) -> Array:
+    """Rows of a spline with continuous curvature, through points of rising x."""
     from scipy.interpolate import CubicSpline  # a fifth of a second to import, only for rough surfaces
 
-    return _cubic(x, CubicSpline(x, y).c)
+    return _rows(x, CubicSpline(x, y).c)
 
 
-def monotone_cubic(x: Array, y: Array) -> Cubic:
-    """With continuous slope, through points of rising x; it rises or falls as the points do, at the ends too.
+def monotone_cubic(x: Array, y: Array) -> Array:
+    """Rows of a spline with continuous slope, through points of rising x.
 
-    There the slope of SciPy's monotone cubic may be 0; here it is at least a third of that of the last piece.
+    It rises or falls as the points do, at the ends too. There the slope of SciPy's monotone cubic may be 0; here it is
+    at least a third of that of the last piece.
     """
     from scipy.interpolate import CubicHermiteSpline, PchipInterpolator  # slow to import, only for rough surfaces
 
@@ -48,8 +59,8 @@ def monotone_cubic(x: Array, y: Array) -> Cubic:
     pieces = np.diff(y) / np.diff(x)
     for end in (0, -1):
         slopes[end] = np.sign(pieces[end]) * np.clip(abs(slopes[end]), abs(pieces[end]) / 3, 3 * abs(pieces[end]))
-    return _cubic(x, CubicHermiteSpline(x, y, slopes).c)
+    return _rows(x, CubicHermiteSpline(x, y, slopes).c)
 
 
-def _cubic(x: Array, coefficients: Array) -> Cubic:
-    return Cubic(np.array(x[:-1], dtype=np.float64), np.array(np.transpose(coefficients), dtype=np.float64, order="C"))
+def _rows(x: Array, coefficients: Array) -> Array:
+    return np.column_stack([x[:-1], np.transpose(coefficients)])

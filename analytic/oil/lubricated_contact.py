@@ -90,7 +90,7 @@ def lubricated_contact(
     if lubrication.starves:
         thinner *= inlet.starvation.film_factor
     kind = lubrication.gap.kind if lubrication.asperities else SMOOTH
-    gap = GapNumbers(kind, lubrication.gap.truncated, lubrication.gap.elastic)
+    gap = GapNumbers(kind, lubrication.gap.cubics, lubrication.gap.truncated, lubrication.gap.elastic)
     mixed = mixed_of(contact, film, gap, thinner, lubrication.asperity_pressure)
     area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
     boundary = lubrication.boundary_friction * mixed.boundary_share

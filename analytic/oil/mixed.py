@@ -22,7 +22,7 @@ from analytic.surface.gap import SMOOTH, GapLaw, GapNumbers, area_of, gap_number
 # Thickness over which a film turns into a layer of molecules that shears like a boundary film, a choice of this model:
 # measured films follow the formula for films down to about 1 nm [Johnston1991].
 MOLECULAR_FILM = 1e-9  # h_m, m
-LAST_STEP = 1e-9  # of ln(s/(1 - s)); Newton's quadratic steps leave far less
+LAST_STEP = 1e-6  # of ln(s/(1 - s)): Newton's quadratic steps then leave some 1e-12
 NO_SHARE = -40.0  # ln(s/(1 - s)): asperities carry less than round-off of the load
 NEARLY_ALL = 40.0  # s is 1 in double precision
 MOST_STEPS = 200  # each halves the bracket or the step before the last; 4 to 8 are usual
@@ -48,22 +48,35 @@ class SharedLoad(NamedTuple):
 
 
 @compiled
-def balanced_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float) -> SharedLoad:
-    """Where both carry: the film is as thick as the gap that asperities leave; log_softness : ln(A_H/F) in 1/Pa.
+def shared_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float, load: float) -> SharedLoad:
+    """The load on film and asperities; log_softness : ln(A_H/F) in 1/Pa.
 
-    The unknown is z = ln(s/(1 - s)), which keeps the digits of s and 1 - s. For z > 0 the film is at least that of
-    rigid bodies, h_RI (1 - s)^-2, and the gap at most that of s = 1/2, which bounds z. Newton's method in this bracket.
+    Where both carry, the film is as thick as the gap that asperities leave. The unknown is z = ln(s/(1 - s)), which
+    keeps the digits of s and 1 - s. For z > 0 the film is at least that of rigid bodies, h_RI (1 - s)^-2, and the gap
+    at most that of s = 1/2, which bounds z. Newton's method in this bracket begins at s = 1/2.
     """
-    low, z = NO_SHARE, 0.0
-    high = max((log_gap_of(gap, -np.log(2) - log_softness)[0] - film.rigid) / 2, 0.0) + NEARLY_ALL
-    last = before = high - low
-    for _ in range(MOST_STEPS):
+    log_film = log_film_of(film, 0.0)[0]
+    dry = log_film == -np.inf
+    if gap.kind == SMOOTH:
+        return SharedLoad(1.0 if dry and load > 0.0 else 0.0, log_film, 1.0 if dry else 0.0)
+    if load == 0.0:
+        return SharedLoad(0.0, log_film, 0.0)
+    low, high, z, last, before = NO_SHARE, NEARLY_ALL, 0.0, np.inf, np.inf
+    for number in range(MOST_STEPS):
         log_share, log_remaining = -np.logaddexp(0.0, -z), -np.logaddexp(0.0, z)
-        log_film, thicker = log_film_of(film, log_remaining)
+        height, thicker = log_film_of(film, log_remaining)
         log_gap, narrower = log_gap_of(gap, log_share - log_softness)
-        excess = log_film - log_gap  # rises with z
-        if excess == 0.0 or (abs(last) <= 1e-12 * abs(z) + LAST_STEP and not np.isnan(excess)):
-            return SharedLoad(np.exp(log_share), log_film, area_of(gap, log_share - log_softness))
+        excess = height - log_gap  # rises with z
+        if number == 0:  # whether both carry at all
+            if not excess > 0.0:
+                log_dry = log_gap_of(gap, -log_softness)[0]
+                if dry or log_dry >= film.clearance:
+                    return SharedLoad(1.0, log_dry, area_of(gap, -log_softness))
+                high += max((log_gap - film.rigid) / 2, 0.0)
+            elif log_film >= log_gap_of(gap, NO_SHARE - log_softness)[0]:
+                return SharedLoad(0.0, log_film, 0.0)
+        if excess == 0.0 or (abs(last) <= LAST_STEP and not np.isnan(excess)):
+            return SharedLoad(np.exp(log_share), height, area_of(gap, log_share - log_softness))
         if excess < 0.0:
             low = z
         else:
@@ -74,23 +87,6 @@ def balanced_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float) ->
         before, last = last, step
         z += step
     return SharedLoad(np.nan, np.nan, np.nan)
-
-
-@compiled
-def shared_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float, load: float) -> SharedLoad:
-    """The load on film and asperities; arguments as in `balanced_load`."""
-    log_film = log_film_of(film, 0.0)[0]
-    dry = log_film == -np.inf
-    if gap.kind == SMOOTH:
-        return SharedLoad(1.0 if dry and load > 0.0 else 0.0, log_film, 1.0 if dry else 0.0)
-    if load == 0.0:
-        return SharedLoad(0.0, log_film, 0.0)
-    log_dry = log_gap_of(gap, -log_softness)[0]
-    if dry or log_dry >= film.clearance:
-        return SharedLoad(1.0, log_dry, area_of(gap, -log_softness))
-    if log_film >= log_gap_of(gap, NO_SHARE - log_softness)[0]:
-        return SharedLoad(0.0, log_film, 0.0)
-    return balanced_load(film, gap, log_softness)
 
 
 @compiled

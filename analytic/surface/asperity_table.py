@@ -15,7 +15,7 @@ from scipy.special import log_ndtr
 
 from analytic.errors import InputError, require_positive
 from analytic.numerics.compilation import compiled, rows_of
-from analytic.numerics.cubic import Cubic, cubic_at, smooth_cubic
+from analytic.numerics.cubic import Pieces, cubic_at, smooth_cubic, together
 from analytic.numerics.normal_distribution import log_upper_tail
 from analytic.scene import Array
 from analytic.surface.asperity import PLASTIC_RATIO, first_yield, summit_integrals
@@ -27,58 +27,58 @@ STEP = 0.0125  # in asinh(t)
 KINK_REACH, KINK_STEP = 9.0, 0.06  # in t, around where the highest summits reach w_1 and w_2
 
 
-class SummitTable(NamedTuple):
-    """An `AsperityTable` in numbers, for compiled formulas."""
+class SummitNumbers(NamedTuple):
+    """An `AsperityTable` in numbers, for compiled formulas; the splines are in its cubics."""
 
     mean_height: float  # of the summits, m
     height_deviation: float  # of the summits, m
     log_scale: float  # ln of pi R_a density sigma_s H, Pa
     log_area_scale: float  # ln of pi R_a density sigma_s
-    pressure: Cubic  # of asinh(t)
-    area: Cubic  # of asinh(t)
-    height: Cubic  # asinh(t) over asinh(ln p - log_scale), which is straight where t is large
+    pressure: Pieces  # of asinh(t)
+    area: Pieces  # of asinh(t)
+    height: Pieces  # asinh(t) over asinh(ln p - log_scale), which is straight where t is large
 
 
 @compiled
-def log_pressure_at(table: SummitTable, film_thickness: float) -> float:
+def log_pressure_at(cubics: Array, table: SummitNumbers, film_thickness: float) -> float:
     """ln of p_a in Pa."""
     t = (film_thickness - table.mean_height) / table.height_deviation
-    return table.log_scale + log_upper_tail(t) + cubic_at(table.pressure, np.arcsinh(t))[0]
+    return table.log_scale + log_upper_tail(t) + cubic_at(cubics, table.pressure, np.arcsinh(t))[0]
 
 
 @compiled
-def separation_of(table: SummitTable, log_pressure: float) -> tuple[float, float]:
+def separation_of(cubics: Array, table: SummitNumbers, log_pressure: float) -> tuple[float, float]:
     """Where ln p_a is this: h, m, and its derivative by ln p_a."""
     q = log_pressure - table.log_scale
-    v, slope = cubic_at(table.height, np.arcsinh(q))
+    v, slope = cubic_at(cubics, table.height, np.arcsinh(q))
     deviation = table.height_deviation
     return table.mean_height + deviation * np.sinh(v), deviation * np.cosh(v) * slope / np.hypot(1.0, q)
 
 
 @compiled
-def summit_area(table: SummitTable, film_thickness: float) -> float:
+def summit_area(cubics: Array, table: SummitNumbers, film_thickness: float) -> float:
     """Real over nominal area, at most 1."""
     t = (film_thickness - table.mean_height) / table.height_deviation
-    log_area = table.log_area_scale + log_upper_tail(t) + cubic_at(table.area, np.arcsinh(t))[0]
+    log_area = table.log_area_scale + log_upper_tail(t) + cubic_at(cubics, table.area, np.arcsinh(t))[0]
     return np.exp(min(log_area, 0.0))
 
 
 @compiled
-def _log_pressures(table: SummitTable, film_thickness: Array) -> Array:
-    return np.array([log_pressure_at(table, height) for height in film_thickness])
+def _log_pressures(cubics: Array, table: SummitNumbers, film_thickness: Array) -> Array:
+    return np.array([log_pressure_at(cubics, table, height) for height in film_thickness])
 
 
 @compiled
-def _separations(table: SummitTable, log_pressure: Array) -> Array:
+def _separations(cubics: Array, table: SummitNumbers, log_pressure: Array) -> Array:
     both = np.empty((2, log_pressure.size))
     for i in range(log_pressure.size):
-        both[0, i], both[1, i] = separation_of(table, log_pressure[i])
+        both[0, i], both[1, i] = separation_of(cubics, table, log_pressure[i])
     return both
 
 
 @compiled
-def _areas(table: SummitTable, film_thickness: Array) -> Array:
-    return np.array([summit_area(table, height) for height in film_thickness])
+def _areas(cubics: Array, table: SummitNumbers, film_thickness: Array) -> Array:
+    return np.array([summit_area(cubics, table, height) for height in film_thickness])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -86,23 +86,24 @@ class AsperityTable:
     """Pressure and area of one rough surface; build it with `tabulated_asperities`."""
 
     summits: Summits
-    numbers: SummitTable
+    cubics: Array  # of `analytic.numerics.cubic.Pieces`
+    numbers: SummitNumbers
 
     def log_pressure(self, film_thickness: ArrayLike) -> Array:
         """ln of p_a in Pa, also where p_a itself underflows to 0; film_thickness : m, any finite number."""
         (height,), shape = rows_of(film_thickness)
-        return _log_pressures(self.numbers, height).reshape(shape)
+        return _log_pressures(self.cubics, self.numbers, height).reshape(shape)
 
     def separation(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """The inverse of log_pressure: h, m, and its derivative by ln p_a."""
         (given,), shape = rows_of(log_pressure)
-        height, slope = _separations(self.numbers, given).reshape(2, *shape)
+        height, slope = _separations(self.cubics, self.numbers, given).reshape(2, *shape)
         return height, slope
 
     def area_fraction(self, film_thickness: ArrayLike) -> Array:
         """Real over nominal area, at most 1; film_thickness : m, any finite number."""
         (height,), shape = rows_of(film_thickness)
-        return _areas(self.numbers, height).reshape(shape)
+        return _areas(self.cubics, self.numbers, height).reshape(shape)
 
 
 @lru_cache(maxsize=64)
@@ -134,15 +135,21 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     higher, scaled = log_ndtr(-t), np.maximum(t, 0.0) ** 2 / 2
     log_load, log_area = np.log(load) - scaled, np.log(area) - scaled
     log_area_scale = float(np.log(np.pi * summits.radius * summits.density * deviation))
+    cubics, (pressure_pieces, area_pieces, height_pieces) = together(
+        smooth_cubic(v, log_load - higher),
+        smooth_cubic(v, log_area - higher),
+        smooth_cubic(np.arcsinh(log_load[::-1]), v[::-1]),
+    )
     return AsperityTable(
         summits=summits,
-        numbers=SummitTable(
+        cubics=cubics,
+        numbers=SummitNumbers(
             mean_height=float(summits.mean_height),
             height_deviation=deviation,
             log_scale=log_area_scale + float(np.log(hardness)),
             log_area_scale=log_area_scale,
-            pressure=smooth_cubic(v, log_load - higher),
-            area=smooth_cubic(v, log_area - higher),
-            height=smooth_cubic(np.arcsinh(log_load[::-1]), v[::-1]),
+            pressure=pressure_pieces,
+            area=area_pieces,
+            height=height_pieces,
         ),
     )

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from analytic import catalog
 from analytic.errors import InputError, require_positive
 from analytic.numerics.compilation import compiled, rows_of
-from analytic.numerics.cubic import Cubic, cubic_at, monotone_cubic
+from analytic.numerics.cubic import Pieces, cubic_at, monotone_cubic, together
 from analytic.scene import Array, Autocorrelation
 from analytic.surface.boundary_elements import NO_GAP, pressed
 from analytic.surface.heightmap import HeightMap, levelled, measure
@@ -32,7 +32,7 @@ LONGEST = 0.5  # of the side of a map: a correlation length that the map does no
 
 
 class ElasticNumbers(NamedTuple):
-    """An `ElasticGap` in numbers, for compiled formulas.
+    """An `ElasticGap` in numbers, for compiled formulas; the splines are in its cubics.
 
     Below the first knot p_1 the gap over sigma is e + sqrt(a^2 + 2 ln(p_1/p)).
     """
@@ -41,20 +41,20 @@ class ElasticNumbers(NamedTuple):
     log_scale: float  # ln of E* slope, Pa
     first: float  # knots, ln of p/(E* slope)
     last: float
-    gap: Cubic  # ln of the mean gap over sigma
-    area: Cubic  # of ln(-ln(1 - area)), which is ln p where p is small and 2 ln p where it is large
+    gap: Pieces  # ln of the mean gap over sigma
+    area: Pieces  # of ln(-ln(1 - area)), which is ln p where p is small and 2 ln p where it is large
     start: float  # a
     offset: float  # e
 
 
 @compiled
-def elastic_log_gap(law: ElasticNumbers, log_pressure: float) -> tuple[float, float]:
+def elastic_log_gap(cubics: Array, law: ElasticNumbers, log_pressure: float) -> tuple[float, float]:
     """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of p in Pa."""
     at = log_pressure - law.log_scale
     if at < law.first:
         root = np.sqrt(law.start * law.start + 2.0 * (law.first - at))
         return law.log_sigma + np.log(law.offset + root), -1.0 / (root * (law.offset + root))
-    value, slope = cubic_at(law.gap, min(at, law.last))
+    value, slope = cubic_at(cubics, law.gap, min(at, law.last))
     if at > law.last:
         beyond = at - law.last
         growth = np.exp(2.0 * min(beyond, STEEPEST))
@@ -64,25 +64,25 @@ def elastic_log_gap(law: ElasticNumbers, log_pressure: float) -> tuple[float, fl
 
 
 @compiled
-def elastic_area(law: ElasticNumbers, log_pressure: float) -> float:
+def elastic_area(cubics: Array, law: ElasticNumbers, log_pressure: float) -> float:
     """Real over nominal area, 0 to 1; log_pressure : ln of p in Pa."""
     at = log_pressure - law.log_scale
     inside = min(max(at, law.first), law.last)
     outside = min(at - law.first, 0.0) + 2.0 * max(at - law.last, 0.0)
-    return -np.expm1(-np.exp(min(cubic_at(law.area, inside)[0] + outside, STEEPEST)))
+    return -np.expm1(-np.exp(min(cubic_at(cubics, law.area, inside)[0] + outside, STEEPEST)))
 
 
 @compiled
-def _log_gaps(law: ElasticNumbers, log_pressure: Array) -> Array:
+def _log_gaps(cubics: Array, law: ElasticNumbers, log_pressure: Array) -> Array:
     both = np.empty((2, log_pressure.size))
     for i in range(log_pressure.size):
-        both[0, i], both[1, i] = elastic_log_gap(law, log_pressure[i])
+        both[0, i], both[1, i] = elastic_log_gap(cubics, law, log_pressure[i])
     return both
 
 
 @compiled
-def _areas(law: ElasticNumbers, log_pressure: Array) -> Array:
-    return np.array([elastic_area(law, each) for each in log_pressure])
+def _areas(cubics: Array, law: ElasticNumbers, log_pressure: Array) -> Array:
+    return np.array([elastic_area(cubics, law, each) for each in log_pressure])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -120,18 +120,19 @@ class GapCurve:
         return ElasticGap(curve=self, sigma=1.0, log_scale=0.0)
 
     @cached_property
-    def numbers(self) -> ElasticNumbers:
-        """In units of sigma and of E* slope."""
+    def splines(self) -> tuple[Array, ElasticNumbers]:
+        """Cubics, and the numbers in units of sigma and of E* slope."""
         gap = monotone_cubic(self.knots, self.gaps)
+        cubics, (gap_pieces, area_pieces) = together(gap, monotone_cubic(self.knots, np.log(-np.log1p(-self.areas))))
         height = float(np.exp(self.gaps[0]))
-        start = -1 / (height * float(gap.coefficients[0, 2]))
-        return ElasticNumbers(
+        start = -1 / (height * float(gap[0, 3]))  # by the slope at the first knot
+        return cubics, ElasticNumbers(
             log_sigma=0.0,
             log_scale=0.0,
             first=float(self.knots[0]),
             last=float(self.knots[-1]),
-            gap=gap,
-            area=monotone_cubic(self.knots, np.log(-np.log1p(-self.areas))),
+            gap=gap_pieces,
+            area=area_pieces,
             start=start,
             offset=height - start,
         )
@@ -146,19 +147,23 @@ class ElasticGap:
     log_scale: float  # ln of E* slope, Pa
 
     @property
+    def cubics(self) -> Array:
+        return self.curve.splines[0]
+
+    @property
     def numbers(self) -> ElasticNumbers:
-        return self.curve.numbers._replace(log_sigma=float(np.log(self.sigma)), log_scale=self.log_scale)
+        return self.curve.splines[1]._replace(log_sigma=float(np.log(self.sigma)), log_scale=self.log_scale)
 
     def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """ln of the mean gap in m, and its derivative by ln p, below 0."""
         (given,), shape = rows_of(log_pressure)
-        value, slope = _log_gaps(self.numbers, given).reshape(2, *shape)
+        value, slope = _log_gaps(self.cubics, self.numbers, given).reshape(2, *shape)
         return value, slope
 
     def area_fraction(self, log_pressure: ArrayLike) -> Array:
         """Real over nominal area."""
         (given,), shape = rows_of(log_pressure)
-        return _areas(self.numbers, given).reshape(shape)
+        return _areas(self.cubics, self.numbers, given).reshape(shape)
 
 
 def gap_between(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> ElasticGap:

@@ -5,10 +5,10 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from analytic.numerics.compilation import compiled
-from analytic.numerics.cubic import Cubic
+from analytic.numerics.cubic import Pieces
 from analytic.scene import Array, Material, Surface
 from analytic.surface.asperity import first_yield, softer_hardness
-from analytic.surface.asperity_table import SummitTable, tabulated_asperities
+from analytic.surface.asperity_table import SummitNumbers, tabulated_asperities
 from analytic.surface.elastic_gap import (
     ElasticNumbers,
     declared_gap_curve,
@@ -24,15 +24,16 @@ NEVER_YIELDS = 400.0  # standard deviations of height that a summit of [Greenwoo
 
 
 SMOOTH, TRUNCATED, ELASTIC = 0, 1, 2  # kinds of GapNumbers
-NO_CUBIC = Cubic(np.zeros(1), np.zeros((1, 4)))
-NOT_TRUNCATED = TruncatedNumbers(SummitTable(0.0, 1.0, 0.0, 0.0, NO_CUBIC, NO_CUBIC, NO_CUBIC), 1.0)
-NOT_ELASTIC = ElasticNumbers(0.0, 0.0, 0.0, 0.0, NO_CUBIC, NO_CUBIC, 1.0, 0.0)
+NO_PIECES = Pieces(0, 1)
+NOT_TRUNCATED = TruncatedNumbers(SummitNumbers(0.0, 1.0, 0.0, 0.0, NO_PIECES, NO_PIECES, NO_PIECES), 1.0)
+NOT_ELASTIC = ElasticNumbers(0.0, 0.0, 0.0, 0.0, NO_PIECES, NO_PIECES, 1.0, 0.0)
 
 
 class GapNumbers(NamedTuple):
     """A gap law of any kind in numbers, for compiled formulas; only the part of its kind has a meaning."""
 
     kind: int
+    cubics: Array  # of `analytic.numerics.cubic.Pieces`
     truncated: TruncatedNumbers
     elastic: ElasticNumbers
 
@@ -41,20 +42,25 @@ class GapNumbers(NamedTuple):
 def log_gap_of(gap: GapNumbers, log_pressure: float) -> tuple[float, float]:
     """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
     if gap.kind == TRUNCATED:
-        return truncated_log_gap(gap.truncated, log_pressure)
-    return elastic_log_gap(gap.elastic, log_pressure)
+        return truncated_log_gap(gap.cubics, gap.truncated, log_pressure)
+    return elastic_log_gap(gap.cubics, gap.elastic, log_pressure)
 
 
 @compiled
 def area_of(gap: GapNumbers, log_pressure: float) -> float:
     """Real over nominal area, 0 to 1."""
     if gap.kind == TRUNCATED:
-        return truncated_area(gap.truncated, log_pressure)
-    return elastic_area(gap.elastic, log_pressure)
+        return truncated_area(gap.cubics, gap.truncated, log_pressure)
+    return elastic_area(gap.cubics, gap.elastic, log_pressure)
 
 
 class GapLaw(Protocol):
     """How much room rough surfaces leave for the oil, for one pair of surfaces."""
+
+    @property
+    def cubics(self) -> Array:
+        """The splines of the numbers."""
+        ...
 
     @property
     def numbers(self) -> TruncatedNumbers | ElasticNumbers:
@@ -105,8 +111,8 @@ def gap_law(
 def gap_numbers(law: GapLaw | None) -> GapNumbers:
     """A law in numbers; None: smooth."""
     if law is None:
-        return GapNumbers(SMOOTH, NOT_TRUNCATED, NOT_ELASTIC)
+        return GapNumbers(SMOOTH, np.zeros((1, 5)), NOT_TRUNCATED, NOT_ELASTIC)
     numbers = law.numbers
     if isinstance(numbers, TruncatedNumbers):
-        return GapNumbers(TRUNCATED, numbers, NOT_ELASTIC)
-    return GapNumbers(ELASTIC, NOT_TRUNCATED, numbers)
+        return GapNumbers(TRUNCATED, law.cubics, numbers, NOT_ELASTIC)
+    return GapNumbers(ELASTIC, law.cubics, NOT_TRUNCATED, numbers)

@@ -15,13 +15,13 @@ from numpy.typing import ArrayLike
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.numerics.normal_distribution import LOG_PEAK, mean_excess, mills_ratio
 from analytic.scene import Array
-from analytic.surface.asperity_table import AsperityTable, SummitTable, separation_of, summit_area
+from analytic.surface.asperity_table import AsperityTable, SummitNumbers, separation_of, summit_area
 
 
 class TruncatedNumbers(NamedTuple):
-    """A `TruncatedGap` in numbers, for compiled formulas."""
+    """A `TruncatedGap` in numbers, for compiled formulas; the splines are in its cubics."""
 
-    summits: SummitTable
+    summits: SummitNumbers
     deviation: float  # sigma, m
 
 
@@ -39,17 +39,17 @@ def log_gap_at(separation: float) -> tuple[float, float]:
 
 
 @compiled
-def truncated_log_gap(law: TruncatedNumbers, log_pressure: float) -> tuple[float, float]:
+def truncated_log_gap(cubics: Array, law: TruncatedNumbers, log_pressure: float) -> tuple[float, float]:
     """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
-    separation, slope = separation_of(law.summits, log_pressure)
+    separation, slope = separation_of(cubics, law.summits, log_pressure)
     log_gap, steepness = log_gap_at(separation / law.deviation)
     return np.log(law.deviation) + log_gap, steepness * slope / law.deviation
 
 
 @compiled
-def truncated_area(law: TruncatedNumbers, log_pressure: float) -> float:
+def truncated_area(cubics: Array, law: TruncatedNumbers, log_pressure: float) -> float:
     """Real over nominal area, 0 to 1."""
-    return summit_area(law.summits, separation_of(law.summits, log_pressure)[0])
+    return summit_area(cubics, law.summits, separation_of(cubics, law.summits, log_pressure)[0])
 
 
 @compiled
@@ -61,16 +61,16 @@ def _mean_gaps(separation: Array) -> Array:
 
 
 @compiled
-def _log_gaps(law: TruncatedNumbers, log_pressure: Array) -> Array:
+def _log_gaps(cubics: Array, law: TruncatedNumbers, log_pressure: Array) -> Array:
     both = np.empty((2, log_pressure.size))
     for i in range(log_pressure.size):
-        both[0, i], both[1, i] = truncated_log_gap(law, log_pressure[i])
+        both[0, i], both[1, i] = truncated_log_gap(cubics, law, log_pressure[i])
     return both
 
 
 @compiled
-def _areas(law: TruncatedNumbers, log_pressure: Array) -> Array:
-    return np.array([truncated_area(law, each) for each in log_pressure])
+def _areas(cubics: Array, law: TruncatedNumbers, log_pressure: Array) -> Array:
+    return np.array([truncated_area(cubics, law, each) for each in log_pressure])
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -81,19 +81,23 @@ class TruncatedGap:
     deviation: float  # sigma, of the heights of both surfaces, m
 
     @property
+    def cubics(self) -> Array:
+        return self.asperities.cubics
+
+    @property
     def numbers(self) -> TruncatedNumbers:
         return TruncatedNumbers(self.asperities.numbers, self.deviation)
 
     def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
         (given,), shape = rows_of(log_pressure)
-        value, slope = _log_gaps(self.numbers, given).reshape(2, *shape)
+        value, slope = _log_gaps(self.cubics, self.numbers, given).reshape(2, *shape)
         return value, slope
 
     def area_fraction(self, log_pressure: ArrayLike) -> Array:
         """Real over nominal area, 0 to 1."""
         (given,), shape = rows_of(log_pressure)
-        return _areas(self.numbers, given).reshape(shape)
+        return _areas(self.cubics, self.numbers, given).reshape(shape)
 
 
 def log_mean_gap(separation: ArrayLike) -> tuple[Array, Array]:

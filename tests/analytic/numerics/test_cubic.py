@@ -1,0 +1,31 @@
+"""Cubic splines as tables against SciPy's own, within the knots and beyond."""
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from analytic.numerics.cubic import cubic_at, monotone_cubic, smooth_cubic, together
+
+X = np.cumsum(np.random.default_rng(5).uniform(0.03, 1.9, 41)) - 7.0
+ANYWHERE = np.sort(np.concatenate([np.linspace(X[0] - 4, X[-1] + 4, 997), X]))
+
+
+def test_a_smooth_spline_is_that_of_scipy() -> None:
+    y = np.sin(1.3 * X) + 0.2 * X
+    whole = CubicSpline(X, y)
+    cubics, (_, pieces, _) = together(smooth_cubic(X, -y), smooth_cubic(X, y), smooth_cubic(X[:9], X[:9] ** 2))
+    found = np.array([cubic_at(cubics, pieces, x) for x in ANYWHERE]).T
+    np.testing.assert_allclose(found[0], whole(ANYWHERE), rtol=1e-12, atol=1e-12)  # round-off
+    np.testing.assert_allclose(found[1], whole(ANYWHERE, 1), rtol=1e-11, atol=1e-11)
+    assert np.isnan(cubic_at(cubics, pieces, np.nan)).all()
+
+
+def test_a_monotone_spline_falls_everywhere_through_its_points() -> None:
+    y = -np.cumsum(np.random.default_rng(6).uniform(0.0, 1.0, 41) ** 4)
+    cubics, (pieces,) = together(monotone_cubic(X, y))
+    inside = ANYWHERE[np.abs(ANYWHERE - (X[0] + X[-1]) / 2) <= (X[-1] - X[0]) / 2]
+    values, slopes = np.array([cubic_at(cubics, pieces, x) for x in inside]).T
+    assert np.all(np.diff(values) <= 0)
+    assert np.all(slopes <= 1e-12)  # round-off
+    assert slopes[0] < 0
+    assert slopes[-1] < 0
+    np.testing.assert_allclose([cubic_at(cubics, pieces, x)[0] for x in X], y, atol=1e-13)
