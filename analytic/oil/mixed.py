@@ -17,13 +17,14 @@ from analytic.errors import ConvergenceError, InputError, require_non_negative, 
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.oil.asymptotes import FilmAsymptotes, film_at, log_film_of, thinned
 from analytic.scene import Array
-from analytic.surface.gap import SMOOTH, GapLaw, GapNumbers, area_of, gap_numbers, log_gap_of
+from analytic.surface.gap import SMOOTH, GapLaw, GapNumbers, area_of, gap_numbers, log_gap_of, rough_log_pressure
 
 # Thickness over which a film turns into a layer of molecules that shears like a boundary film, a choice of this model:
 # measured films follow the formula for films down to about 1 nm [Johnston1991].
 MOLECULAR_FILM = 1e-9  # h_m, m
 LAST_STEP = 1e-6  # of ln(s/(1 - s)): Newton's quadratic steps then leave some 1e-12
 NO_SHARE = -40.0  # ln(s/(1 - s)): asperities carry less than round-off of the load
+LEAST_FALL = 0.05  # of ln p over ln(1 - s), for a start also where the film fills its clearance
 NEARLY_ALL = 40.0  # s is 1 in double precision
 MOST_STEPS = 200  # each halves the bracket or the step before the last; 4 to 8 are usual
 
@@ -48,43 +49,74 @@ class SharedLoad(NamedTuple):
 
 
 @compiled
+def _inverse_cubic(value: float, slope: float, value_before: float, slope_before: float, step: float) -> float:
+    """The next step to value 0, by a cubic x(value) through both points with their slopes; step : between them."""
+    between = value - value_before
+    chord, first, last = step / between, 1.0 / slope_before, 1.0 / slope
+    cubic = (first + last - 2.0 * chord) / between**2
+    square = (3.0 * chord - 2.0 * first - last) / between + 3.0 * cubic * between
+    return -value * (last - value * (square - value * cubic))
+
+
+@compiled
+def likely_share(log_pressure: float, falls: float) -> float:
+    """z of ln s = log_pressure + falls ln(1 - s), by two of Newton's steps; see `shared_load`."""
+    z = min(log_pressure, log_pressure / falls)
+    for _ in range(2):
+        share = 1.0 / (1.0 + np.exp(-z))
+        z += (log_pressure + np.logaddexp(0.0, -z) - falls * np.logaddexp(0.0, z)) / (1.0 - share + falls * share)
+    return z
+
+
+@compiled
 def shared_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float, load: float) -> SharedLoad:
     """The load on film and asperities; log_softness : ln(A_H/F) in 1/Pa.
 
     Where both carry, the film is as thick as the gap that asperities leave. The unknown is z = ln(s/(1 - s)), which
-    keeps the digits of s and 1 - s. For z > 0 the film is at least that of rigid bodies, h_RI (1 - s)^-2, and the gap
-    at most that of s = 1/2, which bounds z. Newton's method in this bracket begins at s = 1/2.
+    keeps the digits of s and 1 - s. The search begins where both would meet if ln h were linear in ln(1 - s), and ln p
+    in ln h. Newton's method in a bracket follows, from the second step on with the point before: an inverse cubic. A
+    film under the load 1 - s is at least that of rigid bodies, h_RI (1 - s)^-2, which bounds z.
     """
-    log_film = log_film_of(film, 0.0)[0]
+    log_film, thicker = log_film_of(film, 0.0)
     dry = log_film == -np.inf
     if gap.kind == SMOOTH:
         return SharedLoad(1.0 if dry and load > 0.0 else 0.0, log_film, 1.0 if dry else 0.0)
     if load == 0.0:
         return SharedLoad(0.0, log_film, 0.0)
-    low, high, z, last, before = NO_SHARE, NEARLY_ALL, 0.0, np.inf, np.inf
+    if dry:
+        return SharedLoad(1.0, log_gap_of(gap, -log_softness)[0], area_of(gap, -log_softness))
+    log_pressure, softer = rough_log_pressure(gap, log_film)
+    z = min(max(likely_share(log_pressure + log_softness, max(thicker * softer, LEAST_FALL)), NO_SHARE), NEARLY_ALL)
+    low, high, step, before, last_excess, last_slope = NO_SHARE, np.inf, np.inf, np.inf, 0.0, 0.0
     for number in range(MOST_STEPS):
         log_share, log_remaining = -np.logaddexp(0.0, -z), -np.logaddexp(0.0, z)
         height, thicker = log_film_of(film, log_remaining)
         log_gap, narrower = log_gap_of(gap, log_share - log_softness)
         excess = height - log_gap  # rises with z
-        if number == 0:  # whether both carry at all
-            if not excess > 0.0:
-                log_dry = log_gap_of(gap, -log_softness)[0]
-                if dry or log_dry >= film.clearance:
-                    return SharedLoad(1.0, log_dry, area_of(gap, -log_softness))
-                high += max((log_gap - film.rigid) / 2, 0.0)
-            elif log_film >= log_gap_of(gap, NO_SHARE - log_softness)[0]:
-                return SharedLoad(0.0, log_film, 0.0)
-        if excess == 0.0 or (abs(last) <= LAST_STEP and not np.isnan(excess)):
+        if excess == 0.0 or (abs(step) <= LAST_STEP and not np.isnan(excess)):
             return SharedLoad(np.exp(log_share), height, area_of(gap, log_share - log_softness))
-        if excess < 0.0:
-            low = z
-        else:
+        slope = -(np.exp(log_share) * thicker + np.exp(log_remaining) * narrower)
+        if excess > 0.0:
             high = z
-        step = excess / (np.exp(log_share) * thicker + np.exp(log_remaining) * narrower)
-        if not (low <= z + step <= high and abs(step) <= abs(before) / 2):
-            step = (low + high) / 2 - z
-        before, last = last, step
+            no_share = z - excess / slope <= NO_SHARE
+            if no_share and log_film >= log_gap_of(gap, NO_SHARE - log_softness)[0]:
+                return SharedLoad(0.0, log_film, 0.0)
+        else:
+            low = z
+            high = min(high, max((log_gap - film.rigid) / 2, z) + 1.0)
+            if height >= film.clearance:
+                log_dry = log_gap_of(gap, -log_softness)[0]
+                if log_dry >= film.clearance:
+                    return SharedLoad(1.0, log_dry, area_of(gap, -log_softness))
+        newton = -excess / slope
+        trial = newton
+        if number > 0:
+            trial = _inverse_cubic(excess, slope, last_excess, last_slope, step)
+            if not 0.3 < trial / newton < 3.0:  # both points are not of one smooth piece
+                trial = newton
+        if not (low <= z + trial <= high and abs(trial) <= abs(before) / 2):
+            trial = (low + high) / 2 - z
+        before, step, last_excess, last_slope = step, trial, excess, slope
         z += step
     return SharedLoad(np.nan, np.nan, np.nan)
 

@@ -28,6 +28,7 @@ from analytic.surface.moments import SpectralMoments
 MOST_POINTS = 256
 PRESSURES = (1.0, 0.7, 0.45, 0.3, 0.2, 0.1, 0.05, 0.02, 0.007, 0.002)
 STEEPEST = 300.0  # in ln p beyond the last knot: there exp(2 ln p) would soon overflow, and ln gap goes on straight
+INVERSE = -np.sinh(np.linspace(np.arcsinh(700.0), -np.arcsinh(5.0), 60))  # ln p/(E* slope)
 LONGEST = 0.5  # of the side of a map: a correlation length that the map does not show counts as so much
 
 
@@ -42,6 +43,7 @@ class ElasticNumbers(NamedTuple):
     first: float  # knots, ln of p/(E* slope)
     last: float
     gap: Pieces  # ln of the mean gap over sigma
+    inverse: Pieces  # ln of p/(E* slope) over ln of the mean gap over sigma, roughly
     area: Pieces  # of ln(-ln(1 - area)), which is ln p where p is small and 2 ln p where it is large
     start: float  # a
     offset: float  # e
@@ -126,16 +128,19 @@ class GapCurve:
         cubics, (gap_pieces, area_pieces) = together(gap, monotone_cubic(self.knots, np.log(-np.log1p(-self.areas))))
         height = float(np.exp(self.gaps[0]))
         start = -1 / (height * float(gap[0, 3]))  # by the slope at the first knot
-        return cubics, ElasticNumbers(
+        numbers = ElasticNumbers(
             log_sigma=0.0,
             log_scale=0.0,
             first=float(self.knots[0]),
             last=float(self.knots[-1]),
             gap=gap_pieces,
+            inverse=Pieces(len(cubics), len(cubics) + INVERSE.size - 1),
             area=area_pieces,
             start=start,
             offset=height - start,
         )
+        inverse = monotone_cubic(_log_gaps(cubics, numbers, INVERSE)[0, ::-1], INVERSE[::-1])
+        return np.concatenate([cubics, inverse]), numbers
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -5,7 +5,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from analytic.numerics.compilation import compiled
-from analytic.numerics.cubic import Pieces
+from analytic.numerics.cubic import Pieces, cubic_at
 from analytic.scene import Array, Material, Surface
 from analytic.surface.asperity import first_yield, softer_hardness
 from analytic.surface.asperity_table import SummitNumbers, tabulated_asperities
@@ -25,8 +25,8 @@ NEVER_YIELDS = 400.0  # standard deviations of height that a summit of [Greenwoo
 
 SMOOTH, TRUNCATED, ELASTIC = 0, 1, 2  # kinds of GapNumbers
 NO_PIECES = Pieces(0, 1)
-NOT_TRUNCATED = TruncatedNumbers(SummitNumbers(0.0, 1.0, 0.0, 0.0, NO_PIECES, NO_PIECES, NO_PIECES), 1.0)
-NOT_ELASTIC = ElasticNumbers(0.0, 0.0, 0.0, 0.0, NO_PIECES, NO_PIECES, 1.0, 0.0)
+NOT_TRUNCATED = TruncatedNumbers(SummitNumbers(0.0, 1.0, 0.0, 0.0, NO_PIECES, NO_PIECES, NO_PIECES), 1.0, NO_PIECES)
+NOT_ELASTIC = ElasticNumbers(0.0, 0.0, 0.0, 0.0, NO_PIECES, NO_PIECES, NO_PIECES, 1.0, 0.0)
 
 
 class GapNumbers(NamedTuple):
@@ -52,6 +52,16 @@ def area_of(gap: GapNumbers, log_pressure: float) -> float:
     if gap.kind == TRUNCATED:
         return truncated_area(gap.cubics, gap.truncated, log_pressure)
     return elastic_area(gap.cubics, gap.elastic, log_pressure)
+
+
+@compiled
+def rough_log_pressure(gap: GapNumbers, log_gap: float) -> tuple[float, float]:
+    """ln of the pressure that leaves this mean gap, to some per cent, and its slope: where a search begins."""
+    if gap.kind == TRUNCATED:
+        return cubic_at(gap.cubics, gap.truncated.inverse, log_gap)
+    law = gap.elastic
+    value, slope = cubic_at(gap.cubics, law.inverse, log_gap - law.log_sigma)
+    return value + law.log_scale, slope
 
 
 class GapLaw(Protocol):

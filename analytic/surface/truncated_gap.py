@@ -7,15 +7,19 @@ Source: the average gap of [Patir1978].
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.cubic import Pieces, monotone_cubic
 from analytic.numerics.normal_distribution import LOG_PEAK, mean_excess, mills_ratio
 from analytic.scene import Array
 from analytic.surface.asperity_table import AsperityTable, SummitNumbers, separation_of, summit_area
+
+INVERSE = -np.sinh(np.linspace(np.arcsinh(700.0), -np.arcsinh(5.0), 60))  # ln p over the tables' scale
 
 
 class TruncatedNumbers(NamedTuple):
@@ -23,6 +27,7 @@ class TruncatedNumbers(NamedTuple):
 
     summits: SummitNumbers
     deviation: float  # sigma, m
+    inverse: Pieces  # ln p over ln of the mean gap, roughly
 
 
 @compiled
@@ -80,13 +85,17 @@ class TruncatedGap:
     asperities: AsperityTable
     deviation: float  # sigma, of the heights of both surfaces, m
 
-    @property
-    def cubics(self) -> Array:
-        return self.asperities.cubics
-
-    @property
+    @cached_property
     def numbers(self) -> TruncatedNumbers:
-        return TruncatedNumbers(self.asperities.numbers, self.deviation)
+        own = self.asperities.cubics
+        return TruncatedNumbers(self.asperities.numbers, self.deviation, Pieces(len(own), len(own) + INVERSE.size - 1))
+
+    @cached_property
+    def cubics(self) -> Array:
+        """Of `analytic.numerics.cubic.Pieces`."""
+        log_pressure = self.asperities.numbers.log_scale + INVERSE
+        log_gap = _log_gaps(self.asperities.cubics, self.numbers, log_pressure)[0]
+        return np.concatenate([self.asperities.cubics, monotone_cubic(log_gap[::-1], log_pressure[::-1])])
 
     def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
