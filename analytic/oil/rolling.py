@@ -108,26 +108,37 @@ def houpert_force(group: RollingGroups, pressure_viscosity: float) -> float:
 
 
 @compiled
-def groups_at(rows: Array, index: int) -> RollingGroups:
-    """Of the contact, the viscosity and the speed in the first eleven rows, of the element at the index."""
-    contact = contact_at(rows, 0, index)
-    unit = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)
-    return rolling_groups(contact, unit, rows[9, index], rows[10, index])
+def groups_of_rows(rows: Array) -> list[RollingGroups]:
+    """Of contacts, viscosities and speeds in the first eleven rows. Neighbours of one shape share Hertz's ellipse."""
+    groups = []
+    rolling = transverse = modulus = np.nan
+    unit = HertzNumbers(0.0, 0.0, 0.0, 0.0, 0.0)
+    for i in range(rows.shape[1]):
+        contact = contact_at(rows, 0, i)
+        if (
+            contact.curvature_rolling != rolling
+            or contact.curvature_transverse != transverse
+            or contact.modulus != modulus
+        ):
+            rolling, transverse, modulus = contact.curvature_rolling, contact.curvature_transverse, contact.modulus
+            unit = unit_hertz(rolling, transverse, modulus)
+        groups.append(rolling_groups(contact, unit, rows[9, i], rows[10, i]))
+    return groups
 
 
 @compiled
 def _biboulet_forces(rows: Array) -> Array:
     both = np.empty((2, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        both[0, i], both[1, i] = biboulet_force(contact_at(rows, 0, i), groups_at(rows, i))
+    for i, group in enumerate(groups_of_rows(rows)):
+        both[0, i], both[1, i] = biboulet_force(contact_at(rows, 0, i), group)
     return both
 
 
 @compiled
 def _houpert_forces(rows: Array) -> Array:
     forces = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        forces[i] = houpert_force(groups_at(rows, i), rows[11, i])
+    for i, group in enumerate(groups_of_rows(rows)):
+        forces[i] = houpert_force(group, rows[11, i])
     return forces
 
 

@@ -85,6 +85,17 @@ def log_gap_ratio(log_excess: float, reach: float) -> float:
 
 
 @compiled
+def _line_growth(log_excess: float, log_gap: float) -> float:
+    """Slope of `log_line_gap`, which is log_gap there: 2 e sqrt(e (e + 2)) over the gap, from 1.5 to 2."""
+    if log_excess < LOG_NEAR:
+        return 1.5
+    if log_excess > LOG_FAR:
+        return 2.0
+    excess = np.exp(log_excess)
+    return 2 * excess * np.sqrt(excess * (excess + 2)) / np.exp(log_gap)
+
+
+@compiled
 def log_excess_at(log_gap: float, reach: float) -> float:
     """ln(m - 1) at which ln(h_a/h) is log_gap, by Newton's method in a bracket; NaN if it is not found.
 
@@ -101,12 +112,10 @@ def log_excess_at(log_gap: float, reach: float) -> float:
         high = min(high, log_gap / 0.29 + LOG_THINNING + 0.58 * reach)
     z, last, before = high, high - low, high - low
     for _ in range(MOST_STEPS):
-        gap = log_gap_ratio(z, reach)
         film, beside = log_film_factor(z, reach), log_line_gap(z)
-        excess = np.exp(min(max(z, LOG_NEAR), LOG_FAR))
-        # d ln(line's gap)/dz: 2 e sqrt(e (e + 2)) over it, which goes from 1.5 to 2
-        growth = 2 * excess * np.sqrt(excess * (excess + 2)) / np.exp(log_line_gap(np.log(excess)))
-        slope = growth * np.exp(beside - LOG_2 - reach - gap)
+        part = beside - LOG_2 - reach
+        gap = np.logaddexp(film, part)
+        slope = _line_growth(z, beside) * np.exp(part - gap)
         if film < 0.0:
             slope += 0.29 * np.exp(film - gap)
         if gap < log_gap:
