@@ -6,6 +6,7 @@ import numpy as np
 
 from analytic.cage.drive import GRAVITY, pocket_shape_of
 from analytic.cage.steady import lead_room
+from analytic.contact.finite_geometry_fit import FitNumbers, fit_numbers
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.effects.declared import declared_torque
@@ -78,6 +79,7 @@ class PointModel(NamedTuple):
     ring: RingNumbers
     arm: float  # R of the inner groove centres, m
     counted: Counted
+    fit: FitNumbers  # for finite geometry
     oil: OilNumbers
     inner: Lubrication
     outer: Lubrication
@@ -124,6 +126,7 @@ def point_model(scene: Scene, counted: Counted, variation: Variation = NOMINAL) 
         ring=RingNumbers(numbers, rows, _known(numbers.free_angle), False),
         arm=groove_travel(bearing).arm,
         counted=counted,
+        fit=fit_numbers(),
         oil=NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant),
         inner=inner,
         outer=outer,

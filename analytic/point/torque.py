@@ -10,6 +10,7 @@ import numpy as np
 
 from analytic.cage.steady import braking_torque, hanging_torque
 from analytic.contact.factors import CorrectionNumbers, FactorNumbers
+from analytic.contact.finite_geometry_fit import geometry_on
 from analytic.contact.geometry import distances_to_shoulders, rolling_curvature
 from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
@@ -80,7 +81,15 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
     work.factors[:, :3] = 1.0
     work.factors[:, 3] = np.nan
     balls = _load_balls(model, load, work)
-    # FINITE GEOMETRY
+    if balls > 0 and counted.finite_geometry:
+        for race in range(2):
+            numbers = bearing.inner if race == 0 else bearing.outer
+            for j in range(balls):
+                angle = abs(point.angle[race, j]) if point.load[race, j] > 0.0 else 0.0
+                factors = geometry_on(model.fit, numbers, angle, point.load[race, j]).factors
+                for k in range(4):
+                    work.factors[race, k, j] = factors[k]
+        balls = _load_balls(model, load, work)
     if balls == 0:
         return NO_TORQUE
     alike = bearing.ball_count if balls == 1 else 1.0
@@ -181,7 +190,7 @@ def _race(
         load,
     )
     curvature = rolling_curvature(numbers, abs(angle))
-    near, far = distances_to_shoulders(numbers, abs(angle))
+    near, far = distances_to_shoulders(numbers, (numbers.near_shoulder, numbers.far_shoulder), abs(angle))
     if load > 0.0 and min(near, far) <= 0.0:
         load = np.nan  # the contact is off its race
     contact = ContactNumbers(
