@@ -4,7 +4,7 @@ The formulas are computed in logarithms, so no power over- or underflows; `centr
 Source: [Nijenbanning1994]; compressible oil by [Dowson1966].
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,14 +25,14 @@ class FilmAsymptotes(NamedTuple):
     The fields are numbers in compiled code; elsewhere they broadcast.
     """
 
-    rigid: Array | float  # of H_RI
-    elastic: Array | float  # of H_EI
-    unloaded: Array | float  # of H_00
-    piezoviscous: Array | float  # of H_RP and H_EP together
-    elastic_ratio: Array | float  # ln(H_EI/H_EP)
-    clearance: Array | float  # of the largest gap that bodies and surroundings allow: no film is thicker
-    ellipticity: Array | float  # lambda itself, not its logarithm
-    peak_pressure: Array | float  # of p0, Hertz's, in Pa, if the oil is compressible; -inf if it is not
+    rigid: Any  # of H_RI
+    elastic: Any  # of H_EI
+    unloaded: Any  # of H_00
+    piezoviscous: Any  # of H_RP and H_EP together
+    elastic_ratio: Any  # ln(H_EI/H_EP)
+    clearance: Any  # of the largest gap that bodies and surroundings allow: no film is thicker
+    ellipticity: Any  # lambda itself, not its logarithm
+    peak_pressure: Any  # of p0, Hertz's, in Pa, if the oil is compressible; -inf if it is not
 
     @property
     def outside_range(self) -> NDArray[np.bool_]:

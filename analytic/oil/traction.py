@@ -9,7 +9,7 @@ Source: oil by [Eyring1936], with a limit as in [Bair1979].
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -33,14 +33,14 @@ class PointLaw(NamedTuple):
     The fields are numbers in compiled code; elsewhere they broadcast.
     """
 
-    boundary: Array | float = 0.0
-    plain: Array | float = 0.0  # Pa
-    limit: Array | float = 0.0
-    eyring: Array | float = 0.0  # Pa; 0: nothing depends on the speed
-    fluidity: Array | float = 0.0  # s/m; infinite: the oil shears at its limit
-    share: Array | float = 0.0  # of the pressure, in the oil
-    growth: Array | float = 0.0
-    exponent: Array | float = 0.0
+    boundary: Any = 0.0
+    plain: Any = 0.0  # Pa
+    limit: Any = 0.0
+    eyring: Any = 0.0  # Pa; 0: nothing depends on the speed
+    fluidity: Any = 0.0  # s/m; infinite: the oil shears at its limit
+    share: Any = 0.0  # of the pressure, in the oil
+    growth: Any = 0.0
+    exponent: Any = 0.0
 
 
 @compiled

@@ -15,7 +15,7 @@ from analytic.loads.numbers import BearingNumbers, bearing_numbers
 from analytic.loads.ring_balance import RingPoint, RingWork, groove_travel, ring_points, ring_work, rows_of_balls
 from analytic.loads.ring_rounds import RingNumbers
 from analytic.oil.inlets import OilSupply, oil_supply
-from analytic.oil.lubricated_contact import Lubrication, lubrication_of
+from analytic.oil.lubrication import Lubrication, lubrication_of
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import OilNumbers, oil_numbers
 from analytic.scene import STANDARD_GRAVITY, Array, Cage, Material, Scene

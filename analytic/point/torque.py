@@ -20,7 +20,7 @@ from analytic.loads.thrust_ball import thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
 from analytic.oil.asymptotes import Inflow, asymptotes_of
-from analytic.oil.lubricated_contact import lubricated_contact
+from analytic.oil.lubrication import lubricated_contact
 from analytic.oil.mixed import mixed_of, oil_beside
 from analytic.oil.traction import PointLaw, law_of_oil, stress_and_slope
 from analytic.oil.viscosity import OilNumbers, oil_at

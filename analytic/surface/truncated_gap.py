@@ -86,16 +86,21 @@ class TruncatedGap:
     deviation: float  # sigma, of the heights of both surfaces, m
 
     @cached_property
-    def numbers(self) -> TruncatedNumbers:
-        own = self.asperities.cubics
-        return TruncatedNumbers(self.asperities.numbers, self.deviation, Pieces(len(own), len(own) + INVERSE.size - 1))
+    def splines(self) -> tuple[Array, TruncatedNumbers]:
+        """Cubics and numbers; the pressures of the inverse are some that the law itself gives."""
+        own, log_pressure = self.asperities.cubics, self.asperities.numbers.log_scale + INVERSE
+        inverse = Pieces(len(own), len(own) + INVERSE.size - 1)
+        numbers = TruncatedNumbers(self.asperities.numbers, self.deviation, inverse)
+        log_gap = _log_gaps(own, numbers, log_pressure)[0]
+        return np.concatenate([own, monotone_cubic(log_gap[::-1], log_pressure[::-1])]), numbers
 
-    @cached_property
+    @property
     def cubics(self) -> Array:
-        """Of `analytic.numerics.cubic.Pieces`."""
-        log_pressure = self.asperities.numbers.log_scale + INVERSE
-        log_gap = _log_gaps(self.asperities.cubics, self.numbers, log_pressure)[0]
-        return np.concatenate([self.asperities.cubics, monotone_cubic(log_gap[::-1], log_pressure[::-1])])
+        return self.splines[0]
+
+    @property
+    def numbers(self) -> TruncatedNumbers:
+        return self.splines[1]
 
     def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""

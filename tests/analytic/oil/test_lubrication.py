@@ -10,8 +10,8 @@ from analytic.contact.hertz import unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.oil.inlets import inlets_of, oil_supply
-from analytic.oil.lubricated_contact import LubricatedContact, lubricated_contact, lubrication_of
 from analytic.oil.lubricated_races import lubricate_races
+from analytic.oil.lubrication import LubricatedContact, lubricated_contact, lubrication_of
 from analytic.oil.rolling import houpert_rolling, hydrodynamic_rolling, rolling_torque
 from analytic.oil.traction import mean_force
 from analytic.oil.variation import Variation
@@ -89,7 +89,7 @@ def test_one_contact_is_that_of_the_arrays(oil: Lubricant, finish: Surface, chan
             # round-off of the order of operations
             np.testing.assert_allclose(getattr(found.mixed, name), getattr(mixed, name)[race, point, 0], rtol=1e-12)
         np.testing.assert_allclose(found.rolling_torque, torque[race, point, 0], rtol=1e-12)
-        force = mean_force(found.law, contact, speeds[point])
+        force = mean_force(found.law, contact, float(speeds[point]))
         np.testing.assert_allclose(force, friction[race, point, 0], rtol=1e-12)
 
 
