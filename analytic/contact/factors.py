@@ -6,11 +6,13 @@ The factors come from a finite-element solution, where they are the same for eve
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from analytic.contact.hertz import HertzContact
+from analytic.contact.hertz import HertzNumbers
 from analytic.errors import require_positive
+from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
 
@@ -49,17 +51,33 @@ class ContactCorrection:
         return ContactCorrection(inner=side(self.inner), outer=side(self.outer))
 
 
-def corrected_contact(contact: HertzContact, factors: ContactFactors) -> HertzContact:
+class FactorNumbers(NamedTuple):
+    """One `ContactFactors` in numbers, for compiled formulas."""
+
+    semi_axis_rolling: float
+    semi_axis_transverse: float
+    approach: float
+    peak_pressure: float  # NaN: that of a semi-ellipsoid
+
+
+@compiled
+def corrected(contact: HertzNumbers, factors: FactorNumbers) -> HertzNumbers:
     """Hertz's contact with the factors applied; the load and the exponent 3/2 stay.
 
     Semi-axes, approach and peak pressure are multiplied by their factors, and K = Q/delta^1.5. Without a factor for the
     peak pressure it is that of a semi-ellipsoid, p0 = 3 Q/(2 pi a b). Factors of 1 change no bit.
     """
     product, own = factors.semi_axis_rolling * factors.semi_axis_transverse, factors.peak_pressure
-    return HertzContact(
-        semi_axis_x=contact.semi_axis_x * factors.semi_axis_rolling,
-        semi_axis_y=contact.semi_axis_y * factors.semi_axis_transverse,
-        peak_pressure=contact.peak_pressure / product if own is None else contact.peak_pressure * own,
-        approach=contact.approach * factors.approach,
-        stiffness=contact.stiffness * np.asarray(factors.approach) ** -1.5,
+    return HertzNumbers(
+        contact.semi_axis_x * factors.semi_axis_rolling,
+        contact.semi_axis_y * factors.semi_axis_transverse,
+        contact.peak_pressure / product if np.isnan(own) else contact.peak_pressure * own,
+        contact.approach * factors.approach,
+        contact.stiffness * factors.approach**-1.5,
     )
+
+
+def factor_fields(factors: ContactFactors) -> tuple[float | Array, ...]:
+    """The factors in the order of `FactorNumbers`."""
+    values = vars(factors) | {"peak_pressure": np.nan if factors.peak_pressure is None else factors.peak_pressure}
+    return tuple(values[name] for name in FactorNumbers._fields)

@@ -6,12 +6,15 @@ Source: [Harris2007] section 2.
 """
 
 from dataclasses import replace
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.contact.hertz import contact_modulus
+from analytic.contact.rolling_contact import deformed_radius
 from analytic.errors import InputError, require_non_negative
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Bearing, Cage, Contact, Groove, Ring, Wall
 from analytic.words import angle_of, length_of
 
@@ -22,6 +25,78 @@ RACES: tuple[Race, Race] = ("inner", "outer")
 USUAL_SHOULDERS = (0.1, 0.19, 0.25)
 
 
+class RaceNumbers(NamedTuple):
+    """A ball on one race of a bearing in numbers, for compiled formulas."""
+
+    side: float  # 1: inner race, which is convex in the direction of rolling; -1: outer race
+    ball_radius: float  # r, m
+    pitch_diameter: float  # d_m, m
+    groove_radius: float  # r_g, m
+    curvature_transverse: float  # 1/r - 1/r_g, 1/m
+    modulus: float  # E*, Pa
+    deformed_radius: float  # R, of the contact surface, m
+    bottom_angle: float  # of the groove's bottom to the radial plane, rad: 0, in a thrust bearing pi/2
+    near_shoulder: float  # angle on the profile from the bottom to the near shoulder, rad; NaN: not known
+    far_shoulder: float  # likewise to the far one
+    ball_poisson_ratio: float
+    race_poisson_ratio: float
+    ball_share: float  # of the ball in the compliance 1/E*
+
+
+def race_numbers(bearing: Bearing, race: Race) -> RaceNumbers:
+    """The numbers of a race; raises InputError if the groove is no wider than the ball."""
+    groove, ball, radius = _groove(bearing, race), bearing.ball_material, bearing.ball_radius
+    modulus = contact_modulus(ball, groove.material)
+    near, far = (
+        np.nan if width is None else float(np.arcsin(width / groove.groove_radius)) for width in groove.half_widths
+    )
+    return RaceNumbers(
+        side=1.0 if race == "inner" else -1.0,
+        ball_radius=radius,
+        pitch_diameter=bearing.pitch_diameter,
+        groove_radius=groove.groove_radius,
+        curvature_transverse=(groove.groove_radius - radius) / (radius * groove.groove_radius),
+        modulus=modulus,
+        deformed_radius=float(deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter)),
+        bottom_angle=np.pi / 2 if bearing.kind == "thrust" else 0.0,
+        near_shoulder=near,
+        far_shoulder=far,
+        ball_poisson_ratio=ball.poisson_ratio,
+        race_poisson_ratio=groove.material.poisson_ratio,
+        ball_share=modulus * (1 - ball.poisson_ratio**2) / ball.youngs_modulus,
+    )
+
+
+@compiled
+def curvature_of_race(race: RaceNumbers, contact_angle: float) -> float:
+    """Curvature of the race in the direction of rolling at the contact's centre, 1/m; positive on the inner race.
+
+    contact_angle : al, rad, in [-pi/2, pi/2]
+    """
+    flat = abs(contact_angle) >= np.pi / 2
+    cosine = 0.0 if flat else np.cos(contact_angle)
+    return race.side * cosine / (race.pitch_diameter / 2 - race.side * race.ball_radius * cosine)
+
+
+@compiled
+def rolling_curvature(race: RaceNumbers, contact_angle: float) -> float:
+    """Relative curvature 1/R_x of ball and race in the direction of rolling, 1/m; al in [-pi/2, pi/2], rad."""
+    return 1 / race.ball_radius + curvature_of_race(race, contact_angle)
+
+
+@compiled
+def distances_to_shoulders(race: RaceNumbers, contact_angle: float) -> tuple[float, float]:
+    """`shoulder_distances` of one contact, m."""
+    angle = abs(contact_angle) - race.bottom_angle
+    backward = angle < 0 if race.bottom_angle > 0 else contact_angle < 0
+    towards = race.far_shoulder if backward else race.near_shoulder
+    away = race.near_shoulder if backward else race.far_shoulder
+    return (
+        race.groove_radius * np.sin(towards - angle),
+        race.groove_radius * np.sin(min(away + angle, np.pi / 2)),
+    )
+
+
 def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
     """Relative curvatures (rolling, transverse) of ball on race, 1/m, each with the shape of contact_angle.
 
@@ -30,10 +105,10 @@ def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -
         transverse = 1/r - 1/r_g
     Raises InputError if contact_angle lies outside [0, pi/2] or the groove is no wider than the ball.
     """
-    angle = _angle(contact_angle)
-    groove = _groove(bearing, race)
-    transverse = (groove.groove_radius - bearing.ball_radius) / (bearing.ball_radius * groove.groove_radius)
-    return 1 / bearing.ball_radius + _rolling_curvature(bearing, race, angle), np.full_like(angle, transverse)
+    angle = require_contact_angle(contact_angle)
+    numbers = race_numbers(bearing, race)
+    rolling = _rolling_curvatures(numbers, angle.ravel()).reshape(angle.shape)
+    return rolling, np.full_like(angle, numbers.curvature_transverse)
 
 
 def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
@@ -46,17 +121,10 @@ def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike
     one is negative, the centre lies beyond that shoulder. NaN where the half-width is not known.
     Raises InputError as race_curvatures does.
     """
-    signed = np.asarray(contact_angle, dtype=np.float64)
-    angle = _angle(np.abs(signed))
-    if bearing.kind == "thrust":
-        signed = angle = angle - np.pi / 2
-    groove = _groove(bearing, race)
-    near, far = (np.nan if width is None else np.arcsin(width / groove.groove_radius) for width in groove.half_widths)
-    towards, away = np.where(signed < 0, far, near), np.where(signed < 0, near, far)
-    return (
-        groove.groove_radius * np.sin(towards - angle),
-        groove.groove_radius * np.sin(np.minimum(away + angle, np.pi / 2)),
-    )
+    (signed,), shape = rows_of(contact_angle)
+    require_contact_angle(np.abs(signed))
+    towards, away = _shoulder_distances(race_numbers(bearing, race), signed)
+    return towards.reshape(shape), away.reshape(shape)
 
 
 def with_shoulders(bearing: Bearing, height: float) -> Bearing:
@@ -92,7 +160,7 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
     or beyond one of them.
     """
     require_non_negative(ball_load=ball_load)
-    angle = _angle(abs(contact_angle))
+    angle = require_contact_angle(abs(contact_angle))
     groove = _groove(bearing, race)
     near, far = known_half_widths(bearing, race)
     half_widths = (far, near) if contact_angle < 0 else (near, far)
@@ -106,7 +174,7 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
                 f"{length_of(groove.groove_radius)}): "
                 "lower the load, reduce the clearance or raise shoulder_half_width"
             )
-    curvature = float(_rolling_curvature(bearing, race, angle))
+    curvature = float(curvature_of_race(race_numbers(bearing, race), float(angle)))
     return Contact(
         pair=race,
         ball_radius=bearing.ball_radius,
@@ -151,10 +219,20 @@ def pocket_contact(bearing: Bearing, cage: Cage, *, load: float) -> Contact:
     )
 
 
-def _rolling_curvature(bearing: Bearing, race: Race, angle: Array) -> Array:
-    """Curvature of the race in the direction of rolling at the contact's centre, 1/m; positive on the inner race."""
-    cosine, sign = np.where(angle < np.pi / 2, np.cos(angle), 0.0), 1 if race == "inner" else -1
-    return sign * cosine / (bearing.pitch_diameter / 2 - sign * bearing.ball_radius * cosine)
+@compiled
+def _rolling_curvatures(race: RaceNumbers, contact_angle: Array) -> Array:
+    curvature = np.empty(contact_angle.size)
+    for i in range(contact_angle.size):
+        curvature[i] = rolling_curvature(race, contact_angle[i])
+    return curvature
+
+
+@compiled
+def _shoulder_distances(race: RaceNumbers, contact_angle: Array) -> Array:
+    distances = np.empty((2, contact_angle.size))
+    for i in range(contact_angle.size):
+        distances[0, i], distances[1, i] = distances_to_shoulders(race, contact_angle[i])
+    return distances
 
 
 def _ring(bearing: Bearing, race: Race, half_widths: tuple[float, float]) -> Ring | None:
@@ -171,7 +249,8 @@ def _ring(bearing: Bearing, race: Race, half_widths: tuple[float, float]) -> Rin
     )
 
 
-def _angle(contact_angle: ArrayLike) -> Array:
+def require_contact_angle(contact_angle: ArrayLike) -> Array:
+    """Contact angles as an array; raises InputError unless they lie in [0, pi/2] rad."""
     require_non_negative(contact_angle=contact_angle)
     angle = np.asarray(contact_angle, dtype=np.float64)
     if np.any(angle > np.pi / 2):

@@ -3,26 +3,26 @@
 Assumes linear elasticity, a contact small compared with every radius of curvature, and a gap that is a paraboloid
 (z = curvature_x x^2/2 + curvature_y y^2/2). x is the direction of rolling, y is transverse to it; either semi-axis may
 be the longer one. A curvature is positive where the body is convex.
-Source: [Johnson1985] section 4.2; elliptic integrals in the forms of [Carlson1995] and [DLMF] sections 19.2 and 19.25.
+Source: [Johnson1985] section 4.2; elliptic integrals by the arithmetic-geometric mean, [DLMF] section 19.8.
 """
 
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import ellipe, ellipkm1, elliprd
 
 from analytic.brief import Brief
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Contact, Material
 
 # Newton converges quadratically with |error_next| < 0.015 error^2, so a step below this leaves less than round-off.
 LAST_STEP = 1e-7
 # The start is 1.7 from the root at a ratio of 1e6, 4.8 at 1e12: four or five steps reach round-off, the rest is margin.
 MOST_STEPS = 20
-# The difference (K - E)/m loses digits as m goes to 0: below this m Carlson's form is used, at ten times the cost.
-NEARLY_ROUND = 0.5
+LAST_TERM = 1e-17  # of a sum whose terms fall quadratically
 NEAR_CIRCLE = 1e-4  # -ln s below which the slope of Newton's function is that of the circle to 1e-8
 
 
@@ -41,6 +41,111 @@ class HertzContact(Brief):
         return HertzContact(**{name: field.reshape(shape) for name, field in vars(self).items()})
 
 
+class HertzNumbers(NamedTuple):
+    """One `HertzContact` in numbers, for compiled formulas."""
+
+    semi_axis_x: float
+    semi_axis_y: float
+    peak_pressure: float
+    approach: float
+    stiffness: float
+
+
+@compiled
+def elliptic_integrals(squared_ratio: float) -> tuple[float, float]:
+    """(K, D/K) at m = 1 - squared_ratio, to a few roundings from the circle to the line.
+
+    With the arithmetic and geometric means a and b of their predecessors, a_0 = 1, b_0 = sqrt(squared_ratio):
+        K = pi/(2 a_N),  D/K = 1/2 + sum over n of 2^(n-1) c_n^2/m,  c_n = (a_(n-1) - b_(n-1))/2 = c_(n-1)^2/(4 a_n)
+    All terms are positive, and none is divided by m: c_1^2/m = (1 - b_0)/(4 (1 + b_0)).
+    """
+    a, b = 1.0, np.sqrt(squared_ratio)
+    part = (1 - b) / (4 * (1 + b))  # c_n^2/m
+    share, weight = 0.5, 1.0
+    while weight * part > LAST_TERM:
+        share += weight * part
+        a, b = (a + b) / 2, np.sqrt(a * b)
+        part *= part * (1 - squared_ratio) / (4 * (a + b) ** 2)
+        weight *= 2
+    return np.pi / (a + b), share
+
+
+@compiled
+def squared_axis_ratio(log_curvature_ratio: float) -> float:
+    """s = (minor/major)^2 for ln(larger/smaller curvature) >= 0, by Newton's method in t = -ln s; NaN if it fails.
+
+    ln of the curvature ratio is an increasing convex function of t with slope 3/4 (circle) to 1 (line). So t lies
+    between 1 and 4/3 times ln of the ratio, and Newton's method kept in that bracket cannot fail.
+    It starts at s = ratio^(-4/pi), the fit of [Hamrock1983].
+    """
+    t = 4 / np.pi * log_curvature_ratio
+    for _ in range(MOST_STEPS):
+        s = np.exp(-t)
+        _, share = elliptic_integrals(s)
+        ratio = (1 - share) / (s * share)  # B/(s D)
+        slope = 0.75  # of the circle, to within t^2; 0/0 there
+        if t > NEAR_CIRCLE:
+            slope = 1.5 + (ratio - 1) / (2 * np.expm1(-t)) * (1 / ratio + s)
+        step = (log_curvature_ratio - np.log(ratio)) / slope
+        t = min(max(t + step, log_curvature_ratio), 4 / 3 * log_curvature_ratio)
+        if abs(step) < LAST_STEP:
+            return np.exp(-t)
+    return np.nan
+
+
+@compiled
+def unit_hertz(curvature_x: float, curvature_y: float, modulus: float) -> HertzNumbers:
+    """The contact under 1 N, by the formulas of `hertz_contact`; NaN where the ellipse does not settle."""
+    log_ratio = np.log(curvature_x / curvature_y)
+    squared_ratio = squared_axis_ratio(abs(log_ratio))
+    integral_k, share = elliptic_integrals(squared_ratio)
+    major = np.cbrt(3 * integral_k * share / (np.pi * modulus * min(curvature_x, curvature_y)))
+    minor = np.sqrt(squared_ratio) * major
+    approach = 3 * integral_k / (2 * np.pi * modulus * major)
+    x_is_minor = log_ratio >= 0
+    return HertzNumbers(
+        minor if x_is_minor else major,
+        major if x_is_minor else minor,
+        3 / (2 * np.pi * major * minor),
+        approach,
+        approach**-1.5,
+    )
+
+
+@compiled
+def loaded_hertz(unit: HertzNumbers, load: float) -> HertzNumbers:
+    """The contact under a load, N, from that under 1 N: axes and pressure grow as Q^(1/3), the approach as Q^(2/3)."""
+    root = np.cbrt(load)
+    return HertzNumbers(
+        unit.semi_axis_x * root,
+        unit.semi_axis_y * root,
+        unit.peak_pressure * root,
+        unit.approach * root**2,
+        unit.stiffness,
+    )
+
+
+@compiled
+def _unit_contacts(rows: Array) -> Array:
+    fields = np.empty((5, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        unit = unit_hertz(rows[0, i], rows[1, i], rows[2, i])
+        for k in range(5):
+            fields[k, i] = unit[k]
+    return fields
+
+
+@compiled
+def _loaded_contacts(rows: Array) -> Array:
+    fields = np.empty((5, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        unit = HertzNumbers(rows[0, i], rows[1, i], rows[2, i], rows[3, i], rows[4, i])
+        loaded = loaded_hertz(unit, rows[5, i])
+        for k in range(5):
+            fields[k, i] = loaded[k]
+    return fields
+
+
 def hertz_contact(
     *, curvature_x: ArrayLike, curvature_y: ArrayLike, load: ArrayLike, modulus: ArrayLike
 ) -> HertzContact:
@@ -57,26 +162,28 @@ def hertz_contact(
     Curvature ratios from 1 (a circle, exactly) to 1e6 agree with 50-digit arithmetic to 1e-14.
     Raises InputError if an argument is negative, zero (load excepted), not finite, or if shapes do not broadcast.
     """
-    rolling, transverse, force, stiff = contact_arguments(
-        curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus
-    )
-    log_ratio = np.log(np.asarray(curvature_x) / np.asarray(curvature_y))  # not broadcast: solved once per geometry
-    squared_ratio = _squared_axis_ratio(np.abs(log_ratio))
-    integral_k, integral_d = _integrals(squared_ratio)
+    contact_arguments(curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus)
+    return loaded_contact(unit_contact(curvature_x, curvature_y, modulus), load=load)
 
-    # Sizes at unit load times powers of the load: the stiffness stays finite and there is no 0/0 at zero load.
-    root = np.cbrt(force)
-    major = np.cbrt(3 * integral_d / (np.pi * stiff * np.minimum(rolling, transverse)))
-    minor = np.sqrt(squared_ratio) * major
-    approach = 3 * integral_k / (2 * np.pi * stiff * major)
-    x_is_minor = log_ratio >= 0
-    return HertzContact(
-        semi_axis_x=root * np.where(x_is_minor, minor, major),
-        semi_axis_y=root * np.where(x_is_minor, major, minor),
-        peak_pressure=root * 3 / (2 * np.pi * major * minor),
-        approach=root**2 * approach,
-        stiffness=approach**-1.5,
-    )
+
+def unit_contact(curvature_x: ArrayLike, curvature_y: ArrayLike, modulus: ArrayLike) -> HertzContact:
+    """The contact under 1 N, unchecked; the arguments of hertz_contact broadcast."""
+    rows, shape = rows_of(curvature_x, curvature_y, modulus)
+    return hertz_fields(_unit_contacts(rows), shape)
+
+
+def hertz_fields(fields: Array, shape: tuple[int, ...]) -> HertzContact:
+    """Contacts from the rows (5, n) of a compiled loop over them. Raises ConvergenceError where the ellipse is NaN."""
+    if np.isnan(fields[0]).any():
+        raise ConvergenceError(
+            iterations=MOST_STEPS,
+            residual=float("nan"),
+            tolerance=LAST_STEP,
+            unit="of ln(a/b)^2",
+            problem="the ellipse",
+            remedy="Check that the curvatures are of ordinary size.",
+        )
+    return HertzContact(**dict(zip(HertzNumbers._fields, fields.reshape(-1, *shape), strict=True)))
 
 
 def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
@@ -87,14 +194,8 @@ def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
     Raises InputError if a load is negative or not finite.
     """
     require_non_negative(load=load)
-    root = np.cbrt(np.asarray(load, dtype=np.float64))
-    return HertzContact(
-        semi_axis_x=unit.semi_axis_x * root,
-        semi_axis_y=unit.semi_axis_y * root,
-        peak_pressure=unit.peak_pressure * root,
-        approach=unit.approach * root**2,
-        stiffness=unit.stiffness * np.ones_like(root),
-    )
+    rows, shape = rows_of(*vars(unit).values(), load)
+    return hertz_fields(_loaded_contacts(rows), shape)
 
 
 def contact_arguments(
@@ -112,49 +213,6 @@ def contact_arguments(
             f"curvature_x, curvature_y, load, modulus have shapes {shapes}: give equal lengths"
         ) from problem
     return rolling, transverse, force, stiff
-
-
-def _integrals(squared_ratio: Array) -> tuple[Array, Array]:
-    """(K, D) at m = 1 - squared_ratio, to a few roundings from the circle to the line."""
-    parameter = 1 - squared_ratio
-    integral_k = ellipkm1(squared_ratio)
-    nearly_round = parameter < NEARLY_ROUND
-    if not np.any(nearly_round):
-        return integral_k, (integral_k - ellipe(parameter)) / parameter
-    difference = np.asarray(integral_k - ellipe(parameter))
-    integral_d = np.divide(difference, parameter, out=difference, where=~nearly_round)
-    integral_d[nearly_round] = elliprd(0.0, np.asarray(squared_ratio)[nearly_round], 1.0) / 3
-    return integral_k, integral_d
-
-
-def _squared_axis_ratio(log_curvature_ratio: Array) -> Array:
-    """s = (minor/major)^2 for ln(larger/smaller curvature) >= 0, by Newton's method in t = -ln s.
-
-    ln of the curvature ratio is an increasing convex function of t with slope 3/4 (circle) to 1 (line). So t lies
-    between 1 and 4/3 times ln of the ratio, and Newton's method kept in that bracket cannot fail.
-    It starts at s = ratio^(-4/pi), the fit of [Hamrock1983].
-    """
-    t, least, most, largest = 4 / np.pi * log_curvature_ratio, log_curvature_ratio, 4 / 3 * log_curvature_ratio, np.inf
-    for _ in range(MOST_STEPS):
-        s = np.exp(-t)
-        integral_k, integral_d = _integrals(s)
-        ratio = (integral_k - integral_d) / (s * integral_d)
-        # 0/0 at the circle, where the slope is 3/4 to within t^2
-        bend = 2 * np.expm1(-np.maximum(t, NEAR_CIRCLE))
-        slope = np.where(t < NEAR_CIRCLE, 0.75, 1.5 + (ratio - 1) / bend * (1 / ratio + s))
-        step = (log_curvature_ratio - np.log(ratio)) / slope
-        t = np.minimum(np.maximum(t + step, least), most)
-        largest = np.max(np.abs(step), initial=0.0)
-        if largest < LAST_STEP:
-            return np.exp(-t)
-    raise ConvergenceError(
-        iterations=MOST_STEPS,
-        residual=float(largest),
-        tolerance=LAST_STEP,
-        unit="of ln(a/b)^2",
-        problem="the ellipse",
-        remedy="Check that the curvatures are of ordinary size.",
-    )
 
 
 @lru_cache(maxsize=64)  # every step of an equilibrium needs it

@@ -5,6 +5,7 @@ one entry for each ball, race or operating point. What resists sliding is not a 
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -80,6 +81,20 @@ class RollingContact(EllipticContact):
 
 
 Pair = tuple[RollingContact, RollingContact]  # a ball on the inner and on the outer race
+
+
+class ContactNumbers(NamedTuple):
+    """One `RollingContact` in numbers, for compiled formulas; rates are per unit ring speed."""
+
+    load: float  # Q, N
+    semi_axis_rolling: float  # a, m
+    semi_axis_transverse: float  # b, m
+    curvature_rolling: float  # 1/R_x, relative, 1/m
+    curvature_transverse: float  # 1/R_y, relative, 1/m
+    modulus: float  # E*, Pa
+    deformed_radius: float  # R, transverse radius of the contact surface, m
+    rolling_rate: float  # w_roll/w
+    entrainment: float  # u/w, of both surfaces relative to the contact, m
 
 
 def elliptic_contact(

@@ -23,8 +23,8 @@ from analytic.effects.table import (
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
 from analytic.loads.finite_geometry import corrections_of
+from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.shares import LoadShares, load_shares, own_forces_of_lightest
-from analytic.loads.thrust import play_and_free_angle
 from analytic.scene import Array, Operation, Scene
 from analytic.words import NEWTON, NEWTON_MILLIMETRE, percent_of, speed_of
 

@@ -7,8 +7,37 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import require_non_negative, require_positive
-from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.kinematics import ball_kinematics, ball_motion, outer_control_pitch
+from analytic.loads.numbers import BearingNumbers, bearing_numbers
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Bearing
+
+
+@compiled
+def outward_force(ball_mass: float, pitch_diameter: float, cage_speed: float) -> float:
+    """F_c = m (d_m/2) w_m^2, N."""
+    return ball_mass * pitch_diameter / 2 * cage_speed**2
+
+
+@compiled
+def moment_of_turned_axis(
+    ball_mass: float, ball_diameter: float, ball_speed: float, cage_speed: float, axis_angle: float
+) -> float:
+    """M_g = J w_b w_m sin(axis_angle), J = m D^2/10, N m."""
+    return ball_mass * ball_diameter**2 / 10 * ball_speed * cage_speed * np.sin(axis_angle)
+
+
+@compiled
+def inertia_of_ball(
+    bearing: BearingNumbers, inner_speed: float, inner_angle: float, outer_angle: float
+) -> tuple[float, float]:
+    """`force_and_moment` of one ball."""
+    ball_diameter, pitch_diameter = 2 * bearing.ball_radius, bearing.pitch_diameter
+    pitch = outer_control_pitch(inner_angle, outer_angle, ball_diameter / pitch_diameter)
+    motion = ball_motion(inner_speed, 0.0, inner_angle, outer_angle, pitch, pitch_diameter, ball_diameter)
+    force = outward_force(bearing.ball_mass, pitch_diameter, motion.cage_speed)
+    moment = moment_of_turned_axis(bearing.ball_mass, ball_diameter, motion.ball_speed, motion.cage_speed, pitch)
+    return force, moment
 
 
 def centrifugal_force(*, ball_mass: ArrayLike, pitch_diameter: ArrayLike, cage_speed: ArrayLike) -> Array:
@@ -16,7 +45,8 @@ def centrifugal_force(*, ball_mass: ArrayLike, pitch_diameter: ArrayLike, cage_s
 
     ball_mass : m, kg;  pitch_diameter : d_m, m;  cage_speed : w_m, rad/s, any sign
     """
-    return np.asarray(ball_mass) * np.asarray(pitch_diameter) / 2 * np.asarray(cage_speed) ** 2
+    rows, shape = rows_of(ball_mass, pitch_diameter, cage_speed)
+    return _outward_forces(rows).reshape(shape)
 
 
 def gyroscopic_moment(
@@ -32,8 +62,8 @@ def gyroscopic_moment(
     ball_mass : m, kg;  ball_diameter : D, m;  ball_speed, cage_speed : w_b, w_m, rad/s, any sign
     axis_angle : of w_b to the bearing axis, rad, any sign
     """
-    inertia = np.asarray(ball_mass) * np.asarray(ball_diameter) ** 2 / 10
-    return inertia * np.asarray(ball_speed) * np.asarray(cage_speed) * np.sin(axis_angle)
+    rows, shape = rows_of(ball_mass, ball_diameter, ball_speed, cage_speed, axis_angle)
+    return _moments_of_turned_axes(rows).reshape(shape)
 
 
 def force_and_moment(
@@ -44,24 +74,9 @@ def force_and_moment(
     inner_speed : w, rad/s, any sign, the outer ring stands still
     inner_angle, outer_angle : al_i, al_o, rad, in [-pi/2, pi/2]
     """
-    motion = ball_kinematics(
-        inner_speed=inner_speed,
-        inner_angle=inner_angle,
-        outer_angle=outer_angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
-    force = centrifugal_force(
-        ball_mass=bearing.ball_mass, pitch_diameter=bearing.pitch_diameter, cage_speed=motion.cage_speed
-    )
-    moment = gyroscopic_moment(
-        ball_mass=bearing.ball_mass,
-        ball_diameter=bearing.ball_diameter,
-        ball_speed=motion.ball_speed,
-        cage_speed=motion.cage_speed,
-        axis_angle=motion.pitch,
-    )
-    return force, moment
+    rows, shape = rows_of(inner_speed, inner_angle, outer_angle)
+    force, moment = _inertia_of_balls(bearing_numbers(bearing), rows)
+    return force.reshape(shape), moment.reshape(shape)
 
 
 def centrifugal_ratio(
@@ -139,3 +154,27 @@ def ratio(part: ArrayLike, *, over: ArrayLike) -> Array:
     """part/over, both >= 0: 0 where the part is 0, infinite where only the part is not."""
     part, over = np.broadcast_arrays(np.asarray(part, dtype=np.float64), np.asarray(over, dtype=np.float64))
     return np.divide(part, over, out=np.where(part > 0, np.inf, 0.0), where=over > 0)
+
+
+@compiled
+def _outward_forces(rows: Array) -> Array:
+    force = np.empty(rows.shape[1])
+    for i in range(force.size):
+        force[i] = outward_force(rows[0, i], rows[1, i], rows[2, i])
+    return force
+
+
+@compiled
+def _moments_of_turned_axes(rows: Array) -> Array:
+    moment = np.empty(rows.shape[1])
+    for i in range(moment.size):
+        moment[i] = moment_of_turned_axis(rows[0, i], rows[1, i], rows[2, i], rows[3, i], rows[4, i])
+    return moment
+
+
+@compiled
+def _inertia_of_balls(bearing: BearingNumbers, rows: Array) -> Array:
+    inertia = np.empty((2, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        inertia[0, i], inertia[1, i] = inertia_of_ball(bearing, rows[0, i], rows[1, i], rows[2, i])
+    return inertia

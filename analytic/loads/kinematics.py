@@ -10,11 +10,13 @@ Source: [Harris2007b] section 2; the relations here follow from no slip of rigid
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_finite, require_positive
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array
 
 MOST_LEAN = np.pi / 2 - 0.01  # rad, of the ball's axis to the rolling direction's normal plane at a contact
@@ -39,6 +41,65 @@ class BallKinematics:
     def entrainment_speed(self) -> Array:
         """(2, ...) u on inner and outer race, m/s."""
         return np.stack([self.inner_entrainment, self.outer_entrainment])
+
+
+class BallMotion(NamedTuple):
+    """The `BallKinematics` of one ball in numbers, for compiled formulas."""
+
+    inner_radius: float
+    outer_radius: float
+    cage_speed: float
+    ball_speed: float
+    inner_entrainment: float
+    outer_entrainment: float
+    inner_rolling_rate: float
+    outer_rolling_rate: float
+    spin_difference: float
+    pitch: float
+
+
+@compiled
+def outer_control_pitch(inner_angle: float, outer_angle: float, ratio: float) -> float:
+    """B of outer control, rad; ratio : D/d_m."""
+    pitch = np.arctan2(np.sin(outer_angle), np.cos(outer_angle) + ratio)
+    # A ball that its inner race hardly presses may lie so steep there that outer control would not turn it at all.
+    return min(max(pitch, inner_angle - MOST_LEAN), inner_angle + MOST_LEAN)
+
+
+@compiled
+def ball_motion(
+    inner_speed: float,
+    outer_speed: float,
+    inner_angle: float,
+    outer_angle: float,
+    pitch: float,
+    pitch_diameter: float,
+    ball_diameter: float,
+) -> BallMotion:
+    """`ball_kinematics` of one ball, whose pitch is known."""
+    speed, radius = inner_speed - outer_speed, ball_diameter / 2
+    inner_radius = pitch_diameter / 2 - radius * np.cos(inner_angle)
+    outer_radius = pitch_diameter / 2 + radius * np.cos(outer_angle)
+    rolls_inner, rolls_outer = np.cos(pitch - inner_angle), np.cos(pitch - outer_angle)
+    # Speed of each race relative to the ball's orbit, about the bearing axis.
+    both = inner_radius * rolls_outer + outer_radius * rolls_inner
+    passes_inner, passes_outer = speed * outer_radius * rolls_inner / both, speed * inner_radius * rolls_outer / both
+    inner_entrainment, outer_entrainment = passes_inner * inner_radius, passes_outer * outer_radius
+    ball_speed = speed * inner_radius * outer_radius / (both * radius)
+    return BallMotion(
+        inner_radius,
+        outer_radius,
+        outer_speed + passes_outer,
+        ball_speed,
+        inner_entrainment,
+        outer_entrainment,
+        inner_entrainment / radius + passes_inner * np.cos(inner_angle),
+        outer_entrainment / radius - passes_outer * np.cos(outer_angle),
+        passes_inner * np.sin(inner_angle)
+        + passes_outer * np.sin(outer_angle)
+        - ball_speed * (np.sin(pitch - inner_angle) + np.sin(outer_angle - pitch)),
+        pitch,
+    )
 
 
 def ball_kinematics(
@@ -77,35 +138,20 @@ def ball_kinematics(
             raise InputError(f"{name} must be at most pi/2 rad, got {largest!r}; is it in degrees?")
     if not ball_diameter < pitch_diameter:
         raise InputError(f"ball_diameter {ball_diameter!r} m must be below pitch_diameter {pitch_diameter!r} m")
-    ratio = ball_diameter / pitch_diameter
-    if pitch is None:
-        pitch = np.arctan2(np.sin(outer_angle), np.cos(outer_angle) + ratio)
-        # A ball that its inner race hardly presses may lie so steep there that outer control would not turn it at all.
-        pitch = np.maximum(pitch, np.asarray(inner_angle) - MOST_LEAN)
-        pitch = np.minimum(pitch, np.asarray(inner_angle) + MOST_LEAN)
-    inner, outer, at_inner, at_outer, axis = np.broadcast_arrays(
-        *(np.asarray(value, dtype=np.float64) for value in (inner_speed, outer_speed, inner_angle, outer_angle, pitch))
-    )
-    speed, radius = inner - outer, ball_diameter / 2
-    inner_radius = pitch_diameter / 2 - radius * np.cos(at_inner)
-    outer_radius = pitch_diameter / 2 + radius * np.cos(at_outer)
-    rolls_inner, rolls_outer = np.cos(axis - at_inner), np.cos(axis - at_outer)
-    # Speed of each race relative to the ball's orbit, about the bearing axis.
-    both = inner_radius * rolls_outer + outer_radius * rolls_inner
-    passes_inner, passes_outer = speed * outer_radius * rolls_inner / both, speed * inner_radius * rolls_outer / both
-    inner_entrainment, outer_entrainment = passes_inner * inner_radius, passes_outer * outer_radius
-    ball_speed = speed * inner_radius * outer_radius / (both * radius)
-    return BallKinematics(
-        inner_radius=inner_radius,
-        outer_radius=outer_radius,
-        cage_speed=outer + passes_outer,
-        ball_speed=ball_speed,
-        inner_entrainment=inner_entrainment,
-        outer_entrainment=outer_entrainment,
-        inner_rolling_rate=inner_entrainment / radius + passes_inner * np.cos(at_inner),
-        outer_rolling_rate=outer_entrainment / radius - passes_outer * np.cos(at_outer),
-        spin_difference=passes_inner * np.sin(at_inner)
-        + passes_outer * np.sin(at_outer)
-        - ball_speed * (np.sin(axis - at_inner) + np.sin(at_outer - axis)),
-        pitch=axis,
-    )
+    rows, shape = rows_of(inner_speed, outer_speed, inner_angle, outer_angle, np.nan if pitch is None else pitch)
+    fields = _ball_motions(rows, float(pitch_diameter), float(ball_diameter)).reshape(-1, *shape)
+    return BallKinematics(**dict(zip(BallMotion._fields, fields, strict=True)))
+
+
+@compiled
+def _ball_motions(rows: Array, pitch_diameter: float, ball_diameter: float) -> Array:
+    fields = np.empty((10, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        inner_speed, outer_speed, inner_angle, outer_angle = rows[0, i], rows[1, i], rows[2, i], rows[3, i]
+        pitch = rows[4, i]
+        if np.isnan(pitch):
+            pitch = outer_control_pitch(inner_angle, outer_angle, ball_diameter / pitch_diameter)
+        motion = ball_motion(inner_speed, outer_speed, inner_angle, outer_angle, pitch, pitch_diameter, ball_diameter)
+        for k in range(10):
+            fields[k, i] = motion[k]
+    return fields

@@ -21,8 +21,9 @@ from analytic.contact.hertz import loaded_contact
 from analytic.errors import InputError, require_positive
 from analytic.loads.balls import LoadEffects, balls_between
 from analytic.loads.finite_geometry import corrections_of, thrust_correction
+from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import LEAST_BALLS, RingState, Row, RowsOfBalls, refuse_beyond_groove, settled_ring
-from analytic.loads.thrust import play_and_free_angle, thrust_equilibrium
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.loads.turning import RuledTurning
 from analytic.scene import Arrangement, Array, Bearing, ContactAngle, Operation
 

@@ -3,10 +3,21 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.factors import ContactCorrection, corrected_contact
-from analytic.contact.geometry import race_curvatures
-from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
-from analytic.scene import Bearing
+from analytic.contact.factors import ContactCorrection, FactorNumbers, corrected, factor_fields
+from analytic.contact.geometry import RaceNumbers, race_numbers, require_contact_angle, rolling_curvature
+from analytic.contact.hertz import HertzContact, HertzNumbers, hertz_fields, unit_hertz
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.scene import Array, Bearing
+
+
+@compiled
+def unit_contact_on(race: RaceNumbers, contact_angle: float, factors: FactorNumbers) -> HertzNumbers:
+    """A ball on a race under 1 N by Hertz, corrected; NaN where the ellipse does not settle.
+
+    contact_angle : al, rad, in [-pi/2, pi/2]
+    """
+    curvature = rolling_curvature(race, contact_angle)
+    return corrected(unit_hertz(curvature, race.curvature_transverse, race.modulus), factors)
 
 
 def unit_contacts(
@@ -17,18 +28,25 @@ def unit_contacts(
     inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2]
     analytic.contact.hertz.loaded_contact gives the contacts under load. Raises InputError as race_curvatures does.
     """
-    pairs = (
-        race_curvatures(bearing, "inner", contact_angle=inner_angle),
-        race_curvatures(bearing, "outer", contact_angle=outer_angle),
+    races = race_numbers(bearing, "inner"), race_numbers(bearing, "outer")
+    angles = require_contact_angle(inner_angle), require_contact_angle(outer_angle)
+    inner, outer = (
+        _on_race(race, *rows_of(angle, *factor_fields(factors)))
+        for race, angle, factors in zip(races, angles, (correction.inner, correction.outer), strict=True)
     )
-    rolling, transverse = (np.array(curvatures) for curvatures in zip(*pairs, strict=True))
-    moduli = [contact_modulus(bearing.ball_material, ring.material) for ring in (bearing.inner, bearing.outer)]
-    # One call for both races: most callers have few balls, and the time goes with the calls.
-    both = hertz_contact(
-        curvature_x=rolling,
-        curvature_y=transverse,
-        load=1.0,
-        modulus=np.reshape(moduli, (2,) + (1,) * (rolling.ndim - 1)),
-    )
-    inner, outer = (HertzContact(**{name: field[race] for name, field in vars(both).items()}) for race in (0, 1))
-    return corrected_contact(inner, correction.inner), corrected_contact(outer, correction.outer)
+    return inner, outer
+
+
+def _on_race(race: RaceNumbers, rows: Array, shape: tuple[int, ...]) -> HertzContact:
+    return hertz_fields(_unit_contacts(race, rows), shape)
+
+
+@compiled
+def _unit_contacts(race: RaceNumbers, rows: Array) -> Array:
+    fields = np.empty((5, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        factors = FactorNumbers(rows[1, i], rows[2, i], rows[3, i], rows[4, i])
+        unit = unit_contact_on(race, rows[0, i], factors)
+        for k in range(5):
+            fields[k, i] = unit[k]
+    return fields

@@ -21,8 +21,8 @@ from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import InputError, require_finite, require_positive
+from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import LEAST_BALLS, RowsOfBalls, refuse_beyond_groove, settled_ring
-from analytic.loads.thrust import play_and_free_angle
 from analytic.loads.turning import RuledTurning, Turning
 from analytic.scene import Array, Bearing, ContactAngle
 

@@ -16,8 +16,8 @@ from analytic.brief import Brief, span
 from analytic.labelled import Column, Labelled, dataset_of
 from analytic.loads.ball_balance import contact_tangent, in_series
 from analytic.loads.balls import LoadedBalls
+from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import groove_travel
-from analytic.loads.thrust import play_and_free_angle
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 FREEDOMS = ("axial", "x", "y", "tilt_x", "tilt_y")

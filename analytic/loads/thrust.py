@@ -15,14 +15,14 @@ from numpy.typing import ArrayLike
 
 from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection
-from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import HertzContact, loaded_contact
-from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
+from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.race_contacts import unit_contacts
 from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
 from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array, Bearing, ContactAngle
-from analytic.words import MILLIMETRE, length_of
+from analytic.words import length_of
 
 # ln(tan b) of every angle that a double can tell from 0 or from pi/2; tan b times any force ratio stays a double.
 LEAST, MOST = -740.0, 600.0
@@ -181,40 +181,6 @@ def require_right_angle(contact_angle: ContactAngle) -> None:
             "a thrust bearing has a contact angle of 90 degrees under every load: give "
             f"ContactAngle(rule='given', value=pi/2), got rule {contact_angle.rule!r}, value {contact_angle.value!r}"
         )
-
-
-def free_angle(bearing: Bearing) -> float | None:
-    """al0, rad: the contact angle at which play ends and load begins; None for a preloaded bearing.
-
-    cos al0 = 1 - P_d/(2 A0), written 2 sin^2(al0/2) = P_d/(2 A0) to stay exact at small clearance.
-    Raises InputError if a groove is no wider than the ball, or if P_d >= 2 A0 (nothing stops the rings).
-    """
-    for race in ("inner", "outer"):
-        race_curvatures(bearing, race, contact_angle=0.0)  # refuses an impossible groove
-    clearance, distance = bearing.diametral_clearance, bearing.groove_centre_distance
-    if clearance < 0:
-        return None
-    if not clearance < 2 * distance:
-        raise InputError(
-            f"diametral clearance {MILLIMETRE.written(clearance, '.6g')} must be below 2 A0 = "
-            f"{MILLIMETRE.written(2 * distance, '.6g')} (A0 = r_gi + r_go - D): check bottom_radius of both rings and "
-            "ball_diameter"
-        )
-    return float(2 * np.arcsin(np.sqrt(clearance / (4 * distance))))
-
-
-def play_and_free_angle(bearing: Bearing, contact_angle: ContactAngle) -> tuple[float, float | None]:
-    """(A0 (1 - cos al0), al0) in m and rad: from contact_angle.free, or else from the clearance.
-
-    A preload has no al0 and a play of P_d/2 < 0. Raises InputError as free_angle does, and for an angle out of range.
-    """
-    free = contact_angle.free
-    if free is None:
-        return bearing.diametral_clearance / 2, free_angle(bearing)
-    require_non_negative(free=free)
-    if not free < np.pi / 2:
-        raise InputError(f"the free contact angle must be below pi/2 rad, got {free!r}; is it in degrees?")
-    return float(2 * bearing.groove_centre_distance * np.sin(free / 2) ** 2), free
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -7,7 +7,7 @@ from collections.abc import Container, Iterator
 
 import numpy as np
 
-from analytic.loads.thrust import play_and_free_angle
+from analytic.loads.numbers import play_and_free_angle
 from analytic.scene import Arrangement, Bearing, Cage, ContactAngle, Groove
 from analytic.words import angle_of
 

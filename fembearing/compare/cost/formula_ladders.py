@@ -15,7 +15,8 @@ from analytic.effects.table import COMPUTED, ruled
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, ring_balls, thrust_balls
 from analytic.loads.inertia import inertia_ratios
-from analytic.loads.thrust import ThrustEquilibrium, free_angle, thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.loads.numbers import free_angle
+from analytic.loads.thrust import ThrustEquilibrium, thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.scene import Array, Autocorrelation, Contact, Decision, Operation, Scene, Sliding
 from analytic.surface.heightmap import FEWEST_POINTS, WIDEST, measure
 from analytic.surface.moments import SpectralMoments

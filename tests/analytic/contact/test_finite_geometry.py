@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
-from analytic.contact.factors import ContactFactors, corrected_contact
+from analytic.contact.factors import ContactFactors, FactorNumbers, corrected, factor_fields
 from analytic.contact.finite_geometry import (
     SMALL,
     ContactShape,
@@ -24,7 +24,7 @@ from analytic.contact.finite_geometry import (
     stored_fit,
 )
 from analytic.contact.geometry import race_contact
-from analytic.contact.hertz import hertz_contact
+from analytic.contact.hertz import hertz_contact, loaded_hertz, unit_hertz
 from analytic.scene import Bearing, Contact, Material
 
 VALIDATION = Path(__file__).resolve().parents[3] / "validation" / "correction"
@@ -222,11 +222,13 @@ def test_a_contact_near_its_shoulder_is_held() -> None:
 
 
 def test_a_correction_brings_its_own_peak_pressure() -> None:
-    hertz = hertz_contact(curvature_x=300.0, curvature_y=11.0, load=210.0, modulus=1.1e11)
+    hertz = loaded_hertz(unit_hertz(300.0, 11.0, 1.1e11), 210.0)
     plain = ContactFactors(semi_axis_rolling=1.03, semi_axis_transverse=0.96)
-    own = replace(plain, peak_pressure=1.02)
-    assert corrected_contact(hertz, own).peak_pressure == pytest.approx(1.02 * float(hertz.peak_pressure), rel=1e-14)
-    filled = corrected_contact(hertz, plain)
+    own, filled = (
+        corrected(hertz, FactorNumbers(*map(float, factor_fields(factors))))
+        for factors in (replace(plain, peak_pressure=1.02), plain)
+    )
+    assert own.peak_pressure == pytest.approx(1.02 * hertz.peak_pressure, rel=1e-14)
     volume = 2 / 3 * np.pi * filled.peak_pressure * filled.semi_axis_x * filled.semi_axis_y
     assert volume == pytest.approx(210.0, rel=1e-13)  # round-off
 

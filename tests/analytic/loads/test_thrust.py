@@ -10,7 +10,8 @@ from scipy.optimize import minimize_scalar
 
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.errors import InputError
-from analytic.loads.thrust import ThrustEquilibrium, free_angle, thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.loads.numbers import free_angle
+from analytic.loads.thrust import ThrustEquilibrium, thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.scene import Bearing, ContactAngle
 from tests.contacts import PEEK
 
