@@ -27,7 +27,8 @@ TOLERANCE = 1e-12
 PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps
 # Of A0, likewise: the place of a ball under a force of its own is computed from the grooves' centres.
 BALL_ROUND_OFF = 16 * np.finfo(np.float64).eps
-ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of the balls' loads times A0, whose rounding moves them
+# Of the balls' loads times A0, whose rounding moves them, or times the way of a load that no bearing survives.
+ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps
 # Contact stiffness, centrifugal and friction force follow the angles: 3 or 4 rounds at rest, about 10 at high speed.
 MOST_ROUNDS = 200
 STEADYING = 30  # rounds, after which forces move halfway: some swing to and fro with the angles
@@ -179,6 +180,7 @@ class RowsOfBalls:
         distance = self.bearing.groove_centre_distance
         pushed = np.any(held.ball_force, axis=(-2, -1)) * distance
         reach = np.max(np.abs(place), axis=-1) + np.max(np.abs(self.offset))
+        longest = np.maximum(distance, reach)
         rounding = PLACE_ROUND_OFF * reach * np.trace(tangent, axis1=-2, axis2=-1)
         if pushed.any():
             contacts = 1.5 * np.sum(np.cbrt(held.inner.stiffness**2 * balls.inner_load), axis=-1)  # dQ/d delta, N/m
@@ -191,8 +193,8 @@ class RowsOfBalls:
             gradient=self.resultant(balls.force) - held.ring_force,
             tangent=tangent,
             tolerance=TOLERANCE * forces + rounding,
-            energy_rounding=ENERGY_ROUND_OFF * distance * np.sum(balls.outer_load, axis=-1),
-            longest_step=np.maximum(distance, reach),
+            energy_rounding=ENERGY_ROUND_OFF * longest * np.sum(balls.outer_load, axis=-1),
+            longest_step=longest,
         )
 
     def settled(self, place: Array, held: HeldBalls) -> tuple[RingState, NDArray[np.intp]]:

@@ -258,11 +258,6 @@ def test_an_impact_too_hard_for_the_steps_is_refused() -> None:
         motion.advance(1e-5)
 
 
-def test_numba_is_not_imported_before_the_first_motion() -> None:
-    show = "import sys, analytic.cage.free_motion, analytic.cage.statistics; print('numba' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", show], capture_output=True, check=True, text=True).stdout == "False\n"
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(("begin", "within"), [("rest", 5e-3), ("whirl", 5e-3)])
 def test_half_the_step_changes_the_torque_by_less_than_half_a_percent(begin: Any, within: float) -> None:

@@ -209,11 +209,6 @@ print(type(analytic.cage.kernel.advance).__name__)
     assert subprocess.run([sys.executable, "-c", show], capture_output=True, check=True, text=True).stdout != ""
 
 
-def test_numba_is_not_imported_before_the_first_motion() -> None:
-    show = "import sys, analytic, analytic.torque, analytic.cage.motion; print('numba' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", show], capture_output=True, check=True, text=True).stdout == "False\n"
-
-
 def test_drag_power_is_the_energy_loss_in_free_flight() -> None:
     """For a time that is long enough to lose a tenth and too short to reach a ball."""
     cage = replace(CAGE, drag=0.1, gravity=WEIGHTLESS, axial_inertia=3e-6, friction_coefficient=0.0)
