@@ -60,6 +60,13 @@ class FactorNumbers(NamedTuple):
     peak_pressure: float  # NaN: that of a semi-ellipsoid
 
 
+class CorrectionNumbers(NamedTuple):
+    """The factors of both races."""
+
+    inner: FactorNumbers
+    outer: FactorNumbers
+
+
 @compiled
 def corrected(contact: HertzNumbers, factors: FactorNumbers) -> HertzNumbers:
     """Hertz's contact with the factors applied; the load and the exponent 3/2 stay.
@@ -81,3 +88,16 @@ def factor_fields(factors: ContactFactors) -> tuple[float | Array, ...]:
     """The factors in the order of `FactorNumbers`."""
     values = vars(factors) | {"peak_pressure": np.nan if factors.peak_pressure is None else factors.peak_pressure}
     return tuple(values[name] for name in FactorNumbers._fields)
+
+
+def correction_fields(correction: ContactCorrection) -> tuple[float | Array, ...]:
+    """The factors of the inner and of the outer race, for the rows of `correction_of`."""
+    return factor_fields(correction.inner) + factor_fields(correction.outer)
+
+
+@compiled
+def correction_of(row: Array) -> CorrectionNumbers:
+    """The factors of both races from the eight numbers of a row."""
+    return CorrectionNumbers(
+        FactorNumbers(row[0], row[1], row[2], row[3]), FactorNumbers(row[4], row[5], row[6], row[7])
+    )

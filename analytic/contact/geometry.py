@@ -50,14 +50,14 @@ def race_numbers(bearing: Bearing, race: Race) -> RaceNumbers:
     near, far = (
         np.nan if width is None else float(np.arcsin(width / groove.groove_radius)) for width in groove.half_widths
     )
-    return RaceNumbers(
+    numbers = RaceNumbers(
         side=1.0 if race == "inner" else -1.0,
         ball_radius=radius,
         pitch_diameter=bearing.pitch_diameter,
         groove_radius=groove.groove_radius,
         curvature_transverse=(groove.groove_radius - radius) / (radius * groove.groove_radius),
         modulus=modulus,
-        deformed_radius=float(deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter)),
+        deformed_radius=deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter),  # pyright: ignore
         bottom_angle=np.pi / 2 if bearing.kind == "thrust" else 0.0,
         near_shoulder=near,
         far_shoulder=far,
@@ -65,6 +65,7 @@ def race_numbers(bearing: Bearing, race: Race) -> RaceNumbers:
         race_poisson_ratio=groove.material.poisson_ratio,
         ball_share=modulus * (1 - ball.poisson_ratio**2) / ball.youngs_modulus,
     )
+    return RaceNumbers(*map(float, numbers))  # a kernel would be compiled anew for an integer
 
 
 @compiled

@@ -39,13 +39,13 @@ def bearing_numbers(bearing: Bearing, contact_angle: ContactAngle | None = None)
     return BearingNumbers(
         *races,
         ball_count=float(bearing.ball_count),
-        ball_mass=bearing.ball_mass,
-        ball_radius=bearing.ball_radius,
-        pitch_diameter=bearing.pitch_diameter,
-        groove_centre_distance=bearing.groove_centre_distance,
-        play=play,
-        free_angle=np.nan if free is None else free,
-        given_angle=np.nan if given is None else given,
+        ball_mass=float(bearing.ball_mass),
+        ball_radius=float(bearing.ball_radius),
+        pitch_diameter=float(bearing.pitch_diameter),
+        groove_centre_distance=float(bearing.groove_centre_distance),
+        play=float(play),
+        free_angle=np.nan if free is None else float(free),
+        given_angle=np.nan if given is None else float(given),
     )
 
 

@@ -14,25 +14,27 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.brief import Brief
-from analytic.contact.factors import ContactCorrection
-from analytic.contact.hertz import HertzContact, loaded_contact
+from analytic.contact.factors import ContactCorrection, correction_fields, correction_of
+from analytic.contact.hertz import HertzContact, hertz_fields, loaded_contact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
-from analytic.loads.numbers import play_and_free_angle
+from analytic.loads.numbers import BearingNumbers, bearing_numbers
 from analytic.loads.race_contacts import unit_contacts
-from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
-from analytic.numerics.root import Sought, bracketed_root
+from analytic.loads.thrust_ball import (
+    MOST_ROUNDS,
+    ROUND_OFF,
+    STEADYING,
+    Held,
+    ThrustedBall,
+    ThrustPoint,
+    balanced,
+    change_of,
+    frozen_point,
+    thrust_point,
+)
+from analytic.loads.turning import PlacedBalls, RuledTurning, Turning, TurningRule
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Bearing, ContactAngle
 from analytic.words import length_of
-
-# ln(tan b) of every angle that a double can tell from 0 or from pi/2; tan b times any force ratio stays a double.
-LEAST, MOST = -740.0, 600.0
-# Newton's error in ln(tan b) is of the order of its last step's square: below this step it is round-off.
-LAST_STEP = 1e-8
-# The angles that a round holds change the next ones by less than 1e-3 at rest (curvatures; 3 or 4 rounds), by a tenth
-# at most at speed (speeds and friction too; 4 or 5).
-MOST_ROUNDS = 300
-STEADYING = 30  # rounds, after which forces move halfway: some swing to and fro with the angles
-ROUND_OFF = 4 * np.finfo(np.float64).eps
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -83,18 +85,15 @@ def thrust_equilibrium(
     or a groove no wider than the ball. Whether the contact stays in the groove is not checked here: race_contact does.
     """
     require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
-    load = np.asarray(axial_load, dtype=np.float64)
-    factors = correction or ContactCorrection()
     if contact_angle.rule == "given":
         if bearing.kind == "thrust":
             require_right_angle(contact_angle)
         elif contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
             raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
-        angle = np.full_like(load, contact_angle.value)
-        contacts = unit_contacts(bearing, inner_angle=angle, outer_angle=angle, correction=factors)
-        return _at_rest(_balls(load / bearing.ball_count, np.tan(angle), contacts), free_angle=None)
-    thrust = _Thrust(bearing, contact_angle, load)
-    return _at_rest(thrust.followed(thrust.frozen(factors), factors), free_angle=thrust.free_angle)
+    numbers = bearing_numbers(bearing, contact_angle)
+    factors = correction_fields(correction or ContactCorrection())
+    rows, shape = rows_of(axial_load, 0.0, *factors)
+    return _at_rest(numbers, _settled(_thrust_points(numbers, rows, False, False), rows[0] / bearing.ball_count), shape)
 
 
 def thrust_equilibrium_frozen(
@@ -115,14 +114,15 @@ def thrust_equilibrium_frozen(
             "the frozen stiffness solves for the loaded contact angle, which the rule 'given' gives: "
             "use thrust_equilibrium, or the rule 'solved'"
         )
-    thrust = _Thrust(bearing, contact_angle, np.asarray(axial_load, dtype=np.float64))
-    if thrust.free_angle is None:
+    numbers = bearing_numbers(bearing, contact_angle)
+    if np.isnan(numbers.free_angle):
         raise InputError(
             "the frozen stiffness is that of the free contact angle, which a preload of "
             f"{length_of(-bearing.diametral_clearance, '.6g')} on the diameter does not leave: use thrust_equilibrium, "
             "or give contact_angle.free"
         )
-    return _at_rest(thrust.frozen(ContactCorrection()), free_angle=thrust.free_angle)
+    rows, shape = rows_of(axial_load, *correction_fields(ContactCorrection()))
+    return _at_rest(numbers, _settled(_frozen_points(numbers, rows), rows[0] / bearing.ball_count), shape)
 
 
 def thrust_at_speed(
@@ -152,23 +152,24 @@ def thrust_at_speed(
     balance has.
     """
     require_finite(inner_speed=inner_speed)
-    load, speed = np.broadcast_arrays(np.asarray(axial_load, np.float64), np.asarray(inner_speed, np.float64))
-    require_positive(axial_load=load, ball_count=bearing.ball_count)
-    factors = (correction or ContactCorrection()).mapped(np.ravel)
-    thrust = _Thrust(bearing, contact_angle, load.ravel())
-    start = thrust.followed(thrust.frozen(factors), factors) if near is None else thrust.near(*near, factors)
+    require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
+    numbers, factors = bearing_numbers(bearing, contact_angle), correction or ContactCorrection()
+    rows, shape = rows_of(axial_load, inner_speed, *correction_fields(factors))
     if turning is None:
-        turning = RuledTurning(bearing=bearing, inner_speed=speed.ravel(), centrifugal=True, gyroscopic=True)
-    balls = thrust.followed(start, factors, turning=turning)
-    inner, outer = (
-        loaded_contact(contact, load=of_race).reshape(load.shape)
-        for contact, of_race in zip(balls.contacts, balls.load, strict=True)
-    )
+        turning = RuledTurning(bearing=bearing, inner_speed=rows[1], centrifugal=True, gyroscopic=True)
+    if near is None and isinstance(turning, RuledTurning):
+        rows[1] = turning.inner_speed
+        points = _thrust_points(numbers, rows, turning.centrifugal, turning.gyroscopic)
+        fields = _settled(points, rows[0] / bearing.ball_count)
+    else:
+        fields = _Rounds(bearing, numbers, rows, factors.mapped(np.ravel)).settled(turning, near)
+    _, inner_angle, outer_angle, inner_load, outer_load = fields[:5].reshape(-1, *shape)
+    inner, outer = _loaded(fields, shape)
     return ThrustAtSpeed(
-        inner_load=balls.load[0].reshape(load.shape),
-        outer_load=balls.load[1].reshape(load.shape),
-        inner_angle=balls.angle[0].reshape(load.shape),
-        outer_angle=balls.angle[1].reshape(load.shape),
+        inner_load=inner_load,
+        outer_load=outer_load,
+        inner_angle=inner_angle,
+        outer_angle=outer_angle,
         inner=inner,
         outer=outer,
     )
@@ -183,179 +184,147 @@ def require_right_angle(contact_angle: ContactAngle) -> None:
         )
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Balls:
-    """The balls under thrust, and the contacts that they were solved with; an axis of both races is in front."""
+class _Rounds:
+    """Balls under thrust that turn in any way: the rounds of `thrust_point`, with all points in step.
 
-    tangent: Array  # (n,) tan b_i
-    angle: Array  # (2, n) al, rad
-    load: Array  # (2, n) Q, N
-    contacts: tuple[HertzContact, HertzContact]  # (n,) under 1 N
+    An array of balls has the fields of `ThrustedBall` in front, (5, n).
+    """
 
+    def __init__(self, bearing: Bearing, numbers: BearingNumbers, rows: Array, factors: ContactCorrection) -> None:
+        self.bearing, self.numbers, self.rows, self.factors = bearing, numbers, rows, factors
+        self.push = rows[0] / bearing.ball_count
 
-class _Thrust:
-    """A bearing under thrust by the rule `solved`."""
-
-    def __init__(self, bearing: Bearing, contact_angle: ContactAngle, load: Array) -> None:
-        self.bearing, self.push = bearing, load / bearing.ball_count  # Fa/Z, N
-        self.play, self.free_angle = play_and_free_angle(bearing, contact_angle)
-
-    def frozen(self, factors: ContactCorrection) -> _Balls:
-        """At rest, with the contacts of the free angle, or of the angle 0 where there is no free angle."""
-        angle = np.asarray(self.free_angle or 0.0)
-        contacts = unit_contacts(self.bearing, inner_angle=angle, outer_angle=angle, correction=factors)
-        # The start adds up what opens the angle: the play, the load on a bearing without play (or against its preload),
-        # a load that dwarfs A0.
-        distance = self.bearing.groove_centre_distance
-        approach = (contacts[0].approach + contacts[1].approach) * np.cbrt(self.push) ** 2
-        flat = (2 * approach / distance) ** (3 / 8)
-        if self.play < 0:
-            flat = np.minimum(flat, (approach / -self.play) ** 1.5)
-        opened = np.sqrt(2 * max(self.play, 0.0) / distance) + flat + approach / distance
-        return self.balanced(contacts, start=opened, outward=np.zeros(()), lean=np.zeros(()))
-
-    def near(self, angle: Array, load: Array, factors: ContactCorrection) -> _Balls:
-        """Balls that are nearly at these contact angles, rad, under these loads, N; both (2, n)."""
-        contacts = unit_contacts(
-            self.bearing, inner_angle=np.abs(angle[0]), outer_angle=np.abs(angle[1]), correction=factors
-        )
-        return _Balls(tangent=np.tan(np.clip(angle[0], 1e-6, 1.5)), angle=angle, load=load, contacts=contacts)
-
-    def followed(
-        self,
-        balls: _Balls,
-        factors: ContactCorrection,
-        *,
-        turning: Turning | None = None,
-    ) -> _Balls:
-        """Rounds from these balls on, until a round changes nothing; each holds contacts and forces of the last angles.
-
-        turning : whose forces a round holds; None at rest
-        """
+    def settled(self, turning: Turning, near: tuple[Array, Array] | None) -> Array:
+        """Rounds until one changes nothing; the fields of _thrust_points."""
+        if near is None:
+            balls = _settled(_thrust_points(self.numbers, self.rows, False, False), self.push)[:5]
+        else:
+            angle, load = near
+            balls = np.stack([np.tan(np.clip(angle[0], 1e-6, 1.5)), *angle, *load])
         change = 0.0  # no rate yet
-        accuracy = ROUND_OFF if turning is None else max(ROUND_OFF, turning.accuracy)
-        held = np.zeros(()), np.zeros(())  # forces of the last round
+        accuracy = max(ROUND_OFF, turning.accuracy)
+        forces = np.zeros((3, self.push.size))  # of the last round: F_c Z/Fa, p_i, p_o
         for rounds in range(MOST_ROUNDS):
-            last, before = balls, change
-            # Friction may drive a ball past a right angle before the rounds settle, or fail to.
-            within = np.minimum(np.abs(last.angle), np.pi / 2)
-            contacts = unit_contacts(self.bearing, inner_angle=within[0], outer_angle=within[1], correction=factors)
-            outward, lean = np.zeros(()), np.zeros(())
-            if turning is not None:
-                forces = turning.forces(_placed(last, contacts))
-                friction = np.stack([forces.inner_friction, forces.outer_friction])
-                outward, lean = forces.centrifugal / self.push, -np.arctan(friction / last.load)
-                if rounds >= STEADYING:
-                    outward, lean = (outward + held[0]) / 2, (lean + held[1]) / 2
-                held = outward, lean
-            balls = self.balanced(contacts, start=last.tangent, outward=outward, lean=lean)
-            # Of ln(tan b_i), which rounds where it is large: at a light load on no clearance it is -10.
-            logarithm, start = np.log(balls.tangent), np.log(last.tangent)
-            steps = np.maximum(
-                np.abs(logarithm - start) / (1 + np.abs(start)), np.abs(balls.angle - last.angle).max(axis=0)
-            )
-            change = float(np.max(steps, initial=0.0))
+            last, before, held = balls, change, forces
+            contacts, forces = self._of_angles(last, turning)
+            if rounds >= STEADYING:
+                forces = (forces + held) / 2
+            approaches = [contact.approach for contact in contacts]
+            balls = _balanced_balls(self.numbers, rows_of(self.push, last[0], *approaches, *forces)[0])
+            change = float(np.max(_changes(last, balls), initial=0.0))
             # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
             # Balls that turn freely keep the motion of the last round, so that this round must change nothing.
             next_change = change**2 / before if accuracy == ROUND_OFF and before > 0 else change
             if min(change, next_change) <= accuracy:
-                return balls
-        at_speed = "" if turning is None else " of balls at speed"
-        raise ConvergenceError(
-            iterations=MOST_ROUNDS,
-            residual=change,
-            tolerance=float(accuracy),
-            unit="of ln(tan al)",
-            problem=f"the contact angle{at_speed}, under {np.min(self.push):.4g} N of thrust on each at least,",
-            remedy="Raise the load or lower the speed: a race that hardly presses a ball cannot drive it.",
+                fields = [value for contact in contacts for value in vars(contact).values()]
+                return np.stack([*balls, *fields])
+        raise _unsettled(self.push, change, accuracy)
+
+    def _of_angles(self, balls: Array, turning: Turning) -> tuple[tuple[HertzContact, HertzContact], Array]:
+        """Contacts under 1 N, and forces (F_c Z/Fa, p_i, p_o), at the angles and loads of balls."""
+        # Friction may drive a ball past a right angle before the rounds settle, or fail to.
+        inner_angle, outer_angle = np.clip(balls[1:3], -np.pi / 2, np.pi / 2)
+        contacts = unit_contacts(
+            self.bearing, inner_angle=np.abs(inner_angle), outer_angle=np.abs(outer_angle), correction=self.factors
         )
-
-    def balanced(
-        self, contacts: tuple[HertzContact, HertzContact], *, start: Array, outward: Array, lean: Array
-    ) -> _Balls:
-        """The balls with contacts and forces held, by Newton's method in ln(tan b_i), bracketed.
-
-        contacts : under 1 N;  start : of tan b_i;  outward : F_c Z/Fa;  lean : p, rad, () or (2, n)
-        Written delta_i cos al_i + delta_o cos al_o + play = L_i (1 - cos al_i) + L_o (1 - cos al_o), L = r_g - r, with
-        a preload on the other side, the left side falls and the right side rises. The logarithms of both are nearly
-        straight in ln(tan b_i) for loads from nothing to far above A0.
-        """
-        bearing, start = self.bearing, np.log(np.broadcast_to(start, self.push.shape))
-        lengths = np.array([bearing.inner.groove_radius, bearing.outer.groove_radius]) - bearing.ball_radius
-        lengths = lengths.reshape(2, *(1,) * start.ndim)
-        clearance, preload = max(self.play, 0.0), max(-self.play, 0.0)
-        turn, side = np.cos(lean), np.sin(lean)
-        units = np.stack([np.broadcast_to(contact.approach, start.shape) for contact in contacts])
-        alone = units * np.cbrt(self.push * turn) ** 2  # delta under a load of (Fa/Z) cos p, m
-
-        def rising(logarithm: Array) -> tuple[Array, Array]:
-            tangent = np.exp(logarithm)
-            relief = 1 / (1 + outward * tangent)  # tan b_o/tan b_i, which is d ln(tan b_o)/d ln(tan b_i) too
-            both, rates = np.stack([tangent, tangent * relief]), np.stack([np.ones_like(relief), relief])
-            cosine = 1 / np.hypot(1, both)
-            sine = both * cosine
-            cosine_al, sine_al = cosine * turn + sine * side, sine * turn - cosine * side
-            turned = rates * sine * cosine  # d b/d ln(tan b_i)
-            approach = alone * np.cbrt(sine) ** -2
-            left = np.sum(approach * cosine_al, axis=0) + clearance
-            right = np.sum(lengths * sine_al**2 / (1 + cosine_al), axis=0) + preload
-            falls = np.sum(approach * (2 / 3 * cosine_al * rates * cosine**2 + sine_al * turned), axis=0)
-            rises = np.sum(lengths * sine_al * turned, axis=0)
-            return np.log(right / left), falls / left + rises / right
-
-        tangent = np.exp(
-            bracketed_root(
-                rising,
-                start=start,
-                low=np.full_like(start, LEAST),
-                high=np.full_like(start, MOST),
-                relative=0.0,
-                absolute=LAST_STEP,
-                sought=Sought(
-                    unit="of ln(tan al)",
-                    problem="the loaded contact angle",
-                    remedy="Check the load, the speed, the clearance and the materials for a slipped unit.",
-                ),
+        forces = turning.forces(
+            PlacedBalls(
+                points=np.arange(self.push.size),
+                inner_angle=inner_angle,
+                outer_angle=outer_angle,
+                inner_load=balls[3],
+                outer_load=balls[4],
+                inner=contacts[0],
+                outer=contacts[1],
             )
         )
-        return _balls(self.push, tangent, contacts, outward=outward, lean=lean)
+        leans = -np.arctan(np.stack([forces.inner_friction, forces.outer_friction]) / balls[3:5])
+        return contacts, np.stack([forces.centrifugal / self.push, *leans])
 
 
-def _balls(
-    push: Array,
-    tangent: Array,
-    contacts: tuple[HertzContact, HertzContact],
-    *,
-    outward: Array | float = 0.0,
-    lean: Array | float = 0.0,
-) -> _Balls:
-    """The balls whose forces balance at b_i.
-
-    push : Fa/Z, N;  tangent : tan b_i;  contacts : under 1 N;  outward : F_c Z/Fa;  lean : p, rad
-    """
-    both = np.stack([tangent, tangent / (1 + outward * tangent)])  # tan b
-    return _Balls(
-        tangent=tangent,
-        angle=np.arctan(both) - lean,
-        load=push * np.cos(lean) * np.hypot(1, both) / both,
-        contacts=contacts,
-    )
-
-
-def _placed(balls: _Balls, contacts: tuple[HertzContact, HertzContact]) -> PlacedBalls:
-    return PlacedBalls(
-        points=np.arange(balls.tangent.size),
-        inner_angle=np.clip(balls.angle[0], -np.pi / 2, np.pi / 2),
-        outer_angle=np.clip(balls.angle[1], -np.pi / 2, np.pi / 2),
-        inner_load=balls.load[0],
-        outer_load=balls.load[1],
-        inner=contacts[0],
-        outer=contacts[1],
-    )
-
-
-def _at_rest(balls: _Balls, *, free_angle: float | None) -> ThrustEquilibrium:
-    inner, outer = (loaded_contact(contact, load=balls.load[0]) for contact in balls.contacts)
+def _at_rest(numbers: BearingNumbers, fields: Array, shape: tuple[int, ...]) -> ThrustEquilibrium:
+    inner, outer = _loaded(fields, shape)
     return ThrustEquilibrium(
-        free_angle=free_angle, contact_angle=balls.angle[0], ball_load=balls.load[0], inner=inner, outer=outer
+        free_angle=None if np.isnan(numbers.free_angle) else numbers.free_angle,
+        contact_angle=fields[1].reshape(shape),
+        ball_load=fields[3].reshape(shape),
+        inner=inner,
+        outer=outer,
     )
+
+
+def _loaded(fields: Array, shape: tuple[int, ...]) -> tuple[HertzContact, HertzContact]:
+    """The contacts of both races under their loads."""
+    inner, outer = (
+        loaded_contact(hertz_fields(unit, (unit.shape[1],)), load=load).reshape(shape)
+        for unit, load in ((fields[5:10], fields[3]), (fields[10:15], fields[4]))
+    )
+    return inner, outer
+
+
+def _settled(fields: Array, push: Array) -> Array:
+    """The fields of a loop without the last, the change; raises ConvergenceError where it is not 0."""
+    open_rounds = ~(fields[-1] == 0)
+    if open_rounds.any():
+        raise _unsettled(push[open_rounds], float(np.max(fields[-1])), ROUND_OFF)
+    return fields[:-1]
+
+
+def _unsettled(push: Array, change: float, accuracy: float) -> ConvergenceError:
+    return ConvergenceError(
+        iterations=MOST_ROUNDS,
+        residual=change,
+        tolerance=float(accuracy),
+        unit="of ln(tan al)",
+        problem=f"the contact angle, under {np.min(push):.4g} N of thrust on each ball at least,",
+        remedy="Raise the load or lower the speed: a race that hardly presses a ball cannot drive it.",
+    )
+
+
+@compiled
+def _put(point: ThrustPoint, fields: Array) -> None:
+    for k in range(5):
+        fields[k], fields[5 + k], fields[10 + k] = point.ball[k], point.inner[k], point.outer[k]
+    fields[15] = point.change
+
+
+@compiled
+def _thrust_points(bearing: BearingNumbers, rows: Array, centrifugal: bool, gyroscopic: bool) -> Array:
+    """(16, n): ball, contacts of inner and outer race under 1 N, change; rows : load, speed, factors."""
+    fields = np.empty((16, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        rule = TurningRule(rows[1, i], centrifugal, gyroscopic)
+        _put(thrust_point(bearing, rows[0, i], rule, correction_of(rows[2:, i])), fields[:, i])
+    return fields
+
+
+@compiled
+def _frozen_points(bearing: BearingNumbers, rows: Array) -> Array:
+    """(16, n) likewise; rows : load, factors."""
+    fields = np.empty((16, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        _put(frozen_point(bearing, rows[0, i] / bearing.ball_count, correction_of(rows[1:, i])), fields[:, i])
+    return fields
+
+
+@compiled
+def _balanced_balls(bearing: BearingNumbers, rows: Array) -> Array:
+    """(5, n) balls; rows : push, tan b_i at the start, the fields of Held."""
+    balls = np.empty((5, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        held = Held(rows[2, i], rows[3, i], rows[4, i], rows[5, i], rows[6, i])
+        ball = balanced(bearing, rows[0, i], held, rows[1, i])
+        for k in range(5):
+            balls[k, i] = ball[k]
+    return balls
+
+
+@compiled
+def _changes(last: Array, balls: Array) -> Array:
+    """(n,) of balls (5, n) against those of the last round."""
+    change = np.empty(balls.shape[1])
+    for i in range(change.size):
+        one = ThrustedBall(last[0, i], last[1, i], last[2, i], last[3, i], last[4, i])
+        other = ThrustedBall(balls[0, i], balls[1, i], balls[2, i], balls[3, i], balls[4, i])
+        change[i] = change_of(one, other)
+    return change

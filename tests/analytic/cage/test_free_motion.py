@@ -1,7 +1,5 @@
 """Balls and cage in motion together: invariants, limits in closed form, and the motion on given balls as a limit."""
 
-import subprocess
-import sys
 from dataclasses import replace
 from typing import Any
 
