@@ -20,7 +20,9 @@ from analytic.errors import ConvergenceError, InputError, require_finite, requir
 from analytic.loads.numbers import BearingNumbers, bearing_numbers
 from analytic.loads.race_contacts import unit_contacts
 from analytic.loads.thrust_ball import (
+    LAST_STEP,
     MOST_ROUNDS,
+    ROUGH_STEP,
     ROUND_OFF,
     STEADYING,
     Held,
@@ -303,7 +305,9 @@ def _frozen_points(bearing: BearingNumbers, rows: Array) -> Array:
     """(16, n) likewise; rows : load, factors."""
     fields = np.empty((16, rows.shape[1]))
     for i in range(rows.shape[1]):
-        _put(frozen_point(bearing, rows[0, i] / bearing.ball_count, correction_of(rows[1:, i])), fields[:, i])
+        _put(
+            frozen_point(bearing, rows[0, i] / bearing.ball_count, correction_of(rows[1:, i]), LAST_STEP), fields[:, i]
+        )
     return fields
 
 
@@ -313,7 +317,7 @@ def _balanced_balls(bearing: BearingNumbers, rows: Array) -> Array:
     balls = np.empty((5, rows.shape[1]))
     for i in range(rows.shape[1]):
         held = Held(rows[2, i], rows[3, i], rows[4, i], rows[5, i], rows[6, i])
-        ball = balanced(bearing, rows[0, i], held, rows[1, i])
+        ball = balanced(bearing, rows[0, i], held, rows[1, i], ROUGH_STEP)
         for k in range(5):
             balls[k, i] = ball[k]
     return balls

@@ -16,8 +16,9 @@ from analytic.numerics.compilation import compiled
 
 # ln(tan b) of every angle that a double can tell from 0 or from pi/2; tan b times any force ratio stays a double.
 LEAST, MOST = -740.0, 600.0
-# Newton's error in ln(tan b) is of the order of its last step's square: below this step it is round-off.
-LAST_STEP = 1e-8
+# Newton's error in ln(tan b) is of the order of its last step's square: below this step it is round-off, and below the
+# rough one it is less than what the next round changes.
+LAST_STEP, ROUGH_STEP = 1e-8, 1e-3
 MOST_STEPS = 200  # 4 to 8 are usual, and bisection alone takes 60
 # The angles that a round holds change the next ones by less than 1e-3 at rest (curvatures; 3 or 4 rounds), by a tenth
 # at most at speed (speeds and friction too; 4 or 5).
@@ -56,10 +57,10 @@ class Held(NamedTuple):
 
 
 @compiled
-def balanced(bearing: BearingNumbers, push: float, held: Held, start: float) -> ThrustedBall:
+def balanced(bearing: BearingNumbers, push: float, held: Held, start: float, last_step: float) -> ThrustedBall:
     """The ball with contacts and forces held, by Newton's method in x = ln(tan b_i), bracketed; NaN if it fails.
 
-    start : of tan b_i
+    start : of tan b_i;  last_step : of x, the method ends below it
     Written delta_i cos al_i + delta_o cos al_o + play = L_i (1 - cos al_i) + L_o (1 - cos al_o), L = r_g - r, with a
     preload on the other side, the left side falls and the right side rises. The logarithms of both are nearly straight
     in x for loads from nothing to far above A0.
@@ -90,7 +91,7 @@ def balanced(bearing: BearingNumbers, push: float, held: Held, start: float) -> 
             step = (low + high) / 2 - x
         before, last = last, 0.0 if value == 0 else step
         x += last
-        if abs(last) <= LAST_STEP:
+        if abs(last) <= last_step:
             return ball_at(push, np.exp(x), held)
     return ThrustedBall(np.nan, np.nan, np.nan, np.nan, np.nan)
 
@@ -135,8 +136,11 @@ def ball_at(push: float, tangent: float, held: Held) -> ThrustedBall:
 
 
 @compiled
-def frozen_point(bearing: BearingNumbers, push: float, correction: CorrectionNumbers) -> ThrustPoint:
-    """At rest, with the contacts of the free angle, or of the angle 0 where there is no free angle."""
+def frozen_point(bearing: BearingNumbers, push: float, correction: CorrectionNumbers, last_step: float) -> ThrustPoint:
+    """At rest, with the contacts of the free angle, or of the angle 0 where there is no free angle.
+
+    last_step : as in `balanced`
+    """
     angle = 0.0 if np.isnan(bearing.free_angle) else bearing.free_angle
     inner = unit_contact_on(bearing.inner, angle, correction.inner)
     outer = unit_contact_on(bearing.outer, angle, correction.outer)
@@ -148,7 +152,7 @@ def frozen_point(bearing: BearingNumbers, push: float, correction: CorrectionNum
     if play < 0:
         flat = min(flat, (approach / -play) ** 1.5)
     opened = np.sqrt(2 * max(play, 0.0) / distance) + flat + approach / distance
-    ball = balanced(bearing, push, Held(inner.approach, outer.approach, 0.0, 0.0, 0.0), opened)
+    ball = balanced(bearing, push, Held(inner.approach, outer.approach, 0.0, 0.0, 0.0), opened, last_step)
     return ThrustPoint(ball, inner, outer, 0.0 if ball.tangent > 0 else np.nan)
 
 
@@ -167,7 +171,7 @@ def thrust_point(
         outer = unit_contact_on(bearing.outer, bearing.given_angle, correction.outer)
         ball = ball_at(push, np.tan(bearing.given_angle), Held(inner.approach, outer.approach, 0.0, 0.0, 0.0))
         return ThrustPoint(ball, inner, outer, 0.0)
-    point = frozen_point(bearing, push, correction)
+    point = frozen_point(bearing, push, correction, ROUGH_STEP)
     last, inner, outer, change = point.ball, point.inner, point.outer, 0.0  # no rate yet
     held = Held(inner.approach, outer.approach, 0.0, 0.0, 0.0)
     for rounds in range(MOST_ROUNDS):
@@ -184,7 +188,7 @@ def thrust_point(
             outward = (outward + held.outward) / 2
             inner_lean, outer_lean = (inner_lean + held.inner_lean) / 2, (outer_lean + held.outer_lean) / 2
         held = Held(inner.approach, outer.approach, outward, inner_lean, outer_lean)
-        ball = balanced(bearing, push, held, last.tangent)
+        ball = balanced(bearing, push, held, last.tangent, ROUGH_STEP)
         before, change = change, change_of(last, ball)
         # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
         if change <= ROUND_OFF or (before > 0 and change**2 / before <= ROUND_OFF):
