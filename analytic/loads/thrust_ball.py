@@ -24,7 +24,7 @@ MOST_STEPS = 200  # 4 to 8 are usual, and bisection alone takes 60
 # at most at speed (speeds and friction too; 4 or 5).
 MOST_ROUNDS = 300
 STEADYING = 30  # rounds, after which forces move halfway: some swing to and fro with the angles
-ROUND_OFF = 4 * np.finfo(np.float64).eps
+SETTLED = 2e-13  # of the angles, what the next round would change: a thousand roundings
 
 
 class ThrustedBall(NamedTuple):
@@ -193,7 +193,7 @@ def thrust_point(
         ball = balanced(bearing, push, held, last.tangent, ROUGH_STEP)
         before, change = change, change_of(last, ball)
         # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
-        if change <= ROUND_OFF or (before > 0 and change**2 / before <= ROUND_OFF):
+        if change <= SETTLED or (before > 0 and change**2 / before <= SETTLED):
             return ThrustPoint(ball, inner, outer, 0.0)
         last = ball
     return ThrustPoint(last, inner, outer, change)
