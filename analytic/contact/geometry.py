@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.hertz import contact_modulus
+from analytic.contact.hertz import ball_share, contact_modulus
 from analytic.contact.rolling_contact import deformed_radius
 from analytic.errors import InputError, require_non_negative
 from analytic.numerics.compilation import compiled, rows_of
@@ -46,7 +46,6 @@ class RaceNumbers(NamedTuple):
 def race_numbers(bearing: Bearing, race: Race) -> RaceNumbers:
     """The numbers of a race; raises InputError if the groove is no wider than the ball."""
     groove, ball, radius = _groove(bearing, race), bearing.ball_material, bearing.ball_radius
-    modulus = contact_modulus(ball, groove.material)
     near, far = (
         np.nan if width is None else float(np.arcsin(width / groove.groove_radius)) for width in groove.half_widths
     )
@@ -56,14 +55,14 @@ def race_numbers(bearing: Bearing, race: Race) -> RaceNumbers:
         pitch_diameter=bearing.pitch_diameter,
         groove_radius=groove.groove_radius,
         curvature_transverse=(groove.groove_radius - radius) / (radius * groove.groove_radius),
-        modulus=modulus,
+        modulus=contact_modulus(ball, groove.material),
         deformed_radius=deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter),  # pyright: ignore
         bottom_angle=np.pi / 2 if bearing.kind == "thrust" else 0.0,
         near_shoulder=near,
         far_shoulder=far,
         ball_poisson_ratio=ball.poisson_ratio,
         race_poisson_ratio=groove.material.poisson_ratio,
-        ball_share=modulus * (1 - ball.poisson_ratio**2) / ball.youngs_modulus,
+        ball_share=ball_share(ball, groove.material),
     )
     return RaceNumbers(*map(float, numbers))  # a kernel would be compiled anew for an integer
 
@@ -86,12 +85,14 @@ def rolling_curvature(race: RaceNumbers, contact_angle: float) -> float:
 
 
 @compiled
-def distances_to_shoulders(race: RaceNumbers, contact_angle: float) -> tuple[float, float]:
-    """`shoulder_distances` of one contact, m."""
+def distances_to_shoulders(
+    race: RaceNumbers, shoulders: tuple[float, float], contact_angle: float
+) -> tuple[float, float]:
+    """`shoulder_distances` of one contact, m; shoulders : angles of the near and the far one on the profile, rad."""
+    near, far = shoulders
     angle = abs(contact_angle) - race.bottom_angle
     backward = angle < 0 if race.bottom_angle > 0 else contact_angle < 0
-    towards = race.far_shoulder if backward else race.near_shoulder
-    away = race.near_shoulder if backward else race.far_shoulder
+    towards, away = (far, near) if backward else (near, far)
     return (
         race.groove_radius * np.sin(towards - angle),
         race.groove_radius * np.sin(min(away + angle, np.pi / 2)),
@@ -232,7 +233,8 @@ def _rolling_curvatures(race: RaceNumbers, contact_angle: Array) -> Array:
 def _shoulder_distances(race: RaceNumbers, contact_angle: Array) -> Array:
     distances = np.empty((2, contact_angle.size))
     for i in range(contact_angle.size):
-        distances[0, i], distances[1, i] = distances_to_shoulders(race, contact_angle[i])
+        shoulders = race.near_shoulder, race.far_shoulder
+        distances[0, i], distances[1, i] = distances_to_shoulders(race, shoulders, contact_angle[i])
     return distances
 
 

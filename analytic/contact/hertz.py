@@ -248,6 +248,11 @@ def contact_modulus(first: Material, second: Material) -> float:
     return 1 / sum((1 - body.poisson_ratio**2) / body.youngs_modulus for body in (first, second))
 
 
+def ball_share(ball: Material, race: Material) -> float:
+    """Share of the ball in the compliance 1/E* of both bodies."""
+    return contact_modulus(ball, race) * (1 - ball.poisson_ratio**2) / ball.youngs_modulus
+
+
 def relative_curvatures(contact: Contact) -> tuple[float, float]:
     """Relative curvatures (rolling, transverse) of a ball in a groove, 1/m.
 

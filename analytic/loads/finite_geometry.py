@@ -9,14 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.finite_geometry import (
-    CorrectedGeometry,
-    RaceCorrections,
-    finite_geometry_factors,
-    race_shape,
-    within_unknown_shoulders,
-)
-from analytic.contact.geometry import RACES, USUAL_SHOULDERS, Race, with_shoulders
+from analytic.contact.finite_geometry import RaceCorrections, race_geometry
+from analytic.contact.geometry import RACES
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Array, Bearing, ContactAngle
@@ -46,18 +40,7 @@ def corrections_of(bearing: Bearing, balls: LoadedBalls) -> RaceCorrections:
 
 def _corrections(bearing: Bearing, *, angles: Sequence[Array], loads: Sequence[Array]) -> RaceCorrections:
     inner, outer = (
-        _of_race(bearing, race, angle, load) for race, angle, load in zip(RACES, angles, loads, strict=True)
+        race_geometry(bearing, race, contact_angle=angle, ball_load=load)
+        for race, angle, load in zip(RACES, angles, loads, strict=True)
     )
     return RaceCorrections(inner=inner, outer=outer)
-
-
-def _of_race(bearing: Bearing, race: Race, angle: Array, load: Array) -> CorrectedGeometry:
-    """The correction of a race; where its shoulders are not known, that of a typical height, which others spread."""
-    groove = bearing.inner if race == "inner" else bearing.outer
-    if groove.shoulder_half_width is not None:
-        return finite_geometry_factors(race_shape(bearing, race, contact_angle=angle, ball_load=load))
-    low, typical, high = (
-        finite_geometry_factors(race_shape(with_shoulders(bearing, height), race, contact_angle=angle, ball_load=load))
-        for height in USUAL_SHOULDERS
-    )
-    return within_unknown_shoulders(typical, low, high)

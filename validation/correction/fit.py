@@ -20,7 +20,8 @@ from rich.table import Table
 from solve import BOX, HERE, QUANTITIES, RANGE, read_rows
 
 from analytic import catalog
-from analytic.contact.finite_geometry import OFF_SHOULDER, SMALL, ContactShape, shape_bases
+from analytic.contact.finite_geometry import ContactShape, shape_bases
+from analytic.contact.finite_geometry_fit import OFF_SHOULDER, SMALL
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40

@@ -31,7 +31,7 @@ from rich.console import Console
 from rich.progress import track
 from scipy.stats import qmc
 
-from analytic.contact.finite_geometry import OFF_SHOULDER
+from analytic.contact.finite_geometry_fit import OFF_SHOULDER
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material

@@ -15,14 +15,13 @@ from scipy.special import ellipk
 
 from analytic.contact.factors import ContactFactors, FactorNumbers, corrected, factor_fields
 from analytic.contact.finite_geometry import (
-    SMALL,
     ContactShape,
     contact_shape,
     finite_geometry_factors,
     race_shape,
     shape_bases,
-    stored_fit,
 )
+from analytic.contact.finite_geometry_fit import SMALL, stored_fit
 from analytic.contact.geometry import race_contact
 from analytic.contact.hertz import hertz_contact, loaded_hertz, unit_hertz
 from analytic.scene import Bearing, Contact, Material

@@ -1,0 +1,362 @@
+"""The fit that corrects one contact by Hertz for the true shape of ball and groove, compiled.
+
+Hertz assumes that both bodies are half spaces and that the gap is a paraboloid. In a bearing the ball ends at its
+middle plane, the surfaces under the contact are curved, and the groove encloses the ball and ends at its shoulders. In
+linear elasticity the ratio of each quantity to Hertz's depends only on the ratios in a `ShapeNumbers`. The fit is
+    1 + sum of coefficient * (product of powers of the bases below)
+with the coefficients of catalog/corrections/finite_geometry.toml, whose head says how they were obtained. Every term
+vanishes with the size of the contact, so a small contact is Hertz's.
+Each shoulder acts by itself, to 1e-5 (validation/correction/sides.py): the fit is taken at each side, with its shoulder
+and the slope of its land, and averaged.
+The terms of first order follow theory. Take a body of modulus E, Poisson ratio nu and curvature 1/R under the load Q.
+Its approach to a plane far away differs from that of a half space by Q/(E R) times a number, and is larger by
+-(1 - 2 nu)^2 (1 + nu) Q ln(b/R)/(2 pi E R). The reason: on a curved surface Boussinesq's radial stress
+(1 - 2 nu) Q/(2 pi x^2) leaves a shear x/R times as large, and removing this shear from the surface pushes the middle
+in. This is derived here; the sphere of [Sternberg1952] has such a logarithm.
+"""
+
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic import catalog
+from analytic.contact.factors import FactorNumbers
+from analytic.contact.geometry import USUAL_SHOULDERS, RaceNumbers, distances_to_shoulders, rolling_curvature
+from analytic.contact.hertz import HertzNumbers, unit_hertz
+from analytic.numerics.compilation import compiled
+from analytic.scene import Array
+
+OFF_SHOULDER = 1.15  # least distance from a fitted contact's centre to the shoulder, in Hertz's semi-axes b
+# Beyond its range the fit's change of Hertz is held at the border, and follows a power of b/r beyond the largest size,
+# for as far as finite elements confirm it (the set `beyond` of validation/correction/solves.csv: shoulders down to the
+# edge of the contact; sizes to 0.49). These lengths are a step of `beyond_range`; over the second it fades.
+STEP = {
+    "conformity": 0.0025,
+    "rolling_curvature": 0.12,
+    "size": 0.05,
+    "ball_poisson_ratio": 0.1,
+    "race_poisson_ratio": 0.1,
+    "ball_share": 0.01,
+    "shoulder": 0.05,
+    "far_shoulder": 0.05,
+    "contact_angle": 0.1,
+}
+STEP_TO_SHOULDER = 0.15  # of the shoulder's distance over b, likewise
+SIZE_POWER = {"semi_axis_rolling": 2, "semi_axis_transverse": 2, "peak_pressure": 2, "approach": 1}  # the leading ones
+# Uncertainty over the held change of Hertz: what grows over the first step, and what the fading adds.
+HELD, FADED = 0.1, 1.4
+SMALL = 0.1  # b/r below which the uncertainty falls in proportion to b/r, as the factors do: a point contact is Hertz's
+MOST_POWER = 4  # highest power of a base in a term
+TINIEST = 1e-300  # replaces a size of 0 in the logarithm, which is multiplied by the size
+LEAST_FACTOR = 0.1  # of what the uncertainty allows
+
+
+class ShapeNumbers(NamedTuple):
+    """The ratios of one contact; `ContactShape` says what they are."""
+
+    conformity: float
+    rolling_curvature: float
+    size: float
+    ball_poisson_ratio: float
+    race_poisson_ratio: float
+    ball_share: float
+    shoulder: float
+    far_shoulder: float
+    contact_angle: float
+
+
+class Bases(NamedTuple):
+    """What the terms are products of, at one side of a contact."""
+
+    size: float  # b/r
+    axis_ratio: float  # a/b, Hertz's, rolling over transverse
+    relative_load: float  # Q/(E* r delta) by Hertz = 2 pi (b/r)/(3 K): a displacement Q/(E* r) over the approach
+    rolling_curvature: float  # r/R
+    openness: float  # 1 - r/r_g
+    log_drift: float  # sum of s (1 - 2 nu)^2/(1 - nu) R_ball/R over both bodies, 1/R the mean curvature, times ln(b/r)
+    shoulder_curvature: float  # r over the distance of the shoulder
+    land_slope: float  # rise of the land towards the ball over the tangent plane: -tan(al), on the far side tan(al)
+    ball_share: float  # s, of the compliance
+    race_share: float
+    ball_drift: float  # s (1 - 2 nu)/(1 - nu): how far a load draws the surface towards itself
+    race_drift: float
+    ball_bulk: float  # s/(1 - nu^2): E*/E
+    race_bulk: float
+
+
+BASES = Bases._fields
+
+
+class FitNumbers(NamedTuple):
+    """The stored fit; quantities in the order of `FactorNumbers`, ratios in that of `ShapeNumbers`."""
+
+    low: Array  # (9,) least of each ratio
+    high: Array  # (9,)
+    step: Array  # (9,)
+    coefficients: Array  # (terms,) of all quantities
+    factors: NDArray[np.intp]  # (terms, most factors) which powers of bases each term multiplies
+    first: NDArray[np.intp]  # (5,) term of each quantity, and the end
+    uncertainty: Array  # (4,)
+    size_power: NDArray[np.intp]  # (4,)
+
+
+class GeometryNumbers(NamedTuple):
+    """The correction of one contact; `CorrectedGeometry` says what it is."""
+
+    factors: FactorNumbers
+    farthest: FactorNumbers
+    uncertainty: FactorNumbers
+    beyond: float  # steps out of the range, see `steps_beyond`
+    applied: float
+
+
+@cache
+def stored_fit() -> dict[str, Any]:
+    """The stored fit with its provenance."""
+    return catalog.entry("corrections", "finite_geometry")
+
+
+def limits() -> dict[str, tuple[float, float]]:
+    """Least and greatest value of each ratio; a small contact is Hertz's, and both shoulders share one range."""
+    stored = {name: (low, high) for name, (low, high) in stored_fit()["range"].items()}
+    return stored | {"size": (0.0, stored["size"][1]), "far_shoulder": stored["shoulder"]}
+
+
+@cache
+def fit_numbers() -> FitNumbers:
+    """The stored fit as tables."""
+    quantities = [stored_fit()["quantity"][name] for name in FactorNumbers._fields]
+    terms = [term for quantity in quantities for term in quantity["terms"]]
+    factors = np.zeros((len(terms), max(len(term["powers"]) for term in terms)), dtype=np.intp)  # 0: a power of 0
+    for row, term in enumerate(terms):
+        for column, (base, power) in enumerate(term["powers"].items()):
+            factors[row, column] = Bases._fields.index(base) * (MOST_POWER + 1) + power
+    ranges = [limits()[name] for name in ShapeNumbers._fields]
+    return FitNumbers(
+        low=np.array([low for low, _ in ranges], dtype=np.float64),
+        high=np.array([high for _, high in ranges], dtype=np.float64),
+        step=np.array([STEP[name] for name in ShapeNumbers._fields]),
+        coefficients=np.array([term["coefficient"] for term in terms]),
+        factors=factors,
+        first=np.cumsum([0, *(len(quantity["terms"]) for quantity in quantities)], dtype=np.intp),
+        uncertainty=np.array([quantity["uncertainty"] for quantity in quantities]),
+        size_power=np.array([SIZE_POWER[name] for name in FactorNumbers._fields], dtype=np.intp),
+    )
+
+
+@compiled
+def steps_beyond(fit: FitNumbers, shape: ShapeNumbers) -> float:
+    """How far a shape lies outside the range of the fit, in steps of each ratio; the largest of these, 0 within.
+
+    0 without load, where nothing is to be corrected.
+    """
+    if not shape.size > 0:
+        return 0.0
+    nearer = min(shape.shoulder, shape.far_shoulder)
+    beyond = max((OFF_SHOULDER - nearer / shape.size) / STEP_TO_SHOULDER, 0.0)
+    for k in range(len(shape)):
+        beyond = max(beyond, max(fit.low[k] - shape[k], shape[k] - fit.high[k]) / fit.step[k])
+    return beyond
+
+
+@compiled
+def held_shape(fit: FitNumbers, shape: ShapeNumbers) -> ShapeNumbers:
+    """The nearest shape within the range."""
+    size = _clipped(fit, shape, 2)
+    return ShapeNumbers(
+        _clipped(fit, shape, 0),
+        _clipped(fit, shape, 1),
+        size,
+        _clipped(fit, shape, 3),
+        _clipped(fit, shape, 4),
+        _clipped(fit, shape, 5),
+        max(_clipped(fit, shape, 6), OFF_SHOULDER * size),
+        max(_clipped(fit, shape, 7), OFF_SHOULDER * size),
+        _clipped(fit, shape, 8),
+    )
+
+
+@compiled
+def _clipped(fit: FitNumbers, shape: ShapeNumbers, k: int) -> float:
+    return min(max(shape[k], fit.low[k]), fit.high[k])
+
+
+@compiled
+def unit_of(shape: ShapeNumbers) -> HertzNumbers:
+    """The contact of the shape with r = 1 and E* = 1, under the load 1."""
+    return unit_hertz(1 + shape.rolling_curvature, 1 - 0.5 / shape.conformity, 1.0)
+
+
+@compiled
+def bases_of(shape: ShapeNumbers, unit: HertzNumbers, shoulder: float, land_slope: float) -> Bases:
+    """The bases at one side; unit : `unit_of` the shape;  shoulder : its distance over r;  land_slope : see `Bases`."""
+    openness, ball, race = 1 - 0.5 / shape.conformity, shape.ball_share, 1 - shape.ball_share
+    of_ball, of_race = shape.ball_poisson_ratio, shape.race_poisson_ratio
+    ball_drift, race_drift = ball * (1 - 2 * of_ball) / (1 - of_ball), race * (1 - 2 * of_race) / (1 - of_race)
+    mean_curvature = (shape.rolling_curvature + openness - 1) / 2  # of the race, times r; the ball's is 1
+    logarithm = ball_drift * (1 - 2 * of_ball) + race_drift * (1 - 2 * of_race) * mean_curvature
+    return Bases(
+        shape.size,
+        unit.semi_axis_x / unit.semi_axis_y,
+        shape.size / (unit.semi_axis_y * unit.approach),
+        shape.rolling_curvature,
+        openness,
+        logarithm * np.log(max(shape.size, TINIEST)),
+        1 / shoulder,
+        land_slope,
+        ball,
+        race,
+        ball_drift,
+        race_drift,
+        ball / (1 - of_ball**2),
+        race / (1 - of_race**2),
+    )
+
+
+@compiled
+def _fill_powers(bases: Bases, powers: Array) -> None:
+    """Every base to the powers 0 to MOST_POWER, which the terms choose."""
+    for base in range(len(bases)):
+        power = 1.0
+        for exponent in range(MOST_POWER + 1):
+            powers[base * (MOST_POWER + 1) + exponent] = power
+            power *= bases[base]
+
+
+@compiled
+def _change(fit: FitNumbers, quantity: int, powers: Array) -> float:
+    """Sum of coefficient * (product of powers of bases), averaged over both sides."""
+    change = 0.0
+    for term in range(fit.first[quantity], fit.first[quantity + 1]):
+        near, far = powers[0, fit.factors[term, 0]], powers[1, fit.factors[term, 0]]
+        for factor in range(1, fit.factors.shape[1]):
+            near *= powers[0, fit.factors[term, factor]]
+            far *= powers[1, fit.factors[term, factor]]
+        change += fit.coefficients[term] * (near + far) / 2
+    return change
+
+
+@compiled
+def geometry_of(fit: FitNumbers, shape: ShapeNumbers) -> GeometryNumbers:
+    """`finite_geometry_factors` of one contact."""
+    held = held_shape(fit, shape)
+    grown = shape.size / held.size if held.size > 0 else 1.0
+    unit, slope = unit_of(held), np.tan(held.contact_angle)
+    powers = np.empty((2, len(BASES) * (MOST_POWER + 1)))
+    _fill_powers(bases_of(held, unit, held.shoulder, -slope), powers[0])
+    _fill_powers(bases_of(held, unit, held.far_shoulder, slope), powers[1])
+    rolling = _change(fit, 0, powers) * grown ** fit.size_power[0]
+    transverse = _change(fit, 1, powers) * grown ** fit.size_power[1]
+    approach = _change(fit, 2, powers) * grown ** fit.size_power[2]
+    pressure = _change(fit, 3, powers) * grown ** fit.size_power[3]
+    beyond = steps_beyond(fit, shape)
+    applied = min(max(2 - beyond, 0.0), 1.0)
+    growth = HELD * min(beyond, 1.0) + FADED * (1 - applied)
+    most = applied + growth  # a contact far beyond the range may have any size, but no factor is negative
+    small = min(1.0, shape.size / SMALL)
+    return GeometryNumbers(
+        FactorNumbers(1 + applied * rolling, 1 + applied * transverse, 1 + applied * approach, 1 + applied * pressure),
+        FactorNumbers(
+            max(1 + most * rolling, LEAST_FACTOR),
+            max(1 + most * transverse, LEAST_FACTOR),
+            max(1 + most * approach, LEAST_FACTOR),
+            max(1 + most * pressure, LEAST_FACTOR),
+        ),
+        FactorNumbers(
+            fit.uncertainty[0] * small + growth * abs(rolling),
+            fit.uncertainty[1] * small + growth * abs(transverse),
+            fit.uncertainty[2] * small + growth * abs(approach),
+            fit.uncertainty[3] * small + growth * abs(pressure),
+        ),
+        beyond,
+        applied,
+    )
+
+
+@compiled
+def shape_on(race: RaceNumbers, shoulders: tuple[float, float], contact_angle: float, load: float) -> ShapeNumbers:
+    """The shape of ball on race.
+
+    shoulders : angles of the near and the far one on the profile, rad
+    contact_angle : al, rad, in [-pi/2, pi/2];  load : Q, N
+    """
+    curvature = rolling_curvature(race, contact_angle)
+    unit = unit_hertz(curvature, race.curvature_transverse, race.modulus)
+    towards, away = distances_to_shoulders(race, shoulders, contact_angle)
+    return ShapeNumbers(
+        race.groove_radius / (2 * race.ball_radius),
+        race.ball_radius * curvature - 1,
+        unit.semi_axis_y * np.cbrt(load) / race.ball_radius,
+        race.ball_poisson_ratio,
+        race.race_poisson_ratio,
+        race.ball_share,
+        towards / race.ball_radius,
+        away / race.ball_radius,
+        abs(contact_angle) if race.bottom_angle == 0 else 0.0,
+    )
+
+
+@compiled
+def shoulders_of(race: RaceNumbers, height: float) -> tuple[float, float]:
+    """Angles of both shoulders on the profile, rad; height : over the ball's diameter, where they are not known."""
+    if not np.isnan(race.near_shoulder):
+        return race.near_shoulder, race.far_shoulder
+    near = np.arccos(1 - 2 * height * race.ball_radius / race.groove_radius)
+    return near, near if np.isnan(race.far_shoulder) else race.far_shoulder
+
+
+@compiled
+def geometry_on(fit: FitNumbers, race: RaceNumbers, contact_angle: float, load: float) -> GeometryNumbers:
+    """The correction of a ball on a race; of shoulders that are not known, that of a typical height.
+
+    Then the uncertainty reaches to the factors of a low and of a high shoulder.
+    """
+    typical = geometry_of(fit, shape_on(race, shoulders_of(race, USUAL_SHOULDERS[1]), contact_angle, load))
+    if not np.isnan(race.near_shoulder):
+        return typical
+    low = geometry_of(fit, shape_on(race, shoulders_of(race, USUAL_SHOULDERS[0]), contact_angle, load))
+    high = geometry_of(fit, shape_on(race, shoulders_of(race, USUAL_SHOULDERS[2]), contact_angle, load))
+    return GeometryNumbers(
+        typical.factors,
+        FactorNumbers(
+            _farthest(typical, low, high, 0),
+            _farthest(typical, low, high, 1),
+            _farthest(typical, low, high, 2),
+            _farthest(typical, low, high, 3),
+        ),
+        FactorNumbers(
+            _reach(typical, low, high, 0),
+            _reach(typical, low, high, 1),
+            _reach(typical, low, high, 2),
+            _reach(typical, low, high, 3),
+        ),
+        typical.beyond,
+        typical.applied,
+    )
+
+
+@compiled
+def _farthest(typical: GeometryNumbers, low: GeometryNumbers, high: GeometryNumbers, quantity: int) -> float:
+    """The farthest factor of three shoulders from the typical factor."""
+    middle, farthest = typical.factors[quantity], typical.farthest[quantity]
+    for other in (low.farthest[quantity], high.farthest[quantity]):
+        if abs(other - middle) > abs(farthest - middle):
+            farthest = other
+    return farthest
+
+
+@compiled
+def _reach(typical: GeometryNumbers, low: GeometryNumbers, high: GeometryNumbers, quantity: int) -> float:
+    """Largest distance of the factors of three shoulders, with their uncertainties, from the typical one."""
+    middle = typical.factors[quantity]
+    to_low = abs(low.factors[quantity] - middle) + low.uncertainty[quantity]
+    to_high = abs(high.factors[quantity] - middle) + high.uncertainty[quantity]
+    return max(typical.uncertainty[quantity], max(to_low, to_high))
+
+
+@compiled
+def factors_on(fit: FitNumbers, race: RaceNumbers, contact_angle: float, load: float) -> FactorNumbers:
+    """The factors alone of `geometry_on`."""
+    return geometry_of(fit, shape_on(race, shoulders_of(race, USUAL_SHOULDERS[1]), contact_angle, load)).factors
