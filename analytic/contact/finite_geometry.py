@@ -14,6 +14,7 @@ from analytic.contact.factors import ContactCorrection, ContactFactors, FactorNu
 from analytic.contact.finite_geometry_fit import (
     BASES,
     OFF_SHOULDER,
+    SIDES,
     FitNumbers,
     GeometryNumbers,
     ShapeNumbers,
@@ -161,7 +162,7 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
     """The bases of the terms by name, see `Bases`: those of a shoulder (2, ...), near and far, the others (...)."""
     rows, of = _rows(shape)
     bases = dict(zip(BASES, _bases(rows).reshape(-1, 2, *of), strict=True))
-    return {name: sides if name in ("shoulder_curvature", "land_slope") else sides[0] for name, sides in bases.items()}
+    return {name: sides if name in SIDES else sides[0] for name, sides in bases.items()}
 
 
 def _corrected(fields: Array, shapes: Array) -> CorrectedGeometry:

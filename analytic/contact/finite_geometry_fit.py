@@ -48,7 +48,8 @@ SIZE_POWER = {"semi_axis_rolling": 2, "semi_axis_transverse": 2, "peak_pressure"
 # Uncertainty over the held change of Hertz: what grows over the first step, and what the fading adds.
 HELD, FADED = 0.1, 1.4
 SMALL = 0.1  # b/r below which the uncertainty falls in proportion to b/r, as the factors do: a point contact is Hertz's
-MOST_POWER = 4  # highest power of a base in a term
+EXPONENTS = 5  # of a base in a term: 0 to 4
+MOST_FACTORS = 4  # powers of bases in a term
 TINIEST = 1e-300  # replaces a size of 0 in the logarithm, which is multiplied by the size
 LEAST_FACTOR = 0.1  # of what the uncertainty allows
 
@@ -86,7 +87,8 @@ class Bases(NamedTuple):
     race_bulk: float
 
 
-BASES = Bases._fields
+BASES, SIDES = Bases._fields, ("shoulder_curvature", "land_slope")  # the latter differ between the sides
+SIDED = len(BASES) * EXPONENTS  # where the products of these begin in the table of powers
 
 
 class FitNumbers(NamedTuple):
@@ -96,7 +98,7 @@ class FitNumbers(NamedTuple):
     high: Array  # (9,)
     step: Array  # (9,)
     coefficients: Array  # (terms,) of all quantities
-    factors: NDArray[np.intp]  # (terms, most factors) which powers of bases each term multiplies
+    factors: NDArray[np.intp]  # (terms, MOST_FACTORS) what of the table of powers each term multiplies
     first: NDArray[np.intp]  # (5,) term of each quantity, and the end
     uncertainty: Array  # (4,)
     size_power: NDArray[np.intp]  # (4,)
@@ -129,10 +131,13 @@ def fit_numbers() -> FitNumbers:
     """The stored fit as tables."""
     quantities = [stored_fit()["quantity"][name] for name in FactorNumbers._fields]
     terms = [term for quantity in quantities for term in quantity["terms"]]
-    factors = np.zeros((len(terms), max(len(term["powers"]) for term in terms)), dtype=np.intp)  # 0: a power of 0
+    factors = np.zeros((len(terms), MOST_FACTORS), dtype=np.intp)  # 0: a power of 0
     for row, term in enumerate(terms):
-        for column, (base, power) in enumerate(term["powers"].items()):
-            factors[row, column] = Bases._fields.index(base) * (MOST_POWER + 1) + power
+        places = {BASES.index(base) * EXPONENTS + power for base, power in term["powers"].items() if base not in SIDES}
+        curvature, slope = (term["powers"].get(base, 0) for base in SIDES)
+        if curvature or slope:
+            places.add(SIDED + curvature * EXPONENTS + slope)
+        factors[row, : len(places)] = sorted(places)
     ranges = [limits()[name] for name in ShapeNumbers._fields]
     return FitNumbers(
         low=np.array([low for low, _ in ranges], dtype=np.float64),
@@ -216,25 +221,31 @@ def bases_of(shape: ShapeNumbers, unit: HertzNumbers, shoulder: float, land_slop
 
 
 @compiled
-def _fill_powers(bases: Bases, powers: Array) -> None:
-    """Every base to the powers 0 to MOST_POWER, which the terms choose."""
-    for base in range(len(bases)):
+def _fill_powers(near: Bases, far: Bases, powers: Array) -> None:
+    """Every base to the powers 0 to EXPONENTS - 1, and the products of the sided bases' powers, averaged."""
+    for base in range(len(near)):
         power = 1.0
-        for exponent in range(MOST_POWER + 1):
-            powers[base * (MOST_POWER + 1) + exponent] = power
-            power *= bases[base]
+        for exponent in range(EXPONENTS):
+            powers[base * EXPONENTS + exponent] = power
+            power *= near[base]
+    near_curvature, far_curvature = 1.0, 1.0
+    for exponent in range(EXPONENTS):
+        near_product, far_product = near_curvature, far_curvature
+        for other in range(EXPONENTS):
+            powers[SIDED + exponent * EXPONENTS + other] = (near_product + far_product) / 2
+            near_product, far_product = near_product * near.land_slope, far_product * far.land_slope
+        near_curvature, far_curvature = near_curvature * near.shoulder_curvature, far_curvature * far.shoulder_curvature
 
 
 @compiled
 def _change(fit: FitNumbers, quantity: int, powers: Array) -> float:
-    """Sum of coefficient * (product of powers of bases), averaged over both sides."""
+    """Sum of coefficient * (product of powers of bases)."""
     change = 0.0
     for term in range(fit.first[quantity], fit.first[quantity + 1]):
-        near, far = powers[0, fit.factors[term, 0]], powers[1, fit.factors[term, 0]]
-        for factor in range(1, fit.factors.shape[1]):
-            near *= powers[0, fit.factors[term, factor]]
-            far *= powers[1, fit.factors[term, factor]]
-        change += fit.coefficients[term] * (near + far) / 2
+        product = fit.coefficients[term]
+        for factor in range(MOST_FACTORS):
+            product *= powers[fit.factors[term, factor]]
+        change += product
     return change
 
 
@@ -244,9 +255,9 @@ def geometry_of(fit: FitNumbers, shape: ShapeNumbers) -> GeometryNumbers:
     held = held_shape(fit, shape)
     grown = shape.size / held.size if held.size > 0 else 1.0
     unit, slope = unit_of(held), np.tan(held.contact_angle)
-    powers = np.empty((2, len(BASES) * (MOST_POWER + 1)))
-    _fill_powers(bases_of(held, unit, held.shoulder, -slope), powers[0])
-    _fill_powers(bases_of(held, unit, held.far_shoulder, slope), powers[1])
+    near, far = bases_of(held, unit, held.shoulder, -slope), bases_of(held, unit, held.far_shoulder, slope)
+    powers = np.empty(SIDED + EXPONENTS**2)
+    _fill_powers(near, far, powers)
     rolling = _change(fit, 0, powers) * grown ** fit.size_power[0]
     transverse = _change(fit, 1, powers) * grown ** fit.size_power[1]
     approach = _change(fit, 2, powers) * grown ** fit.size_power[2]

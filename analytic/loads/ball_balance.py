@@ -53,10 +53,10 @@ class BallBalance(NamedTuple):
 def grooves_of(bearing: Bearing, play: float) -> Grooves:
     radius = bearing.ball_radius
     return Grooves(
-        distance=bearing.groove_centre_distance,
-        play=play,
-        inner_length=bearing.inner.groove_radius - radius,
-        outer_length=bearing.outer.groove_radius - radius,
+        distance=float(bearing.groove_centre_distance),  # a kernel would be compiled anew for an integer
+        play=float(play),
+        inner_length=float(bearing.inner.groove_radius - radius),
+        outer_length=float(bearing.outer.groove_radius - radius),
     )
 
 

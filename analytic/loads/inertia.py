@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import require_non_negative, require_positive
-from analytic.loads.kinematics import ball_kinematics, ball_motion, outer_control_pitch
+from analytic.loads.kinematics import ball_kinematics, ruled_motion
 from analytic.loads.numbers import BearingNumbers, bearing_numbers
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Bearing
@@ -32,11 +32,11 @@ def inertia_of_ball(
     bearing: BearingNumbers, inner_speed: float, inner_angle: float, outer_angle: float
 ) -> tuple[float, float]:
     """`force_and_moment` of one ball."""
-    ball_diameter, pitch_diameter = 2 * bearing.ball_radius, bearing.pitch_diameter
-    pitch = outer_control_pitch(inner_angle, outer_angle, ball_diameter / pitch_diameter)
-    motion = ball_motion(inner_speed, 0.0, inner_angle, outer_angle, pitch, pitch_diameter, ball_diameter)
-    force = outward_force(bearing.ball_mass, pitch_diameter, motion.cage_speed)
-    moment = moment_of_turned_axis(bearing.ball_mass, ball_diameter, motion.ball_speed, motion.cage_speed, pitch)
+    motion = ruled_motion(bearing, inner_speed, inner_angle, outer_angle)
+    force = outward_force(bearing.ball_mass, bearing.pitch_diameter, motion.cage_speed)
+    moment = moment_of_turned_axis(
+        bearing.ball_mass, 2 * bearing.ball_radius, motion.ball_speed, motion.cage_speed, motion.pitch
+    )
     return force, moment
 
 

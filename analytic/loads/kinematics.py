@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_finite, require_positive
+from analytic.loads.numbers import BearingNumbers
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array
 
@@ -100,6 +101,14 @@ def ball_motion(
         - ball_speed * (np.sin(pitch - inner_angle) + np.sin(outer_angle - pitch)),
         pitch,
     )
+
+
+@compiled
+def ruled_motion(bearing: BearingNumbers, inner_speed: float, inner_angle: float, outer_angle: float) -> BallMotion:
+    """Speeds of a ball at the pitch of outer control, the outer ring at rest; arguments as of `ball_kinematics`."""
+    ball_diameter, pitch_diameter = 2 * bearing.ball_radius, bearing.pitch_diameter
+    pitch = outer_control_pitch(inner_angle, outer_angle, ball_diameter / pitch_diameter)
+    return ball_motion(inner_speed, 0.0, inner_angle, outer_angle, pitch, pitch_diameter, ball_diameter)
 
 
 def ball_kinematics(

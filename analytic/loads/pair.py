@@ -23,7 +23,7 @@ from analytic.loads.balls import LoadEffects, balls_between
 from analytic.loads.finite_geometry import corrections_of, thrust_correction
 from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import LEAST_BALLS, Row
-from analytic.loads.ring_series import RingsAtRest, RowsOfBalls, refuse_beyond_groove, settled_rings
+from analytic.loads.ring_series import RingsAtRest, RowsOfBalls, settled_rings
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.loads.turning import RuledTurning
 from analytic.scene import Arrangement, Array, Bearing, ContactAngle, Operation
@@ -177,13 +177,16 @@ class _Pair:
         ring = self._ring(factors, speed)
         if place is None and self.rows[0].offset > 0:
             place = np.zeros_like(load)
-        state = settled_rings(ring, load, angle=self.free_angle, place=place)
-        refuse_beyond_groove(ring, state, load, speed)
-        return state
+        return settled_rings(ring, load, angle=self.free_angle, place=place)
 
     def _ring(self, factors: ContactCorrection, speed: Array) -> RowsOfBalls:
         return RowsOfBalls(
-            bearing=self.bearing, play=self.play, correction=factors, turning=self._turning(speed), rows=self.rows
+            bearing=self.bearing,
+            play=self.play,
+            correction=factors,
+            turning=self._turning(speed),
+            speed=speed,
+            rows=self.rows,
         )
 
     def _turning(self, speed: Array) -> RuledTurning:

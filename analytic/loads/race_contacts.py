@@ -1,11 +1,14 @@
-"""The contacts of balls with both races by Hertz, before any load is known."""
+"""The contacts of balls with both races: by Hertz under 1 N, and one ball's under its loads."""
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.factors import ContactCorrection, FactorNumbers, corrected, factor_fields
 from analytic.contact.geometry import RaceNumbers, race_numbers, require_contact_angle, rolling_curvature
-from analytic.contact.hertz import HertzContact, HertzNumbers, hertz_fields, unit_hertz
+from analytic.contact.hertz import HertzContact, HertzNumbers, hertz_fields, loaded_hertz, unit_hertz
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.loads.kinematics import BallMotion
+from analytic.loads.numbers import BearingNumbers
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Bearing
 
@@ -18,6 +21,55 @@ def unit_contact_on(race: RaceNumbers, contact_angle: float, factors: FactorNumb
     """
     curvature = rolling_curvature(race, contact_angle)
     return corrected(unit_hertz(curvature, race.curvature_transverse, race.modulus), factors)
+
+
+@compiled
+def contact_under(
+    race: RaceNumbers,
+    unit: HertzNumbers,
+    contact_angle: float,
+    load: float,
+    rolling_rate: float,
+    entrainment: float,
+) -> ContactNumbers:
+    """A ball on a race as film, rolling and sliding see it.
+
+    unit : the contact under 1 N;  contact_angle : al, rad, in [-pi/2, pi/2];  load : Q, N
+    rolling_rate, entrainment : w_roll, rad/s, and u, m/s, per unit ring speed
+    """
+    hertz = loaded_hertz(unit, load)
+    return ContactNumbers(
+        load,
+        hertz.semi_axis_x,
+        hertz.semi_axis_y,
+        rolling_curvature(race, contact_angle),
+        race.curvature_transverse,
+        race.modulus,
+        race.deformed_radius,
+        rolling_rate,
+        entrainment,
+    )
+
+
+@compiled
+def contacts_of_ball(
+    bearing: BearingNumbers,
+    angles: tuple[float, float],
+    loads: tuple[float, float],
+    units: tuple[HertzNumbers, HertzNumbers],
+    motion: BallMotion,
+) -> tuple[ContactNumbers, ContactNumbers]:
+    """A ball on its inner and on its outer race.
+
+    angles : al_i, al_o, rad;  loads : Q_i, Q_o, N;  units : the contacts under 1 N;  motion : per unit ring speed
+    """
+    inner = contact_under(
+        bearing.inner, units[0], angles[0], loads[0], motion.inner_rolling_rate, motion.inner_entrainment
+    )
+    outer = contact_under(
+        bearing.outer, units[1], angles[1], loads[1], motion.outer_rolling_rate, motion.outer_entrainment
+    )
+    return inner, outer
 
 
 def unit_contacts(

@@ -23,7 +23,7 @@ from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import InputError, require_finite, require_positive
 from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import LEAST_BALLS
-from analytic.loads.ring_series import RowsOfBalls, refuse_beyond_groove, settled_rings
+from analytic.loads.ring_series import RowsOfBalls, settled_rings
 from analytic.loads.turning import RuledTurning, Turning
 from analytic.scene import Array, Bearing, ContactAngle
 
@@ -108,7 +108,9 @@ def ring_equilibrium(
     require_finite(ball_weight=ball_weight)
     if turning is None:
         turning = RuledTurning(bearing=bearing, inner_speed=speed, centrifugal=True, gyroscopic=True)
-    ring = RowsOfBalls(bearing=bearing, play=play, correction=factors, turning=turning, ball_weight=ball_weight)
+    ring = RowsOfBalls(
+        bearing=bearing, play=play, correction=factors, turning=turning, speed=speed, ball_weight=ball_weight
+    )
     arm = ring.travel.arm
     load = np.stack([axial, x, y, about_x / arm, about_y / arm], axis=-1)
     if bearing.ball_count < LEAST_BALLS and np.any(load[:, 1:]):
@@ -117,7 +119,6 @@ def ring_equilibrium(
             f"{LEAST_BALLS} balls"
         )
     state = settled_rings(ring, load, angle=free or 0.0)
-    refuse_beyond_groove(ring, state, load, speed)
     unit = np.array([1.0, 1.0, 1.0, arm, arm])
     each, whole = (*shape, bearing.ball_count), (*shape, 5)
     return RingEquilibrium(

@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.loads.ball_balance import Grooves, grooves_of, settled_ball
+from analytic.contact.hertz import HertzNumbers
+from analytic.loads.ball_balance import Grooves, Tangent, settled_ball
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS, is_too_long, newton_step
 from analytic.scene import Array, Bearing
@@ -25,7 +26,7 @@ BALL_ROUND_OFF = 16 * np.finfo(np.float64).eps
 ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps
 LEAST_BALLS = 3  # of a row that hold a ring in all five freedoms
 FREEDOMS = 5
-APPROACH = 3  # among the fields of HertzNumbers
+APPROACH = HertzNumbers._fields.index("approach")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,7 +61,7 @@ class RingPoint(NamedTuple):
 
     unit: Array  # (2, 5, Z) contacts under 1 N, with the fields of HertzNumbers
     turning: Array  # (4, Z) what acts on the balls because they turn, as ForcesOfTurning
-    own: Array  # (Z, 2) force on the ball, N
+    own: Array  # (Z, 2) force of the ball's own, N
     friction: Array  # (Z, 2) of the ball on the inner groove, N
     ring_force: Array  # (5,) load and friction of the balls
     place: Array  # (5,) m
@@ -110,21 +111,6 @@ def groove_travel(bearing: Bearing, rows: tuple[Row, ...] = (Row(),)) -> GrooveT
     return GrooveTravel(arm, azimuth, offset, np.stack([radial.T, axial.T], axis=1))
 
 
-def rows_of_balls(
-    bearing: Bearing,
-    play: float,
-    *,
-    ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0),
-    rows: tuple[Row, ...] = (Row(),),
-) -> BallRows:
-    """play : of the groove centres, m;  ball_weight : of each ball along x, y and z of the shaft, N"""
-    _, azimuth, offset, travel = groove_travel(bearing, rows)
-    side = np.repeat([row.side for row in rows], bearing.ball_count)
-    x, y, z = ball_weight
-    weight = np.stack([x * np.cos(azimuth) + y * np.sin(azimuth), side * z], axis=-1)
-    return BallRows(grooves_of(bearing, play), offset, travel, weight)
-
-
 def ring_points(count: int, balls: int) -> RingPoint:
     """Arrays for n points, with an axis for them in front."""
     return RingPoint(
@@ -172,6 +158,25 @@ def ring_work(balls: int) -> RingWork:
 
 
 @compiled
+def add_stiffness(tangent: Array, of_ball: Tangent, travel: Array) -> None:
+    """Add a ball's tangent, N/m, to the lower half of that of the ring, (5, 5); travel : (2, 5) of its groove."""
+    radial, mixed, axial = of_ball
+    for i in range(FREEDOMS):
+        along_radial = travel[0, i] * radial + travel[1, i] * mixed
+        along_axial = travel[0, i] * mixed + travel[1, i] * axial
+        for k in range(i + 1):
+            tangent[i, k] += along_radial * travel[0, k] + along_axial * travel[1, k]
+
+
+@compiled
+def mirror(tangent: Array) -> None:
+    """Write the upper half of a symmetric matrix from its lower one."""
+    for i in range(len(tangent)):
+        for k in range(i):
+            tangent[k, i] = tangent[i, k]
+
+
+@compiled
 def _balance_at(rows: BallRows, point: RingPoint, work: RingWork) -> Balance:
     """The balance of a ring at its place, with its balls settled; writes their forces and the tangent."""
     distance, travel = rows.grooves.distance, rows.travel
@@ -197,13 +202,9 @@ def _balance_at(rows: BallRows, point: RingPoint, work: RingWork) -> Balance:
             point.force[j, k], point.moved[j, k] = ball.force[k], ball.moved[k]
             work.arm[0, j, k], work.arm[1, j, k] = ball.inner_arm[k], ball.outer_arm[k]
         point.load[0, j], point.load[1, j] = ball.inner_load, ball.outer_load
-        rr, ra, aa = ball.tangent
         for i in range(FREEDOMS):
             gradient[i] += travel[j, 0, i] * ball.force[0] + travel[j, 1, i] * ball.force[1]
-            along_radial = travel[j, 0, i] * rr + travel[j, 1, i] * ra
-            along_axial = travel[j, 0, i] * ra + travel[j, 1, i] * aa
-            for k in range(i + 1):
-                tangent[i, k] += along_radial * travel[j, 0, k] + along_axial * travel[j, 1, k]
+        add_stiffness(tangent, ball.tangent, travel[j])
         energy += ball.energy
         all_loads += ball.outer_load
         heaviest, farthest = max(heaviest, ball.outer_load), max(farthest, abs(rows.offset[j]))
@@ -213,8 +214,7 @@ def _balance_at(rows: BallRows, point: RingPoint, work: RingWork) -> Balance:
     for i in range(FREEDOMS):
         left = max(left, abs(gradient[i]))
         trace += tangent[i, i]
-        for k in range(i):
-            tangent[k, i] = tangent[i, k]
+    mirror(tangent)
     longest = max(distance, reach + farthest)
     rounding = PLACE_ROUND_OFF * (reach + farthest) * trace
     if has_own_force:
@@ -222,7 +222,7 @@ def _balance_at(rows: BallRows, point: RingPoint, work: RingWork) -> Balance:
     return Balance(
         energy=energy,
         energy_rounding=ENERGY_ROUND_OFF * longest * all_loads,
-        left=left,
+        left=np.nan if np.isnan(energy) else left,
         tolerance=TOLERANCE * (most + heaviest) + rounding,
         longest_step=longest,
         has_loose_ball=False,

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.contact.factors import FactorNumbers, corrected
-from analytic.contact.geometry import rolling_curvature
-from analytic.contact.hertz import unit_hertz
+from analytic.contact.geometry import RaceNumbers, rolling_curvature
+from analytic.contact.hertz import HertzNumbers, unit_hertz
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.ring_balance import APPROACH, FREEDOMS, BallRows, RingPoint, RingWork, point_of, settle_ring
 from analytic.loads.turning import TurningRule, ruled_forces
@@ -26,7 +26,8 @@ STEADYING = 30  # rounds, after which forces move halfway: some swing to and fro
 # Of a ball's own force, over the largest: what is left where centrifugal force, weight and friction of another ball
 # cancel. Such a remainder presses nothing, and would lead a ball along its race for ever.
 FORCE_ROUND_OFF = 64 * np.finfo(np.float64).eps
-SETTLED, OPEN, LOOSE_BALL, LOOSE_RING = range(4)
+SETTLED, OPEN, LOOSE_BALL, LOOSE_RING, BEYOND_GROOVE = range(5)
+BY_LOAD, BY_PLACE, BY_POINT = range(3)  # from where a point begins: from its load, its place, or all that it holds
 
 
 class RingNumbers(NamedTuple):
@@ -35,7 +36,6 @@ class RingNumbers(NamedTuple):
     bearing: BearingNumbers
     rows: BallRows
     angle: float  # near which the contact angles are, rad
-    is_placed: bool  # whether the points have a place to begin at; else the load gives one
 
 
 class RingLoad(NamedTuple):
@@ -66,10 +66,23 @@ class Rounding(NamedTuple):
 class Round(NamedTuple):
     """How the rounds of a point end."""
 
-    end: int  # SETTLED, or what has not settled: OPEN, the forces that are held, LOOSE_BALL or LOOSE_RING
+    end: int  # SETTLED, BEYOND_GROOVE, or what has not settled: LOOSE_BALL, LOOSE_RING or, OPEN, the forces held
     steps: int  # of Newton's method
     left: float  # residual of what has not settled, N; else of the ring
     tolerance: float  # on it
+
+
+class Beyond(NamedTuple):
+    """The ball that lies farthest beyond its groove."""
+
+    angle: float  # magnitude of its contact angle, rad; 0: no ball does
+    moved: float  # largest radial displacement of the rings, m
+    is_by_load: bool  # whether the load moved it there, else the speed
+
+
+@compiled
+def _unit_hertz_at(race: RaceNumbers, angle: float) -> HertzNumbers:
+    return unit_hertz(rolling_curvature(race, angle), race.curvature_transverse, race.modulus)
 
 
 @compiled
@@ -77,11 +90,13 @@ def _hold_contacts(ring: RingNumbers, factors: Array, point: RingPoint) -> None:
     """Write the contacts under 1 N at the balls' angles."""
     last = factors.shape[2] - 1
     for race in range(2):
-        numbers = ring.bearing.inner if race == 0 else ring.bearing.outer
+        numbers, angle = ring.bearing.inner if race == 0 else ring.bearing.outer, point.angle[race, 0]
+        hertz = _unit_hertz_at(numbers, angle)
         for j in range(len(point.own)):
-            angle, f = point.angle[race, j], factors[race, :, min(j, last)]
-            if j == 0 or angle != point.angle[race, j - 1]:  # under a radial load all angles are 0
-                hertz = unit_hertz(rolling_curvature(numbers, angle), numbers.curvature_transverse, numbers.modulus)
+            if point.angle[race, j] != angle:  # under a radial load alone all angles are 0
+                angle = point.angle[race, j]
+                hertz = _unit_hertz_at(numbers, angle)
+            f = factors[race, :, min(j, last)]
             unit = corrected(hertz, FactorNumbers(f[0], f[1], f[2], f[3]))
             for k in range(len(unit)):
                 point.unit[race, k, j] = unit[k]
@@ -133,8 +148,10 @@ def _hold_forces(rows: BallRows, force: Array, point: RingPoint, work: RingWork,
 
 @compiled
 def _place_by_load(rows: BallRows, force: Array, point: RingPoint) -> None:
-    """Write a place where balls touch: the displacement by each part of the load if one ball took it, the largest in
-    full."""
+    """Write a place where balls touch.
+
+    It is the displacement by each part of the load if one ball took it, with the largest part in full.
+    """
     play, distance = rows.grooves.play, rows.grooves.distance
     parts = (abs(force[0]), np.hypot(force[1], force[2]), np.hypot(force[3], force[4]))
     largest, softness = max(max(parts[0], parts[1]), parts[2]), point.unit[0, APPROACH, 0] + point.unit[1, APPROACH, 0]
@@ -152,10 +169,34 @@ def _place_by_load(rows: BallRows, force: Array, point: RingPoint) -> None:
 
 
 @compiled
-def _begin(ring: RingNumbers, point: RingPoint) -> None:
-    """Write the state before the first round, in which all forces change."""
-    point.angle[:], point.load[:], point.moved[:] = ring.angle, 0.0, 0.0
-    point.own[:], point.ring_force[:] = np.inf, np.inf
+def _begin(ring: RingNumbers, load: RingLoad, point: RingPoint, start: int) -> None:
+    """Write the contacts that a point begins with, and what it does not yet hold; all forces are then to change."""
+    if start != BY_POINT:
+        point.angle[:], point.load[:], point.moved[:] = ring.angle, 0.0, 0.0
+        point.own[:], point.ring_force[:] = np.inf, np.inf
+    _hold_contacts(ring, load.factors, point)
+    if start == BY_LOAD:
+        _place_by_load(ring.rows, load.force, point)
+
+
+@compiled
+def beyond_groove(rows: BallRows, point: RingPoint) -> Beyond:
+    """A ball of a settled ring that no groove bears any more, because its contact angle is beyond pi/2."""
+    distance, play = rows.grooves.distance, rows.grooves.play
+    farthest, moved, has_passed = np.pi / 2, 0.0, False
+    for j in range(len(point.own)):
+        radial = 0.0
+        for i in range(FREEDOMS):
+            radial += rows.travel[j, 0, i] * point.place[i]
+        moved = max(moved, abs(radial))
+        passed = distance - play + radial < 0  # the centres of the grooves, each other; no inertia of balls does that
+        angle = abs(point.angle[0, j])
+        if angle > farthest and (passed or point.load[0, j] > 0):
+            farthest, has_passed = angle, passed
+    if farthest == np.pi / 2:
+        return Beyond(0.0, moved, False)
+    # A move by that much is the load's, whatever inertia adds.
+    return Beyond(farthest, moved, has_passed or moved > max(play, 0.0) + distance / 2)
 
 
 @compiled
@@ -180,18 +221,22 @@ def _settle_round(
     enough = max(balance.tolerance, accuracy * heaviest)
     if change > enough or (steps > 0 and accuracy == 0):
         return Round(OPEN, steps, change, enough)
-    return Round(SETTLED, steps, balance.left, balance.tolerance)
+    end = BEYOND_GROOVE if beyond_groove(rows, point).angle > 0 else SETTLED
+    return Round(end, steps, balance.left, balance.tolerance)
 
 
 @compiled
-def settle_ruled_ring(ring: RingNumbers, load: RingLoad, point: RingPoint, work: RingWork) -> Round:
-    """All rounds of a point whose balls turn by rule; writes the point."""
-    _begin(ring, point)
-    steps = 0
+def settle_ruled_ring(ring: RingNumbers, load: RingLoad, point: RingPoint, work: RingWork, start: int) -> Round:
+    """All rounds of a point whose balls turn by rule; writes the point.
+
+    start : BY_LOAD; BY_PLACE, where the point holds a place with balls that touch; or BY_POINT, where it has settled
+        under nearly the same load or factors. The equilibrium does not depend on it.
+    """
+    _begin(ring, load, point, start)
+    end, steps = Round(OPEN, 0, 0.0, 0.0), 0
     for number in range(MOST_ROUNDS + 1):
-        _hold_contacts(ring, load.factors, point)
-        if number == 0 and not ring.is_placed:
-            _place_by_load(ring.rows, load.force, point)
+        if number > 0:
+            _hold_contacts(ring, load.factors, point)
         _hold_ruled_forces(ring, load.rule, point)
         end = _settle_round(ring.rows, load.force, point, work, number, 0.0)
         steps += end.steps
@@ -209,6 +254,16 @@ class Rounds(NamedTuple):
     tolerance: Array
 
 
+def rounds_of(count: int) -> Rounds:
+    """Arrays for n points."""
+    return Rounds(
+        end=np.zeros(count, dtype=np.int64),
+        steps=np.zeros(count, dtype=np.int64),
+        left=np.zeros(count),
+        tolerance=np.zeros(count),
+    )
+
+
 @compiled
 def _note(rounds: Rounds, i: int, end: Round) -> None:
     rounds.end[i], rounds.left[i], rounds.tolerance[i] = end.end, end.left, end.tolerance
@@ -216,41 +271,40 @@ def _note(rounds: Rounds, i: int, end: Round) -> None:
 
 
 @compiled
-def settle_ruled_rings(ring: RingNumbers, load: RingLoads, points: RingPoint, work: RingWork, rounds: Rounds) -> None:
+def _load_of(loads: RingLoads, i: int) -> RingLoad:
+    rule = TurningRule(loads.inner_speed[i], loads.inertia[0], loads.inertia[1])
+    return RingLoad(loads.force[i], rule, loads.factors[min(i, len(loads.factors) - 1)])
+
+
+@compiled
+def settle_ruled_rings(
+    ring: RingNumbers, loads: RingLoads, points: RingPoint, work: RingWork, rounds: Rounds, start: int
+) -> None:
     """`settle_ruled_ring` of n points, up to the first that does not settle."""
-    each, (centrifugal, gyroscopic) = len(load.factors) > 1, load.inertia
-    for i in range(len(load.force)):
-        rule = TurningRule(load.inner_speed[i], centrifugal, gyroscopic)
-        of_point = RingLoad(load.force[i], rule, load.factors[i if each else 0])
-        end = settle_ruled_ring(ring, of_point, point_of(points, i), work)
+    for i in range(len(loads.force)):
+        end = settle_ruled_ring(ring, _load_of(loads, i), point_of(points, i), work, start)
         _note(rounds, i, end)
         if end.end != SETTLED:
             return
 
 
 @compiled
-def begin_rounds(ring: RingNumbers, load: RingLoads, points: RingPoint) -> None:
+def begin_rounds(ring: RingNumbers, loads: RingLoads, points: RingPoint, start: int) -> None:
     """Write the contacts and the places that n points begin with."""
-    each = len(load.factors) > 1
-    for i in range(len(load.force)):
-        point = point_of(points, i)
-        _begin(ring, point)
-        _hold_contacts(ring, load.factors[i if each else 0], point)
-        if not ring.is_placed:
-            _place_by_load(ring.rows, load.force[i], point)
+    for i in range(len(loads.force)):
+        _begin(ring, _load_of(loads, i), point_of(points, i), start)
 
 
 @compiled
 def settle_rounds(
-    ring: RingNumbers, load: RingLoads, points: RingPoint, work: RingWork, rounds: Rounds, now: Rounding
+    ring: RingNumbers, loads: RingLoads, points: RingPoint, work: RingWork, rounds: Rounds, now: Rounding
 ) -> None:
     """One round of the points that are open, for which contacts and turning are written; and their next contacts."""
-    each = len(load.factors) > 1
     for i in now.open_points:
-        point = point_of(points, i)
-        end = _settle_round(ring.rows, load.force[i], point, work, now.number, now.accuracy)
+        load, point = _load_of(loads, i), point_of(points, i)
+        end = _settle_round(ring.rows, load.force, point, work, now.number, now.accuracy)
         _note(rounds, i, end)
         if end.end == OPEN:
-            _hold_contacts(ring, load.factors[i if each else 0], point)
+            _hold_contacts(ring, load.factors, point)
         elif end.end != SETTLED:
             return

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,27 +10,34 @@ from numpy.typing import NDArray
 from analytic.contact.factors import ContactCorrection, factor_fields
 from analytic.contact.hertz import HertzContact, HertzNumbers
 from analytic.errors import ConvergenceError, InputError
+from analytic.loads.ball_balance import grooves_of
 from analytic.loads.numbers import bearing_numbers
 from analytic.loads.ring_balance import (
+    BallRows,
     GrooveTravel,
     RingPoint,
     Row,
     groove_travel,
+    point_of,
     ring_points,
     ring_work,
-    rows_of_balls,
 )
 from analytic.loads.ring_rounds import (
+    BEYOND_GROOVE,
+    BY_LOAD,
+    BY_PLACE,
     LOOSE_BALL,
     LOOSE_RING,
     MOST_ROUNDS,
     OPEN,
-    SETTLED,
+    Beyond,
     RingLoads,
     RingNumbers,
     Rounding,
     Rounds,
     begin_rounds,
+    beyond_groove,
+    rounds_of,
     settle_rounds,
     settle_ruled_rings,
 )
@@ -62,12 +70,21 @@ class RowsOfBalls:
     play: float  # m, as Grooves has it
     correction: ContactCorrection  # numbers, or (n, Z) for the balls of all rows
     turning: Turning
+    speed: Array  # (n,) of the inner part, rad/s
     ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of each ball along x, y and z of the shaft, N
     rows: tuple[Row, ...] = (Row(),)
 
     @cached_property
     def travel(self) -> GrooveTravel:
         return groove_travel(self.bearing, self.rows)
+
+    @cached_property
+    def numbers(self) -> BallRows:
+        _, azimuth, offset, travel = self.travel
+        side = np.repeat([row.side for row in self.rows], self.bearing.ball_count)
+        x, y, z = self.ball_weight
+        weight = np.stack([x * np.cos(azimuth) + y * np.sin(azimuth), side * z], axis=-1)
+        return BallRows(grooves_of(self.bearing, self.play), offset, travel, weight)
 
     def displaced(self, place: Array) -> tuple[Array, Array]:
         """(n, Z) radial and axial displacement of the inner groove at each ball, m; place : (n, 5), m"""
@@ -98,31 +115,26 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     """The rings at rest under loads (n, 5), N (moments over R).
 
     angle : near which the contact angles are, rad;  place : (n, 5) to begin at, where balls touch; None: by the load
-    Raises ConvergenceError where a ball, a ring or the rounds do not settle.
+    Raises ConvergenceError where a ball, a ring or the rounds do not settle, and InputError where a ball leaves its
+    groove (an angle beyond pi/2).
     """
-    rows = rows_of_balls(ring.bearing, ring.play, ball_weight=ring.ball_weight, rows=ring.rows)
-    numbers = RingNumbers(bearing_numbers(ring.bearing), rows, angle, place is not None)
-    count, balls = len(load), len(rows.travel)
-    points, ruled = ring_points(count, balls), isinstance(ring.turning, RuledTurning)
-    if place is not None:
-        points.place[:] = place
-    rounds = Rounds(
-        end=np.zeros(count, dtype=np.int64),
-        steps=np.zeros(count, dtype=np.int64),
-        left=np.zeros(count),
-        tolerance=np.zeros(count),
-    )
+    turning, count, balls = ring.turning, len(load), len(ring.travel.travel)
+    numbers = RingNumbers(bearing_numbers(ring.bearing), ring.numbers, float(angle))
+    points, rounds, start = ring_points(count, balls), rounds_of(count), BY_LOAD if place is None else BY_PLACE
+    points.place[:] = 0.0 if place is None else place
+    is_ruled = isinstance(turning, RuledTurning)
     loads = RingLoads(
-        force=np.ascontiguousarray(load),
-        inner_speed=ring.turning.inner_speed if ruled else np.zeros(count),
-        inertia=(ring.turning.centrifugal, ring.turning.gyroscopic) if ruled else (False, False),
+        force=np.array(load, dtype=np.float64),
+        inner_speed=np.array(turning.inner_speed, dtype=np.float64) if is_ruled else np.zeros(count),
+        inertia=(bool(turning.centrifugal), bool(turning.gyroscopic)) if is_ruled else (False, False),
         factors=_factors(ring.correction),
     )
-    if ruled:
-        settle_ruled_rings(numbers, loads, points, ring_work(balls), rounds)
-        _require_settled(rounds)
+    if is_ruled:
+        settle_ruled_rings(numbers, loads, points, ring_work(balls), rounds, start)
     else:
-        _settle(ring.turning, numbers, loads, points, rounds)
+        begin_rounds(numbers, loads, points, start)
+        _settle_by_rounds(turning, numbers, loads, points, rounds)
+    _require_settled(ring, loads, points, rounds)
     inner, outer = _contacts(points.unit)
     return RingsAtRest(
         place=points.place,
@@ -141,30 +153,9 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     )
 
 
-def refuse_beyond_groove(ring: RowsOfBalls, state: RingsAtRest, load: Array, speed: Array) -> None:
-    """Raise InputError where a ball has left its groove; load : (n, 5) as settled_rings has it;  speed : (n,), rad/s."""
-    distance, (radial, _) = ring.bearing.groove_centre_distance, ring.displaced(state.place)
-    passed = distance - ring.play + radial < 0  # the centres of the grooves, each other; no inertia of balls does that
-    angle = np.where((state.inner_load > 0) | passed, np.abs(state.inner_angle), 0.0)
-    if np.any(angle > np.pi / 2):
-        point, ball = np.unravel_index(np.argmax(angle), angle.shape)
-        moved = np.max(np.abs(radial[point]))
-        # A move by that much is the load's, whatever inertia adds.
-        if passed[point, ball] or moved > max(ring.play, 0.0) + distance / 2:
-            raise InputError(
-                f"the {_load_words(load[point], ring)} moves the rings by {length_of(moved, '.2g')}, and balls leave "
-                "their grooves: lower the load"
-            )
-        raise InputError(
-            f"the speed, {speed_of(speed[point])}, drives a ball {angle_of(angle[point, ball])} out of its groove, "
-            "past 90 deg: no contact bears it, lower the speed"
-        )
-
-
-def _settle(turning: Turning, ring: RingNumbers, loads: RingLoads, points: RingPoint, rounds: Rounds) -> None:
-    """All rounds of points whose balls turn by any other method."""
+def _settle_by_rounds(turning: Turning, ring: RingNumbers, loads: RingLoads, points: RingPoint, rounds: Rounds) -> None:
+    """All rounds of points whose balls turn by any other method, up to the first point that does not settle."""
     open_points, work = np.arange(len(loads.force)), ring_work(points.load.shape[2])
-    begin_rounds(ring, loads, points)
     for number in range(MOST_ROUNDS + 1):
         angle, load = np.clip(points.angle[open_points], -np.pi / 2, np.pi / 2), points.load[open_points]
         inner, outer = _contacts(points.unit[open_points])
@@ -182,12 +173,9 @@ def _settle(turning: Turning, ring: RingNumbers, loads: RingLoads, points: RingP
         acting = (forces.centrifugal, forces.inner_friction, forces.outer_friction, forces.gyroscopic)
         points.turning[open_points] = np.stack(acting, axis=1)
         settle_rounds(ring, loads, points, work, rounds, Rounding(open_points, number, turning.accuracy))
-        if np.any(rounds.end > OPEN):
-            break
         open_points = np.flatnonzero(rounds.end == OPEN)
-        if not len(open_points):
+        if not len(open_points) or np.any(rounds.end > OPEN):
             return
-    _require_settled(rounds)
 
 
 def _contacts(unit: Array) -> tuple[HertzContact, HertzContact]:
@@ -196,22 +184,37 @@ def _contacts(unit: Array) -> tuple[HertzContact, HertzContact]:
     return HertzContact(**inner), HertzContact(**outer)
 
 
-def _require_settled(rounds: Rounds) -> None:
-    loose = np.flatnonzero(rounds.end != SETTLED)
-    if len(loose):
-        worst = loose[np.argmax(rounds.end[loose])]
-        problem, iterations, remedy = LOOSE[int(rounds.end[worst])]
-        left, tolerance = float(rounds.left[worst]), float(rounds.tolerance[worst])
-        raise ConvergenceError(
-            iterations=iterations, residual=left, tolerance=tolerance, problem=problem, remedy=remedy
+def _require_settled(ring: RowsOfBalls, loads: RingLoads, points: RingPoint, rounds: Rounds) -> None:
+    if not rounds.end.any():
+        return
+    worst = int(np.argmax(rounds.end))
+    if rounds.end[worst] == BEYOND_GROOVE:
+        _refuse(
+            ring, loads.force[worst], float(ring.speed[worst]), beyond_groove(ring.numbers, point_of(points, worst))
         )
+    problem, iterations, remedy = LOOSE[int(rounds.end[worst])]
+    left, tolerance = float(rounds.left[worst]), float(rounds.tolerance[worst])
+    raise ConvergenceError(iterations=iterations, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
+
+
+def _refuse(ring: RowsOfBalls, load: Array, speed: float, beyond: Beyond) -> NoReturn:
+    """Raise InputError for a point whose ball has left its groove; load : (5,)"""
+    if beyond.is_by_load:
+        raise InputError(
+            f"the {_load_words(load, ring)} moves the rings by {length_of(beyond.moved, '.2g')}, and balls leave "
+            "their grooves: lower the load"
+        )
+    raise InputError(
+        f"the speed, {speed_of(speed)}, drives a ball {angle_of(beyond.angle)} out of its groove, past 90 deg: no "
+        "contact bears it, lower the speed"
+    )
 
 
 def _factors(correction: ContactCorrection) -> Array:
     """(n, 2, 4, Z) with axes of 1 where all points or all balls have the same factors."""
     given = [np.asarray(value) for side in (correction.inner, correction.outer) for value in factor_fields(side)]
     together = np.stack(np.broadcast_arrays(*(value.reshape(value.shape or (1, 1)) for value in given)), axis=1)
-    return np.ascontiguousarray(together.reshape(len(together), 2, 4, -1), dtype=np.float64)
+    return np.array(together.reshape(len(together), 2, 4, -1), dtype=np.float64)
 
 
 def _load_words(load: Array, ring: RowsOfBalls) -> str:

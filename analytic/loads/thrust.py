@@ -23,7 +23,7 @@ from analytic.loads.thrust_ball import (
     LAST_STEP,
     MOST_ROUNDS,
     ROUGH_STEP,
-    ROUND_OFF,
+    SETTLED,
     STEADYING,
     Held,
     ThrustedBall,
@@ -204,7 +204,7 @@ class _Rounds:
             angle, load = near
             balls = np.stack([np.tan(np.clip(angle[0], 1e-6, 1.5)), *angle, *load])
         change = 0.0  # no rate yet
-        accuracy = max(ROUND_OFF, turning.accuracy)
+        accuracy = max(SETTLED, turning.accuracy)
         forces = np.zeros((3, self.push.size))  # of the last round: F_c Z/Fa, p_i, p_o
         for rounds in range(MOST_ROUNDS):
             last, before, held = balls, change, forces
@@ -216,7 +216,7 @@ class _Rounds:
             change = float(np.max(_changes(last, balls), initial=0.0))
             # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
             # Balls that turn freely keep the motion of the last round, so that this round must change nothing.
-            next_change = change**2 / before if accuracy == ROUND_OFF and before > 0 else change
+            next_change = change**2 / before if accuracy == SETTLED and before > 0 else change
             if min(change, next_change) <= accuracy:
                 fields = [value for contact in contacts for value in vars(contact).values()]
                 return np.stack([*balls, *fields])
@@ -268,7 +268,7 @@ def _settled(fields: Array, push: Array) -> Array:
     """The fields of a loop without the last, the change; raises ConvergenceError where it is not 0."""
     open_rounds = ~(fields[-1] == 0)
     if open_rounds.any():
-        raise _unsettled(push[open_rounds], float(np.max(fields[-1])), ROUND_OFF)
+        raise _unsettled(push[open_rounds], float(np.max(fields[-1])), SETTLED)
     return fields[:-1]
 
 

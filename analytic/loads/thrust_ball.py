@@ -14,8 +14,8 @@ from analytic.loads.race_contacts import unit_contact_on
 from analytic.loads.turning import TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
 
-# ln(tan b) of every angle that a double can tell from 0 or from pi/2; tan b times any force ratio stays a double.
-LEAST, MOST = -740.0, 600.0
+# ln(tan b) of every angle that a double can tell from 0 or from pi/2; the square of tan b stays a double.
+LEAST, MOST = -740.0, 340.0
 # Newton's error in ln(tan b) is of the order of its last step's square: below this step it is round-off, and below the
 # rough one it is less than what the next round changes.
 LAST_STEP, ROUGH_STEP = 1e-8, 1e-3
@@ -24,7 +24,7 @@ MOST_STEPS = 200  # 4 to 8 are usual, and bisection alone takes 60
 # at most at speed (speeds and friction too; 4 or 5).
 MOST_ROUNDS = 300
 STEADYING = 30  # rounds, after which forces move halfway: some swing to and fro with the angles
-ROUND_OFF = 4 * np.finfo(np.float64).eps
+SETTLED = 2e-13  # of the angles, what the next round would change: a thousand roundings
 
 
 class ThrustedBall(NamedTuple):
@@ -65,9 +65,11 @@ def balanced(bearing: BearingNumbers, push: float, held: Held, start: float, las
     preload on the other side, the left side falls and the right side rises. The logarithms of both are nearly straight
     in x for loads from nothing to far above A0.
     """
+    inner_turn, inner_side = np.cos(held.inner_lean), np.sin(held.inner_lean)
+    outer_turn, outer_side = np.cos(held.outer_lean), np.sin(held.outer_lean)
     # delta under a load of (Fa/Z) cos p, m
-    inner = held.inner_approach * np.cbrt(push * np.cos(held.inner_lean)) ** 2
-    outer = held.outer_approach * np.cbrt(push * np.cos(held.outer_lean)) ** 2
+    inner = held.inner_approach * np.cbrt(push * inner_turn) ** 2
+    outer = held.outer_approach * np.cbrt(push * outer_turn) ** 2
     clearance, preload = max(bearing.play, 0.0), max(-bearing.play, 0.0)
     inner_length = bearing.inner.groove_radius - bearing.ball_radius
     outer_length = bearing.outer.groove_radius - bearing.ball_radius
@@ -76,8 +78,8 @@ def balanced(bearing: BearingNumbers, push: float, held: Held, start: float, las
     for _ in range(MOST_STEPS):
         tangent = np.exp(x)
         relief = 1 / (1 + held.outward * tangent)  # tan b_o/tan b_i, which is d ln(tan b_o)/dx too
-        of_inner = _distances(tangent, 1.0, held.inner_lean, inner, inner_length)
-        of_outer = _distances(tangent * relief, relief, held.outer_lean, outer, outer_length)
+        of_inner = _distances(tangent, 1.0, (inner_turn, inner_side), inner, inner_length)
+        of_outer = _distances(tangent * relief, relief, (outer_turn, outer_side), outer, outer_length)
         left = of_inner.pressed + of_outer.pressed + clearance
         right = of_inner.tilted + of_outer.tilted + preload
         value = np.log(right / left)
@@ -106,11 +108,11 @@ class _Distances(NamedTuple):
 
 
 @compiled
-def _distances(tangent: float, rate: float, lean: float, alone: float, length: float) -> _Distances:
-    """tangent : tan b;  rate : d ln(tan b)/dx;  lean : p;  alone : approach at b = pi/2;  length : r_g - r."""
-    cosine = 1 / np.hypot(1.0, tangent)
+def _distances(tangent: float, rate: float, lean: tuple[float, float], alone: float, length: float) -> _Distances:
+    """tangent : tan b;  rate : d ln(tan b)/dx;  lean : cos p, sin p;  alone : delta at b = pi/2;  length : r_g - r."""
+    cosine = 1 / np.sqrt(1 + tangent**2)
     sine = tangent * cosine
-    turn, side = np.cos(lean), np.sin(lean)
+    turn, side = lean
     cosine_al, sine_al = cosine * turn + sine * side, sine * turn - cosine * side
     turned = rate * sine * cosine  # db/dx
     approach = alone / np.cbrt(sine) ** 2
@@ -130,8 +132,8 @@ def ball_at(push: float, tangent: float, held: Held) -> ThrustedBall:
         tangent,
         np.arctan(tangent) - held.inner_lean,
         np.arctan(outer) - held.outer_lean,
-        push * np.cos(held.inner_lean) * np.hypot(1.0, tangent) / tangent,
-        push * np.cos(held.outer_lean) * np.hypot(1.0, outer) / outer,
+        push * np.cos(held.inner_lean) * np.sqrt(1 + tangent**2) / tangent,
+        push * np.cos(held.outer_lean) * np.sqrt(1 + outer**2) / outer,
     )
 
 
@@ -191,7 +193,7 @@ def thrust_point(
         ball = balanced(bearing, push, held, last.tangent, ROUGH_STEP)
         before, change = change, change_of(last, ball)
         # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
-        if change <= ROUND_OFF or (before > 0 and change**2 / before <= ROUND_OFF):
+        if change <= SETTLED or (before > 0 and change**2 / before <= SETTLED):
             return ThrustPoint(ball, inner, outer, 0.0)
         last = ball
     return ThrustPoint(last, inner, outer, change)

@@ -10,7 +10,15 @@ import pytest
 from hypothesis import given
 from scipy.integrate import quad
 
-from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, loaded_contact, relative_curvatures
+from analytic.contact.hertz import (
+    HertzContact,
+    contact_modulus,
+    ellipse_of,
+    elliptic_integrals,
+    hertz_contact,
+    loaded_contact,
+    relative_curvatures,
+)
 from analytic.errors import InputError
 from analytic.scene import Contact, Material
 from tests.contacts import INNER, PEEK, STEEL
@@ -91,6 +99,27 @@ def test_every_ratio_agrees_with_many_digits(ratio: float, x_is_larger: bool) ->
     found, expected = contact(*curvatures), reference(*curvatures)
     for field in FIELDS:
         np.testing.assert_allclose(getattr(found, field), expected[field], rtol=ROUND_OFF, err_msg=field)
+
+
+@pytest.mark.parametrize("squared_ratio", [1.0, 1 - 1e-13, 0.99, 0.41, 3e-3, 2e-9, 1e-40])
+def test_the_integrals_agree_with_many_digits(squared_ratio: float) -> None:
+    """K and D = (K - E)/m from the circle, where that is 0/0, to nearly a line."""
+    integral_k, share = elliptic_integrals(squared_ratio)
+    with mpmath.workdps(60):
+        m = 1 - mpmath.mpf(squared_ratio)
+        K, E = mpmath.ellipk(m), mpmath.ellipe(m)
+        D = (K - E) / m if m else mpmath.pi / 4
+        np.testing.assert_allclose([integral_k, share * integral_k], [float(K), float(D)], rtol=1e-15)  # 4 roundings
+
+
+@pytest.mark.parametrize("log_ratio", [0.0, 1e-13, 2e-5, 0.31, 3.4, 6.9, 13.8, 60.0])
+def test_the_last_step_to_the_ellipse_takes_its_integrals_along(log_ratio: float) -> None:
+    """K and D of the ellipse's own ratio, and the ratio of the curvatures that they give."""
+    squared_ratio, integral_k, integral_d = ellipse_of(log_ratio)
+    again, share = elliptic_integrals(squared_ratio)
+    np.testing.assert_allclose([integral_k, integral_d], [again, share * again], rtol=1e-14)  # round-off
+    ratio = (integral_k - integral_d) / (squared_ratio * integral_d)
+    np.testing.assert_allclose(np.log(ratio), log_ratio, rtol=1e-13, atol=1e-14)
 
 
 def test_a_ball_on_a_flat_is_the_circular_closed_form() -> None:

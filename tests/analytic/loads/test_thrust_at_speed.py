@@ -7,13 +7,17 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from analytic.contact.factors import ContactCorrection, ContactFactors
+from analytic.contact.factors import ContactCorrection, ContactFactors, correction_fields, correction_of
 from analytic.errors import ConvergenceError, InputError
-from analytic.loads.kinematics import BallKinematics, ball_kinematics
+from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.loads.kinematics import BallKinematics, ball_kinematics, ruled_motion
+from analytic.loads.numbers import bearing_numbers
+from analytic.loads.race_contacts import contacts_of_ball
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import ThrustAtSpeed, thrust_at_speed, thrust_equilibrium
-from analytic.loads.turning import PlacedBalls, RuledTurning, TurningForces
-from analytic.scene import Bearing, ContactAngle
+from analytic.loads.thrust_ball import thrust_point
+from analytic.loads.turning import PlacedBalls, RuledTurning, TurningForces, TurningRule
+from analytic.scene import Bearing, ContactAngle, Operation
 
 SOLVED = ContactAngle(rule="solved")
 FIELDS = "inner_load", "outer_load", "inner_angle", "outer_angle"
@@ -80,6 +84,27 @@ def test_balls_at_speed_are_those_of_the_ring(
         np.testing.assert_allclose(getattr(balls, name), getattr(ring, name)[:, 4], rtol=1e-8)
     np.testing.assert_allclose(balls.outer.semi_axis_x, ring.outer.semi_axis_x[:, 4], rtol=1e-8)
     np.testing.assert_allclose(balls.inner.approach, ring.inner.approach[:, 4], rtol=1e-8)
+
+
+def test_one_point_in_numbers_gives_the_contacts_of_the_arrays(bearing_6205: Bearing) -> None:
+    """From the load to both contacts of a ball, whose rates are those per unit ring speed."""
+    operation = Operation(axial_load=np.array([430.0]), inner_speed=np.array([-910.0]))
+    factors = ContactFactors(semi_axis_rolling=1.02, semi_axis_transverse=0.97, approach=0.94)
+    correction = ContactCorrection(outer=factors)
+    balls = thrust_balls(bearing_6205, SOLVED, operation, LoadEffects(gyroscopic=False), correction=correction)
+    numbers, row = bearing_numbers(bearing_6205, SOLVED), np.array(correction_fields(correction), dtype=float)
+    point = thrust_point(numbers, 430.0, TurningRule(-910.0, True, False), correction_of(row))
+    angles = point.ball.inner_angle, point.ball.outer_angle
+    loads = point.ball.inner_load, point.ball.outer_load
+    motion = ruled_motion(numbers, 1.0, *angles)
+    contacts = contacts_of_ball(numbers, angles, loads, (point.inner, point.outer), motion)
+    for race, found in enumerate(contacts):
+        expected = balls.race(race)
+        for name in vars(expected):
+            np.testing.assert_allclose(
+                getattr(found, name), np.ravel(getattr(expected, name))[0], rtol=1e-13
+            )  # round-off
+        np.testing.assert_allclose(found.entrainment, balls.motion.entrainment_speed[race], rtol=1e-13)
 
 
 def test_slow_balls_are_those_of_the_thrust_equilibrium(bearing_6205: Bearing) -> None:
