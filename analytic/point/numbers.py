@@ -6,14 +6,17 @@ import numpy as np
 
 from analytic.cage.drive import GRAVITY, pocket_shape_of
 from analytic.cage.steady import lead_room
+from analytic.contact.factors import ContactCorrection
 from analytic.contact.finite_geometry_fit import FitNumbers, fit_numbers
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.effects.declared import declared_torque
 from analytic.errors import InputError
 from analytic.loads.numbers import BearingNumbers, bearing_numbers
-from analytic.loads.ring_balance import RingPoint, RingWork, groove_travel, ring_points, ring_work, rows_of_balls
+from analytic.loads.ring_balance import RingPoint, RingWork, ring_points, ring_work
 from analytic.loads.ring_rounds import RingNumbers
+from analytic.loads.ring_series import RowsOfBalls
+from analytic.loads.turning import RuledTurning
 from analytic.oil.inlets import OilSupply, oil_supply
 from analytic.oil.lubrication import Lubrication, lubrication_of
 from analytic.oil.variation import NOMINAL, Variation
@@ -90,9 +93,7 @@ class PointModel(NamedTuple):
 
 
 NO_CAGE = CageNumbers(0.0, 0.0, False, 0.0, np.inf, 0.0, 1.0, 1.0, 1.0, gap_numbers(None), 0.0)
-DRY = Lubrication(
-    gap_numbers(None), 0.0, OilSupply(1.0, np.nan, np.nan), False, False, False, 1.0, 1.0, 1.0, False
-)
+DRY = Lubrication(gap_numbers(None), 0.0, OilSupply(1.0, np.nan, np.nan), False, False, False, 1.0, 1.0, 1.0, False)
 
 
 class Workspace(NamedTuple):
@@ -118,13 +119,23 @@ def point_model(scene: Scene, counted: Counted, variation: Variation = NOMINAL) 
     """
     bearing, numbers = scene.bearing, bearing_numbers(scene.bearing, scene.contact_angle)
     x, y, z = bearing.ball_mass * STANDARD_GRAVITY * np.array(scene.down or (0.0, 0.0, 0.0)) * counted.weight
-    rows = rows_of_balls(bearing, _known(numbers.play), ball_weight=(float(x), float(y), float(z)))
+    still = np.zeros(1)
+    rows = RowsOfBalls(
+        bearing=bearing,
+        play=_known(numbers.play),
+        correction=ContactCorrection(),
+        turning=RuledTurning(bearing=bearing, inner_speed=still, centrifugal=False, gyroscopic=False),
+        speed=still,
+        ball_weight=(float(x), float(y), float(z)),
+    )
     given = scene.friction_coefficient
-    inner, outer = (_lubrication(scene, groove.material, counted, variation) for groove in (bearing.inner, bearing.outer))
+    inner, outer = (
+        _lubrication(scene, groove.material, counted, variation) for groove in (bearing.inner, bearing.outer)
+    )
     return PointModel(
         bearing=numbers,
-        ring=RingNumbers(numbers, rows, _known(numbers.free_angle), False),
-        arm=groove_travel(bearing).arm,
+        ring=RingNumbers(numbers, rows.numbers, _known(numbers.free_angle)),
+        arm=rows.travel.arm,
         counted=counted,
         fit=fit_numbers(),
         oil=NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant),

@@ -11,11 +11,13 @@ import numpy as np
 from analytic.cage.steady import braking_torque, hanging_torque
 from analytic.contact.factors import CorrectionNumbers, FactorNumbers
 from analytic.contact.finite_geometry_fit import geometry_on
-from analytic.contact.geometry import distances_to_shoulders, rolling_curvature
+from analytic.contact.geometry import distances_to_shoulders
 from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.kinematics import BallMotion, ball_motion, outer_control_pitch
-from analytic.loads.ring_rounds import SETTLED, RingLoad, settle_ruled_ring
+from analytic.loads.numbers import BearingNumbers
+from analytic.loads.race_contacts import contact_under
+from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, SETTLED, RingLoad, settle_ruled_ring
 from analytic.loads.thrust_ball import thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
@@ -24,7 +26,6 @@ from analytic.oil.lubrication import lubricated_contact
 from analytic.oil.mixed import mixed_of, oil_beside
 from analytic.oil.traction import PointLaw, law_of_oil, stress_and_slope
 from analytic.oil.viscosity import OilNumbers, oil_at
-from analytic.loads.numbers import BearingNumbers
 from analytic.point.numbers import ALONG_AXIS, SINGLE_COEFFICIENT, CageNumbers, PointModel, Slipping, Workspace
 from analytic.scene import STANDARD_GRAVITY, Array
 from analytic.sliding.ball import slips_over_contacts
@@ -80,7 +81,7 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
     point, counted, bearing = work.point, model.counted, model.bearing
     work.factors[:, :3] = 1.0
     work.factors[:, 3] = np.nan
-    balls = _load_balls(model, load, work)
+    balls = _load_balls(model, load, work, BY_LOAD)
     if balls > 0 and counted.finite_geometry:
         for race in range(2):
             numbers = bearing.inner if race == 0 else bearing.outer
@@ -89,7 +90,7 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
                 factors = geometry_on(model.fit, numbers, angle, point.load[race, j]).factors
                 for k in range(4):
                     work.factors[race, k, j] = factors[k]
-        balls = _load_balls(model, load, work)
+        balls = _load_balls(model, load, work, BY_POINT)
     if balls == 0:
         return NO_TORQUE
     alike = bearing.ball_count if balls == 1 else 1.0
@@ -103,8 +104,13 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
         on_inner = _race(model, oil, load.speed, 0, work, j, side * inner, motion)
         on_outer = _race(model, oil, load.speed, 1, work, j, side * outer, motion)
         for each in (on_inner, on_outer):
-            hysteresis += 3 / 16 * model.hysteresis_loss * each.contact.load * each.contact.semi_axis_rolling * (
-                each.contact.rolling_rate
+            hysteresis += (
+                3
+                / 16
+                * model.hysteresis_loss
+                * each.contact.load
+                * each.contact.semi_axis_rolling
+                * (each.contact.rolling_rate)
             )
             rolling += each.rolling_torque
         if counted.spin or counted.conformity:
@@ -120,9 +126,7 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
     lead = bearing.pitch_diameter * lead / time if balls > 1 else 0.0  # 2 r_m times the first harmonic, see `ball_lead`
     cage = 0.0
     if counted.cage:
-        cage = _cage_torque(
-            model.cage, oil, bearing, CageDriveNumbers(orbit, own, abs(angles), lead), load.speed
-        )
+        cage = _cage_torque(model.cage, oil, bearing, CageDriveNumbers(orbit, own, abs(angles), lead), load.speed)
     spin, conformity = alike * spin * counted.spin, alike * conformity * counted.conformity
     hysteresis, rolling = alike * hysteresis, alike * rolling
     total = spin + conformity + hysteresis + rolling + cage + model.declared
@@ -130,10 +134,10 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
 
 
 @compiled
-def _load_balls(model: PointModel, load: Load, work: Workspace) -> int:
+def _load_balls(model: PointModel, load: Load, work: Workspace, start: int) -> int:
     """Load the balls with the factors in `work`, and write loads, angles and contacts; the number of balls that differ.
 
-    0 where they do not settle, or one leaves its groove.
+    0 where they do not settle, or one leaves its groove;  start : of `settle_ruled_ring`
     """
     point, counted, bearing = work.point, model.counted, model.bearing
     rule = TurningRule(load.speed, counted.centrifugal, counted.gyroscopic)
@@ -143,7 +147,7 @@ def _load_balls(model: PointModel, load: Load, work: Workspace) -> int:
     if unequal or counted.weight:
         work.force[:] = 0.0
         work.force[0], work.force[1], work.force[4] = load.axial, load.radial, load.moment / model.arm
-        end = settle_ruled_ring(model.ring, RingLoad(work.force, rule, work.factors), point, work.ring)
+        end = settle_ruled_ring(model.ring, RingLoad(work.force, rule, work.factors), point, work.ring, start)
         balls = point.load.shape[1] if end.end == SETTLED else 0
         for j in range(balls):
             if point.load[0, j] > 0.0 and abs(point.angle[0, j]) > np.pi / 2:
@@ -152,7 +156,7 @@ def _load_balls(model: PointModel, load: Load, work: Workspace) -> int:
     if not load.axial > 0.0:
         return 0
     found = thrust_point(bearing, load.axial, rule, _factors_of_ball(work.factors, 0))
-    if not found.change == 0.0:
+    if found.change != 0.0:  # NaN too
         return 0
     point.load[0, 0], point.load[1, 0] = found.ball.inner_load, found.ball.outer_load
     point.angle[0, 0], point.angle[1, 0] = found.ball.inner_angle, found.ball.outer_angle
@@ -182,34 +186,20 @@ def _race(
 ) -> OnRace:
     """A loaded ball on its inner (0) or outer race (1); angle : al, rad, >= 0"""
     numbers = model.bearing.inner if race == 0 else model.bearing.outer
-    load, unit = work.point.load[race, ball], work.point.unit
-    hertz = loaded_hertz(
-        HertzNumbers(
-            unit[race, 0, ball], unit[race, 1, ball], unit[race, 2, ball], unit[race, 3, ball], unit[race, 4, ball]
-        ),
-        load,
-    )
-    curvature = rolling_curvature(numbers, abs(angle))
+    load, fields = work.point.load[race, ball], work.point.unit[race]
     near, far = distances_to_shoulders(numbers, (numbers.near_shoulder, numbers.far_shoulder), abs(angle))
     if load > 0.0 and min(near, far) <= 0.0:
         load = np.nan  # the contact is off its race
-    contact = ContactNumbers(
-        load,
-        hertz.semi_axis_x,
-        hertz.semi_axis_y,
-        curvature,
-        numbers.curvature_transverse,
-        numbers.modulus,
-        numbers.deformed_radius,
-        motion.inner_rolling_rate if race == 0 else motion.outer_rolling_rate,
-        motion.inner_entrainment if race == 0 else motion.outer_entrainment,
-    )
+    unit = HertzNumbers(fields[0, ball], fields[1, ball], fields[2, ball], fields[3, ball], fields[4, ball])
+    rate = motion.inner_rolling_rate if race == 0 else motion.outer_rolling_rate
+    entrainment = motion.inner_entrainment if race == 0 else motion.outer_entrainment
+    contact = contact_under(numbers, unit, abs(angle), load, rate, entrainment)
     law = PointLaw(model.slipping.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     rolled = 0.0
     if model.counted.oil:
-        alone = unit_hertz(curvature, numbers.curvature_transverse, numbers.modulus)
-        lubrication = model.inner if race == 0 else model.outer
-        oiled = lubricated_contact(contact, alone, hertz.peak_pressure, oil, lubrication, ring_speed)
+        alone = unit_hertz(contact.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
+        lubrication, peak = model.inner if race == 0 else model.outer, unit.peak_pressure * np.cbrt(load)
+        oiled = lubricated_contact(contact, alone, peak, oil, lubrication, ring_speed)
         rolled = oiled.rolling_torque if model.counted.rolling else 0.0
         if np.isnan(model.slipping.coefficient):
             law = oiled.law

@@ -136,9 +136,7 @@ def slip_friction(
 def at_ring_speed(law: PointLaw, ring_speed: float) -> PointLaw:
     """The law over slip per unit ring speed; ring_speed : |w|, rad/s. At standstill it is that of slow sliding."""
     fluidity = law.fluidity if law.fluidity == np.inf else law.fluidity * ring_speed
-    return PointLaw(
-        law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, law.growth, law.exponent
-    )
+    return PointLaw(law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, law.growth, law.exponent)
 
 
 @compiled
@@ -175,7 +173,9 @@ def slips_over_contacts(
         nearly = NEARLY_BALANCED if rule == 0 and abs(step) > LAST_STEP else BALANCED
         spin, other_spin = share * spin_difference * inner.transverse, rest * spin_difference * outer.transverse
         creep, sums, number = forceless_slip(inner, inner_law, creep, spin, quadrature, sideways, nearly)
-        other_creep, other, more = forceless_slip(outer, outer_law, other_creep, other_spin, quadrature, sideways, nearly)
+        other_creep, other, more = forceless_slip(
+            outer, outer_law, other_creep, other_spin, quadrature, sideways, nearly
+        )
         count += number + more
         if number == 0 or more == 0:
             count = 0
@@ -226,9 +226,7 @@ def _slips_of_each(rows: Array, rule: int, quadrature: Quadrature, sideways: boo
     fields = np.empty((13, rows.shape[1]))
     for i in range(rows.shape[1]):
         contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 26, i))
-        inner, outer, count = slips_over_contacts(
-            contacts, laws, rows[34, i], rows[35, i], rule, quadrature, sideways
-        )
+        inner, outer, count = slips_over_contacts(contacts, laws, rows[34, i], rows[35, i], rule, quadrature, sideways)
         for k in range(6):
             fields[k, i], fields[6 + k, i] = inner[k], outer[k]
         fields[12, i] = count

@@ -200,7 +200,12 @@ def _line_slips_of_each(rows: Array, rule: int) -> Array:
 
 
 def slip_along_lines(
-    contacts: Pair, laws: tuple[PointLaw, PointLaw], *, ring_speed: ArrayLike, spin_difference: ArrayLike, spin_rule: str
+    contacts: Pair,
+    laws: tuple[PointLaw, PointLaw],
+    *,
+    ring_speed: ArrayLike,
+    spin_difference: ArrayLike,
+    spin_rule: str,
 ) -> tuple[Array, ...]:
     """The twelve fields of `Slip` on inner and outer race; all fields and arguments broadcast.
 
@@ -302,7 +307,9 @@ def microslip_moments(
     ratio, half_length = np.asarray(spin_to_roll), np.asarray(semi_axis_transverse)
     friction = np.asarray(friction_force)
     spin, rolling, _ = _numbers(ratio)
-    return friction * half_length * np.sign(ratio) * spin, friction * half_length**2 / np.asarray(deformed_radius) * rolling
+    return friction * half_length * np.sign(ratio) * spin, friction * half_length**2 / np.asarray(
+        deformed_radius
+    ) * rolling
 
 
 def microslip_torque(

@@ -62,7 +62,9 @@ def test_the_oil_s_temperature() -> None:
     cold, own, warm = (function(**given, temperature=scene_s + change) for change in (-21.0, 0.0, 34.0))
     assert cold > own > warm > 0
     np.testing.assert_allclose(own, function(**given), rtol=0)
-    np.testing.assert_allclose(cold, by_series(function, **given, temperature=scene_s - 21.0), rtol=1e-9)  # of beta there
+    np.testing.assert_allclose(
+        cold, by_series(function, **given, temperature=scene_s - 21.0), rtol=1e-9
+    )  # of beta there
 
 
 def test_the_weight_of_the_balls_and_standstill() -> None:

@@ -186,7 +186,9 @@ def test_the_spin_moment_is_odd_and_the_rolling_moment_even() -> None:
 def test_a_contact_that_neither_rolls_nor_spins_has_no_friction() -> None:
     for slip in ALL:
         found = slip(contact(3.0, rolling_rate=0.0), law=COULOMB, spin_rate=0.0)
-        assert found.spin_moment == found.rolling_moment == found.slip_power == found.unit_power == found.creep_speed == 0
+        assert (
+            found.spin_moment == found.rolling_moment == found.slip_power == found.unit_power == found.creep_speed == 0
+        )
         unloaded = slip(contact(3.0, load=0.0), law=COULOMB, spin_rate=2.0)
         assert unloaded.spin_moment == unloaded.rolling_moment == unloaded.slip_power == 0
 
@@ -247,7 +249,11 @@ def test_a_law_that_is_not_a_number_does_not_converge() -> None:
 @pytest.mark.parametrize("sideways", [False, True])
 def test_the_slopes_of_the_sums_are_their_differences(law: PointLaw, sideways: bool) -> None:
     """Newton's slopes, with the jump of the stress where slip along one axis turns round."""
-    slider, spin, nodes = slider_of(ContactNumbers(Q, B / 3, B, 0.0, 0.0, 0.0, R, ROLL, 0.0)), 0.7, quadrature_of((48, 48))
+    slider, spin, nodes = (
+        slider_of(ContactNumbers(Q, B / 3, B, 0.0, 0.0, 0.0, R, ROLL, 0.0)),
+        0.7,
+        quadrature_of((48, 48)),
+    )
     creep = 0.4 * slider.roll
     step = 1e-5 * slider.roll
 
