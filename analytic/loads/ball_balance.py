@@ -6,213 +6,238 @@ races just touch the ball. Where it is longer, the ball carries load.
 The contact angle is measured from the radial direction and has the sign of the axial part. On the outer race it is the
 angle of the vector from the outer groove's centre to the ball. On the inner race it is the angle of the vector from the
 ball to the inner groove's centre.
-A contact is a spring Q = K delta^1.5 of a given stiffness K along its line of centres. The elastic energy is then
-convex in V, and stays convex after the ball has settled under a force of its own.
+A contact is a spring Q = K delta^1.5 of a given stiffness K along its line of centres; its approach under 1 N is
+K^(-2/3). The elastic energy is then convex in V, and stays convex after the ball has settled under a force of its own.
 Source: [Jones1960] and [Harris2007b] section 3: the balance is that of the forces on the ball.
 """
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.numerics.newton import ConvexState, least_energy
-from analytic.scene import Array, Bearing
+from analytic.numerics.compilation import compiled
+from analytic.numerics.newton import MOST_STEPS, is_too_long, plane_step
+from analytic.scene import Bearing
 
 PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps  # of the distances between ball and groove centres
 ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps  # of load times the distance whose rounding moves it
-# Of the largest force of a ball's own: what is left where centrifugal force, weight and friction of another ball
-# cancel. Such a remainder presses nothing, and would lead a ball along its race for ever.
-FORCE_ROUND_OFF = 64 * np.finfo(np.float64).eps
+
+Vector = tuple[float, float]  # radial and axial
+Tangent = tuple[float, float, float]  # radial, mixed and axial second derivative of an energy, N/m
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class BallBalance:
-    """Balls that have settled between their grooves; every field has the shape of the grooves' displacement, (...)."""
+class Grooves(NamedTuple):
+    """Where the centres of a bearing's grooves are, m."""
 
-    energy: Array  # elastic energy, less the work of the ball's own force, J
-    force: Array  # (..., 2) its derivative by V: radial and axial force on the inner groove, N
-    tangent: Array  # (..., 2, 2) its second derivative, N/m
-    inner_load: Array  # Q_i, N
-    outer_load: Array  # Q_o, N
-    inner_angle: Array  # al_i, rad; where the inner race does not touch: that of V
-    outer_angle: Array  # al_o, rad
+    distance: float  # A0, of the centres where both races just touch
+    play: float  # A0 less the radial distance of the groove centres of concentric rings; negative is preload
+    inner_length: float  # r_gi - r
+    outer_length: float  # r_go - r
 
 
-def settled_ball(
-    bearing: Bearing,
-    *,
-    play: float,
-    radial: Array,
-    axial: Array,
-    inner_stiffness: Array,
-    outer_stiffness: Array,
-    ball_force: Array,
-) -> BallBalance:
-    """Balls at rest between grooves that are displaced against each other; the arrays have one shape (...).
+class BallBalance(NamedTuple):
+    """A ball that has settled between its grooves."""
 
-    play : A0 less the radial distance of the groove centres of concentric rings, m; negative is preload
-    radial, axial : displacement of the inner groove from concentric rings with their grooves in line, m
-    inner_stiffness, outer_stiffness : K_i, K_o, N/m^1.5
-    ball_force : (..., 2) radial and axial force of the ball's own (centrifugal, friction), N; without one both contacts
-        have the same load and angle, and nothing is iterated
-    Raises ConvergenceError if a ball under a force of its own does not settle.
+    energy: float  # elastic energy, less the work of the ball's own force, J
+    force: Vector  # its derivative by V: force on the inner groove, N
+    tangent: Tangent  # its second derivative
+    inner_load: float  # Q_i, N
+    outer_load: float  # Q_o, N
+    inner_arm: Vector  # from the ball to the inner groove's centre, m; where the inner race does not touch: V
+    outer_arm: Vector  # from the outer groove's centre to the ball
+    moved: Vector  # by its own force, m; 0 where a race does not touch
+    left: float  # unbalanced force, N
+    tolerance: float  # on it; the ball has not settled where more is left
+
+
+def grooves_of(bearing: Bearing, play: float) -> Grooves:
+    radius = bearing.ball_radius
+    return Grooves(
+        distance=float(bearing.groove_centre_distance),  # a kernel would be compiled anew for an integer
+        play=float(play),
+        inner_length=float(bearing.inner.groove_radius - radius),
+        outer_length=float(bearing.outer.groove_radius - radius),
+    )
+
+
+@compiled
+def contact_tangent(along: float, across: float, normal: Vector) -> Tangent:
+    """Tangent of a spring with these stiffnesses along its normal and, load over length, at right angles to it, N/m."""
+    more = along - across
+    return across + more * normal[0] * normal[0], more * normal[0] * normal[1], across + more * normal[1] * normal[1]
+
+
+@compiled
+def in_series(inner: Tangent, outer: Tangent) -> Tangent:
+    """Tangent I (I + O)^-1 O of two contact springs with the ball between them.
+
+    A force too small to press a ball in leaves it free: then both springs are slack, and so are two in a row.
     """
-    distance = bearing.groove_centre_distance
-    beyond = radial - play  # radial part of V less A0
-    length = np.hypot(distance + beyond, axial)
-    approach = (beyond * (2 * distance + beyond) + axial**2) / (length + distance)  # |V| - A0, small against both
-    softness_inner, softness_outer = inner_stiffness ** (-2 / 3), outer_stiffness ** (-2 / 3)
-    approach = np.maximum(approach, 0.0)
-    stiffness = (softness_inner + softness_outer) ** -1.5
-    load = stiffness * approach * np.sqrt(approach)
-    normal = np.stack([distance + beyond, axial], axis=-1) / length[..., None]
-    angle = np.arctan2(axial, distance + beyond)
-    still = BallBalance(
-        energy=0.4 * load * approach,
-        force=load[..., None] * normal,
-        tangent=contact_tangent(1.5 * stiffness * np.sqrt(approach), load / length, normal),
-        inner_load=load,
-        outer_load=load,
-        inner_angle=angle,
-        outer_angle=angle,
+    radial, mixed, axial = inner[0] + outer[0], inner[1] + outer[1], inner[2] + outer[2]
+    determinant = radial * axial - mixed * mixed
+    if determinant == 0.0:
+        return 0.0, 0.0, 0.0
+    # (I + O)^-1 O
+    rr, ra = axial * outer[0] - mixed * outer[1], axial * outer[1] - mixed * outer[2]
+    ar, aa = radial * outer[1] - mixed * outer[0], radial * outer[2] - mixed * outer[1]
+    return (
+        (inner[0] * rr + inner[1] * ar) / determinant,
+        (inner[0] * ra + inner[1] * aa) / determinant,
+        (inner[1] * ra + inner[2] * aa) / determinant,
     )
-    push = np.hypot(ball_force[..., 0], ball_force[..., 1])
-    moved = push > FORCE_ROUND_OFF * np.max(push, initial=0.0)
-    if not np.any(moved):
-        return still
-    outer_length = bearing.outer.groove_radius - bearing.ball_radius
-    pushed = _pushed_balls(
-        _Given(
-            span=normal[moved] * length[moved][:, None],
-            inner_stiffness=inner_stiffness[moved],
-            outer_stiffness=outer_stiffness[moved],
-            ball_force=ball_force[moved],
-        ),
-        start=normal[moved] * (outer_length + softness_outer[moved] * np.cbrt(load[moved]) ** 2)[:, None],
-        touching=load[moved] > 0,
-        lengths=(bearing.inner.groove_radius - bearing.ball_radius, outer_length),
-    )
-    fields = {name: value.copy() for name, value in vars(still).items()}
-    for name, value in vars(pushed).items():
-        fields[name][moved] = value
-    return BallBalance(**fields)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Given:
-    """m balls under a force of their own, and where their grooves are."""
+class _Pushed(NamedTuple):
+    """A ball under a force of its own."""
 
-    span: Array  # (m, 2) V, m
-    inner_stiffness: Array  # (m,) K_i, N/m^1.5
-    outer_stiffness: Array  # (m,) K_o
-    ball_force: Array  # (m, 2) N
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Spring:
-    """m contacts."""
-
-    load: Array  # (m,) Q, N
-    force: Array  # (m, 2) N
-    tangent: Array  # (m, 2, 2) N/m
-    energy: Array  # (m,) J
+    grooves: Grooves
+    span: Vector  # V, m
+    softness: tuple[float, float]
+    own: Vector  # N
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _PushedBalls(ConvexState):
-    """m balls at a place, which is the vector from the outer groove's centre to the ball."""
+class _Spring(NamedTuple):
+    """A contact."""
 
-    given: _Given
+    load: float  # Q, N
+    force: Vector  # N
+    tangent: Tangent
+    energy: float  # J
+
+
+class _Placed(NamedTuple):
+    """A ball under a force of its own at a place, which is the vector from the outer groove's centre to the ball."""
+
     inner: _Spring
     outer: _Spring
+    energy: float  # J
+    gradient: Vector  # N
+    left: float  # its larger component
+    tolerance: float
+    energy_rounding: float  # J
 
 
-def _pushed_balls(
-    given: _Given, *, start: Array, touching: NDArray[np.bool_], lengths: tuple[float, float]
-) -> BallBalance:
-    """The balls at the place of least energy.
-
-    start : (m, 2) place of the ball without its force;  touching : (m,) whether that ball carries load; if it does not,
-    its force alone presses it on the outer race
-    lengths : r_gi - r and r_go - r, m
-    """
-
-    push = np.hypot(*given.ball_force.T)
-    pressed_in = (push / given.outer_stiffness) ** (2 / 3)
-    pressed_out = given.ball_force / push[:, None] * (lengths[1] + pressed_in)[:, None]
-    balls, _ = least_energy(
-        lambda place, balls: _at(place, balls.given, lengths),
-        _at(np.where(touching[:, None], start, pressed_out), given, lengths),
-        problem="a ball between its races",
-        remedy="Check the speed and the ball's mass for a slipped unit.",
+@compiled
+def _contact(vector: Vector, natural_length: float, softness: float) -> _Spring:
+    """A contact spring that is stretched to a vector, m."""
+    length = np.sqrt(vector[0] * vector[0] + vector[1] * vector[1])
+    normal = (vector[0] / length, vector[1] / length)
+    approach = max(length - natural_length, 0.0)
+    root = np.sqrt(approach / softness)
+    load = root * root * root
+    return _Spring(
+        load=load,
+        force=(load * normal[0], load * normal[1]),
+        tangent=contact_tangent(1.5 * root / softness, load / length, normal),
+        energy=0.4 * load * approach,
     )
-    inner, outer = balls.inner, balls.outer
-    toward = np.where(inner.load[:, None] > 0, given.span - balls.place, given.span)
+
+
+@compiled
+def _at(ball: _Pushed, place: Vector) -> _Placed:
+    grooves, own = ball.grooves, ball.own
+    inner = _contact((ball.span[0] - place[0], ball.span[1] - place[1]), grooves.inner_length, ball.softness[0])
+    outer = _contact(place, grooves.outer_length, ball.softness[1])
+    gradient = (outer.force[0] - inner.force[0] - own[0], outer.force[1] - inner.force[1] - own[1])
+    work = own[0] * (place[0] - grooves.outer_length) + own[1] * place[1]
+    trace = inner.tangent[0] + inner.tangent[2] + outer.tangent[0] + outer.tangent[2]
+    rounded = PLACE_ROUND_OFF * (grooves.inner_length + grooves.outer_length)  # of a place
+    lost = rounded / min(ball.softness[0], ball.softness[1])
+    smallest = lost * np.sqrt(lost)  # a contact with a smaller load may come out as none
+    return _Placed(
+        inner=inner,
+        outer=outer,
+        energy=inner.energy + outer.energy - work,
+        gradient=gradient,
+        left=max(abs(gradient[0]), abs(gradient[1])),
+        tolerance=rounded * trace + PLACE_ROUND_OFF * (inner.load + outer.load) + smallest,
+        energy_rounding=ENERGY_ROUND_OFF * (inner.load * grooves.inner_length + outer.load * grooves.outer_length),
+    )
+
+
+@compiled
+def _sum(inner: Tangent, outer: Tangent) -> Tangent:
+    return inner[0] + outer[0], inner[1] + outer[1], inner[2] + outer[2]
+
+
+@compiled
+def _pushed_ball(ball: _Pushed, middle: Vector, near: Vector, touching: bool) -> BallBalance:
+    """The ball at the place of least energy.
+
+    middle : its place without its force, m;  touching : whether it then carries load; if it does not, its force alone
+    presses it on the outer race
+    """
+    span, own, longest = ball.span, ball.own, ball.grooves.outer_length
+    if touching:
+        place = (middle[0] + near[0], middle[1] + near[1])
+    else:
+        push = np.sqrt(own[0] * own[0] + own[1] * own[1])
+        reach = longest + ball.softness[1] * np.cbrt(push) ** 2
+        place = (reach * own[0] / push, reach * own[1] / push)
+    now = _at(ball, place)
+    for _ in range(MOST_STEPS):
+        if now.left <= now.tolerance or np.isnan(now.energy):
+            break
+        step = plane_step(_sum(now.inner.tangent, now.outer.tangent), now.gradient, longest)
+        promised = now.gradient[0] * step[0] + now.gradient[1] * step[1]
+        share = 1.0
+        origin, energy, rounding = place, now.energy, now.energy_rounding
+        while True:
+            place = (origin[0] + share * step[0], origin[1] + share * step[1])
+            now = _at(ball, place)
+            if not is_too_long(energy, now.energy, share * promised, rounding):
+                break
+            share /= 2
+    inner, outer = now.inner, now.outer
+    pressed = inner.load > 0.0
+    settled = touching and pressed and outer.load > 0.0
     return BallBalance(
-        energy=balls.energy,
+        energy=now.energy,
         force=inner.force,
         tangent=in_series(inner.tangent, outer.tangent),
         inner_load=inner.load,
         outer_load=outer.load,
-        inner_angle=np.arctan2(toward[:, 1], toward[:, 0]),
-        outer_angle=np.arctan2(balls.place[:, 1], balls.place[:, 0]),
+        inner_arm=(span[0] - place[0], span[1] - place[1]) if pressed else span,
+        outer_arm=place,
+        moved=(place[0] - middle[0], place[1] - middle[1]) if settled else (0.0, 0.0),
+        left=now.left,
+        tolerance=now.tolerance,
     )
 
 
-def _at(place: Array, given: _Given, lengths: tuple[float, float]) -> _PushedBalls:
-    """The balls at a place, (m, 2)."""
-    inner = _contact(given.span - place, lengths[0], given.inner_stiffness)
-    outer = _contact(place, lengths[1], given.outer_stiffness)
-    work = np.sum(given.ball_force * (place - np.array([lengths[1], 0.0])), axis=-1)
-    tangent = inner.tangent + outer.tangent
-    rounded = PLACE_ROUND_OFF * sum(lengths)  # of a place; a contact with a smaller approach may come out as none
-    smallest = np.maximum(given.inner_stiffness, given.outer_stiffness) * rounded**1.5
-    return _PushedBalls(
-        place=place,
-        energy=inner.energy + outer.energy - work,
-        gradient=outer.force - inner.force - given.ball_force,
-        tangent=tangent,
-        tolerance=rounded * np.trace(tangent, axis1=-2, axis2=-1)
-        + PLACE_ROUND_OFF * (inner.load + outer.load)
-        + smallest,
-        energy_rounding=ENERGY_ROUND_OFF * (inner.load * lengths[0] + outer.load * lengths[1]),
-        longest_step=np.full(len(place), lengths[1]),
-        given=given,
-        inner=inner,
-        outer=outer,
-    )
+@compiled
+def settled_ball(
+    grooves: Grooves, place: Vector, softness: tuple[float, float], own: Vector, near: Vector
+) -> BallBalance:
+    """A ball at rest between grooves that are displaced against each other.
 
-
-def _contact(vector: Array, natural_length: float, stiffness: Array) -> _Spring:
-    """A contact spring that is stretched to a vector, (m, 2)."""
-    length = np.hypot(*vector.T)
-    normal = vector / length[:, None]
-    approach = np.maximum(length - natural_length, 0.0)
-    root = np.sqrt(approach)
-    load = stiffness * approach * root
-    return _Spring(
-        load=load,
-        force=load[:, None] * normal,
-        tangent=contact_tangent(1.5 * stiffness * root, load / length, normal),
-        energy=0.4 * load * approach,
-    )
-
-
-def in_series(inner: Array, outer: Array) -> Array:
-    """Tangent of two contact springs with the ball between them, (..., 2, 2), N/m.
-
-    A force too small to press a ball in leaves it free: then both springs are slack, and so are two in a row.
+    place : displacement of the inner groove from concentric rings with their grooves in line, m
+    softness : approach of inner and outer contact under 1 N, m
+    own : force of the ball's own (centrifugal, friction), N; without one both contacts have the same load and angle,
+        and nothing is iterated
+    near : about how far that force moves the ball, m, as `moved` has it; a start that does not change the result
     """
-    both = inner + outer
-    slack = np.trace(both, axis1=-2, axis2=-1) == 0
-    return inner @ np.linalg.solve(both + slack[..., None, None] * np.eye(2), outer)
-
-
-def contact_tangent(normal_stiffness: Array, side_stiffness: Array, normal: Array) -> Array:
-    """Tangent of a spring, N/m: its own stiffness along the normal, load over length at right angles to it."""
-    outer_product = normal[..., :, None] * normal[..., None, :]
-    return (
-        side_stiffness[..., None, None] * np.eye(2)
-        + (normal_stiffness - side_stiffness)[..., None, None] * outer_product
+    beyond, axial = place[0] - grooves.play, place[1]  # radial part of V less A0
+    radial, soft = grooves.distance + beyond, softness[0] + softness[1]
+    length = np.sqrt(radial * radial + axial * axial)
+    stretch = (beyond * (2 * grooves.distance + beyond) + axial * axial) / (length + grooves.distance)  # |V| - A0
+    approach = max(stretch, 0.0)
+    root = np.sqrt(approach / soft)
+    load = root * root * root
+    normal = (radial / length, axial / length)
+    reach = grooves.outer_length + approach * softness[1] / soft
+    middle = (reach * normal[0], reach * normal[1])
+    if own[0] != 0.0 or own[1] != 0.0:
+        return _pushed_ball(_Pushed(grooves, (radial, axial), softness, own), middle, near, load > 0.0)
+    return BallBalance(
+        energy=0.4 * load * approach,
+        force=(load * normal[0], load * normal[1]),
+        tangent=contact_tangent(1.5 * root / soft, load / length, normal),
+        inner_load=load,
+        outer_load=load,
+        inner_arm=(radial, axial),
+        outer_arm=(radial, axial),
+        moved=(0.0, 0.0),
+        left=0.0,
+        tolerance=0.0,
     )

@@ -22,7 +22,8 @@ from analytic.errors import InputError, require_positive
 from analytic.loads.balls import LoadEffects, balls_between
 from analytic.loads.finite_geometry import corrections_of, thrust_correction
 from analytic.loads.numbers import play_and_free_angle
-from analytic.loads.ring_balance import LEAST_BALLS, RingState, Row, RowsOfBalls, refuse_beyond_groove, settled_ring
+from analytic.loads.ring_balance import LEAST_BALLS, Row
+from analytic.loads.ring_series import RingsAtRest, RowsOfBalls, settled_rings
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.loads.turning import RuledTurning
 from analytic.scene import Arrangement, Array, Bearing, ContactAngle, Operation
@@ -100,7 +101,7 @@ def pair_equilibrium(
     state = pair.settled(load, operation.inner_speed)
     axial, radial, moment = pair.loads(state)
     rows = (count, 2, bearing.ball_count)
-    inner, outer = (each.reshape(rows).max(axis=-1).T for each in (state.balls.inner_load, state.balls.outer_load))
+    inner, outer = (each.reshape(rows).max(axis=-1).T for each in (state.inner_load, state.outer_load))
     return PairEquilibrium(
         preload=preload,
         offset=pair.closed,
@@ -149,7 +150,7 @@ class _Pair:
         self.rows = (Row(position=first, offset=each), second)
         self.ring = self._ring(ContactCorrection(), np.zeros(1))  # for its geometry
 
-    def settled(self, load: Array, speed: Array) -> RingState:
+    def settled(self, load: Array, speed: Array) -> RingsAtRest:
         """The shaft under loads (n, 5), N, at speeds (n,), rad/s; with contacts corrected at the loads by Hertz."""
         factors = self.contacts.correction or ContactCorrection()
         state = self._with(factors, load, speed, place=None)
@@ -157,32 +158,36 @@ class _Pair:
             state = self._with(self._correction(state, speed), load, speed, place=state.place)
         return state
 
-    def loads(self, state: RingState) -> Sequence[Array]:
+    def loads(self, state: RingsAtRest) -> Sequence[Array]:
         """Axial load, radial load and moment of each bearing in its own frame, each (2, n)."""
-        force = state.balls.force + state.held.friction
-        radial, axial = np.moveaxis(force.reshape(len(force), 2, self.bearing.ball_count, 2), -1, 0)
+        radial, axial = np.moveaxis(state.force.reshape(len(state.force), 2, self.bearing.ball_count, 2), -1, 0)
         cosine = np.cos(2 * np.pi * np.arange(self.bearing.ball_count) / self.bearing.ball_count)
         return axial.sum(axis=-1).T, (radial @ cosine).T, -self.arm * (axial @ cosine).T
 
-    def is_relieved(self, state: RingState) -> NDArray[np.bool_]:
+    def is_relieved(self, state: RingsAtRest) -> NDArray[np.bool_]:
         """(2, n) whether no ball of a bearing would touch both grooves without forces of its own."""
-        radial, axial = state.place @ self.ring.radial, state.place @ self.ring.axial + self.ring.offset
+        radial, axial = self.ring.displaced(state.place)
         distance = self.bearing.groove_centre_distance
         # |V| <= A0, without the difference of large numbers
         beyond = radial - self.play
         stretched = beyond * (2 * distance + beyond) + axial**2
         return stretched.reshape(len(stretched), 2, -1).max(axis=-1).T <= 0
 
-    def _with(self, factors: ContactCorrection, load: Array, speed: Array, *, place: Array | None) -> RingState:
+    def _with(self, factors: ContactCorrection, load: Array, speed: Array, *, place: Array | None) -> RingsAtRest:
         ring = self._ring(factors, speed)
         if place is None and self.rows[0].offset > 0:
             place = np.zeros_like(load)
-        state = settled_ring(ring, load, angle=self.free_angle, place=place)[0]
-        refuse_beyond_groove(ring, state, load, speed)
-        return state
+        return settled_rings(ring, load, angle=self.free_angle, place=place)
 
     def _ring(self, factors: ContactCorrection, speed: Array) -> RowsOfBalls:
-        return RowsOfBalls(self.bearing, self.play, factors, self._turning(speed), rows=self.rows)
+        return RowsOfBalls(
+            bearing=self.bearing,
+            play=self.play,
+            correction=factors,
+            turning=self._turning(speed),
+            speed=speed,
+            rows=self.rows,
+        )
 
     def _turning(self, speed: Array) -> RuledTurning:
         effects = self.contacts.effects
@@ -193,18 +198,17 @@ class _Pair:
             gyroscopic=effects.gyroscopic,
         )
 
-    def _correction(self, state: RingState, speed: Array) -> ContactCorrection:
-        balls, held = state.balls, state.held
+    def _correction(self, state: RingsAtRest, speed: Array) -> ContactCorrection:
         loaded = balls_between(
             self.bearing,
             method="ring",
-            load=np.stack([balls.inner_load, balls.outer_load]),
-            angle=np.stack([balls.inner_angle, balls.outer_angle]),
+            load=np.stack([state.inner_load, state.outer_load]),
+            angle=np.stack([state.inner_angle, state.outer_angle]),
             contacts=(
-                loaded_contact(held.inner, load=balls.inner_load),
-                loaded_contact(held.outer, load=balls.outer_load),
+                loaded_contact(state.inner, load=state.inner_load),
+                loaded_contact(state.outer, load=state.outer_load),
             ),
-            motion=self._turning(speed).motion(balls.inner_angle, balls.outer_angle),
+            motion=self._turning(speed).motion(state.inner_angle, state.outer_angle),
         )
         return corrections_of(self.bearing, loaded).correction
 
@@ -218,7 +222,7 @@ def _displacement(bearing: Bearing, contact_angle: ContactAngle, preload: float,
     return float((bearing.groove_centre_distance + balls.approach[0]) * np.sin(balls.contact_angle[0]))
 
 
-def _axial_stiffness(state: RingState, *, alone: bool) -> Array:
+def _axial_stiffness(state: RingsAtRest, *, alone: bool) -> Array:
     """(n,) N/m; alone : whether the balls hold the shaft along its axis alone"""
     if alone:
         return state.tangent[:, 0, 0]

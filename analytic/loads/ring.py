@@ -22,7 +22,8 @@ from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import InputError, require_finite, require_positive
 from analytic.loads.numbers import play_and_free_angle
-from analytic.loads.ring_balance import LEAST_BALLS, RowsOfBalls, refuse_beyond_groove, settled_ring
+from analytic.loads.ring_balance import LEAST_BALLS
+from analytic.loads.ring_series import RowsOfBalls, settled_rings
 from analytic.loads.turning import RuledTurning, Turning
 from analytic.scene import Array, Bearing, ContactAngle
 
@@ -107,35 +108,32 @@ def ring_equilibrium(
     require_finite(ball_weight=ball_weight)
     if turning is None:
         turning = RuledTurning(bearing=bearing, inner_speed=speed, centrifugal=True, gyroscopic=True)
-    ring = RowsOfBalls(bearing, play, factors, turning, ball_weight=ball_weight)
-    load = np.stack([axial, x, y, about_x / ring.arm, about_y / ring.arm], axis=-1)
+    ring = RowsOfBalls(
+        bearing=bearing, play=play, correction=factors, turning=turning, speed=speed, ball_weight=ball_weight
+    )
+    arm = ring.travel.arm
+    load = np.stack([axial, x, y, about_x / arm, about_y / arm], axis=-1)
     if bearing.ball_count < LEAST_BALLS and np.any(load[:, 1:]):
         raise InputError(
             f"ball_count = {bearing.ball_count} carries thrust alone: a radial load or a moment needs at least "
             f"{LEAST_BALLS} balls"
         )
-    state, steps = settled_ring(ring, load, angle=free or 0.0)
-    balls, held = state.balls, state.held
-    refuse_beyond_groove(ring, state, load, speed)
-    inner, outer = (
-        loaded_contact(contact, load=load)
-        for contact, load in ((held.inner, balls.inner_load), (held.outer, balls.outer_load))
-    )
-    unit = np.array([1.0, 1.0, 1.0, ring.arm, ring.arm])
+    state = settled_rings(ring, load, angle=free or 0.0)
+    unit = np.array([1.0, 1.0, 1.0, arm, arm])
     each, whole = (*shape, bearing.ball_count), (*shape, 5)
     return RingEquilibrium(
         free_angle=free,
-        azimuth=ring.azimuth,
+        azimuth=ring.travel.azimuth,
         displacement=(state.place / unit).reshape(whole),
         stiffness=(state.tangent * np.outer(unit, unit)).reshape(*whole, 5),
-        inner_load=balls.inner_load.reshape(each),
-        outer_load=balls.outer_load.reshape(each),
-        inner_angle=balls.inner_angle.reshape(each),
-        outer_angle=balls.outer_angle.reshape(each),
-        inner=inner.reshape(each),
-        outer=outer.reshape(each),
-        centrifugal_force=held.centrifugal_force.reshape(each),
-        gyroscopic_moment=held.gyroscopic_moment.reshape(each),
+        inner_load=state.inner_load.reshape(each),
+        outer_load=state.outer_load.reshape(each),
+        inner_angle=state.inner_angle.reshape(each),
+        outer_angle=state.outer_angle.reshape(each),
+        inner=loaded_contact(state.inner, load=state.inner_load).reshape(each),
+        outer=loaded_contact(state.outer, load=state.outer_load).reshape(each),
+        centrifugal_force=state.centrifugal_force.reshape(each),
+        gyroscopic_moment=state.gyroscopic_moment.reshape(each),
         residual=state.residual.reshape(shape),
-        iterations=steps.reshape(shape),
+        iterations=state.steps.reshape(shape),
     )

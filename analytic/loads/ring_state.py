@@ -17,7 +17,8 @@ from analytic.labelled import Column, Labelled, dataset_of
 from analytic.loads.ball_balance import contact_tangent, in_series
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.numbers import play_and_free_angle
-from analytic.loads.ring_balance import groove_travel
+from analytic.loads.ring_balance import add_stiffness, groove_travel, mirror
+from analytic.numerics.compilation import compiled
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 FREEDOMS = ("axial", "x", "y", "tilt_x", "tilt_y")
@@ -88,10 +89,9 @@ class RingState(Brief):
         geometry = groove_travel(self.bearing)
         pressed = self.load > 0
         along = np.divide(1.5 * self.load, self.approach, out=np.zeros_like(self.load), where=pressed)
-        inner, outer = np.moveaxis(contact_tangent(along, self.load / self._arms, self._normal), 1, 0)
-        balls = geometry.travel.swapaxes(-1, -2) @ in_series(inner, outer) @ geometry.travel
+        springs = np.stack([along, self.load / self._arms, *np.moveaxis(self._normal, -1, 0)])
         scale = np.array([1.0, 1.0, 1.0, geometry.arm, geometry.arm])
-        return balls.sum(axis=1) * np.outer(scale, scale)
+        return _stiffness(springs, geometry.travel) * np.outer(scale, scale)
 
     @property
     def _arms(self) -> Array:
@@ -150,6 +150,20 @@ class RingState(Brief):
             },
             attributes={"bearing": self.bearing.name},
         )
+
+
+@compiled
+def _stiffness(springs: Array, travel: Array) -> Array:
+    """(n, 5, 5), N/m; springs : (4, n, 2, Z) stiffness along and across the normal, and the normal, of each contact"""
+    stiffness = np.zeros((springs.shape[1], len(FREEDOMS), len(FREEDOMS)))
+    for i in range(len(stiffness)):
+        for j in range(len(travel)):
+            along, across, radial, axial = springs[:, i, :, j]
+            inner = contact_tangent(along[0], across[0], (radial[0], axial[0]))
+            outer = contact_tangent(along[1], across[1], (radial[1], axial[1]))
+            add_stiffness(stiffness[i], in_series(inner, outer), travel[j])
+        mirror(stiffness[i])
+    return stiffness
 
 
 def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: LoadedBalls, operation: Operation) -> RingState:

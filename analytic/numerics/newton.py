@@ -1,18 +1,12 @@
-"""Least convex energy of many problems at once, by Newton's method with a line search.
+"""Newton's method with a line search towards the least of a convex energy: its steps, for compiled loops.
 
-Each step is halved until it lowers the energy by Armijo's share of what the slope promises [Armijo1966]. Problems that
-have converged drop out, so that each has the result that it has alone.
+The loops stand where their energies do (`analytic.loads.ball_balance`, `analytic.loads.ring_balance`). Each step is
+halved until it lowers the energy by Armijo's share of what the slope promises [Armijo1966].
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import TypeVar
-
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.errors import ConvergenceError
-from analytic.numerics.rows import merged, part_of
+from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
 # Usual are 3 to 15 steps; contacts that touch and part take up to some 50. A ball that next to nothing holds follows
@@ -24,67 +18,66 @@ LEAST_DESCENT = 1e-4  # of what the slope promises: the customary share
 LEAST_TANGENT = 1e-13
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ConvexState:
-    """n problems of d freedoms, each at one place. A problem adds its own fields in a subclass, n rows each."""
+@compiled
+def is_too_long(energy: float, trial: float, promised: float, rounding: float) -> bool:
+    """Whether a step has to be halved, because it leads to a trial energy that is not low enough; J.
 
-    place: Array  # (n, d) m
-    energy: Array  # (n,) J
-    gradient: Array  # (n, d) of the energy, N
-    tangent: Array  # (n, d, d) second derivative, N/m
-    tolerance: Array  # (n,) on the residual, N
-    energy_rounding: Array  # (n,) J
-    longest_step: Array  # (n,) m, > 0
-
-    @property
-    def residual(self) -> Array:
-        """(n,) largest component of the gradient, N."""
-        return np.max(np.abs(self.gradient), axis=-1)
-
-
-State = TypeVar("State", bound=ConvexState)
-
-
-def least_energy(
-    evaluate: Callable[[Array, State], State], start: State, *, problem: str, remedy: str
-) -> tuple[State, NDArray[np.intp]]:
-    """The state of each problem where the energy is least, and the Newton steps that it took, (n,).
-
-    evaluate : (place, state) -> the state of the same problems at another place
-    A freedom that nothing holds is left where it is. Where nothing holds at all, the gradient gives the direction and
-    longest_step the length.
-    problem, remedy : words of the ConvergenceError where the residual stays above its tolerance
+    promised : slope along the step times the step, < 0;  rounding : of the energies
     """
-    state, steps = start, np.zeros(len(start.place), dtype=np.intp)
-    for _ in range(MOST_STEPS):
-        rows = np.flatnonzero(~(state.residual <= state.tolerance))  # a residual that is not a number is open too
-        if not len(rows):
-            return state, steps
-        state = merged(state, rows, _stepped(evaluate, part_of(state, rows)))
-        steps[rows] += 1
-    worst = int(np.argmax(state.residual / np.maximum(state.tolerance, 1e-300)))
-    raise ConvergenceError(
-        iterations=MOST_STEPS,
-        residual=float(state.residual[worst]),
-        tolerance=float(state.tolerance[worst]),
-        problem=problem,
-        remedy=remedy,
-    )
+    return trial > energy + LEAST_DESCENT * promised + rounding
 
 
-def _stepped(evaluate: Callable[[Array, State], State], state: State) -> State:
-    """The state after one Newton step, which is halved where it lowers the energy too little."""
-    longest = state.longest_step
-    trace = np.trace(state.tangent, axis1=-2, axis2=-1)
-    least = LEAST_TANGENT * trace + LEAST_TANGENT * state.residual / longest
-    held = state.tangent + least[:, None, None] * np.eye(state.place.shape[-1])
-    step = -np.linalg.solve(held, state.gradient[..., None])[..., 0]
-    step *= np.minimum(1.0, longest / np.maximum(np.max(np.abs(step), axis=-1), longest))[:, None]
-    slope = np.sum(state.gradient * step, axis=-1)
-    share = np.ones(len(step))
-    while True:
-        trial = evaluate(state.place + share[:, None] * step, state)
-        short = trial.energy > state.energy + LEAST_DESCENT * share * slope + state.energy_rounding
-        if not np.any(short):
-            return trial
-        share = np.where(short, share / 2, share)
+@compiled
+def newton_step(tangent: Array, gradient: Array, longest: float, factor: Array, step: Array) -> float:
+    """Write Newton's step, at most `longest` in each freedom, and return what the slope promises for it, J.
+
+    tangent : (d, d) second derivative of the energy, symmetric, N/m;  gradient : (d,), N;  step : (d,), m
+    factor : (d, d) to work in
+    A freedom that nothing holds is left where it is. Where nothing holds at all, the gradient gives the direction and
+    `longest` the length.
+    """
+    freedoms = gradient.size
+    trace = residual = 0.0
+    for i in range(freedoms):
+        trace += tangent[i, i]
+        residual = max(residual, abs(gradient[i]))
+    least = LEAST_TANGENT * (trace + residual / longest)
+    for i in range(freedoms):  # Cholesky's factor, and the forward substitution
+        right = -gradient[i]
+        for j in range(i + 1):
+            value = tangent[i, j]
+            for k in range(j):
+                value -= factor[i, k] * factor[j, k]
+            if i == j:
+                factor[i, i] = np.sqrt(value + least)
+            else:
+                factor[i, j] = value / factor[j, j]
+                right -= factor[i, j] * step[j]
+        step[i] = right / factor[i, i]
+    size = longest
+    for i in range(freedoms - 1, -1, -1):
+        value = step[i]
+        for k in range(i + 1, freedoms):
+            value -= factor[k, i] * step[k]
+        step[i] = value / factor[i, i]
+        size = max(size, abs(step[i]))
+    promised = 0.0
+    for i in range(freedoms):
+        step[i] *= longest / size
+        promised += gradient[i] * step[i]
+    return promised
+
+
+@compiled
+def plane_step(
+    tangent: tuple[float, float, float], gradient: tuple[float, float], longest: float
+) -> tuple[float, float]:
+    """`newton_step` in a plane, m; tangent : its elements xx, xy and yy, N/m."""
+    residual = max(abs(gradient[0]), abs(gradient[1]))
+    least = LEAST_TANGENT * (tangent[0] + tangent[2] + residual / longest)
+    xx, xy, yy = tangent[0] + least, tangent[1], tangent[2] + least
+    determinant = xx * yy - xy * xy
+    x = (xy * gradient[1] - yy * gradient[0]) / determinant
+    y = (xy * gradient[0] - xx * gradient[1]) / determinant
+    share = longest / max(abs(x), abs(y), longest)
+    return share * x, share * y

@@ -10,7 +10,7 @@ from scipy.optimize import root
 from analytic.cage import race_law
 from analytic.cage.races import LEAST_CREEP, Races, ring_races, thrust_races
 from analytic.errors import InputError
-from analytic.loads.ball_balance import settled_ball
+from analytic.loads.ball_balance import grooves_of, settled_ball
 from analytic.loads.balls import LoadEffects, ring_balls, thrust_balls
 from analytic.scene import Array, Operation
 from tests.analytic.cage.race_specimens import ANGLE, races_under, races_under_thrust
@@ -142,16 +142,12 @@ def test_a_force_on_a_ball_changes_its_loads_as_the_equilibrium_says() -> None:
     span = length @ np.stack([np.cos(angle), np.sin(angle)], axis=1)
 
     def settled(force: Array) -> Array:
-        ball = settled_ball(
-            BEARING_6205,
-            play=0.0,
-            radial=np.array([span[0] - BEARING_6205.groove_centre_distance]),
-            axial=span[1:],
-            inner_stiffness=stiffness[:1],
-            outer_stiffness=stiffness[1:],
-            ball_force=(own + force)[None],
-        )
-        return np.concatenate([ball.inner_load, ball.outer_load, ball.inner_angle, ball.outer_angle])
+        place = (float(span[0] - BEARING_6205.groove_centre_distance), float(span[1]))
+        softness = (float(stiffness[0] ** (-2 / 3)), float(stiffness[1] ** (-2 / 3)))
+        radial, axial = (own + force).tolist()
+        ball = settled_ball(grooves_of(BEARING_6205, 0.0), place, softness, (radial, axial), (0.0, 0.0))
+        angles = [np.arctan2(arm[1], arm[0]) for arm in (ball.inner_arm, ball.outer_arm)]
+        return np.array([ball.inner_load, ball.outer_load, *angles])
 
     columns = race_law.LOAD_BY_RHO, race_law.ANGLE_BY_RHO
     for direction, force in enumerate(1e-3 * np.eye(2)):

@@ -1,0 +1,228 @@
+"""Rings of many operating points at rest: their balls' loads, and refusal of loads that drive balls out of a groove."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.contact.factors import ContactCorrection, factor_fields
+from analytic.contact.hertz import HertzContact, HertzNumbers
+from analytic.errors import ConvergenceError, InputError
+from analytic.loads.ball_balance import grooves_of
+from analytic.loads.numbers import bearing_numbers
+from analytic.loads.ring_balance import (
+    BallRows,
+    GrooveTravel,
+    RingPoint,
+    Row,
+    groove_travel,
+    point_of,
+    ring_points,
+    ring_work,
+)
+from analytic.loads.ring_rounds import (
+    BEYOND_GROOVE,
+    BY_LOAD,
+    BY_PLACE,
+    LOOSE_BALL,
+    LOOSE_RING,
+    MOST_ROUNDS,
+    OPEN,
+    Beyond,
+    RingLoads,
+    RingNumbers,
+    Rounding,
+    Rounds,
+    begin_rounds,
+    beyond_groove,
+    rounds_of,
+    settle_rounds,
+    settle_ruled_rings,
+)
+from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
+from analytic.numerics.newton import MOST_STEPS
+from analytic.scene import Array, Bearing
+from analytic.words import angle_of, length_of, speed_of
+
+# What did not settle, the limit of its iterations, and a remedy
+LOOSE = {
+    LOOSE_BALL: ("a ball between its races", MOST_STEPS, "Check the speed and the ball's mass for a slipped unit."),
+    LOOSE_RING: (
+        "the ring's equilibrium",
+        MOST_STEPS,
+        "Check the loads, the speed, the clearance and the materials for a slipped unit.",
+    ),
+    OPEN: (
+        "the balls' own forces in the ring's equilibrium",
+        MOST_ROUNDS,
+        "Raise the load or lower the speed: the gyroscopic moment needs more friction than the balance has.",
+    ),
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RowsOfBalls:
+    """Rows of balls on one inner part, at n operating points."""
+
+    bearing: Bearing
+    play: float  # m, as Grooves has it
+    correction: ContactCorrection  # numbers, or (n, Z) for the balls of all rows
+    turning: Turning
+    speed: Array  # (n,) of the inner part, rad/s
+    ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of each ball along x, y and z of the shaft, N
+    rows: tuple[Row, ...] = (Row(),)
+
+    @cached_property
+    def travel(self) -> GrooveTravel:
+        return groove_travel(self.bearing, self.rows)
+
+    @cached_property
+    def numbers(self) -> BallRows:
+        _, azimuth, offset, travel = self.travel
+        side = np.repeat([row.side for row in self.rows], self.bearing.ball_count)
+        x, y, z = self.ball_weight
+        weight = np.stack([x * np.cos(azimuth) + y * np.sin(azimuth), side * z], axis=-1)
+        return BallRows(grooves_of(self.bearing, self.play), offset, travel, weight)
+
+    def displaced(self, place: Array) -> tuple[Array, Array]:
+        """(n, Z) radial and axial displacement of the inner groove at each ball, m; place : (n, 5), m"""
+        radial, axial = np.moveaxis(self.travel.travel, 1, 0)
+        return place @ radial.T, place @ axial.T + self.travel.offset
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RingsAtRest:
+    """n rings in equilibrium, with Z balls in all rows."""
+
+    place: Array  # (n, 5) m, tilts times R
+    tangent: Array  # (n, 5, 5) N/m
+    residual: Array  # (n,) largest unbalanced force, N
+    steps: NDArray[np.int64]  # (n,) of Newton's method
+    force: Array  # (n, Z, 2) of each ball on the inner groove, by contact and friction, N
+    inner_load: Array  # (n, Z) N
+    outer_load: Array
+    inner_angle: Array  # (n, Z) rad
+    outer_angle: Array
+    inner: HertzContact  # (n, Z) under 1 N
+    outer: HertzContact
+    centrifugal_force: Array  # (n, Z) N
+    gyroscopic_moment: Array  # (n, Z) N m
+
+
+def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array | None = None) -> RingsAtRest:
+    """The rings at rest under loads (n, 5), N (moments over R).
+
+    angle : near which the contact angles are, rad;  place : (n, 5) to begin at, where balls touch; None: by the load
+    Raises ConvergenceError where a ball, a ring or the rounds do not settle, and InputError where a ball leaves its
+    groove (an angle beyond pi/2).
+    """
+    turning, count, balls = ring.turning, len(load), len(ring.travel.travel)
+    numbers = RingNumbers(bearing_numbers(ring.bearing), ring.numbers, float(angle))
+    points, rounds, start = ring_points(count, balls), rounds_of(count), BY_LOAD if place is None else BY_PLACE
+    points.place[:] = 0.0 if place is None else place
+    is_ruled = isinstance(turning, RuledTurning)
+    loads = RingLoads(
+        force=np.array(load, dtype=np.float64),
+        inner_speed=np.array(turning.inner_speed, dtype=np.float64) if is_ruled else np.zeros(count),
+        inertia=(bool(turning.centrifugal), bool(turning.gyroscopic)) if is_ruled else (False, False),
+        factors=_factors(ring.correction),
+    )
+    if is_ruled:
+        settle_ruled_rings(numbers, loads, points, ring_work(balls), rounds, start)
+    else:
+        begin_rounds(numbers, loads, points, start)
+        _settle_by_rounds(turning, numbers, loads, points, rounds)
+    _require_settled(ring, loads, points, rounds)
+    inner, outer = _contacts(points.unit)
+    return RingsAtRest(
+        place=points.place,
+        tangent=points.tangent,
+        residual=rounds.left,
+        steps=rounds.steps,
+        force=points.force + points.friction,
+        inner_load=points.load[:, 0],
+        outer_load=points.load[:, 1],
+        inner_angle=points.angle[:, 0],
+        outer_angle=points.angle[:, 1],
+        inner=inner,
+        outer=outer,
+        centrifugal_force=points.turning[:, 0],
+        gyroscopic_moment=points.turning[:, 3],
+    )
+
+
+def _settle_by_rounds(turning: Turning, ring: RingNumbers, loads: RingLoads, points: RingPoint, rounds: Rounds) -> None:
+    """All rounds of points whose balls turn by any other method, up to the first point that does not settle."""
+    open_points, work = np.arange(len(loads.force)), ring_work(points.load.shape[2])
+    for number in range(MOST_ROUNDS + 1):
+        angle, load = np.clip(points.angle[open_points], -np.pi / 2, np.pi / 2), points.load[open_points]
+        inner, outer = _contacts(points.unit[open_points])
+        forces = turning.forces(
+            PlacedBalls(
+                points=open_points,
+                inner_angle=angle[:, 0],
+                outer_angle=angle[:, 1],
+                inner_load=load[:, 0],
+                outer_load=load[:, 1],
+                inner=inner,
+                outer=outer,
+            )
+        )
+        acting = (forces.centrifugal, forces.inner_friction, forces.outer_friction, forces.gyroscopic)
+        points.turning[open_points] = np.stack(acting, axis=1)
+        settle_rounds(ring, loads, points, work, rounds, Rounding(open_points, number, turning.accuracy))
+        open_points = np.flatnonzero(rounds.end == OPEN)
+        if not len(open_points) or np.any(rounds.end > OPEN):
+            return
+
+
+def _contacts(unit: Array) -> tuple[HertzContact, HertzContact]:
+    """On inner and outer race, from (n, 2, 5, Z)."""
+    inner, outer = (dict(zip(HertzNumbers._fields, np.moveaxis(unit[:, race], 1, 0), strict=True)) for race in (0, 1))
+    return HertzContact(**inner), HertzContact(**outer)
+
+
+def _require_settled(ring: RowsOfBalls, loads: RingLoads, points: RingPoint, rounds: Rounds) -> None:
+    if not rounds.end.any():
+        return
+    worst = int(np.argmax(rounds.end))
+    if rounds.end[worst] == BEYOND_GROOVE:
+        _refuse(
+            ring, loads.force[worst], float(ring.speed[worst]), beyond_groove(ring.numbers, point_of(points, worst))
+        )
+    problem, iterations, remedy = LOOSE[int(rounds.end[worst])]
+    left, tolerance = float(rounds.left[worst]), float(rounds.tolerance[worst])
+    raise ConvergenceError(iterations=iterations, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
+
+
+def _refuse(ring: RowsOfBalls, load: Array, speed: float, beyond: Beyond) -> NoReturn:
+    """Raise InputError for a point whose ball has left its groove; load : (5,)"""
+    if beyond.is_by_load:
+        raise InputError(
+            f"the {_load_words(load, ring)} moves the rings by {length_of(beyond.moved, '.2g')}, and balls leave "
+            "their grooves: lower the load"
+        )
+    raise InputError(
+        f"the speed, {speed_of(speed)}, drives a ball {angle_of(beyond.angle)} out of its groove, past 90 deg: no "
+        "contact bears it, lower the speed"
+    )
+
+
+def _factors(correction: ContactCorrection) -> Array:
+    """(n, 2, 4, Z) with axes of 1 where all points or all balls have the same factors."""
+    given = [np.asarray(value) for side in (correction.inner, correction.outer) for value in factor_fields(side)]
+    together = np.stack(np.broadcast_arrays(*(value.reshape(value.shape or (1, 1)) for value in given)), axis=1)
+    return np.array(together.reshape(len(together), 2, 4, -1), dtype=np.float64)
+
+
+def _load_words(load: Array, ring: RowsOfBalls) -> str:
+    """The load of a point, (5,), and how many times the static load rating of the bearing it is."""
+    axial, radial, moment = np.abs(load[0]), np.hypot(load[1], load[2]), np.hypot(load[3], load[4]) * ring.travel.arm
+    parts = (("axial load", axial, "kN"), ("radial load", radial, "kN"), ("moment", moment, "kN m"))
+    named = " and ".join(f"{name} of {value / 1e3:.4g} {unit}" for name, value, unit in parts if value > 0) or "preload"
+    rating, largest = ring.bearing.static_load_rating, max(axial, radial)
+    if rating is None or largest <= rating:
+        return named
+    return f"{named}, {largest / rating:.2g} times the static load rating C0 = {rating / 1e3:.4g} kN,"
