@@ -10,11 +10,11 @@ import numpy as np
 
 from analytic.cage.steady import braking_torque, hanging_torque
 from analytic.contact.factors import CorrectionNumbers, FactorNumbers
-from analytic.contact.finite_geometry_fit import geometry_on
+from analytic.contact.finite_geometry_fit import factors_on
 from analytic.contact.geometry import distances_to_shoulders
 from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
-from analytic.loads.kinematics import BallMotion, ball_motion, outer_control_pitch
+from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, SETTLED, RingLoad, settle_ruled_ring
@@ -87,7 +87,7 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
             numbers = bearing.inner if race == 0 else bearing.outer
             for j in range(balls):
                 angle = abs(point.angle[race, j]) if point.load[race, j] > 0.0 else 0.0
-                factors = geometry_on(model.fit, numbers, angle, point.load[race, j]).factors
+                factors = factors_on(model.fit, numbers, angle, point.load[race, j])
                 for k in range(4):
                     work.factors[race, k, j] = factors[k]
         balls = _load_balls(model, load, work, BY_POINT)
@@ -98,8 +98,7 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
     orbit = own = angles = lead = time = 0.0
     for j in range(balls):
         inner, outer = point.angle[0, j], point.angle[1, j]
-        pitch = outer_control_pitch(inner, outer, 2 * bearing.ball_radius / bearing.pitch_diameter)
-        motion = ball_motion(1.0, 0.0, inner, outer, pitch, bearing.pitch_diameter, 2 * bearing.ball_radius)
+        motion = ruled_motion(bearing, 1.0, inner, outer)
         side = -1.0 if inner + outer < 0.0 else 1.0
         on_inner = _race(model, oil, load.speed, 0, work, j, side * inner, motion)
         on_outer = _race(model, oil, load.speed, 1, work, j, side * outer, motion)
@@ -148,11 +147,7 @@ def _load_balls(model: PointModel, load: Load, work: Workspace, start: int) -> i
         work.force[:] = 0.0
         work.force[0], work.force[1], work.force[4] = load.axial, load.radial, load.moment / model.arm
         end = settle_ruled_ring(model.ring, RingLoad(work.force, rule, work.factors), point, work.ring, start)
-        balls = point.load.shape[1] if end.end == SETTLED else 0
-        for j in range(balls):
-            if point.load[0, j] > 0.0 and abs(point.angle[0, j]) > np.pi / 2:
-                balls = 0
-        return balls
+        return point.load.shape[1] if end.end == SETTLED else 0
     if not load.axial > 0.0:
         return 0
     found = thrust_point(bearing, load.axial, rule, _factors_of_ball(work.factors, 0))

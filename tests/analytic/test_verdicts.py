@@ -142,7 +142,8 @@ def test_the_hold_of_balls_at_the_edge_of_the_loaded_zone_does_not_count() -> No
     load, angle = ring.load[0, 0], ring.contact_angle[0, 0]
     holds, share = outer_control_hold(angle, load), load / load.max()
     assert share.min() < 0.09
-    assert np.argmax(holds) == np.argmin(share)  # the lightest ball would be the worst
+    # The lightest ball would be the worst, or its mirror image.
+    assert share[np.argmax(holds)] == pytest.approx(share.min(), rel=1e-9)
     expected = holds[share >= 0.1].max()
     found = check(result, "gyroscopic_hold", "ball")
     assert found.value == pytest.approx(expected, rel=1e-3)  # the balls' own forces part the loads of both races

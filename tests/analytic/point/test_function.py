@@ -13,7 +13,7 @@ from analytic.point.function import TorqueFunction
 from analytic.scene import Operation, Scene
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"
-ROUND_OFF = 1e-13  # both sum the same formulas in another order
+ROUND_OFF = 1e-11  # the ring settles to 1e-12 of its load, from two different starts
 LOADS = [(310.0, 0.0, 0.0), (120.0, 770.0, 0.0), (900.0, 130.0, 2.3), (45.0, 0.0, -0.7)]  # N, N, N m
 
 
