@@ -91,7 +91,10 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
     ("axes", "counts"),
     [
         ('operation.radial_load = { from = "10 N", to = "1 kN", count = 75 }', [25, 25, 25]),
-        ('operation.moment = ["0 N m", "1 N m"]\nfriction.coefficient = { from = 0.02, to = 0.1, count = 20 }', [32, 8]),
+        (
+            'operation.moment = ["0 N m", "1 N m"]\nfriction.coefficient = { from = 0.02, to = 0.1, count = 20 }',
+            [32, 8],
+        ),
     ],
 )
 def test_pieces_are_short_where_balls_carry_unlike_loads(

@@ -13,7 +13,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-import dask
+import dask.config
 import distributed
 import pytest
 
@@ -235,7 +235,8 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
     whole = run_sweep(path, out=tmp_path / "here").to_dataset()
     assert len(in_process) == 2
     options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL"}
-    with dask.config.set(dict([ONE_TRY])), distributed.LocalCluster(**options) as elsewhere:
+    start: Any = distributed.LocalCluster
+    with dask.config.set(dict([ONE_TRY])), start(**options) as elsewhere:
         address = elsewhere.scheduler_address
         monkeypatch.setattr("fembearing.sweep.run.each_done", each_done)
         found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)

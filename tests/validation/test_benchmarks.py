@@ -93,6 +93,6 @@ def test_the_motion_of_a_cage_is_measured(run_script) -> None:
 
 @pytest.mark.slow
 def test_sweeps_are_timed(run_script) -> None:
-    printed = run_script("benchmarks/sweep.py", "--points", "80", "--contacts", "0", "--workers", "1")
+    printed = run_script("benchmarks/sweep.py", "--points", "80", "--radial", "0", "--contacts", "0", "--workers", "1")
     assert printed.count("torque map") == 2
     assert printed.count("the same again") == 1
