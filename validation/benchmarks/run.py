@@ -12,6 +12,7 @@ benchmarks.md and the picture benchmarks.png. A clone without the recorded commi
 
 import argparse
 import json
+import signal
 import sys
 import time
 from collections.abc import Iterable, Sequence
@@ -97,6 +98,7 @@ def main(argv: list[str] | None = None) -> int:
         parser.error("--record needs analytic and fembearing as they are committed")
     rows = [row for row in ROWS if row.name in (options.rows or names) and (row.short or not options.short)]
     against = options.against or json.loads(RECORD.read_text("utf-8"))["commit"]
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the worktree goes whatever ends the run
     with ExitStack() as stack:
         folders = [ROOT]
         try:
