@@ -92,7 +92,8 @@ class TorqueFunction(Brief):
         try:
             if self.scene.lubricant is not None:
                 require_finite(temperature=temperature)
-            operation = Operation(axial_load=axial, inner_speed=speed, radial_load=radial, moment=moment)
+            load = {"axial_load": axial, "radial_load": radial, "moment": moment, "inner_speed": speed}
+            operation = Operation(**{name: np.array([value]) for name, value in load.items()})
             scene, oil = replace(self.scene, operation=operation), self.scene.lubricant
             if oil is not None and temperature != oil.temperature:
                 scene = replace(scene, lubricant=replace(oil, temperature=temperature))

@@ -67,6 +67,14 @@ class Load(NamedTuple):
     speed: float  # w of the inner ring, rad/s, of either sign
 
 
+class Ball(NamedTuple):
+    """One ball of a bearing."""
+
+    index: int
+    side: float  # 1, or -1 where it is pressed the other way
+    motion: BallMotion  # per unit ring speed
+
+
 class OnRace(NamedTuple):
     """A ball on one race."""
 
@@ -100,8 +108,9 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
         inner, outer = point.angle[0, j], point.angle[1, j]
         motion = ruled_motion(bearing, 1.0, inner, outer)
         side = -1.0 if inner + outer < 0.0 else 1.0
-        on_inner = _race(model, oil, load.speed, 0, work, j, side * inner, motion)
-        on_outer = _race(model, oil, load.speed, 1, work, j, side * outer, motion)
+        ball = Ball(j, side, motion)
+        on_inner = _race(model, oil, load.speed, 0, work, ball)
+        on_outer = _race(model, oil, load.speed, 1, work, ball)
         for each in (on_inner, on_outer):
             hysteresis += (
                 3
@@ -169,23 +178,14 @@ def _factors_of_ball(factors: Array, ball: int) -> CorrectionNumbers:
 
 
 @compiled
-def _race(
-    model: PointModel,
-    oil: OilNumbers,
-    ring_speed: float,
-    race: int,
-    work: Workspace,
-    ball: int,
-    angle: float,
-    motion: BallMotion,
-) -> OnRace:
-    """A loaded ball on its inner (0) or outer race (1); angle : al, rad, >= 0"""
-    numbers = model.bearing.inner if race == 0 else model.bearing.outer
-    load, fields = work.point.load[race, ball], work.point.unit[race]
+def _race(model: PointModel, oil: OilNumbers, ring_speed: float, race: int, work: Workspace, ball: Ball) -> OnRace:
+    """A loaded ball on its inner (0) or outer race (1)."""
+    numbers, j, motion = model.bearing.inner if race == 0 else model.bearing.outer, ball.index, ball.motion
+    load, fields, angle = work.point.load[race, j], work.point.unit[race], ball.side * work.point.angle[race, j]
     near, far = distances_to_shoulders(numbers, (numbers.near_shoulder, numbers.far_shoulder), abs(angle))
     if load > 0.0 and min(near, far) <= 0.0:
         load = np.nan  # the contact is off its race
-    unit = HertzNumbers(fields[0, ball], fields[1, ball], fields[2, ball], fields[3, ball], fields[4, ball])
+    unit = HertzNumbers(fields[0, j], fields[1, j], fields[2, j], fields[3, j], fields[4, j])
     rate = motion.inner_rolling_rate if race == 0 else motion.outer_rolling_rate
     entrainment = motion.inner_entrainment if race == 0 else motion.outer_entrainment
     contact = contact_under(numbers, unit, abs(angle), load, rate, entrainment)

@@ -1,8 +1,15 @@
 """The torque of many scenes: Latin hypercube points of the uncertain inputs, computed on all cores."""
 
+import multiprocessing
+import os
+import signal
+import threading
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
+from itertools import repeat
 from math import ceil
 from time import perf_counter
 
@@ -10,8 +17,7 @@ import numpy as np
 from scipy.special import ndtri
 from scipy.stats import qmc
 
-from analytic.errors import InputError
-from analytic.numerics.processes import LostWorkerError, cores, each_done
+from analytic.errors import FembearingError, InputError
 from analytic.prediction.evaluation import Problem, evaluated
 from analytic.scene import Array
 
@@ -56,29 +62,25 @@ def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int |
 
     seed : numbers that the points follow from
     workers : processes; None: one for each core that this process may use, or none where the work is short; 1: none
-    Raises InputError where more than 1 % of the samples have no torque.
+    Raises InputError where more than 1 % of the samples have no torque; FembearingError where a process dies.
     """
     cube = qmc.LatinHypercube(len(problem.inputs), rng=np.random.default_rng(list(seed)))
     scores = ndtri(cube.random(count))
-    width = cores() if workers is None else workers
+    width = _cores() if workers is None else workers
     if workers is None and count * problem.seconds < SHORT:
         width = 1
     each = max(1, min(ceil(count / width), ceil(EACH / problem.seconds)))
-    starts = range(0, count, each)
-    tasks = {start: (problem, scores[start : start + each]) for start in starts}
+    pieces = [scores[start : start + each] for start in range(0, count, each)]
     done, seconds, begun = 0, 0.0, perf_counter()
     torque = np.full((count, len(problem.parts), problem.held.size), np.nan)
     reasons: Counter[str] = Counter()
-    finished = ((key, evaluated(*task)) for key, task in tasks.items())
-    for start, found in finished if width == 1 else each_done(evaluated, tasks, workers=width):
-        rows = slice(start, start + each)
-        done += scores[rows].shape[0]
-        if isinstance(found, LostWorkerError):
-            reasons[str(found)] += scores[rows].shape[0]
-        else:
-            torque[rows], why, spent = found
-            reasons.update(why)
-            seconds += spent
+    computed = _on_processes(problem, pieces, width) if width > 1 else (evaluated(problem, piece) for piece in pieces)
+    for piece, (values, why, spent) in zip(pieces, computed, strict=True):
+        rows = slice(done, done + piece.shape[0])
+        torque[rows] = values
+        reasons.update(why)
+        seconds += spent
+        done = rows.stop
         left = (perf_counter() - begun) / done * (count - done)
         progress(done / count, f"{done} of {count} samples, {left:.0f} s left")
     good = np.isfinite(torque[:, 0]).all(axis=-1)
@@ -89,3 +91,36 @@ def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int |
             f"that an interval of the others would be wrong: give smaller spreads in [uncertainty]; {'; '.join(words)}"
         )
     return Samples(scores=scores[good], torque=torque[good], count=count, reasons=words, seconds=seconds)
+
+
+def _on_processes(problem: Problem, pieces: Sequence[Array], width: int) -> Iterator[tuple[Array, list[str], float]]:
+    """`evaluated` for each piece, in order, by processes of this machine that end with the iterator."""
+    context = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(width, mp_context=context, initializer=_begin)
+    try:
+        yield from pool.map(evaluated, repeat(problem), pieces)
+    except BrokenProcessPool as fault:
+        raise FembearingError(
+            "a process that computes samples ended: the system ends one that takes too much memory, and a script of "
+            'your own has to begin with if __name__ == "__main__":; workers=1 computes without processes'
+        ) from fault
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _begin() -> None:
+    """Leave Ctrl-C to the parent process, and end with it, even if it is killed."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+
+    def follow() -> None:
+        parent.join()
+        os._exit(1)
+
+    threading.Thread(target=follow, daemon=True).start()
+
+
+def _cores() -> int:
+    """Number of cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

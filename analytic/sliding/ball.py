@@ -45,6 +45,7 @@ from analytic.sliding.long_ellipse import (
     slip_along_lines,
 )
 
+NO_SUMS = SlipSums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 INTEGRATED = {"along_axis": False, "over_ellipse": True}  # whether sideways
 NEARLY_BALANCED = 1e-7  # net force over all friction while the share of spin is sought; the last search is exact
 LAST_STEP = 1e-6  # of the share of spin: the power is least at the balance, so its error is the square of this step
@@ -115,20 +116,20 @@ def slip_friction(
         fields = _in_blocks(numbers, shape, lambda rows: _integrated(rows, code, quadrature, INTEGRATED[rule.method]))
     else:
         raise InputError(f'method must be "single_coefficient", "along_axis" or "over_ellipse", got {rule.method!r}')
-    inner, outer = Slip(*fields[:6]), Slip(*fields[6:12])
+    inner, outer = (dict(zip(Slip._fields, fields[first : first + 6], strict=True)) for first in (0, 6))
     return SlipFriction(
         torque=MicroslipTorque.of(
             contacts,
-            spin_rates=(inner.spin_rate, outer.spin_rate),
-            spin_moments=(inner.spin_moment, outer.spin_moment),
-            rolling_moments=(inner.rolling_moment, outer.rolling_moment),
+            spin_rates=(inner["spin_rate"], outer["spin_rate"]),
+            spin_moments=(inner["spin_moment"], outer["spin_moment"]),
+            rolling_moments=(inner["rolling_moment"], outer["rolling_moment"]),
         ),
-        inner_coefficient=inner.coefficient,
-        outer_coefficient=outer.coefficient,
-        inner_slip_speed=inner.slip_speed,
-        outer_slip_speed=outer.slip_speed,
-        inner_creep=inner.creep,
-        outer_creep=outer.creep,
+        inner_coefficient=inner["coefficient"],
+        outer_coefficient=outer["coefficient"],
+        inner_slip_speed=inner["slip_speed"],
+        outer_slip_speed=outer["slip_speed"],
+        inner_creep=inner["creep"],
+        outer_creep=outer["creep"],
     )
 
 
@@ -169,6 +170,7 @@ def slips_over_contacts(
     creep = line_slip(contacts[0], laws[0], ring_speed, share * spin_difference)[0].creep
     other_creep = line_slip(contacts[1], laws[1], ring_speed, rest * spin_difference)[0].creep
     low, high, step, before, count = 0.0, 1.0, 1.0, 1.0, 0
+    sums = other = NO_SUMS
     for _ in range(MOST_STEPS):
         nearly = NEARLY_BALANCED if rule == 0 and abs(step) > LAST_STEP else BALANCED
         spin, other_spin = share * spin_difference * inner.transverse, rest * spin_difference * outer.transverse

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fembearing.cli.console import DONE, INTERRUPTED, NOT_SOLVED, complain, out, print_json, shown_progress
+from fembearing.cli.console import DONE, INTERRUPTED, NOT_SOLVED, complain, err, out, print_json, shown_progress
 from fembearing.cli.options import AsJson
 
 if TYPE_CHECKING:
@@ -31,7 +31,9 @@ def sweep(
 
     try:
         with shown_progress() as progress:
-            result = run_sweep(grid, out=folder, workers=workers, scheduler=scheduler, progress=progress)
+            result = run_sweep(
+                grid, out=folder, workers=workers, scheduler=scheduler, progress=progress, announce=_announce
+            )
             progress(1.0, "maps")
             maps = _maps(result)
     except KeyboardInterrupt:
@@ -42,6 +44,10 @@ def sweep(
     else:
         _print(result, maps)
     raise typer.Exit(NOT_SOLVED if result.failed else DONE)
+
+
+def _announce(dashboard: str) -> None:
+    err.print(f"dashboard: {dashboard}", soft_wrap=True, markup=False)
 
 
 def _maps(result: "Sweep") -> list[Path]:

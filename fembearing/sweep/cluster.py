@@ -1,33 +1,172 @@
-"""Tasks on a Dask cluster; when a worker dies, no other task is lost."""
+"""Tasks on Dask workers, of this machine or of a cluster elsewhere; when a worker dies, no other task is lost.
+
+`distributed` is imported when tasks begin: it takes half a second.
+"""
 
 import logging
-from collections.abc import Callable, Generator, Mapping
+import os
+from asyncio import gather
+from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import CancelledError
+from contextlib import contextmanager
 from importlib.metadata import version
+from importlib.util import find_spec
+from itertools import islice
 from typing import Any
 
-from analytic.errors import InputError
-from analytic.numerics.processes import LostWorkerError, Task
+from analytic.errors import FembearingError, InputError
 
-PATIENCE = 10.0  # s, within which a cluster has to answer
+PATIENCE = 10.0  # s, within which a cluster elsewhere has to answer
+MEMORY = 1.0  # share of this machine's that each worker may take: all, since a task that needs much runs alone at last
+AHEAD = 2  # tasks sent for each thread of the workers: one runs, and the next one waits there
+ENVIRONMENT = {  # of the workers on this machine, where the user has not set it
+    **dict.fromkeys(("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"), 1),
+    # Of glibc: freed arrays go back to the system. Without these lines a worker of contacts keeps 70 MB more.
+    **dict.fromkeys(("MALLOC_TRIM_THRESHOLD_", "MALLOC_MMAP_THRESHOLD_"), 8_000_000),
+    "MALLOC_ARENA_MAX": 1,
+}
+SETTINGS = {  # of the workers on this machine
+    "distributed.nanny.pre-spawn-environ": ENVIRONMENT,
+    "distributed.scheduler.allowed-failures": 1,  # a task runs again once before it is tried alone
+    "distributed.scheduler.no-workers-timeout": "60s",  # else a sweep without workers would wait for ever
+    "distributed.scheduler.work-stealing-interval": "100ms",
+    "distributed.deploy.lost-worker-timeout": "60s",  # a worker that died is not given up while it starts again
+    "distributed.worker.memory.terminate": 0.95,
+    # A worker keeps one result at a time. Nothing of it goes to the disk, and a full worker does not wait for ever.
+    "distributed.worker.memory.target": False,
+    "distributed.worker.memory.spill": False,
+    "distributed.worker.memory.pause": False,
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.large-graph-warning-threshold": "1GB",  # a grid of a million values is sent with each task
+}
+DEAF = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"  # Ctrl-C is for the process that has the workers
+Task = tuple[Any, ...]  # arguments
 
 
-def each_done_by_cluster(
-    function: Callable[..., Any], tasks: Mapping[Any, Task], *, address: str
+class LostWorkerError(FembearingError):
+    """A worker ended in the middle of a task, each time that the task was tried."""
+
+
+def each_done(
+    function: Callable[..., Any],
+    tasks: Mapping[Any, Task],
+    *,
+    workers: int | None = None,
+    scheduler: str | None = None,
+    announce: Callable[[str], None] | None = None,
 ) -> Generator[tuple[Any, Any]]:
-    """As `each_done`, by an existing Dask cluster, which runs a task again elsewhere when its worker dies.
+    """Key and result of every task as it is finished, by workers of this machine or of a Dask cluster.
 
-    The tasks that the cluster gives up run again one at a time.
-    Raises InputError where Dask is not installed, no cluster answers at the address or it goes away, or a worker has
-    another version of fembearing.
+    workers : number of processes of this machine, each with one thread; None: one for each core that this process may
+        use. They end with the generator, and with this process
+    scheduler : address of a Dask cluster that computes instead
+    announce : called with the address of the dashboard, if there is one
+    A task runs again when its worker dies. If that one dies too, the task runs once more after all others, alone; if
+    that fails as well, its result is a LostWorkerError. An exception of a task is raised here. The workers have a few
+    tasks each at a time, so that memory does not grow with the number of tasks.
+    Raises InputError where no cluster answers at the address, it goes away, or it has another version of fembearing;
+    FembearingError where the processes of this machine cannot start.
     """
+    if not tasks:
+        return
+    with _workers_here(workers, len(tasks)) if scheduler is None else _workers_at(scheduler) as client:
+        if announce is not None and client.run_on_scheduler(_draws_dashboard):
+            announce(client.dashboard_link)
+        suspects = []
+        for key, result in _each_done(client, function, tasks):
+            if isinstance(result, LostWorkerError):  # perhaps by another task of that worker
+                suspects.append(key)
+            else:
+                yield key, result
+        for key in suspects:
+            yield from _each_done(client, function, {key: tasks[key]})
+
+
+def _each_done(client: Any, function: Callable[..., Any], tasks: Mapping[Any, Task]) -> Generator[tuple[Any, Any]]:
+    from distributed import as_completed
+    from distributed.scheduler import KilledWorker
+
+    waiting, running = iter(tasks.items()), {}
+    done = as_completed(loop=client.loop)
+    while True:
+        most = AHEAD * max(1, sum(client.nthreads().values()))
+        for key, task in islice(waiting, max(0, most - len(running))):
+            future = client.submit(function, *task, pure=False)
+            running[future] = key
+            done.add(future)
+        if not running:
+            return
+        future = next(done)
+        key = running.pop(future)
+        try:
+            result = future.result()
+        except KilledWorker:
+            result = LostWorkerError(
+                "every process that took it was ended by the system, as one that takes too much memory is, or killed; "
+                "free some memory, or compute it on a larger machine"
+            )
+        future.release()
+        yield key, result
+
+
+@contextmanager
+def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
+    """A client of new processes of this machine, which end with the block, however it is left."""
+    import dask.config
+    from dask.system import CPU_COUNT
+    from distributed import Client, LocalCluster
+    from distributed.scheduler import NoWorkerError
+
+    options: dict[str, Any] = {
+        "n_workers": min(CPU_COUNT if workers is None else workers, max(1, tasks)),
+        "threads_per_worker": 1,
+        "memory_limit": MEMORY,
+        "preload": [DEAF],
+        "dashboard_address": "127.0.0.1:0",  # any free port; without Bokeh, it only says that
+        "silence_logs": logging.CRITICAL,  # errors are reported here, in one line
+    }
+    with _environment_kept(), dask.config.set(SETTINGS):
+        try:
+            cluster = LocalCluster(**options)
+        except RuntimeError as problem:
+            raise FembearingError(
+                "the processes that are to compute end as soon as they start; a script of your own has to begin "
+                'with if __name__ == "__main__":'
+            ) from problem
+        try:
+            with Client(cluster, set_as_default=False) as client:
+                yield client
+        except NoWorkerError as problem:
+            raise FembearingError(
+                "the processes that compute ended and none starts again; free some memory: what is done is kept, and "
+                "the same command goes on"
+            ) from problem
+        finally:
+            cluster.sync(_end, cluster)
+            cluster.close()
+
+
+async def _end(cluster: Any) -> None:
+    """End the processes. What still computes has half a second to come to an end, and is killed then."""
+    await gather(*(worker.close(timeout=0.5) for worker in cluster.workers.values()), return_exceptions=True)
+
+
+@contextmanager
+def _environment_kept() -> Iterator[None]:
+    """Undo what Dask sets in the environment of this process for the processes that it starts."""
+    before = dict(os.environ)
     try:
-        from distributed import Client, as_completed
-        from distributed.scheduler import KilledWorker
-    except ImportError as problem:
-        raise InputError(
-            "--scheduler needs Dask, which is not installed: pip install 'fembearing[cluster]'"
-        ) from problem
+        yield
+    finally:
+        for name in os.environ.keys() - before.keys():
+            del os.environ[name]
+
+
+@contextmanager
+def _workers_at(address: str) -> Iterator[Any]:
+    """A client of a Dask cluster. Errors of the cluster in the block are raised as InputError."""
+    from distributed import Client
+
     place, here = f"--scheduler {address!r}", version("fembearing")
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # errors are reported here, in one line
     try:
@@ -39,23 +178,7 @@ def each_done_by_cluster(
             for there in client.run(version, "fembearing", on_error="return").values():
                 if there != here:
                     raise InputError(f"{place}: a worker has not fembearing {here} as here ({there}); install the same")
-            keys = {client.submit(function, *task, pure=False): key for key, task in tasks.items()}
-            suspects = []
-            for future in as_completed(list(keys), loop=client.loop, raise_errors=False):
-                key = keys.pop(future)
-                try:
-                    result = future.result()
-                except KilledWorker:  # perhaps by another task of that worker
-                    suspects.append(key)
-                else:
-                    yield key, result
-                future.release()
-            for key in suspects:
-                try:
-                    result = client.submit(function, *tasks[key], pure=False).result()
-                except KilledWorker as problem:
-                    result = LostWorkerError(f"every worker that took it died: {' '.join(str(problem).split())}")
-                yield key, result
+            yield client
         except (CancelledError, OSError) as problem:
             raise InputError(
                 f"{place}: the cluster went away; what is done is kept: the same command goes on"
@@ -64,3 +187,8 @@ def each_done_by_cluster(
             raise InputError(
                 f"{place}: the cluster cannot read what it is sent; its scheduler needs fembearing {here} as here"
             ) from problem
+
+
+def _draws_dashboard() -> bool:
+    """Whether a scheduler in this process has a dashboard: Dask needs Bokeh for it."""
+    return find_spec("bokeh") is not None

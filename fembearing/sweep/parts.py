@@ -28,6 +28,8 @@ from fembearing.sweep.grid import Grid
 LONGEST = 25_000  # points of a series in one piece: about 3 s
 MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: about 5 s
 MOST_SCENES = 50  # in one piece: about 3 s
+MOST_RADIAL = 32  # points in one piece, where each ball carries another load: 20 s with a film
+RADIAL = ("operation.radial_load", "operation.moment")
 MOST_WARNINGS = 20  # kept for a piece
 INTERVAL = {  # what a grid with samples has besides
     "torque_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
@@ -59,16 +61,17 @@ class Part:
 def pieces(grid: Grid) -> Iterator[Piece]:
     """All points, in pieces of a few seconds; each contact, and each scene with a moving cage, is its own piece."""
     length, size = grid.length, grid.size
+    together, longest = (MOST_RADIAL, MOST_RADIAL) if _is_radial(grid) else (MOST_UNSAMPLED, LONGEST)
     if grid.what == "contact" or _cage_may_move(grid):
         ends = range(size + 1)
     elif grid.samples is not None:  # some hundred torques of each series
         ends = range(0, size + 1, length)
-    elif length >= SERIES:
-        each = ceil(length / LONGEST)
+    elif length >= SERIES or length > together:
+        each = ceil(length / longest)
         inside = [length * number // each for number in range(each)]
         ends = [*(scene * length + end for scene in range(size // length) for end in inside), size]
     else:
-        ends = [*range(0, size, length * max(1, min(MOST_SCENES, MOST_UNSAMPLED // length))), size]
+        ends = [*range(0, size, length * max(1, min(MOST_SCENES, together // length))), size]
     for start, stop in pairwise(ends):
         yield Piece(start=start, stop=stop)
 
@@ -108,6 +111,11 @@ def _cage_may_move(grid: Grid) -> bool:
     """Whether the motion of a cage is computed, which takes seconds for each point."""
     cage = grid.document.get("cage")
     return (isinstance(cage, dict) and "start" in cage) or any(axis.key == "cage.start" for axis in grid.axes)
+
+
+def _is_radial(grid: Grid) -> bool:
+    """Whether balls may carry unlike loads, so that a series of the torque model integrates every one of them."""
+    return any(axis.key in RADIAL for axis in grid.axes) or not grid.first_scene().operation.is_thrust
 
 
 def _contact(

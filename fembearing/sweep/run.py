@@ -1,7 +1,7 @@
 """Run a sweep: compute the pieces that its folder does not hold yet, and gather all of them."""
 
 import time
-from collections.abc import Container, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator
 from contextlib import closing
 from dataclasses import asdict, dataclass
 from functools import partial
@@ -10,11 +10,10 @@ from typing import Any
 
 from analytic.brief import Brief
 from analytic.errors import InputError
-from analytic.numerics.processes import LostWorkerError, each_done
 from analytic.scene import Scene
 from fembearing.compare.contact.mesh_seconds import about
 from fembearing.progress import Progress, silent
-from fembearing.sweep.cluster import each_done_by_cluster
+from fembearing.sweep.cluster import LostWorkerError, each_done
 from fembearing.sweep.dataset import write_dataset
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.parts import Part, Piece, compute_part, pieces
@@ -55,6 +54,7 @@ def run_sweep(
     workers: int | None = None,
     scheduler: str | None = None,
     progress: Progress = silent,
+    announce: Callable[[str], None] | None = None,
 ) -> Sweep:
     """Compute every point of a grid and gather all in `out`/sweep.nc; a stopped sweep continues when started again.
 
@@ -63,6 +63,7 @@ def run_sweep(
     workers : number of processes on this machine; one for each core unless given
     scheduler : address of a Dask cluster that computes instead
     progress : called with the share done, 0 to 1, and a text with the number of points and the time left
+    announce : called with the address of Dask's dashboard, if there is one
     Raises InputError for a mistake in the grid or a folder that holds something else. Where a point cannot be computed,
     `failure` in the dataset gives the reason, and the others continue.
     """
@@ -77,7 +78,10 @@ def run_sweep(
         all_pieces = list(pieces(read))
         missing = [piece for piece in all_pieces if store.load(piece) is None]
         _require_samples(read, read.first_scene())  # which raises where no point is a valid scene
-        lost = _compute(store, read, missing, workers=workers, scheduler=scheduler, progress=progress)
+        tasks = {piece: (read, piece) for piece in missing}
+        results = each_done(compute_part, tasks, workers=workers, scheduler=scheduler, announce=announce)
+        with closing(results):
+            lost = _keep(store, read, missing, results, progress)
         progress(1.0, "gathering")
         reasons: list[str] = []
         store.keep_result(
@@ -107,33 +111,25 @@ def _require_samples(grid: Grid, scene: Scene) -> None:
         raise InputError(f"{grid.origin}: {problem}") from None
 
 
-def _compute(
-    store: Store, grid: Grid, missing: list[Piece], *, workers: int | None, scheduler: str | None, progress: Progress
+def _keep(
+    store: Store, grid: Grid, missing: list[Piece], results: Iterable[tuple[Piece, Any]], progress: Progress
 ) -> dict[Piece, str]:
-    """Compute and keep the missing pieces; the lost ones and why."""
+    """Keep the results of the missing pieces as they come; the lost ones and why."""
     lost: dict[Piece, str] = {}
-    if not missing:
-        return lost
     left, failed, begun = sum(piece.stop - piece.start for piece in missing), 0, time.perf_counter()
     kept = grid.size - left
-    tasks = {piece: (grid, piece) for piece in missing}
-    if scheduler is None:
-        results = each_done(compute_part, tasks, workers=workers)
-    else:
-        results = each_done_by_cluster(compute_part, tasks, address=scheduler)
     progress(kept / grid.size, f"{kept} of {grid.size} points")
-    with closing(results):
-        for piece, part in results:
-            if isinstance(part, LostWorkerError):
-                lost[piece] = str(part)
-            else:
-                store.save(piece, part)
-                failed += len(part.reasons)
-            left -= piece.stop - piece.start
-            done = grid.size - left
-            words = f"{done} of {grid.size} points" + (f", {failed} failed" if failed else "")
-            expected = (time.perf_counter() - begun) / (done - kept) * left
-            progress(done / grid.size, f"{words}, {about(expected)} left" if left else words)
+    for piece, part in results:
+        if isinstance(part, LostWorkerError):
+            lost[piece] = str(part)
+        else:
+            store.save(piece, part)
+            failed += len(part.reasons)
+        left -= piece.stop - piece.start
+        done = grid.size - left
+        words = f"{done} of {grid.size} points" + (f", {failed} failed" if failed else "")
+        expected = (time.perf_counter() - begun) / (done - kept) * left
+        progress(done / grid.size, f"{words}, {about(expected)} left" if left else words)
     return lost
 
 

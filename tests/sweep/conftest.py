@@ -27,16 +27,22 @@ def short_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("fembearing.sweep.parts.MOST_SCENES", 1)
 
 
+def one_by_one(function: Any, tasks: dict[Any, Any], **_: Any) -> Iterator[tuple[Any, Any]]:
+    """As `each_done`, in this process."""
+    for key, task in tasks.items():
+        yield key, function(*task)
+
+
 @pytest.fixture
 def in_process(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """Every piece is computed in this process; the list of computed pieces, in order."""
     computed: list[Any] = []
 
-    def one_by_one(function: Any, tasks: dict[Any, Any], workers: int | None = None) -> Iterator[tuple[Any, Any]]:
-        assert workers is None
-        for key, task in tasks.items():
+    def recorded(function: Any, tasks: dict[Any, Any], *, workers: None, scheduler: None, **_: Any) -> Any:
+        assert workers is scheduler is None
+        for key, result in one_by_one(function, tasks):
             computed.append(key)
-            yield key, function(*task)
+            yield key, result
 
-    monkeypatch.setattr("fembearing.sweep.run.each_done", one_by_one)
+    monkeypatch.setattr("fembearing.sweep.run.each_done", recorded)
     return computed

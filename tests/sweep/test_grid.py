@@ -88,6 +88,22 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
 
 
 @pytest.mark.parametrize(
+    ("axes", "counts"),
+    [
+        ('operation.radial_load = { from = "10 N", to = "1 kN", count = 75 }', [25, 25, 25]),
+        (
+            'operation.moment = ["0 N m", "1 N m"]\nfriction.coefficient = { from = 0.02, to = 0.1, count = 20 }',
+            [32, 8],
+        ),
+    ],
+)
+def test_pieces_are_short_where_balls_carry_unlike_loads(
+    grid_file: Callable[..., Path], axes: str, counts: list[int]
+) -> None:
+    assert [piece.stop - piece.start for piece in pieces(load_grid(grid_file(axes)))] == counts
+
+
+@pytest.mark.parametrize(
     ("axes", "complaint"),
     [
         ("", r"\[axes\] is missing; give for example operation.axial_load"),

@@ -1,32 +1,36 @@
-"""Processes that are killed, here and on a Dask cluster: no result is lost, and no process remains."""
+"""Workers that are killed, here and on a cluster elsewhere: no result is lost, and no process remains."""
 
 import multiprocessing
 import operator
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+import dask.config
+import distributed
 import pytest
 
 from analytic.errors import InputError
-from analytic.numerics.processes import LostWorkerError, cores, each_done
-from fembearing.sweep import parts
-from fembearing.sweep.cluster import each_done_by_cluster
+from fembearing.sweep import cluster, parts
+from fembearing.sweep.cluster import AHEAD, LostWorkerError, each_done
 from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import Piece
 from fembearing.sweep.run import run_sweep
+from tests.sweep.conftest import one_by_one
 
 Write = Callable[..., Path]
 SERIES = 'operation.axial_load = { from = "100 N", to = "900 N", count = 7, spacing = "log" }\n'
 SCENES = "friction.coefficient = { from = 0.02, to = 0.13, count = 64 }\n"
 EACH = 8  # scenes in a piece, so that there are 8
 PATIENCE = 300.0  # s, for what takes a few; only a test that fails waits so long
+ONE_TRY = ("distributed.scheduler.allowed-failures", 0)  # before a task runs alone: fewer processes to start
 
 
 def wait_until(holds: Callable[[], bool]) -> None:
@@ -36,22 +40,80 @@ def wait_until(holds: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
+class Counted(dict):
+    """Tasks that count how many of them were taken."""
+
+    taken = 0
+
+    def items(self) -> Iterator[tuple[Any, Any]]:  # pyright: ignore[reportIncompatibleMethodOverride]
+        for item in super().items():
+            self.taken += 1
+            yield item
+
+
 def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(cluster.SETTINGS, *ONE_TRY)
+    monkeypatch.setattr(cluster, "_draws_dashboard", lambda: True)
     monkeypatch.setenv("OMP_NUM_THREADS", "3")
     monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
-    tasks = {number: (operator.neg, number) for number in range(7)}
-    tasks |= {name: (os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")}
-    found = dict(each_done(operator.call, tasks | {"deadly": (os._exit, 3)}, workers=2))
+    before, dashboards = dict(os.environ), []
+    tasks = Counted({number: (operator.neg, number) for number in range(40)})
+    tasks |= {name: (os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")} | {"deadly": (os._exit, 3)}
+    going = each_done(operator.call, tasks, workers=2, announce=dashboards.append)
+    found = dict([next(going)])
+    assert tasks.taken <= 2 * AHEAD  # the others wait here, and take no memory in the cluster
+    found |= dict(going)
     assert found.pop("OMP_NUM_THREADS") == "3"  # as the user has set it
-    assert found.pop("MKL_NUM_THREADS") == str(max(1, cores() // 2))
-    assert "MKL_NUM_THREADS" not in os.environ
+    assert found.pop("MKL_NUM_THREADS") == "1"
+    assert dict(os.environ) == before
     assert isinstance(found.pop("deadly"), LostWorkerError)
-    assert found == {number: -number for number in range(7)}
+    assert found == {number: -number for number in range(40)}
     assert not multiprocessing.active_children()
+    assert len(dashboards) == 1
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/status", dashboards[0])
 
 
-def test_a_worker_killed_once_costs_only_time(
-    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def hoard() -> None:
+    """Take 1 GB."""
+    taken = b"x" * 10**9
+    time.sleep(PATIENCE)
+    del taken
+
+
+@pytest.mark.slow
+def test_a_process_that_takes_too_much_memory_is_ended_and_all_others_are_done(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(cluster.SETTINGS, *ONE_TRY)
+    monkeypatch.setattr(cluster, "MEMORY", "800MB")  # less than `hoard` takes, more than a process does at rest
+    announced = []
+    found = dict(each_done(operator.call, {1: (operator.neg, 7), 2: (hoard,)}, workers=1, announce=announced.append))
+    assert found[1] == -7
+    assert isinstance(found[2], LostWorkerError)
+    assert "free some memory" in str(found[2])
+    assert not announced or cluster._draws_dashboard()
+
+
+UNGUARDED = """
+import sys
+import fembearing
+fembearing.run_sweep(sys.argv[1], out=sys.argv[2])
+"""
+
+
+@pytest.mark.slow
+def test_a_script_without_a_guard_ends_with_the_line_that_it_lacks(grid_file: Write, tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(UNGUARDED, "utf-8")
+    command = [sys.executable, str(script), str(grid_file(SERIES + SCENES)), str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1].endswith('a script of your own has to begin with if __name__ == "__main__":')
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_worker_killed_once_costs_only_time_and_no_number(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, workers: int
 ) -> None:
     monkeypatch.setattr(parts, "MOST_SCENES", EACH)
     path, killed = grid_file(SERIES + SCENES), []
@@ -61,11 +123,12 @@ def test_a_worker_killed_once_costs_only_time(
             killed.append(multiprocessing.active_children()[0])
             killed[0].kill()
 
-    found = run_sweep(path, out=tmp_path / "out", workers=1, progress=kill_one)
+    found = run_sweep(path, out=tmp_path / "out", workers=workers, progress=kill_one)
     assert killed
     assert (found.computed, found.failed, found.lost) == (448, 0, 0)
-    data = found.to_dataset()["torque_total"].transpose("coefficient", "axial_load")
-    assert bool((data.diff("coefficient") > 0).all())  # every part at its place: torque grows with friction
+    monkeypatch.setattr("fembearing.sweep.run.each_done", one_by_one)
+    here = run_sweep(path, out=tmp_path / "here").to_dataset()
+    assert found.to_dataset().drop_attrs().identical(here.drop_attrs())
 
 
 def test_points_of_a_worker_that_dies_are_tried_again_next_time(
@@ -165,31 +228,31 @@ class Unreadable:
 
 
 @pytest.mark.slow
-def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
+def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, in_process: list[Piece]
 ) -> None:
-    distributed = pytest.importorskip("distributed", exc_type=ImportError)
-    dask = pytest.importorskip("dask")
     path = grid_file(SERIES + "friction.coefficient = { from = 0.02, to = 0.13, count = 60 }\n")
     whole = run_sweep(path, out=tmp_path / "here").to_dataset()
     assert len(in_process) == 2
-    options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": None, "silence_logs": "CRITICAL"}
-    with dask.config.set({"distributed.scheduler.allowed-failures": 0}), distributed.LocalCluster(**options) as cluster:
-        address = cluster.scheduler_address
+    options = {"n_workers": 1, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0", "silence_logs": "CRITICAL"}
+    start: Any = distributed.LocalCluster
+    with dask.config.set(dict([ONE_TRY])), start(**options) as elsewhere:
+        address = elsewhere.scheduler_address
+        monkeypatch.setattr("fembearing.sweep.run.each_done", each_done)
         found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
         tasks = {number: (operator.neg, number) for number in range(4)} | {"deadly": (os._exit, 3)}
         with monkeypatch.context() as patch:
             own = os.getpid()
             versions = lambda _name: "0.0.7" if os.getpid() == own else "0.0.6"  # noqa: E731, to be sent by value
-            patch.setattr("fembearing.sweep.cluster.version", versions)
+            patch.setattr(cluster, "version", versions)
             with pytest.raises(InputError, match=r"a worker has not fembearing 0\.0\.7 as here \(0\.0\.6\); install"):
-                list(each_done_by_cluster(operator.call, tasks, address=address))
+                list(each_done(operator.call, tasks, scheduler=address))
         with pytest.raises(InputError, match="cannot read what it is sent; its scheduler needs fembearing"):
-            list(each_done_by_cluster(operator.call, {1: (operator.neg, Unreadable())}, address=address))
-        done = dict(each_done_by_cluster(operator.call, tasks, address=address))
-        going = each_done_by_cluster(operator.call, {1: (operator.neg, 7), 2: (time.sleep, 60)}, address=address)
+            list(each_done(operator.call, {1: (operator.neg, Unreadable())}, scheduler=address))
+        done = dict(each_done(operator.call, tasks, scheduler=address))
+        going = each_done(operator.call, {1: (operator.neg, 7), 2: (time.sleep, 60)}, scheduler=address)
         assert next(going) == (1, -7)
-        cluster.close()
+        elsewhere.close()
         with pytest.raises(InputError, match="the cluster went away; what is done is kept"):
             next(going)
     assert isinstance(done.pop("deadly"), LostWorkerError)
@@ -200,13 +263,9 @@ def test_a_dask_cluster_computes_the_same_and_survives_a_worker(
 def test_a_scheduler_that_is_not_there_is_one_line(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    pytest.importorskip("distributed", exc_type=ImportError)
-    monkeypatch.setattr("fembearing.sweep.cluster.PATIENCE", 0.3)
+    monkeypatch.setattr(cluster, "PATIENCE", 0.3)
     with pytest.raises(InputError, match="no Dask cluster answers there; start one, or check it"):
         run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="tcp://127.0.0.1:9")
     with pytest.raises(InputError, match="no Dask cluster answers there"):
         run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="nonsense")
-    monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(InputError, match=r"needs Dask, which is not installed: pip install 'fembearing\[cluster\]'"):
-        run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="tcp://127.0.0.1:9")
     assert load_grid(grid_file(SERIES)).size == 7

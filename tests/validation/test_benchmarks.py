@@ -29,22 +29,6 @@ def ladder(script: Callable[[str], ModuleType]) -> ModuleType:
 
 
 @pytest.mark.slow
-def test_torque_is_timed(run_script, tmp_path: Path) -> None:
-    tiny = ("--points", "6", "--contacts", "50", "--ring-points", "2", "--repeats", "1")
-    assert "sinh traction" in run_script("benchmarks/torque.py", *tiny, "--out", tmp_path)
-    written = rows(tmp_path / "torque_benchmark.csv")
-    assert {row["what"] for row in written} >= {
-        "import analytic",
-        "1 thrust point",
-        "6 thrust points to 150 rad/s",
-        "50 Hertz contacts",
-    }
-    assert all(float(row["median_s"]) > 0 for row in written)
-    assert {row["processes"] for row in written if row["what"] == "6 thrust points to 300 rad/s"} == {"1", "2"}
-    assert (tmp_path / "torque_benchmark.csv").read_text("utf-8").startswith("# ")  # machine and versions
-
-
-@pytest.mark.slow
 def test_auto_is_compared_with_everything_on(run_script, tmp_path: Path) -> None:
     printed = run_script("benchmarks/effects.py", "--scenes", "2", "--out", tmp_path)
     assert "2 scenes, seeds 30000 to 30001" in printed
@@ -86,13 +70,6 @@ def test_a_scene_and_its_result_can_be_pickled(random_scenes: ModuleType) -> Non
 
 @pytest.mark.slow
 def test_the_motion_of_a_cage_is_measured(run_script) -> None:
-    printed = run_script("benchmarks/cage.py", "--repeats", "1", "--duration", "0.013", "--bounces", "3")
-    for words in ("processor time, us a step", "largest drift of the energy", "steps a contact", "closed form"):
+    printed = run_script("benchmarks/cage.py", "--duration", "0.013", "--bounces", "3")
+    for words in ("largest drift of the energy", "steps a contact", "closed form"):
         assert words in printed
-
-
-@pytest.mark.slow
-def test_sweeps_are_timed(run_script) -> None:
-    printed = run_script("benchmarks/sweep.py", "--points", "80", "--contacts", "0", "--workers", "1")
-    assert printed.count("torque map") == 2
-    assert printed.count("the same again") == 1

@@ -1,13 +1,12 @@
-"""Cost and accuracy of the cage's motion: python validation/benchmarks/cage.py [--repeats 5] [--duration 0.2]
+"""Accuracy of the cage's motion: python validation/benchmarks/cage.py [--duration 0.2]
 
-A 6205 at 500 rpm with 0.2 mm of pocket clearance. Prints the processor time of one step, warm, on one core; the drift
-of the energy of a cage without losses over fifty bounces, against the step; the spread of torque and largest force
-between seeds; the convergence of torque and force with the step; and the motion against both closed forms.
+A 6205 at 500 rpm with 0.2 mm of pocket clearance. Prints the drift of the energy of a cage without losses over fifty
+bounces, against the step; the spread of torque and largest force between seeds; the convergence of torque and force
+with the step; and the motion against both closed forms.
 """
 
 import argparse
 import os
-import time
 from dataclasses import replace
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
@@ -34,13 +33,11 @@ out = Console(width=110)
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--repeats", type=int, default=5, help="repeats of each timing; the least counts")
     parser.add_argument("--duration", type=float, default=0.2, help="measured time of each seed, s")
     parser.add_argument("--bounces", type=int, default=50, help="of the cage without losses")
     options = parser.parse_args()
     out.print(f"{machine()}; {versions('numba', 'numpy')}")
     cage = example()
-    times(cage, repeats=options.repeats, duration=options.duration)
     energy(cage, bounces=options.bounces)
     spread(cage, duration=options.duration)
     steps(cage, duration=options.duration)
@@ -68,19 +65,6 @@ def example() -> DrivenCage:
         ball_speed=float(moving.ball_speed),
         contact_angle=ANGLE,
     )
-
-
-def times(cage: DrivenCage, *, repeats: int, duration: float) -> None:
-    table = Table("motion", "steps", "processor time, us a step (least)", title="Nine balls, one core, warm")
-    for start in STARTS:
-        motion = CageMotion(cage, begin=start, seed=0)
-        count, seconds = round(motion.advance(duration / 10).duration / motion.step), []
-        for _ in range(repeats):
-            started = time.process_time()
-            motion.advance(duration / 10)
-            seconds.append((time.process_time() - started) / count)
-        table.add_row(start, f"{count}", f"{min(seconds) * 1e6:.3f}")
-    out.print(table)
 
 
 def energy(cage: DrivenCage, *, bounces: int) -> None:

@@ -1,16 +1,10 @@
 """Accuracy and cost of the contacts: python validation/benchmarks/contacts.py
 
-Prints the wall time and memory of `fembearing validate --out`, the extra time of forty loads over one, the errors of
-the finite elements against exact Hertz on the Hertzian idealisation, and the errors of the Hertz formulas against 50
-digits. Times depend on the machine.
+Prints the extra time of forty loads over one, the errors of the finite elements against exact Hertz on the Hertzian
+idealisation, and the errors of the Hertz formulas against 50 digits. Times depend on the machine.
 """
 
-import os
-import resource
 import statistics
-import subprocess
-import sys
-import tempfile
 import time
 
 import mpmath
@@ -30,29 +24,9 @@ out = Console(width=110)
 
 def main() -> None:
     out.print(machine())
-    time_validate()
     time_load_series()
     errors_of_idealisation()
     errors_of_hertz()
-
-
-def time_validate() -> None:
-    """Time of whole processes, each with an empty cache of compiled kernels."""
-    seconds = []
-    for _ in range(REPEATS):
-        with tempfile.TemporaryDirectory() as folder:
-            start = time.perf_counter()
-            job = ["validate", "--json", "--out", f"{folder}/report"]
-            command = [sys.executable, "-c", "from fembearing.cli import main; main()", *job]
-            environment = os.environ | {"NUMBA_CACHE_DIR": f"{folder}/cache"}
-            subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=environment)
-            seconds.append(time.perf_counter() - start)
-    memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024**2
-    spread = f"{min(seconds):.1f} to {max(seconds):.1f}"
-    out.print(
-        f"fembearing validate --out: {statistics.median(seconds):.1f} s (median of {REPEATS}, {spread}), "
-        f"{memory:.2f} GiB"
-    )
 
 
 def time_load_series() -> None:

@@ -66,7 +66,7 @@ def load() -> Solve:
             "semi_axis_y": axes[1],
             "peak_pressure": peak_pressure(points_x, points_y, pressure, area, semi_axes=axes),
             "approach": float(2 * (overlap - sunk)),
-            "unknowns": 3 * len(block.position),
+            "unknowns": 3 * len(block.position) - sum(map(len, held(block))) - 3 * int(block.far.sum()),
         }
 
     return solve
@@ -110,10 +110,10 @@ def deck(
     yield from (f"{cell + 1},S{face + 1}" for cell, face in supports)
     yield "*SURFACE,NAME=ABOVE"
     yield from (f"{len(block.cells) + number},S1" for number in range(1, len(faces) + 1))
-    small = 1e-9 * position.max()
+    plane_x, plane_y = held(block)
     sets = {
-        "PLANEX": np.flatnonzero((position[:, 0] < small) & ~block.far) + 1,
-        "PLANEY": np.flatnonzero((position[:, 1] < small) & ~block.far) + 1,
+        "PLANEX": plane_x + 1,
+        "PLANEY": plane_y + 1,
         "ALLRIGID": range(first, last + 1),
         "LEAD": [first],
         "PARABOLOID": range(first, first + rigid),
@@ -135,6 +135,15 @@ def deck(
             yield f"{node + 1},{axis},{axis},{moved:.12g}"
     yield f"*CLOAD\n{first},3,{-case['load'] / 4:.12g}"
     yield "*NODE PRINT,NSET=LEAD\nU\n*NODE PRINT,NSET=PARABOLOID\nRF\n*END STEP"
+
+
+def held(block: "Quarter") -> tuple["NDArray[np.intp]", "NDArray[np.intp]"]:
+    """Nodes that symmetry holds in x and in y, without those of the outer faces."""
+    import numpy as np
+
+    small = 1e-9 * block.position.max()
+    x, y = (np.flatnonzero((block.position[:, axis] < small) & ~block.far) for axis in (0, 1))
+    return x, y
 
 
 def rows(numbers: Iterable[int], width: int) -> Iterator[str]:

@@ -80,7 +80,7 @@ def load() -> Solve:
             "semi_axis_y": axes[1],
             "peak_pressure": peak_pressure(x, y, values, area, semi_axes=axes),
             "approach": 2 * approach,
-            "unknowns": space.ndof,
+            "unknowns": sum(space.FreeDofs()),
         }
 
     def meshed(block: Quarter) -> ng.Mesh:

@@ -19,7 +19,7 @@ def load() -> Solve:
             "semi_axis_y": solution.quantities.semi_axis_transverse,
             "peak_pressure": solution.quantities.peak_pressure,
             "approach": solution.quantities.approach,
-            "unknowns": solution.unknowns,
+            "unknowns": solution.upper.unknowns,  # of one body; the other is its mirror image
         }
 
     return solve

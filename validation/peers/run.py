@@ -1,8 +1,10 @@
 """Our finite elements against other solvers, on cases with an exact answer by Hertz: python validation/peers/run.py
 
-Each solver computes each case with several refinements, each in its own process. Prints the errors against exact Hertz
-with seconds and memory, and writes peers.json and peers.png. A solver that is not installed is skipped. A solver that
-fails is listed, and the exit status is then 1. --long adds the finest refinement of each solver.
+Each solver computes each case with several refinements, each in its own process: first all on one mesh with one far
+field, so that only the solver differs, then each in its ordinary workflow, with the mesh and the boundary that its
+documentation teaches. Prints the errors against exact Hertz with seconds and memory, and writes peers.json and
+peers.png. Unknowns are the free ones of one body. A solver that is not installed is skipped. A solver that fails is
+listed, and the exit status is then 1. --long adds the finest refinement of each solver.
 """
 
 # Standard library only until every peer has run: the peak memory of a child starts at the memory of its parent.
@@ -25,18 +27,32 @@ from cases import CASES, Case
 HERE = Path(__file__).resolve().parent
 REPORTS = HERE.parent / "reports"
 LIMIT = 600.0  # s, for one process
-# Program, description, refinements, and those added by --long
-PEERS: dict[str, tuple[str, str, tuple[int, ...], tuple[int, ...]]] = {
-    "ours": ("ours.py", "fembearing, finite elements", (1, 2, 3, 4), (6,)),
-    "tamaas": ("tamaas_bem.py", "Tamaas, boundary elements", (16, 32, 64, 128, 256), (512,)),
-    "ngsolve": ("ngsolve_contact.py", "NGSolve, finite elements", (1, 2, 3, 4), (6,)),
-    "calculix": ("calculix.py", "CalculiX, finite elements", (1, 2, 3), (4,)),
+NAMES = {
+    "ours": "fembearing, finite elements",
+    "tamaas": "Tamaas, boundary elements",
+    "ngsolve": "NGSolve, finite elements",
+    "calculix": "CalculiX, finite elements",
+}
+# Program, refinements, and those added by --long, of each peer in each workflow
+WORKFLOWS: dict[str, dict[str, tuple[str, tuple[int, ...], tuple[int, ...]]]] = {
+    "same mesh": {
+        "ours": ("ours.py", (1, 2, 3, 4), (6,)),
+        "tamaas": ("tamaas_bem.py", (16, 32, 64, 128, 256), (512,)),
+        "ngsolve": ("ngsolve_contact.py", (1, 2, 3, 4), (6,)),
+        "calculix": ("calculix.py", (1, 2, 3), (4,)),
+    },
+    "ordinary": {
+        "ours": ("ours_ordinary.py", (2, 3), ()),
+        "tamaas": ("tamaas_ordinary.py", (128, 256, 512), (1024,)),
+        "ngsolve": ("ngsolve_ordinary.py", (4, 8), (16,)),
+    },
 }
 
 
 def main(argv: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--peers", nargs="+", choices=PEERS, default=list(PEERS), metavar="PEER", help=", ".join(PEERS))
+    parser.add_argument("--peers", nargs="+", choices=NAMES, default=list(NAMES), metavar="PEER", help=", ".join(NAMES))
+    parser.add_argument("--workflows", nargs="+", choices=WORKFLOWS, default=list(WORKFLOWS), help="which comparison")
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), metavar="CASE", help=", ".join(CASES))
     parser.add_argument("--out", type=Path, default=REPORTS, help="folder for peers.json and peers.png")
     parser.add_argument("--repeats", type=int, default=1, help="processes for each row; their median counts")
@@ -48,21 +64,26 @@ def main(argv: list[str] | None = None) -> int:
             parser.error(f"--{name} must be at least 1, got {getattr(options, name)}")
     start = time.perf_counter()
     rows, skipped = [], {}
-    for peer in dict.fromkeys(options.peers):
-        _, _, ordinary, finest = PEERS[peer]
+    wanted = [
+        (workflow, peer, *WORKFLOWS[workflow][peer])
+        for workflow in dict.fromkeys(options.workflows)
+        for peer in dict.fromkeys(options.peers)
+        if peer in WORKFLOWS[workflow]
+    ]
+    for workflow, peer, program, ordinary, finest in wanted:
         ladder = (ordinary + (finest if options.long else ()))[: options.steps]
         for case in map(CASES.__getitem__, dict.fromkeys(options.cases)):
             for refinement in ladder:
                 if peer in skipped:
                     break
-                row = measured(peer, case, refinement, repeats=options.repeats)
+                row = measured(program, case, refinement, repeats=options.repeats)
                 if "skipped" in row:
                     skipped[peer] = row["skipped"]
                     sys.stderr.write(f"{peer} skipped: {row['skipped']}\n")
                     continue
-                rows.append({"peer": peer, "case": case.name, "refinement": refinement, **row})
+                rows.append({"workflow": workflow, "peer": peer, "case": case.name, "refinement": refinement, **row})
                 word = row.get("failed") or f"{row['solve_seconds']:.2f} s"
-                sys.stderr.write(f"{peer} {case.name} {refinement}: {word}\n")
+                sys.stderr.write(f"{workflow}, {peer} {case.name} {refinement}: {word}\n")
     from table import exact_answers, print_table, with_errors
 
     exact = exact_answers([CASES[name] for name in options.cases])
@@ -82,7 +103,7 @@ def main(argv: list[str] | None = None) -> int:
     if any("errors" in row for row in result["rows"]):
         from figure import draw
 
-        draw(result, options.out / "peers.png", names={peer: PEERS[peer][1] for peer in PEERS})
+        draw(result, options.out / "peers.png", names=NAMES)
     return 1 if any("failed" in row for row in rows) else 0
 
 
@@ -97,11 +118,11 @@ def versions() -> dict[str, str]:
     return installed
 
 
-def measured(peer: str, case: Case, refinement: int, *, repeats: int) -> dict[str, Any]:
-    """One row: the answer of the peer, with median seconds and largest memory over its processes."""
+def measured(program: str, case: Case, refinement: int, *, repeats: int) -> dict[str, Any]:
+    """One row: the answer of a peer's program, with median seconds and largest memory over its processes."""
     answers = []
     for _ in range(repeats):
-        answers.append(answer_of(peer, case, refinement))
+        answers.append(answer_of(program, case, refinement))
         if "skipped" in answers[-1] or "failed" in answers[-1]:
             return answers[-1]
     clocks = ("import_seconds", "solve_seconds", "process_seconds")
@@ -116,13 +137,14 @@ def measured(peer: str, case: Case, refinement: int, *, repeats: int) -> dict[st
     }
 
 
-def answer_of(peer: str, case: Case, refinement: int) -> dict[str, Any]:
-    """The answer of the peer's program to a case, or `skipped` or `failed` with the reason."""
-    program = HERE / PEERS[peer][0]
+def answer_of(program: str, case: Case, refinement: int) -> dict[str, Any]:
+    """The answer of a peer's program to a case, or `skipped` or `failed` with the reason."""
     question = json.dumps({**asdict(case), "refinement": refinement})
     start = time.perf_counter()
     try:
-        done = subprocess.run([sys.executable, program], input=question, capture_output=True, text=True, timeout=LIMIT)
+        done = subprocess.run(
+            [sys.executable, HERE / program], input=question, capture_output=True, text=True, timeout=LIMIT
+        )
         lines = done.stdout.splitlines()
         if done.returncode or not lines:
             last = (done.stderr.splitlines() or ["no message"])[-1]

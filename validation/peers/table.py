@@ -41,11 +41,12 @@ def with_errors(rows: Sequence[dict[str, Any]], exact: dict[str, dict[str, float
 def print_table(result: dict[str, Any]) -> None:
     out = Console(width=110)
     out.print(result["machine"])
-    for name, case in result["cases"].items():
-        heads = [*(f"{word}, %" for word in COLUMNS.values()), "import, s", "solve, s", "MiB"]
-        table = Table("peer", "step", "unknowns", *heads, title=case["title"])
+    heads = [*(f"{word}, %" for word in COLUMNS.values()), "import, s", "solve, s", "MiB"]
+    tables = dict.fromkeys((row["workflow"], row["case"]) for row in result["rows"])
+    for workflow, name in tables:
+        table = Table("peer", "step", "unknowns", *heads, title=f"{result['cases'][name]['title']}: {workflow}")
         for row in result["rows"]:
-            if row["case"] != name:
+            if (row["workflow"], row["case"]) != (workflow, name):
                 continue
             if "failed" in row:
                 table.add_row(row["peer"], str(row["refinement"]), "failed")
@@ -59,5 +60,6 @@ def print_table(result: dict[str, Any]) -> None:
         out.print(f"{peer} skipped: {reason}")
     for row in result["rows"]:
         if "failed" in row:
-            out.print(f"{row['peer']}, {row['case']}, refinement {row['refinement']} failed: {row['failed']}")
+            name = f"{row['workflow']}: {row['peer']}, {row['case']}, refinement {row['refinement']}"
+            out.print(f"{name} failed: {row['failed']}")
     out.print(f"Errors against exact Hertz. Solve times exclude imports. {result['seconds']:.0f} s in all.")

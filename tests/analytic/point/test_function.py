@@ -23,7 +23,8 @@ def scene_of(name: str, **changed: object) -> Scene:
 
 
 def by_series(function: TorqueFunction, *, temperature: float | None = None, **operation: float) -> float:
-    scene = replace(function.scene, operation=Operation(**operation))
+    points = {name: np.array([value]) for name, value in operation.items()}
+    scene = replace(function.scene, operation=Operation(**points))
     if temperature is not None:
         assert scene.lubricant is not None
         scene = replace(scene, lubricant=replace(scene.lubricant, temperature=temperature))
@@ -80,7 +81,7 @@ def test_a_series_is_its_points() -> None:
     table = function.series(axial_load=axial, radial_load=radial, inner_speed=67.0)
     assert table.shape == (2, 3)
     for i, j in np.ndindex(2, 3):
-        assert table[i, j] == function(axial_load=axial[i, 0], radial_load=radial[j], inner_speed=67.0)
+        assert table[i, j] == function(axial_load=float(axial[i, 0]), radial_load=float(radial[j]), inner_speed=67.0)
 
 
 def test_free_balls_are_computed_as_in_a_series() -> None:

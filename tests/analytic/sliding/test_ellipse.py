@@ -260,8 +260,8 @@ def test_the_slopes_of_the_sums_are_their_differences(law: PointLaw, sideways: b
     def sums(c: float, w: float) -> SlipSums:
         return slip_sums(slider, law, c, w, nodes, sideways, (0, 3))
 
-    at, close = sums(creep, spin), {"rtol": 2e-3}  # of the nodes near the line where the slip turns round
+    at, close = sums(creep, spin), 2e-3  # of the nodes near the line where the slip turns round
     by_creep = [(a - b) / (2 * step) for a, b in zip(sums(creep + step, spin), sums(creep - step, spin), strict=True)]
     by_spin = [(a - b) / (2 * step) for a, b in zip(sums(creep, spin + step), sums(creep, spin - step), strict=True)]
-    np.testing.assert_allclose([at.by_creep, at.mixed], [-by_creep[0], by_spin[0]], **close)
-    np.testing.assert_allclose([at.mixed, at.by_spin], [-by_creep[1], by_spin[1]], **close)
+    np.testing.assert_allclose([at.by_creep, at.mixed], [-by_creep[0], by_spin[0]], rtol=close)
+    np.testing.assert_allclose([at.mixed, at.by_spin], [-by_creep[1], by_spin[1]], rtol=close)
