@@ -2,12 +2,16 @@
 
 import ast
 import json
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-NOTEBOOKS = sorted((Path(__file__).resolve().parents[1] / "examples").glob("*.ipynb"))
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+NOTEBOOKS = sorted(EXAMPLES.glob("*.ipynb"))
+PROGRAMS = sorted(EXAMPLES.glob("*.py"))
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
@@ -31,5 +35,14 @@ def test_a_notebook_runs(notebook: Path, tmp_path: Path, monkeypatch: pytest.Mon
     assert ((power > 0.9) & (power < 1.8)).all()
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
+def test_a_program_runs_and_draws_a_picture(program: Path, tmp_path: Path) -> None:
+    done = subprocess.run([sys.executable, program], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout
+    assert (tmp_path / f"{program.stem}.png").stat().st_size > 10_000  # bytes: more than an empty frame
+
+
 def test_there_is_an_example() -> None:
     assert NOTEBOOKS
+    assert PROGRAMS

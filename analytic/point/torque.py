@@ -70,7 +70,7 @@ class Load(NamedTuple):
 class Ball(NamedTuple):
     """One ball of a bearing."""
 
-    index: int
+    number: int  # from 0
     side: float  # 1, or -1 where it is pressed the other way
     motion: BallMotion  # per unit ring speed
 
@@ -180,7 +180,7 @@ def _factors_of_ball(factors: Array, ball: int) -> CorrectionNumbers:
 @compiled
 def _race(model: PointModel, oil: OilNumbers, ring_speed: float, race: int, work: Workspace, ball: Ball) -> OnRace:
     """A loaded ball on its inner (0) or outer race (1)."""
-    numbers, j, motion = model.bearing.inner if race == 0 else model.bearing.outer, ball.index, ball.motion
+    numbers, j, motion = model.bearing.inner if race == 0 else model.bearing.outer, ball.number, ball.motion
     load, fields, angle = work.point.load[race, j], work.point.unit[race], ball.side * work.point.angle[race, j]
     near, far = distances_to_shoulders(numbers, (numbers.near_shoulder, numbers.far_shoulder), abs(angle))
     if load > 0.0 and min(near, far) <= 0.0:
