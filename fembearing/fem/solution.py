@@ -1,6 +1,7 @@
 """One contact solved on one mesh."""
 
 import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -8,10 +9,11 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from analytic.errors import ConvergenceError
-from analytic.scene import Contact
+from analytic.scene import Contact, Material
 from fembearing.fem.condensation import CondensedBody, condense
 from fembearing.fem.contact import press
 from fembearing.fem.elasticity import require_elastic, strip_integrals, surface_mass
+from fembearing.fem.factor import solver_threads
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import (
     STRIP,
@@ -23,6 +25,7 @@ from fembearing.fem.measure import (
     shoulder_load,
     uncut_semi_axes,
 )
+from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import Recipe
 
@@ -221,12 +224,20 @@ def fitted_on_level(
 
 
 def _condensed(contact: Contact, pair: PairMesh, upper: CondensedBody | None) -> tuple[CondensedBody, CondensedBody]:
-    footprint = {"semi_axes": pair.semi_axes, "shoulders": pair.footprint.shoulders}
-    if upper is None or pair.upper.name != "ball":
-        upper = condense(pair.upper, material=contact.ball_material, force=-pair.normal, **footprint)
+    def reduced(body: BodyMesh, material: Material, force: Array) -> CondensedBody:
+        size = {"semi_axes": pair.semi_axes, "shoulders": pair.footprint.shoulders}
+        return condense(body, material=material, force=force, **size)
+
+    above = pair.upper, contact.ball_material, -pair.normal
+    below = pair.lower, contact.race_material, pair.normal
+    if upper is not None and pair.upper.name == "ball":
+        return upper, reduced(*below)
     if pair.upper.name == pair.lower.name and contact.ball_material == contact.race_material:
-        return upper, upper  # two half spaces of one material are mirror images
-    return upper, condense(pair.lower, material=contact.race_material, force=pair.normal, **footprint)
+        both = reduced(*above)
+        return both, both  # two half spaces of one material are mirror images
+    with ThreadPoolExecutor(solver_threads()) as pool:
+        first, second = pool.map(reduced, *zip(above, below, strict=True))
+    return first, second
 
 
 def _mass_within(pair: PairMesh) -> csr_matrix:
