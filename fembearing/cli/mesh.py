@@ -41,7 +41,7 @@ def mesh(
         raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
     meshed = as_meshed(contact_of(given, pair=pair, load=force), recipe=recipe)
     with traced_to_load(given, pair=pair, load=force):
-        expected = expected_semi_axes(meshed)
+        expected = expected_semi_axes(meshed, geometry=recipe.geometry)
         bodies = pair_mesh(meshed, recipe=recipe, level=chosen, semi_axes=expected)
         lower = ring_piece(meshed, recipe, chosen, expected).body if geometry == "ring" else bodies.lower
     files = {f"{pair}-{geometry}-upper.vtu": bodies.upper, f"{pair}-{geometry}-lower.vtu": lower}

@@ -30,10 +30,10 @@ from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
-# Deviation of the ellipse from that of its mesh, in semi-axes, on the first and the second level. A slender ellipse is
-# up to a tenth too short on the first; a mesh that is 1 % too large or too small changes no quantity by more than its
-# own discretisation error (validation/benchmarks/calibrations.py).
-GOOD_GUESSES = (0.1, 0.01)
+# Deviation of the ellipse from that of its mesh, in semi-axes. A mesh that is 1 % too large or too small changes no
+# quantity by more than its own discretisation error (validation/benchmarks/calibrations.py); at 3 % the extrapolation
+# of a semi-axis is off by three times its uncertainty.
+GOOD_GUESS = 0.01
 # On a mesh far too large a single node touches and the ellipse has no size. On one far too small all nodes touch and
 # the ellipse is 1.6 times that of the mesh. A round corrects a factor of 4 or 1.6: all rounds together correct a guess
 # that is 100 times too large or too small.
@@ -190,10 +190,8 @@ def fitted_solution(contact: Contact, *, recipe: Recipe, guess: tuple[float, flo
     guess : semi-axes to start from, m; `expected_semi_axes` unless given
     Raises ConvergenceError if the ellipse and its mesh do not converge.
     """
-    coarse, fine = recipe.levels[:2]
-    start = expected_semi_axes(contact) if guess is None else guess
-    rough = fitted_on_level(contact, recipe=recipe, level=coarse, start=start, good=GOOD_GUESSES[0])
-    return fitted_on_level(contact, recipe=recipe, level=fine, start=rough.pair.semi_axes, good=GOOD_GUESSES[1])
+    start = expected_semi_axes(contact, geometry=recipe.geometry) if guess is None else guess
+    return fitted_on_level(contact, recipe=recipe, level=recipe.levels[1], start=start, good=GOOD_GUESS)
 
 
 def fitted_on_level(
