@@ -32,7 +32,7 @@ DIVISION = "numpy"  # by zero
 CONSTANT_MODULES = ("numpy", "math")  # others may change without a change of the byte code
 
 FIRST_TIME = "compiling loops, once for this machine: up to half a minute in all"
-_said: set[str] = set()  # lines on standard error: each once a process
+said: set[str] = set()  # lines on standard error: each once a process
 
 
 class Part:
@@ -114,8 +114,8 @@ def part(*, fastmath: Freedoms = EXACT, inline: bool = False) -> Callable[[Calla
 
 
 def _say(line: str) -> None:
-    if line not in _said:
-        _said.add(line)
+    if line not in said:
+        said.add(line)
         sys.stderr.write(f"fembearing: {line}\n")
 
 

@@ -9,8 +9,9 @@ import typer
 
 from analytic.errors import InputError
 from analytic.scene import Pair
-from fembearing.cli.console import out, print_json, print_warnings
+from fembearing.cli.console import out, print_json
 from fembearing.cli.options import LOAD, AsJson, Geometry, Load, SceneName, read_option, read_scene
+from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
     from fembearing.mesh.bodies import BodyMesh
