@@ -10,6 +10,7 @@ are the same, so the momentum of both together changes by the races' tractions, 
 """
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.cage.law import (
     FAST,
@@ -26,7 +27,7 @@ from analytic.cage.law import (
     rotation,
 )
 from analytic.cage.race_law import ALONE, RaceLaw, interpolated, rolled, seats
-from analytic.numerics.compilation import Block, Line, Table, compiled, part
+from analytic.numerics.compilation import compiled
 
 PATIENCE = 16  # steps of the cage for one of a ball that is not touched
 
@@ -41,7 +42,7 @@ TALLY = 20
 UNSETTLED, LARGEST, GRIP = TALLY - 3, TALLY - 2, TALLY - 1
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def _stepped(races, row, ball, force, span, scale):
     """Roll of a ball; force : of its pocket, outward, along z, and the impulse by its four speeds."""
     begin = (ball[1], ball[2], ball[3], ball[4])
@@ -51,9 +52,9 @@ def _stepped(races, row, ball, force, span, scale):
 @compiled(fastmath=FAST)
 def go_round(
     races: RaceLaw,
-    table: Block,
-    ball: Line,
-    path: Table,
+    table: NDArray[np.float64],
+    ball: NDArray[np.float64],
+    path: NDArray[np.float64],
     step: float,
 ) -> int:
     """Roll one ball that nothing but its races touches, at full speed; returns the number of steps that converged.
@@ -79,13 +80,13 @@ def go_round(
 @compiled(fastmath=FAST)
 def advance(
     laws: tuple[Law, RaceLaw],
-    azimuth: Table,
-    table: Block,
-    state: Line,
-    balls: Table,
-    touch: Table,
-    now: Table,
-    tally: Line,
+    azimuth: NDArray[np.float64],
+    table: NDArray[np.float64],
+    state: NDArray[np.float64],
+    balls: NDArray[np.float64],
+    touch: NDArray[np.float64],
+    now: NDArray[np.float64],
+    tally: NDArray[np.float64],
     step: float,
     steps: int,
 ) -> int:

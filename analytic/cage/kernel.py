@@ -10,6 +10,7 @@ symplectic without losses.
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.cage.law import (
     FAST,
@@ -26,7 +27,7 @@ from analytic.cage.law import (
     risen,
     rotation,
 )
-from analytic.numerics.compilation import Line, Table, compiled, part
+from analytic.numerics.compilation import compiled
 
 # The state: place, velocity, quaternion (scalar first), angular momentum, time and angle of the orbit.
 STATE = 15
@@ -61,7 +62,7 @@ class Loads(NamedTuple):
     deepest: float  # penetration, m
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def _loads(law, azimuth, touch, now, body, drive):
     """Loads on the Body by balls that an Orbit describes; azimuth, touch and now as in `advance`."""
     x, y, z = body.place
@@ -137,11 +138,11 @@ def _loads(law, azimuth, touch, now, body, drive):
 @compiled(fastmath=FAST)
 def advance(
     law: Law,
-    azimuth: Table,
-    state: Line,
-    touch: Table,
-    now: Table,
-    tally: Line,
+    azimuth: NDArray[np.float64],
+    state: NDArray[np.float64],
+    touch: NDArray[np.float64],
+    now: NDArray[np.float64],
+    tally: NDArray[np.float64],
     step: float,
     steps: int,
 ) -> int:

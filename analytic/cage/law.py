@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.numerics.compilation import part
+from analytic.numerics.compilation import compiled
 
 # NaN and infinity keep their meaning: the loops test for them.
 FAST = frozenset(("contract", "reassoc", "arcp", "nsz", "afn"))
@@ -102,7 +102,7 @@ class Guidance(NamedTuple):
     deepest: float  # penetration, m
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def loose(law, offset, axis):
     """Whether a ball touches neither shell; offset, axis : as in Ball."""
     ux, uy, uz = offset
@@ -111,7 +111,7 @@ def loose(law, offset, axis):
     return ux * ux + uy * uy + uz * uz + law.centre_offset * (2.0 * abs(along) + law.centre_offset) <= reach
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def _against(law, ball, body, touch, row, shell):
     """Push of a Ball on one shell of its pocket."""
     ux, uy, uz = ball.offset
@@ -165,7 +165,7 @@ def _against(law, ball, body, touch, row, shell):
     )
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def pushed(law, ball, body, touch, row):
     """Push of a Ball that is not loose on both shells of its pocket; row : of `touch`, which `advance` describes."""
     one = _against(law, ball, body, touch, row, 0)
@@ -184,7 +184,7 @@ def pushed(law, ball, body, touch, row):
     )
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def guided(law, body, scale):
     """Guidance of a Body; scale : share of all speeds that is reached, 0 to 1."""
     x, y, _ = body.place
@@ -223,7 +223,7 @@ def guided(law, body, scale):
     return Guidance((fx, fy, fz), (mx, my, mz), dragged, rubbing, deepest)
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def rotation(orientation):
     """Matrix of a quaternion of length 1, by rows."""
     a, b, c, d = orientation
@@ -240,7 +240,7 @@ def rotation(orientation):
     )
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def kicked(law, flight, force, moment, time):
     """The Flight after loads that act for a time."""
     x, y, z = flight.velocity
@@ -254,7 +254,7 @@ def kicked(law, flight, force, moment, time):
     )
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def flown(law, flight, r, step):
     """The Flight after a step without loads; r : its rotation matrix at the beginning.
 
@@ -285,7 +285,7 @@ def flown(law, flight, r, step):
     )
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def body_of(law, flight, r):
     """The Body of a Flight; r : its rotation matrix."""
     lx, ly, lz = flight.momentum
@@ -296,7 +296,7 @@ def body_of(law, flight, r):
     )
 
 
-@part(fastmath=FAST, inline=True)
+@compiled(fastmath=FAST, inline=True)
 def risen(time, ramp):
     """Share of all speeds that is reached, 0 to 1."""
     return time / ramp if time < ramp else 1.0

@@ -35,9 +35,7 @@ from analytic.free_ball.layout import (
     TRANSVERSE,
     UNIT_POWER,
 )
-from analytic.numerics.compilation import Block, Line, Table, compiled, part
-
-Quadrature = tuple[tuple[Line, Line, Line], tuple[Line, Line, Line], bool, Line, float]
+from analytic.numerics.compilation import compiled
 
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
@@ -47,7 +45,7 @@ HARDER = 10.0  # between two stages of a ball whose Newton's method stalls
 STAGES = 6
 
 
-@part(inline=True)
+@compiled(inline=True)
 def _yielding(slip, steady, limit, eyring, fluidity):
     """Stress of a point that slides, and its slope: steady + min(eyring asinh(fluidity slip), limit)."""
     if eyring == 0.0:
@@ -61,7 +59,7 @@ def _yielding(slip, steady, limit, eyring, fluidity):
     return steady + oil, eyring * fluidity / np.sqrt(1.0 + rate * rate)
 
 
-@part(inline=True)
+@compiled(inline=True)
 def _sheared(reach, compliance, steady, limit, eyring, fluidity):
     """Stress and slope of a point whose surfaces would slip by `reach` without stress: g + compliance T(g) = reach."""
     if eyring == 0.0:
@@ -86,7 +84,7 @@ def _sheared(reach, compliance, steady, limit, eyring, fluidity):
     return steady + eyring * y, slope / (1.0 + compliance * slope)
 
 
-@part(inline=True)
+@compiled(inline=True)
 def _fluidity(law, pressure, table, spacing):
     """Slip times this is the rate of shear over the rate at the Eyring stress; table : ln of the oil's thickening."""
     if law[EYRING] == 0.0:
@@ -96,7 +94,7 @@ def _fluidity(law, pressure, table, spacing):
     return law[FLUIDITY] * np.exp(table[index] + (place - index) * (table[index + 1] - table[index]))
 
 
-@part(inline=True)
+@compiled(inline=True)
 def _strip_closed(law, slip, along, spread):
     """One strip by the closed law: forces and stiffness by slip along it, across it and by spin, and sums over it.
 
@@ -138,7 +136,7 @@ def _strip_closed(law, slip, along, spread):
     return (f_p, f_l, f_n), (pp, pl, pn, pl, ll, ln, pn, ln, nn), (law_power, unit, friction)
 
 
-@part(inline=True)
+@compiled(inline=True)
 def _strip_marched(law, slip, along, spread):
     """One strip, marched from its leading edge; arguments and results of `_strip_closed`, p0 L u/a being L u there."""
     slide, lateral, spin = slip
@@ -192,7 +190,7 @@ def _strip_marched(law, slip, along, spread):
     return (f_p, f_l, f_n), (pp, pl, pn, lp, ll, ln, np_, nl, nn), (law_power, unit, friction)
 
 
-@part()
+@compiled
 def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
     """Add one contact to sums: forces A^T stress and their tangent; write its outcome.
 
@@ -241,7 +239,7 @@ def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
         outcome[FRICTION] += width * friction
 
 
-@part(inline=True)
+@compiled(inline=True)
 def _passing(contact, ball, velocity):
     """Mean velocity of both surfaces through the contact, m per unit w, along the orbit."""
     orbit = velocity[0] / ball[ORBIT_RADIUS]
@@ -250,7 +248,7 @@ def _passing(contact, ball, velocity):
     return (turns + passes) / 2.0
 
 
-@part()
+@compiled
 def _hold(contact, sums):
     """Leave a ball that one race touches one freedom, its speed of rolling there, which leaves no force along rolling.
 
@@ -267,7 +265,7 @@ def _hold(contact, sums):
         tangent[c, c] = stiffness
 
 
-@part()
+@compiled
 def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     """What the ball's equilibrium lacks and its tangent, into sums; returns the sum of all friction.
 
@@ -294,7 +292,7 @@ def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     return outcome[0, FRICTION] + outcome[1, FRICTION]
 
 
-@part()
+@compiled
 def _roll(contact, ball, velocity):
     """Let a ball roll on one race without slip at the contact's centre: a start for what `_hold` leaves it."""
     n_r, n_z = contact[NORMAL_R], contact[NORMAL_Z]
@@ -304,7 +302,7 @@ def _roll(contact, ball, velocity):
     velocity[3] -= n_r * slide
 
 
-@part(inline=True)
+@compiled(inline=True)
 def _solved(matrix, right):
     """The solution of a system of four by elimination with pivots; both are overwritten."""
     for column in range(4):
@@ -327,7 +325,7 @@ def _solved(matrix, right):
         right[column] /= matrix[column, column]
 
 
-@part()
+@compiled
 def _newton(contacts, ball, velocity, passing, quadrature, tolerance, outcome):
     """Damped Newton's method; the velocity is overwritten. Returns the residual over all friction.
 
@@ -367,24 +365,17 @@ def _newton(contacts, ball, velocity, passing, quadrature, tolerance, outcome):
     return np.sqrt(np.sum(force * force)) / friction
 
 
-@compiled()
-def rotate(
-    contacts: Block,
-    balls: Table,
-    velocities: Table,
-    quadrature: Quadrature,
-    tolerance: float,
-    outcomes: Block,
-    residuals: Line,
-) -> None:
-    """Turn balls to where no moment and no force along the orbit is left on them; sets the residual of each.
+@compiled
+def rotate(contacts, balls, velocities, quadrature, tolerance, outcomes):
+    """Turn balls to where no moment and no force along the orbit is left on them; returns the residual of each.
 
     contacts : (m, 2, CONTACT);  balls : (m, BALL);  velocities : (m, 4) start, overwritten;  outcomes : (m, 2, OUTCOME)
-    quadrature : as in `_contact`;  residuals : (m,)
+    quadrature : as in `_contact`
     The speed of the surfaces through each contact is that of the start. Where Newton's method stalls, softer surfaces
     come first: they creep as if the speed through the contact were higher.
     """
     count = balls.shape[0]
+    residuals = np.zeros(count)
     passing, start = np.zeros(2), np.zeros(4)
     for index in range(count):
         contact, ball, velocity, outcome = contacts[index], balls[index], velocities[index], outcomes[index]
@@ -401,3 +392,4 @@ def rotate(
                 left = _newton(contact, ball, velocity, softer * passing, quadrature, tolerance, outcome)
                 softer /= HARDER
         residuals[index] = left
+    return residuals

@@ -202,8 +202,7 @@ class FreeTurning:
 
         contacts, outcomes = self.contacts[rows], np.zeros((len(rows), *self.outcomes.shape[1:]))
         quadrature = (*_nodes(self.nodes, marched=self.creep == "marched"), *self._thickening(contacts))
-        left = np.zeros(len(rows))
-        rotate(contacts, self.bodies[rows], start, quadrature, ACCURACY, outcomes, left)
+        left = rotate(contacts, self.bodies[rows], start, quadrature, ACCURACY, outcomes)
         if not np.all(left <= ENOUGH):
             worst = int(np.argmax(np.where(np.isnan(left), np.inf, left)))
             inner, outer = contacts[worst, :, LOAD]

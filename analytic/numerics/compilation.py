@@ -1,58 +1,126 @@
-"""Loops that numba compiles, once for a machine; later processes load them without numba.
+"""Functions that numba compiles, once for a machine; later processes load them without numba.
 
-    @part()
-    def _slope(x): ...
+    @compiled
+    def slope(x: float) -> float: ...
 
-    @compiled()
-    def fill(heights: Line, out: Table, count: int) -> float: ...
-
-Python calls loops, loops call parts. The annotations of a loop are its signature: float, int, bool, arrays, and tuples
-of these, named or not; it returns a number or nothing. Both take numbers, tuples, arrays and parts from their module,
-as constants. A division by zero gives infinity or NaN. `analytic.numerics.machine_code` keeps the machine code.
+Python calls them as machine code, and they call each other. They take and give floats, integers, bools, arrays, and
+tuples of these, named or not, and take such constants from their modules. They raise nothing: a function that fails
+gives NaN or a status, and a division by zero gives infinity or NaN. `analytic.numerics.machine_code` keeps the code.
 """
 
+import dis
+import inspect
 import sys
 from collections.abc import Callable, Iterator
 from functools import cached_property, update_wrapper
-from types import BuiltinFunctionType, CodeType, FunctionType, ModuleType
-from typing import Annotated, Any, get_type_hints
+from types import CodeType, FunctionType, ModuleType
+from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints, overload
 
 import numpy as np
-from numpy.typing import NDArray
 
 from analytic.numerics import machine_code
+from analytic.numerics.machine_code import Kind, MachineCode
 
-# C-contiguous arrays of one, two and three dimensions
-Line = Annotated[NDArray[np.float64], 1]
-Table = Annotated[NDArray[np.float64], 2]
-Block = Annotated[NDArray[np.float64], 3]
+Function = TypeVar("Function", bound=Callable[..., Any])
 Freedoms = frozenset[str]  # of the compiler with floating point: flags of LLVM
 EXACT: Freedoms = frozenset()
 DIVISION = "numpy"  # by zero
 CONSTANT_MODULES = ("numpy", "math")  # others may change without a change of the byte code
 
-FIRST_TIME = "compiling loops, once for this machine: up to half a minute in all"
+FIRST_TIME = "compiling formulas, once for this machine; this may take a minute"
 said: set[str] = set()  # lines on standard error: each once a process
 
 
-class Part:
-    """A function that loops call. Called from Python it runs as Python."""
+@overload
+def compiled(function: Function, /) -> Function: ...
+@overload
+def compiled(*, fastmath: Freedoms = EXACT, inline: bool = False) -> Callable[[Function], Function]: ...
+def compiled(function: Any = None, /, *, fastmath: Freedoms = EXACT, inline: bool = False) -> Any:
+    """The compiled function; inline : into others, before types are known, which is quicker where it takes many tuples.
+
+    `inspect.unwrap` gives the same in Python.
+    """
+    options = {"fastmath": {*fastmath}, "inline": "always" if inline else "never"}
+    return Compiled(function, options) if function else lambda function: Compiled(function, options)
+
+
+class Compiled:
+    """A compiled function."""
 
     def __init__(self, function: FunctionType, options: dict[str, Any]) -> None:
         self.function, self.options = function, options  # of numba.njit
         update_wrapper(self, function)
+        self._variants: dict[Any, Callable[..., Any]] = {}  # by the kinds of the arguments
+        self._of_numbers: dict[tuple[type, ...], Callable[..., Any]] = {}  # which need not be looked at
+        self._last: dict[int, tuple[tuple[Any, ...], Any, list[Any]]] = {}  # tuples are taken apart once
 
     def __call__(self, *given: Any) -> Any:
-        return self.function(*given)
+        """Raises TypeError for an argument that machine code does not take, RuntimeError where the function raises."""
+        of_numbers = self._of_numbers.get(tuple(map(type, given)))
+        if of_numbers is not None:
+            return of_numbers(given)
+        kinds, flat = [], []
+        for place, value in enumerate(given):
+            if isinstance(value, tuple):
+                last, kind, pieces = self._last.get(place, ((), None, []))
+                if last is not value:
+                    kind, pieces = machine_code.taken(value)
+                    self._last[place] = value, kind, pieces
+            else:
+                kind, pieces = machine_code.taken(float(value) if place in self._floats else value)
+            kinds.append(kind)
+            flat += pieces
+        variant = self._variants.get(tuple(kinds))
+        if variant is None:
+            variant = self._variants[tuple(kinds)] = self._variant(kinds)
+        if all(isinstance(value, float | int) for value in given):
+            self._of_numbers[tuple(map(type, given))] = variant
+        return variant(flat)
 
-    @property
-    def parts(self) -> dict[str, "Part"]:
-        """The parts that it calls, by their names in its module."""
-        return {name: value for name, value in self.globals.items() if isinstance(value, Part)}
+    @cached_property
+    def _floats(self) -> set[int]:
+        """Arguments that are floats by their annotations, and may be given as integers."""
+        hints = [each.annotation for each in inspect.signature(self.function).parameters.values()]
+        return {place for place, hint in enumerate(hints) if hint in (float, "float")}
+
+    def _variant(self, kinds: list[Any]) -> Callable[..., Any]:
+        name = f"{self.function.__module__}.{self.function.__qualname__}"
+        key = "\n".join((*map(_text_of, kinds), *self.source()))
+        made = machine_code.kept(name, key)
+        if made is None:
+            _say(FIRST_TIME)
+            made = _compile(self, kinds)
+            try:
+                machine_code.keep(made, name, key)
+            except OSError as problem:
+                _say(
+                    f"compiled formulas cannot be kept ({problem}), so that every start compiles them again; give a "
+                    f"folder that can be written in {machine_code.FOLDER}"
+                )
+        call = machine_code.callable_of(made, [_plain(kind) for kind in kinds])
+        named = _naming(get_type_hints(self.function).get("return"))
+        return call if named is None else lambda pieces: named(call(pieces))
+
+    def source(self) -> Iterator[str]:
+        """All that the machine code depends on: byte code, constants, and the same of the functions that are called."""
+        ahead: list[Compiled] = [self]
+        known = {*ahead}
+        while ahead:
+            current = ahead.pop()
+            yield f"{current.function.__qualname__} {sorted(current.options['fastmath'])} {current.options['inline']}"
+            for code in _codes(current.function.__code__):
+                yield f"{code.co_code.hex()} {code.co_names} {code.co_varnames}"
+                yield from (repr(value) for value in code.co_consts if not isinstance(value, CodeType))
+            for name, value in current.globals.items():
+                if not isinstance(value, Compiled):
+                    yield f"{name} {_constant(value)}"
+                elif value not in known:
+                    known.add(value)
+                    ahead.append(value)
 
     @property
     def globals(self) -> dict[str, object]:
-        """What it takes from its module."""
+        """What it takes from its module; and, at no harm, what has the name of an attribute."""
         around = self.function.__globals__
         names = {name for code in _codes(self.function.__code__) for name in code.co_names}
         return {name: around[name] for name in sorted(names & around.keys())}
@@ -65,52 +133,12 @@ class Part:
         return njit(error_model=DIVISION, **self.options)(self.of_numba())
 
     def of_numba(self) -> FunctionType:
-        """The function with what numba calls in place of its parts."""
-        parts = {name: each.dispatcher for name, each in self.parts.items()}
-        return FunctionType(self.function.__code__, self.function.__globals__ | parts, self.function.__name__)
-
-
-class Loop(Part):
-    """A function that Python calls as machine code; `function` is the same in Python."""
-
-    def __call__(self, *given: Any) -> Any:
-        """Raises TypeError for an array that the signature does not have, RuntimeError where the loop raises."""
-        return self._call(*given)
-
-    @cached_property
-    def key(self) -> str:
-        """A text that changes with what the loop does."""
-        hints = get_type_hints(self.function, include_extras=True)
-        return "\n".join((*map(machine_code.text_of, hints.values()), *_source_of(self)))
-
-    @cached_property
-    def _call(self) -> Callable[..., Any]:
-        signature = get_type_hints(self.function, include_extras=True)
-        result = signature.pop("return")
-        name = f"{self.function.__module__}.{self.function.__qualname__}"
-        made = machine_code.kept(name, self.key)
-        if made is None:
-            _say(FIRST_TIME)
-            made = _compiled(self, [*signature.values()], result)
-            try:
-                machine_code.keep(made, name, self.key)
-            except OSError as problem:
-                _say(
-                    f"compiled loops cannot be kept ({problem}), so that every start compiles them again; give a "
-                    f"folder that can be written in {machine_code.FOLDER}"
-                )
-        return machine_code.callable_of(made, signature, result)
-
-
-def compiled(*, fastmath: Freedoms = EXACT) -> Callable[[Callable[..., Any]], Loop]:
-    """A function as a loop."""
-    return lambda function: Loop(function, {"fastmath": {*fastmath}})  # pyright: ignore[reportArgumentType]
-
-
-def part(*, fastmath: Freedoms = EXACT, inline: bool = False) -> Callable[[Callable[..., Any]], Part]:
-    """A function as a part of loops; inline : before types are known, which is quicker where it takes many tuples."""
-    options = {"fastmath": {*fastmath}, "inline": "always" if inline else "never"}
-    return lambda function: Part(function, options)  # pyright: ignore[reportArgumentType]
+        """The function with what numba calls in place of the compiled functions."""
+        around, codes = self.function.__globals__, _codes(self.function.__code__)
+        names = {each.argval for code in codes for each in dis.get_instructions(code) if each.opname == "LOAD_GLOBAL"}
+        called = {name: around[name] for name in names if isinstance(around.get(name), Compiled)}
+        numbas = {name: value.dispatcher for name, value in called.items()}
+        return FunctionType(self.function.__code__, around | numbas, self.function.__name__)
 
 
 def _say(line: str) -> None:
@@ -119,50 +147,69 @@ def _say(line: str) -> None:
         sys.stderr.write(f"fembearing: {line}\n")
 
 
-def _compiled(loop: Loop, arguments: list[Any], result: Any) -> machine_code.MachineCode:
+def _compile(function: Compiled, kinds: list[Any]) -> MachineCode:
+    """Raises TypeError for a result that machine code cannot hand to Python."""
     from numba.core import compiler, registry, types
 
-    def type_of(annotation: Any) -> Any:
-        shape = machine_code.array_of(annotation)
-        inside = machine_code.fields_of(annotation)
-        if shape is not None:
-            dtype, dimension = shape
-            return types.Array(getattr(types, dtype.name), dimension, "C")
-        if inside is not None:
-            named = annotation if isinstance(annotation, type) else None
-            return types.BaseTuple.from_types([type_of(each) for each in inside], named)
-        return {float: types.float64, int: types.int64, bool: types.boolean, type(None): types.none}[annotation]
+    def type_of(kind: Any) -> Any:
+        if isinstance(kind, str):
+            return getattr(types, kind)
+        first, *inside = kind
+        if isinstance(first, str):
+            return types.Array(getattr(types, np.dtype(first).name), *inside)
+        return types.BaseTuple.from_types([type_of(each) for each in inside], None if first is tuple else first)
+
+    def kind_of(given: Any) -> Kind:
+        result = types.unliteral(given)
+        if isinstance(result, types.BaseTuple):
+            return [kind_of(each) for each in tuple(cast(Any, result))]
+        if isinstance(result, types.Array) and result.layout == "C":
+            return (np.dtype(result.dtype.name).char, result.ndim, "C")
+        for name in (*machine_code.NUMBERS, "none"):
+            if result == getattr(types, name):
+                return name
+        raise TypeError(f"{function.function.__qualname__} cannot give {result}")
 
     flags: Any = compiler.Flags()
-    flags.nrt, flags.error_model, flags.fastmath = True, DIVISION, loop.options["fastmath"]
+    flags.nrt, flags.error_model, flags.fastmath = True, DIVISION, function.options["fastmath"]
     flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True  # they need numba in the process
-    target = registry.cpu_target
+    target, arguments = registry.cpu_target, [type_of(kind) for kind in kinds]
     made = compiler.compile_extra(
-        target.typing_context,
-        target.target_context,
-        loop.of_numba(),
-        [type_of(each) for each in arguments],
-        type_of(result),
-        flags,
-        {},
+        target.typing_context, target.target_context, function.of_numba(), arguments, None, flags, {}
     )
-    return machine_code.MachineCode(code=made.library._get_compiled_object(), symbol=made.fndesc.llvm_func_name)
+    return MachineCode(
+        code=made.library._get_compiled_object(),
+        symbol=made.fndesc.llvm_func_name,
+        result=kind_of(made.signature.return_type),
+    )
 
 
-def _source_of(function: Part) -> Iterator[str]:
-    """All that the machine code of a function depends on: its byte code, its constants and its parts."""
-    ahead, known = [function], {function}
-    while ahead:
-        current = ahead.pop()
-        yield f"{current.function.__qualname__} {sorted(current.options['fastmath'])} {current.options.get('inline')}"
-        for code in _codes(current.function.__code__):
-            yield f"{code.co_code.hex()} {code.co_names} {code.co_varnames}"
-            yield from (repr(value) for value in code.co_consts if not isinstance(value, CodeType))
-        yield from (
-            f"{name} {_constant(value)}" for name, value in current.globals.items() if name not in current.parts
-        )
-        ahead += [each for each in current.parts.values() if each not in known]
-        known |= {*current.parts.values()}
+def _plain(kind: Any) -> Kind:
+    """A kind without the classes of tuples."""
+    if isinstance(kind, str) or isinstance(kind[0], str):
+        return kind
+    return [_plain(each) for each in kind[1:]]
+
+
+def _text_of(kind: Any) -> str:
+    """A text that changes with a kind, and with the names of a tuple."""
+    if isinstance(kind, str) or isinstance(kind[0], str):
+        return str(kind)
+    return f"{kind[0].__qualname__}{getattr(kind[0], '_fields', '')}({', '.join(map(_text_of, kind[1:]))})"
+
+
+def _naming(annotation: Any) -> Callable[[Any], Any] | None:
+    """What makes a plain tuple into a tuple of that annotation; None where it stays as it is."""
+    if get_origin(annotation) is tuple:
+        make, inside = tuple, get_args(annotation)
+    elif hasattr(annotation, "_fields"):
+        make, inside = annotation._make, get_type_hints(annotation).values()
+    else:
+        return None
+    parts = [_naming(each) for each in inside]
+    if not any(parts):
+        return make
+    return lambda values: make(each if part is None else part(each) for part, each in zip(parts, values, strict=True))
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:
@@ -174,12 +221,14 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
 
 def _constant(value: object) -> str:
     """A text that changes with a value of a module."""
-    if isinstance(value, type):
-        return f"{value.__qualname__} {getattr(value, '_fields', '')}"
-    if isinstance(value, BuiltinFunctionType) or (isinstance(value, ModuleType) and value.__name__ in CONSTANT_MODULES):
+    if isinstance(value, ModuleType):
+        if value.__name__ not in CONSTANT_MODULES:
+            raise TypeError(f"a compiled function names {value.__name__}: import what it takes from there by name")
         return value.__name__
+    if isinstance(value, tuple):
+        return f"({', '.join(map(_constant, value))})"
     if isinstance(value, np.ndarray):
         return f"{value.dtype} {value.shape} {value.tobytes().hex()}"
-    if isinstance(value, int | float | str | tuple | None):
+    if isinstance(value, int | float | str | None):
         return repr(value)
-    raise TypeError(f"a loop takes no {type(value).__name__} from its module")
+    return f"{type(value).__name__} {getattr(value, '__qualname__', '')} {getattr(value, '_fields', '')}"

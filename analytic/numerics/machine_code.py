@@ -2,30 +2,38 @@
 
 Numba takes a fifth of a second to import and a third to set up, whatever it then does. LLVM takes a twentieth and gives
 the same code. The folder is FEMBEARING_CACHE, else the one of the platform for caches; it can be deleted at any time.
+
+A kind says what a value is to machine code: `float64`, `int64` or `boolean`, `none`; `("d", 2, "C")` for an array
+of two dimensions, with NumPy's letter of its type, "A" where it is not C-contiguous; and a list of kinds for a tuple.
 """
 
 import ctypes
 import hashlib
+import json
 import os
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader, FileFinder
 from importlib.util import find_spec, module_from_spec
-from operator import index
+from operator import attrgetter
 from pathlib import Path
 from tempfile import NamedTemporaryFile
-from typing import Annotated, Any, get_args, get_origin, get_type_hints
+from types import ModuleType
+from typing import Any
 
 import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 
 FOLDER = "FEMBEARING_CACHE"  # of the environment
-NUMBERS = {float: ctypes.c_double, int: ctypes.c_int64, bool: ctypes.c_bool}
-BEFORE_SHAPE = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)  # of an array
+NUMBERS = {"float64": ctypes.c_double, "int64": ctypes.c_int64, "boolean": ctypes.c_bool}
+# Of an array, before its shape: owner of its memory, object, number of elements, size of one, and address
+ARRAY = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)
 RETURNED = (0, -2)  # statuses of numba's calling convention without an error: a value, or None
+
+Kind = Any
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,6 +42,7 @@ class MachineCode:
 
     code: bytes  # object file
     symbol: str
+    result: Kind
 
 
 def cache_folder() -> Path | None:
@@ -50,8 +59,7 @@ def cache_folder() -> Path | None:
 @cache
 def machine() -> str:
     """What machine code depends on beside its source: compiler and processor."""
-    features = llvm.get_host_cpu_features().flatten()
-    compiler = (_numba() / "_version.py").read_text("utf-8")
+    compiler, features = (_numba() / "_version.py").read_text("utf-8"), llvm.get_host_cpu_features().flatten()
     return " ".join((compiler, llvmlite.__version__, llvm.get_process_triple(), llvm.get_host_cpu_name(), features))
 
 
@@ -61,10 +69,10 @@ def kept(name: str, key: str) -> MachineCode | None:
     if folder is None:
         return None
     try:
-        digest, symbol, code = _file(folder, name, key).read_bytes().split(b"\n", 2)
+        digest, header, code = _file(folder, name, key).read_bytes().split(b"\n", 2)
     except (OSError, ValueError):
         return None
-    return MachineCode(code=code, symbol=symbol.decode()) if digest == _digest(symbol + code) else None
+    return MachineCode(code=code, **json.loads(header)) if digest == _digest(header + code) else None
 
 
 def keep(made: MachineCode, name: str, key: str) -> None:
@@ -73,9 +81,9 @@ def keep(made: MachineCode, name: str, key: str) -> None:
     if folder is None:
         raise OSError("the user has no home folder")
     folder.mkdir(parents=True, exist_ok=True)
-    symbol = made.symbol.encode()
+    header = json.dumps({"symbol": made.symbol, "result": made.result}).encode()
     with NamedTemporaryFile(dir=folder, delete=False) as file:
-        file.write(b"\n".join((_digest(symbol + made.code), symbol, made.code)))
+        file.write(b"\n".join((_digest(header + made.code), header, made.code)))
     os.replace(file.name, _file(folder, name, key))
 
 
@@ -87,74 +95,93 @@ def _digest(content: bytes) -> bytes:
     return hashlib.sha256(content).hexdigest().encode()
 
 
-def array_of(annotation: Any) -> tuple[np.dtype[Any], int] | None:
-    """Type of the elements and dimension of an array, from `Annotated[NDArray[np.float64], 2]`; None: another thing."""
-    if get_origin(annotation) is not Annotated:
-        return None
-    array, dimension = get_args(annotation)
-    return np.dtype(get_args(get_args(array)[1])[0]), dimension
-
-
-def fields_of(annotation: Any) -> Sequence[Any] | None:
-    """What a tuple, named or not, holds; None: another thing."""
-    if get_origin(annotation) is tuple:
-        return get_args(annotation)
-    return [*get_type_hints(annotation, include_extras=True).values()] if hasattr(annotation, "_fields") else None
-
-
-def text_of(annotation: Any) -> str:
-    """A text that changes with what an annotation passes."""
-    fields = fields_of(annotation)
-    return repr(annotation) if fields is None else f"{annotation} {[text_of(field) for field in fields]}"
-
-
-def callable_of(made: MachineCode, signature: Mapping[str, Any], result: Any) -> Callable[..., Any]:
-    """The function in this process, which checks the arrays that it is given: machine code checks nothing.
-
-    signature, result : annotations of the arguments and of what it returns
-    """
+def callable_of(made: MachineCode, kinds: Sequence[Kind]) -> Callable[[Sequence[Any]], Any]:
+    """The function in this process, by the pieces of its arguments; kinds : of the arguments."""
     _engine().add_object_file(llvm.ObjectFileRef.from_data(made.code))
     _engine().finalize_object()
-    passed = [_passed(name, annotation) for name, annotation in signature.items()]
-    kinds = [ctypes.c_void_p, ctypes.c_void_p, *(kind for each, _ in passed for kind in each)]
-    native = ctypes.CFUNCTYPE(ctypes.c_int, *kinds)(_engine().get_function_address(made.symbol))
-    number = NUMBERS.get(result, ctypes.c_int64)
+    passed = (ctypes.c_void_p, ctypes.c_void_p, *(part for kind in kinds for part in _passed(kind)))
+    native = ctypes.CFUNCTYPE(ctypes.c_int, *passed)(_engine().get_function_address(made.symbol))
+    returned, read, byref = _returned(made.result), _reader(made.result), ctypes.byref
 
-    def call(*given: Any) -> Any:
-        value, problem = number(), ctypes.c_void_p()
-        flat = [piece for (_, pieces), each in zip(passed, given, strict=True) for piece in pieces(each)]
-        status = native(ctypes.byref(value), ctypes.byref(problem), *flat)
+    def call(pieces: Sequence[Any]) -> Any:
+        value, problem = returned(), ctypes.c_void_p()
+        status = native(byref(value), byref(problem), *pieces)
         if status not in RETURNED:
             raise RuntimeError(f"{made.symbol} ended with status {status}")
-        return value.value if result in NUMBERS else None
+        return read(value)
 
     return call
 
 
-def _passed(name: str, annotation: Any) -> tuple[Sequence[type], Callable[[Any], Iterable[Any]]]:
-    """Of one argument: the types that the machine code takes, and the function that takes a value apart into these."""
-    shape, fields = array_of(annotation), fields_of(annotation)
-    if shape is not None:
-        dtype, dimension = shape
+def taken(value: Any) -> tuple[Any, list[Any]]:
+    """The kind of a value, of tuples as tuples with their class first, and the pieces that machine code takes for it.
 
-        def of_array(array: Any) -> Iterable[Any]:
-            if array.dtype != dtype or array.ndim != dimension or not array.flags.c_contiguous:
-                raise TypeError(
-                    f"{name} is {array.dtype} of shape {array.shape} and strides {array.strides}, not a C-contiguous "
-                    f"array of {dtype} with {dimension} dimensions"
-                )
-            return None, None, array.size, array.itemsize, array.ctypes.data, *array.shape, *array.strides
+    Raises TypeError for what machine code does not take.
+    """
+    match value:
+        case np.ndarray():
+            layout = "C" if value.flags.c_contiguous else "A"
+            pieces = [None, None, value.size, value.itemsize, value.ctypes.data, *value.shape, *value.strides]
+            return (value.dtype.char, value.ndim, layout), pieces
+        case bool() | np.bool_():
+            return "boolean", [bool(value)]
+        case float():
+            return "float64", [value]
+        case int() | np.integer():
+            return "int64", [int(value)]
+        case tuple():
+            inside = [taken(each) for each in value]
+            return (type(value), *(kind for kind, _ in inside)), [piece for _, pieces in inside for piece in pieces]
+    raise TypeError(f"compiled functions take no {type(value).__name__}")
 
-        return (*BEFORE_SHAPE, *(2 * dimension * (ctypes.c_int64,))), of_array
-    if fields is not None:
-        inside = [_passed(name, field) for field in fields]
 
-        def of_tuple(values: Any) -> Iterable[Any]:
-            return [piece for (_, pieces), each in zip(inside, values, strict=True) for piece in pieces(each)]
+def _passed(kind: Kind) -> Iterator[type]:
+    """How an argument is passed."""
+    if isinstance(kind, list):
+        for each in kind:
+            yield from _passed(each)
+    elif isinstance(kind, tuple):
+        yield from (*ARRAY, *(2 * kind[1] * (ctypes.c_int64,)))
+    else:
+        yield NUMBERS[kind]
 
-        return [kind for kinds, _ in inside for kind in kinds], of_tuple
-    whole = index if annotation is int else lambda number: number  # ctypes takes no integers of NumPy
-    return (NUMBERS[annotation],), lambda number: (whole(number),)
+
+def _returned(kind: Kind) -> Any:
+    """What a result is written to."""
+    if kind == "none":
+        return ctypes.c_void_p
+    if isinstance(kind, str):
+        return NUMBERS[kind]
+    parts = list(_passed(tuple(kind))) if _is_array(kind) else [_returned(each) for each in kind]
+    return type("Result", (ctypes.Structure,), {"_fields_": [(f"_{index}", part) for index, part in enumerate(parts)]})
+
+
+def _is_array(kind: Sequence[Any]) -> bool:
+    return len(kind) == 3 and isinstance(kind[1], int)
+
+
+def _reader(kind: Kind) -> Callable[[Any], Any]:
+    """How Python has a result; arrays are copied out of the memory that machine code gave them."""
+    if kind == "none":
+        return lambda _: None
+    if isinstance(kind, str):
+        return attrgetter("value")
+    return lambda result: _value(result, kind)
+
+
+def _value(result: Any, kind: Kind) -> Any:
+    if isinstance(kind, str):  # inside a tuple
+        return result
+    fields = [getattr(result, name) for name, *_ in result._fields_]
+    if not _is_array(kind):
+        return tuple(map(_value, fields, kind))
+    owner, _, size, itemsize, address = fields[: len(ARRAY)]
+    shape = fields[len(ARRAY) : len(ARRAY) + kind[1]]
+    memory = (ctypes.c_char * (size * itemsize)).from_address(address) if size else b""
+    array = np.frombuffer(memory, dtype=kind[0], count=size).reshape(shape).copy()
+    if owner:
+        _release()(owner)
+    return array
 
 
 @cache
@@ -162,21 +189,34 @@ def _engine() -> llvm.ExecutionEngine:
     """What machine code lives in until the process ends."""
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
-    for name, address in _memory().items():
-        llvm.add_symbol(name, address)
+    for prefix, module in (("NRT_", _memory()), ("numba_", _extension(".", "_helperlib"))):
+        for name, address in module.c_helpers.items():
+            llvm.add_symbol(name if name.startswith("_") else prefix + name, address)
     target = llvm.Target.from_default_triple().create_target_machine(jit=True)
     return llvm.create_mcjit_compiler(llvm.parse_assembly(""), target)
 
 
-def _memory() -> dict[str, int]:
-    """Addresses of the functions that give arrays their memory: a part of numba that needs nothing of the others."""
-    finder = FileFinder(str(_numba() / "core" / "runtime"), (ExtensionFileLoader, EXTENSION_SUFFIXES))
-    found = finder.find_spec("_nrt_python")
+@cache
+def _release() -> Callable[[int], None]:
+    """The function that gives the memory of an array back."""
+    return ctypes.CFUNCTYPE(None, ctypes.c_void_p)(_memory().c_helpers["MemInfo_release"])
+
+
+@cache
+def _memory() -> ModuleType:
+    """The functions that give arrays their memory."""
+    return _extension("core/runtime", "_nrt_python")
+
+
+def _extension(folder: str, name: str) -> ModuleType:
+    """A part of numba in C, which needs nothing of the others."""
+    finder = FileFinder(str(_numba() / folder), (ExtensionFileLoader, EXTENSION_SUFFIXES))
+    found = finder.find_spec(name)
     assert found is not None
     assert found.loader is not None
-    runtime = module_from_spec(found)
-    found.loader.exec_module(runtime)
-    return {name if name.startswith("_") else f"NRT_{name}": address for name, address in runtime.c_helpers.items()}
+    extension = module_from_spec(found)
+    found.loader.exec_module(extension)
+    return extension
 
 
 def _numba() -> Path:
