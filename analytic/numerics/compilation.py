@@ -10,11 +10,12 @@ gives NaN or a status, and a division by zero gives infinity or NaN. `analytic.n
 
 import dis
 import inspect
+import re
 import sys
 from collections.abc import Callable, Iterator
 from functools import cached_property, update_wrapper
 from types import CodeType, FunctionType, ModuleType
-from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints, overload
+from typing import Any, TypeVar, cast, overload
 
 import numpy as np
 
@@ -97,9 +98,7 @@ class Compiled:
                     f"compiled formulas cannot be kept ({problem}), so that every start compiles them again; give a "
                     f"folder that can be written in {machine_code.FOLDER}"
                 )
-        call = machine_code.callable_of(made, [_plain(kind) for kind in kinds])
-        named = _naming(get_type_hints(self.function).get("return"))
-        return call if named is None else lambda pieces: named(call(pieces))
+        return machine_code.callable_of(made, kinds)
 
     def source(self) -> Iterator[str]:
         """All that the machine code depends on: byte code, constants, and the same of the functions that are called."""
@@ -151,20 +150,22 @@ def _compile(function: Compiled, kinds: list[Any]) -> MachineCode:
     """Raises TypeError for a result that machine code cannot hand to Python."""
     from numba.core import compiler, registry, types
 
-    def type_of(kind: Any) -> Any:
-        if isinstance(kind, str):
-            return getattr(types, kind)
-        first, *inside = kind
-        if isinstance(first, str):
-            return types.Array(getattr(types, np.dtype(first).name), *inside)
-        return types.BaseTuple.from_types([type_of(each) for each in inside], None if first is tuple else first)
+    def type_of(kind: Kind) -> Any:
+        match kind:
+            case ("array", letter, dimension, layout):
+                return types.Array(getattr(types, np.dtype(letter).name), dimension, layout)
+            case ("tuple", made, *inside):
+                return types.BaseTuple.from_types([type_of(each) for each in inside], None if made is tuple else made)
+        return getattr(types, kind)
 
     def kind_of(given: Any) -> Kind:
         result = types.unliteral(given)
         if isinstance(result, types.BaseTuple):
-            return [kind_of(each) for each in tuple(cast(Any, result))]
+            made = getattr(result, "instance_class", None)
+            name = "" if made is None else f"{made.__module__}:{made.__qualname__}"
+            return ("tuple", name, *(kind_of(each) for each in tuple(cast(Any, result))))
         if isinstance(result, types.Array) and result.layout == "C":
-            return (np.dtype(result.dtype.name).char, result.ndim, "C")
+            return ("array", np.dtype(result.dtype.name).char, result.ndim, "C")
         for name in (*machine_code.NUMBERS, "none"):
             if result == getattr(types, name):
                 return name
@@ -181,35 +182,16 @@ def _compile(function: Compiled, kinds: list[Any]) -> MachineCode:
         code=made.library._get_compiled_object(),
         symbol=made.fndesc.llvm_func_name,
         result=kind_of(made.signature.return_type),
+        needs=re.findall(r'^declare .*?@"?(?!llvm\.)([^"( ]+)', made.library.get_llvm_str(), re.MULTILINE),
     )
 
 
-def _plain(kind: Any) -> Kind:
-    """A kind without the classes of tuples."""
-    if isinstance(kind, str) or isinstance(kind[0], str):
-        return kind
-    return [_plain(each) for each in kind[1:]]
-
-
-def _text_of(kind: Any) -> str:
+def _text_of(kind: Kind) -> str:
     """A text that changes with a kind, and with the names of a tuple."""
-    if isinstance(kind, str) or isinstance(kind[0], str):
-        return str(kind)
-    return f"{kind[0].__qualname__}{getattr(kind[0], '_fields', '')}({', '.join(map(_text_of, kind[1:]))})"
-
-
-def _naming(annotation: Any) -> Callable[[Any], Any] | None:
-    """What makes a plain tuple into a tuple of that annotation; None where it stays as it is."""
-    if get_origin(annotation) is tuple:
-        make, inside = tuple, get_args(annotation)
-    elif hasattr(annotation, "_fields"):
-        make, inside = annotation._make, get_type_hints(annotation).values()
-    else:
-        return None
-    parts = [_naming(each) for each in inside]
-    if not any(parts):
-        return make
-    return lambda values: make(each if part is None else part(each) for part, each in zip(parts, values, strict=True))
+    match kind:
+        case ("tuple", made, *inside):
+            return f"{made.__qualname__}{getattr(made, '_fields', '')}({', '.join(map(_text_of, inside))})"
+    return str(kind)
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:

@@ -3,8 +3,9 @@
 Numba takes a fifth of a second to import and a third to set up, whatever it then does. LLVM takes a twentieth and gives
 the same code. The folder is FEMBEARING_CACHE, else the one of the platform for caches; it can be deleted at any time.
 
-A kind says what a value is to machine code: `float64`, `int64` or `boolean`, `none`; `("d", 2, "C")` for an array
-of two dimensions, with NumPy's letter of its type, "A" where it is not C-contiguous; and a list of kinds for a tuple.
+A kind says what a value is to machine code: "float64", "int64", "boolean" or "none"; ("array", type of the elements as
+NumPy's letter, dimension, "C" where it is C-contiguous, else "A"); or ("tuple", class, kind of each element), where a
+result has the class as "module:name", and "" for one without a name.
 """
 
 import ctypes
@@ -26,6 +27,7 @@ from typing import Any
 import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
+from numpy.typing import NDArray
 
 FOLDER = "FEMBEARING_CACHE"  # of the environment
 NUMBERS = {"float64": ctypes.c_double, "int64": ctypes.c_int64, "boolean": ctypes.c_bool}
@@ -33,7 +35,7 @@ NUMBERS = {"float64": ctypes.c_double, "int64": ctypes.c_int64, "boolean": ctype
 ARRAY = (ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)
 RETURNED = (0, -2)  # statuses of numba's calling convention without an error: a value, or None
 
-Kind = Any
+Kind = Any  # as above; in a file tuples are lists
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,6 +45,7 @@ class MachineCode:
     code: bytes  # object file
     symbol: str
     result: Kind
+    needs: Sequence[str]  # functions that it calls
 
 
 def cache_folder() -> Path | None:
@@ -58,13 +61,19 @@ def cache_folder() -> Path | None:
 
 @cache
 def machine() -> str:
-    """What machine code depends on beside its source: compiler and processor."""
+    """What machine code depends on beside its source: compiler, processor, and the two files that make and load it."""
+    here = (Path(__file__).with_name(name).read_text("utf-8") for name in ("compilation.py", "machine_code.py"))
     compiler, features = (_numba() / "_version.py").read_text("utf-8"), llvm.get_host_cpu_features().flatten()
-    return " ".join((compiler, llvmlite.__version__, llvm.get_process_triple(), llvm.get_host_cpu_name(), features))
+    return " ".join(
+        (compiler, llvmlite.__version__, llvm.get_process_triple(), llvm.get_host_cpu_name(), features, *here)
+    )
 
 
 def kept(name: str, key: str) -> MachineCode | None:
-    """The machine code that is kept under that name with that key; None: there is none, or the file is damaged."""
+    """The machine code that is kept under that name with that key.
+
+    None: there is none, its file is damaged, or it calls what only a process with numba has.
+    """
     folder = cache_folder()
     if folder is None:
         return None
@@ -72,7 +81,11 @@ def kept(name: str, key: str) -> MachineCode | None:
         digest, header, code = _file(folder, name, key).read_bytes().split(b"\n", 2)
     except (OSError, ValueError):
         return None
-    return MachineCode(code=code, **json.loads(header)) if digest == _digest(header + code) else None
+    if digest != _digest(header + code):
+        return None
+    made = MachineCode(code=code, **json.loads(header))
+    _engine()  # it brings functions of numba
+    return made if all(map(llvm.address_of_symbol, made.needs)) else None
 
 
 def keep(made: MachineCode, name: str, key: str) -> None:
@@ -81,7 +94,7 @@ def keep(made: MachineCode, name: str, key: str) -> None:
     if folder is None:
         raise OSError("the user has no home folder")
     folder.mkdir(parents=True, exist_ok=True)
-    header = json.dumps({"symbol": made.symbol, "result": made.result}).encode()
+    header = json.dumps({name: value for name, value in vars(made).items() if name != "code"}).encode()
     with NamedTemporaryFile(dir=folder, delete=False) as file:
         file.write(b"\n".join((_digest(header + made.code), header, made.code)))
     os.replace(file.name, _file(folder, name, key))
@@ -113,8 +126,8 @@ def callable_of(made: MachineCode, kinds: Sequence[Kind]) -> Callable[[Sequence[
     return call
 
 
-def taken(value: Any) -> tuple[Any, list[Any]]:
-    """The kind of a value, of tuples as tuples with their class first, and the pieces that machine code takes for it.
+def taken(value: Any) -> tuple[Kind, list[Any]]:
+    """The kind of a value, and the pieces that machine code takes for it.
 
     Raises TypeError for what machine code does not take.
     """
@@ -122,7 +135,7 @@ def taken(value: Any) -> tuple[Any, list[Any]]:
         case np.ndarray():
             layout = "C" if value.flags.c_contiguous else "A"
             pieces = [None, None, value.size, value.itemsize, value.ctypes.data, *value.shape, *value.strides]
-            return (value.dtype.char, value.ndim, layout), pieces
+            return ("array", value.dtype.char, value.ndim, layout), pieces
         case bool() | np.bool_():
             return "boolean", [bool(value)]
         case float():
@@ -131,57 +144,72 @@ def taken(value: Any) -> tuple[Any, list[Any]]:
             return "int64", [int(value)]
         case tuple():
             inside = [taken(each) for each in value]
-            return (type(value), *(kind for kind, _ in inside)), [piece for _, pieces in inside for piece in pieces]
+            pieces = [piece for _, pieces in inside for piece in pieces]
+            return ("tuple", type(value), *(kind for kind, _ in inside)), pieces
     raise TypeError(f"compiled functions take no {type(value).__name__}")
 
 
 def _passed(kind: Kind) -> Iterator[type]:
-    """How an argument is passed."""
-    if isinstance(kind, list):
-        for each in kind:
-            yield from _passed(each)
-    elif isinstance(kind, tuple):
-        yield from (*ARRAY, *(2 * kind[1] * (ctypes.c_int64,)))
-    else:
-        yield NUMBERS[kind]
+    """How an argument is passed, or a result of several parts is laid out."""
+    match kind:
+        case str():
+            yield NUMBERS[kind]
+        case ["array", _, dimension, _]:
+            yield from (*ARRAY, *(2 * dimension * (ctypes.c_int64,)))
+        case ["tuple", _, *inside]:
+            for each in inside:
+                yield from _passed(each)
 
 
 def _returned(kind: Kind) -> Any:
     """What a result is written to."""
-    if kind == "none":
-        return ctypes.c_void_p
-    if isinstance(kind, str):
-        return NUMBERS[kind]
-    parts = list(_passed(tuple(kind))) if _is_array(kind) else [_returned(each) for each in kind]
+    match kind:
+        case "none":
+            return ctypes.c_void_p
+        case str():
+            return NUMBERS[kind]
+        case ["tuple", _, *inside]:
+            parts = [_returned(each) for each in inside]
+        case _:
+            parts = [*_passed(kind)]
     return type("Result", (ctypes.Structure,), {"_fields_": [(f"_{index}", part) for index, part in enumerate(parts)]})
 
 
-def _is_array(kind: Sequence[Any]) -> bool:
-    return len(kind) == 3 and isinstance(kind[1], int)
-
-
 def _reader(kind: Kind) -> Callable[[Any], Any]:
-    """How Python has a result; arrays are copied out of the memory that machine code gave them."""
-    if kind == "none":
-        return lambda _: None
-    if isinstance(kind, str):
-        return attrgetter("value")
-    return lambda result: _value(result, kind)
+    """How Python has a result."""
+    match kind:
+        case "none":
+            return lambda _: None
+        case str():
+            return attrgetter("value")
+    return _inner_reader(kind)
 
 
-def _value(result: Any, kind: Kind) -> Any:
-    if isinstance(kind, str):  # inside a tuple
-        return result
-    fields = [getattr(result, name) for name, *_ in result._fields_]
-    if not _is_array(kind):
-        return tuple(map(_value, fields, kind))
-    owner, _, size, itemsize, address = fields[: len(ARRAY)]
-    shape = fields[len(ARRAY) : len(ARRAY) + kind[1]]
+def _inner_reader(kind: Kind) -> Callable[[Any], Any]:
+    """The same in a tuple; arrays are copied out of the memory that machine code gave them."""
+    match kind:
+        case ["array", letter, dimension, _]:
+            return lambda result: _array(result, letter, dimension)
+        case ["tuple", name, *inside]:
+            readers = [(f"_{index}", _inner_reader(each)) for index, each in enumerate(inside)]
+            make = _class(name)._make if name else tuple
+            return lambda result: make([read(getattr(result, field)) for field, read in readers])
+    return lambda number: number
+
+
+def _array(result: Any, letter: str, dimension: int) -> NDArray[Any]:
+    owner, _, size, itemsize, address, *shape = (getattr(result, name) for name, *_ in result._fields_)
     memory = (ctypes.c_char * (size * itemsize)).from_address(address) if size else b""
-    array = np.frombuffer(memory, dtype=kind[0], count=size).reshape(shape).copy()
+    array = np.frombuffer(memory, dtype=letter, count=size).reshape(shape[:dimension]).copy()
     if owner:
         _release()(owner)
     return array
+
+
+def _class(name: str) -> Any:
+    """A class by its module, which the function that gives such tuples has imported, and name."""
+    module, _, inside = name.partition(":")
+    return attrgetter(inside)(sys.modules[module])
 
 
 @cache

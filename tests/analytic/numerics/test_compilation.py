@@ -67,6 +67,11 @@ def pairs(count: int) -> Array:
 
 
 @compiled
+def split(values: Array):
+    return Sums((False, values.size), values[0]), values.reshape((2, -1)) * 2.0
+
+
+@compiled
 def refuse(value: float) -> None:
     if value > 0.0:
         raise ValueError("above zero")
@@ -110,6 +115,12 @@ def test_arrays_are_given_with_their_shapes() -> None:
     np.testing.assert_allclose(powers_of(2), [2**0.3, 2**1.7, 2**2.9], rtol=1e-14)  # an integer for a float
 
 
+def test_results_have_their_names_without_annotations() -> None:
+    sums, doubled = split(np.array([0.5, 1.5, 2.5, 3.5]))
+    assert (type(sums), sums) == (Sums, ((False, 4), 0.5))
+    assert doubled.tolist() == [[1.0, 3.0], [5.0, 7.0]]  # by a function of numba's own, for the shape
+
+
 def test_a_division_by_zero_gives_infinity() -> None:
     bases, out, count, law = arguments()
     bases[1] = 0.0
@@ -148,6 +159,8 @@ PROGRAM = """
 import sys
 from tests.analytic.numerics import test_compilation as here
 print(here.fill(*here.arguments())[1], "numba" in sys.modules)
+assert here.split(here.arguments()[0])[1][1, 0] == 1.4
+
 """
 
 
@@ -169,7 +182,8 @@ def test_a_function_is_compiled_once_and_loaded_without_numba(tmp_path: Path) ->
     expected = fill(*arguments())[1]
     assert in_process(tmp_path) == (expected, "True", f"fembearing: {FIRST_TIME}\n")
     assert in_process(tmp_path) == (expected, "False", "")
-    (file,) = tmp_path.iterdir()
+    file, other = sorted(tmp_path.iterdir())
+    assert [each.name.partition("-")[0].rpartition(".")[2] for each in (file, other)] == ["fill", "split"]
     whole = file.read_bytes()
     file.write_bytes(whole[: len(whole) // 2])
     assert in_process(tmp_path) == (expected, "True", f"fembearing: {FIRST_TIME}\n")
