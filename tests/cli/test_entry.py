@@ -41,15 +41,20 @@ def test_h_is_help_everywhere(command) -> None:
 SLOW = {"numpy", "scipy", "pydantic", "pint", "rich", "llvmlite", "numba", "skfem", "pyvista", "matplotlib"}
 
 
-def loaded_by(*arguments: str) -> set[str]:
-    """Packages that a process of the command has imported at its end."""
+def loaded_by(*arguments: str, whole: bool = False) -> set[str]:
+    """Packages that a process of the command has imported at its end; whole : and the modules in them.
+
+    What the command compiles is there: it has run before.
+    """
     show = (
         "import sys; from fembearing import cli; sys.argv = ['fembearing', *sys.argv[1:]]\n"
         "try: cli.main()\n"
-        "finally: print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
+        "finally: print(*sys.modules, file=sys.stderr)"
     )
-    done = subprocess.run([sys.executable, "-c", show, *arguments], capture_output=True, text=True, check=True)
-    return {*done.stderr.splitlines()[-1].split()}
+    for _ in range(2 if whole else 1):
+        done = subprocess.run([sys.executable, "-c", show, *arguments], capture_output=True, text=True, check=True)
+    modules = done.stderr.splitlines()[-1].split()
+    return {name for name in modules if whole} | {name.partition(".")[0] for name in modules}
 
 
 @pytest.mark.parametrize("option", ["--version", "--help"])
@@ -57,6 +62,14 @@ def test_version_and_help_load_nothing_slow(option: str) -> None:
     loaded = loaded_by(option)
     assert "typer" in loaded
     assert not SLOW & loaded
+
+
+def test_the_torque_of_a_dry_scene_loads_only_what_it_computes_with() -> None:
+    loaded = loaded_by("torque", "6205-dry", whole=True)
+    assert "numpy" in loaded
+    slow = {"pint", "xarray", "matplotlib", "skfem", "meshio", "pyvista", "pypardiso", "jinja2", "pandas", "netCDF4"}
+    slow |= {f"scipy.{part}" for part in ("stats", "optimize", "interpolate", "linalg", "sparse", "integrate")}
+    assert not (slow | {"numba"}) & loaded
 
 
 def test_the_list_of_commands_says_what_each_says_of_itself(command) -> None:
