@@ -96,7 +96,12 @@ def keep(made: MachineCode, name: str, key: str) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     header = json.dumps({name: value for name, value in vars(made).items() if name != "code"}).encode()
     with NamedTemporaryFile(dir=folder, delete=False) as file:
-        file.write(b"\n".join((_digest(header + made.code), header, made.code)))
+        try:
+            file.write(b"\n".join((_digest(header + made.code), header, made.code)))
+            file.flush()
+        except OSError:  # the disk is full
+            os.unlink(file.name)
+            raise
     os.replace(file.name, _file(folder, name, key))
 
 

@@ -51,9 +51,11 @@ def loaded_by(*arguments: str, whole: bool = False) -> set[str]:
         "try: cli.main()\n"
         "finally: print(*sys.modules, file=sys.stderr)"
     )
-    for _ in range(2 if whole else 1):
-        done = subprocess.run([sys.executable, "-c", show, *arguments], capture_output=True, text=True, check=True)
-    modules = done.stderr.splitlines()[-1].split()
+    runs = [
+        subprocess.run([sys.executable, "-c", show, *arguments], capture_output=True, text=True, check=True)
+        for _ in range(2 if whole else 1)
+    ]
+    modules = runs[-1].stderr.splitlines()[-1].split()
     return {name for name in modules if whole} | {name.partition(".")[0] for name in modules}
 
 
