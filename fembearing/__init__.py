@@ -10,9 +10,14 @@
 `__init__.pyi` lists the names. Each is imported on first use, so that a program pays only for what it calls.
 """
 
-from importlib.metadata import version
-
 from lazy_loader import attach_stub
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)
-__version__ = version("fembearing")
+_named, __dir__, __all__ = attach_stub(__name__, __file__)
+
+
+def __getattr__(name: str) -> object:
+    if name == "__version__":
+        from importlib.metadata import version  # slow to import
+
+        return version("fembearing")
+    return _named(name)

@@ -1,6 +1,6 @@
 """The compiled loop of cage and balls in motion; `analytic.cage.free_motion` says what it solves.
 
-Only `analytic.cage.free_motion` imports it, on demand, because numba is slow to import. Everything is in the fixed
+Only `analytic.cage.free_motion` imports it, on demand, because LLVM is slow to import. Everything is in the fixed
 frame, z is the axis of the bearing.
 The cage moves as in `analytic.cage.kernel`: half a kick, free flight, half a kick. A ball goes on with its speed along
 the orbit. Then the races and the force of its pocket change its four speeds by one implicit step
@@ -10,18 +10,14 @@ are the same, so the momentum of both together changes by the races' tractions, 
 """
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from analytic.cage import law as shared
-from analytic.cage import race_law
 from analytic.cage.law import (
     FAST,
     Ball,
     Flight,
     Law,
     body_of,
-    compiled,
     flown,
     guided,
     kicked,
@@ -31,6 +27,7 @@ from analytic.cage.law import (
     rotation,
 )
 from analytic.cage.race_law import ALONE, RaceLaw, interpolated, rolled, seats
+from analytic.numerics.compilation import compiled
 
 PATIENCE = 16  # steps of the cage for one of a ball that is not touched
 
@@ -45,14 +42,14 @@ TALLY = 20
 UNSETTLED, LARGEST, GRIP = TALLY - 3, TALLY - 2, TALLY - 1
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def _stepped(races, row, ball, force, span, scale):
     """Roll of a ball; force : of its pocket, outward, along z, and the impulse by its four speeds."""
     begin = (ball[1], ball[2], ball[3], ball[4])
     return rolled(races, seats(races, row, force[0], force[1], scale), begin, force[2], span, scale)
 
 
-@compiled(shared, race_law)
+@compiled(fastmath=FAST)
 def go_round(
     races: RaceLaw,
     table: NDArray[np.float64],
@@ -80,7 +77,7 @@ def go_round(
     return path.shape[0]
 
 
-@compiled(shared, race_law)
+@compiled(fastmath=FAST)
 def advance(
     laws: tuple[Law, RaceLaw],
     azimuth: NDArray[np.float64],

@@ -1,7 +1,7 @@
 """The compiled loop of the cage's motion; `analytic.cage.motion` says what it solves.
 
-Compiled on first use and cached. Only `analytic.cage.motion` imports it, on demand, because numba is slow to import.
-Everything is in the fixed frame, z is the axis of the bearing.
+Only `analytic.cage.motion` imports it, on demand, because LLVM is slow to import. Everything is in the fixed frame, z
+is the axis of the bearing.
 One step is half a kick by the loads, the exact motion of a free ring, and half a kick by the loads at its end. There,
 friction and damping take the velocities that the previous loads would give. The method is of second order, and
 symplectic without losses.
@@ -10,10 +10,8 @@ symplectic without losses.
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from analytic.cage import law as shared
 from analytic.cage.law import (
     FAST,
     Ball,
@@ -21,7 +19,6 @@ from analytic.cage.law import (
     Law,
     Vector,
     body_of,
-    compiled,
     flown,
     guided,
     kicked,
@@ -30,6 +27,7 @@ from analytic.cage.law import (
     risen,
     rotation,
 )
+from analytic.numerics.compilation import compiled
 
 # The state: place, velocity, quaternion (scalar first), angular momentum, time and angle of the orbit.
 STATE = 15
@@ -64,7 +62,7 @@ class Loads(NamedTuple):
     deepest: float  # penetration, m
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def _loads(law, azimuth, touch, now, body, drive):
     """Loads on the Body by balls that an Orbit describes; azimuth, touch and now as in `advance`."""
     x, y, z = body.place
@@ -137,7 +135,7 @@ def _loads(law, azimuth, touch, now, body, drive):
     )
 
 
-@compiled(shared)
+@compiled(fastmath=FAST)
 def advance(
     law: Law,
     azimuth: NDArray[np.float64],

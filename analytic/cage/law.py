@@ -5,17 +5,14 @@ together. Both have the forces of a pocket, of a land and of drag from here. Eve
 axis of the bearing.
 """
 
-from collections.abc import Callable
-from contextlib import suppress
-from pathlib import Path
-from types import ModuleType
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
+
+from analytic.numerics.compilation import compiled
 
 # NaN and infinity keep their meaning: the loops test for them.
-FAST = {"contract", "reassoc", "arcp", "nsz", "afn"}
+FAST = frozenset(("contract", "reassoc", "arcp", "nsz", "afn"))
 SATURATED = 20.0  # |v|/v0 from where tanh is 1 in double precision
 
 Vector = tuple[float, float, float]
@@ -105,26 +102,7 @@ class Guidance(NamedTuple):
     deepest: float  # penetration, m
 
 
-def compiled(*parts: ModuleType) -> Callable[[Callable[..., int]], Callable[..., int]]:
-    """Compile and cache; without a cache where no folder is writable (a read-only installation without a home).
-
-    parts : modules of which the function takes compiled functions; numba would not notice that these have changed
-    """
-
-    def decorate(function: Callable[..., int]) -> Callable[..., int]:
-        try:
-            loop = njit(cache=True, fastmath=FAST)(function)
-        except RuntimeError:
-            return njit(fastmath=FAST)(function)
-        with suppress(AttributeError):  # numba has no public way to say what else the compiled code depends on
-            file = loop._cache._cache_file  # pyright: ignore[reportAttributeAccessIssue]
-            file._source_stamp = (file._source_stamp, *(Path(str(part.__file__)).read_bytes() for part in parts))
-        return loop
-
-    return decorate
-
-
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def loose(law, offset, axis):
     """Whether a ball touches neither shell; offset, axis : as in Ball."""
     ux, uy, uz = offset
@@ -133,7 +111,7 @@ def loose(law, offset, axis):
     return ux * ux + uy * uy + uz * uz + law.centre_offset * (2.0 * abs(along) + law.centre_offset) <= reach
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def _against(law, ball, body, touch, row, shell):
     """Push of a Ball on one shell of its pocket."""
     ux, uy, uz = ball.offset
@@ -187,7 +165,7 @@ def _against(law, ball, body, touch, row, shell):
     )
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def pushed(law, ball, body, touch, row):
     """Push of a Ball that is not loose on both shells of its pocket; row : of `touch`, which `advance` describes."""
     one = _against(law, ball, body, touch, row, 0)
@@ -206,7 +184,7 @@ def pushed(law, ball, body, touch, row):
     )
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def guided(law, body, scale):
     """Guidance of a Body; scale : share of all speeds that is reached, 0 to 1."""
     x, y, _ = body.place
@@ -245,7 +223,7 @@ def guided(law, body, scale):
     return Guidance((fx, fy, fz), (mx, my, mz), dragged, rubbing, deepest)
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def rotation(orientation):
     """Matrix of a quaternion of length 1, by rows."""
     a, b, c, d = orientation
@@ -262,7 +240,7 @@ def rotation(orientation):
     )
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def kicked(law, flight, force, moment, time):
     """The Flight after loads that act for a time."""
     x, y, z = flight.velocity
@@ -276,7 +254,7 @@ def kicked(law, flight, force, moment, time):
     )
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def flown(law, flight, r, step):
     """The Flight after a step without loads; r : its rotation matrix at the beginning.
 
@@ -307,7 +285,7 @@ def flown(law, flight, r, step):
     )
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def body_of(law, flight, r):
     """The Body of a Flight; r : its rotation matrix."""
     lx, ly, lz = flight.momentum
@@ -318,7 +296,7 @@ def body_of(law, flight, r):
     )
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def risen(time, ramp):
     """Share of all speeds that is reached, 0 to 1."""
     return time / ramp if time < ramp else 1.0

@@ -15,9 +15,9 @@ Source: [Kalker1982], [Polach2005] for f; the balance of a ball is Euler's equat
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from analytic.cage.law import FAST
+from analytic.numerics.compilation import compiled
 
 # In a 6205 under 1000 N: 4 give 2.5 times the torque of a whirling cage. 24 leave 0.2 % of it, 0.8 % of the torque of
 # the races and 2 % of the lead of balls under radial load: slip changes its sign within a tenth of the width.
@@ -88,7 +88,7 @@ class Roll(NamedTuple):
     settled: bool
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def interpolated(table, angle, row):
     """Set the row, (2, FIELDS), to the table, (n, 2, FIELDS), at an azimuth."""
     points = table.shape[0]
@@ -102,7 +102,7 @@ def interpolated(table, angle, row):
             row[race, field] = (1.0 - part) * table[first, race, field] + part * table[second, race, field]
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def _seat(friction, hollow, load, row, turn):
     """A Seat from its row, but for the least creep; turn : of the normal, rad."""
     rho, z = row[NORMAL_RHO], row[NORMAL_Z]
@@ -113,7 +113,7 @@ def _seat(friction, hollow, load, row, turn):
     return Seat(friction * load, rho * length, z * length, row[WIDTH] * size, hollow, row[CREEP] * size)
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def seats(races, row, radial, axial, scale):
     """Both seats of a ball under the force of its pocket, N.
 
@@ -149,7 +149,7 @@ def seats(races, row, radial, axial, scale):
     )
 
 
-@njit(fastmath=FAST)
+@compiled(fastmath=FAST)
 def traction(seat, along, about, outward, axial):
     """Traction on a ball whose speeds relative to the ring are r_m (w_c - w_ring), r W_phi, r W_rho and r W_z."""
     n, m = seat.normal_rho, seat.normal_z
@@ -208,7 +208,7 @@ def traction(seat, along, about, outward, axial):
     )
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def _solved(a, b):
     """x of a x = b with four unknowns, by elimination without exchange: the symmetric part of a is positive."""
     (a00, a01, a02, a03), (a10, a11, a12, a13), (a20, a21, a22, a23), (a30, a31, a32, a33) = a
@@ -230,7 +230,7 @@ def _solved(a, b):
     return (b0 - a01 * x1 - a02 * x2 - a03 * x3) * p, x1, x2, x3
 
 
-@njit(fastmath=FAST, inline="always")
+@compiled(fastmath=FAST, inline=True)
 def rolled(races, pair, begin, impulse, span, scale):
     """Roll of a ball over a time span, by the backward Euler method; m and J/r^2 = (2/5) m are the masses.
 

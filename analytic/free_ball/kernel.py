@@ -1,12 +1,11 @@
 """The compiled loops of a free ball's rotation; `analytic.free_ball.rotation` says what they solve.
 
-Compiled on first use and cached; imported on demand, because numba is slow to import. Rates are per unit ring speed w,
+Imported on demand, because LLVM is slow to import. Rates are per unit ring speed w,
 so slip is a length and an inertia carries w^2. One contact is a row of numbers (`analytic.free_ball.layout`). The nodes
 of a quadrature lie on strips along rolling, at y = b sin(angle), where the pressure is smooth.
 """
 
 import numpy as np
-from numba import njit
 
 from analytic.free_ball.layout import (
     ACROSS,
@@ -46,7 +45,7 @@ HARDER = 10.0  # between two stages of a ball whose Newton's method stalls
 STAGES = 6
 
 
-@njit(inline="always", error_model="numpy")
+@compiled(inline=True)
 def _yielding(slip, steady, limit, eyring, fluidity):
     """Stress of a point that slides, and its slope: steady + min(eyring asinh(fluidity slip), limit)."""
     if eyring == 0.0:
@@ -60,7 +59,7 @@ def _yielding(slip, steady, limit, eyring, fluidity):
     return steady + oil, eyring * fluidity / np.sqrt(1.0 + rate * rate)
 
 
-@njit(inline="always", error_model="numpy")
+@compiled(inline=True)
 def _sheared(reach, compliance, steady, limit, eyring, fluidity):
     """Stress and slope of a point whose surfaces would slip by `reach` without stress: g + compliance T(g) = reach."""
     if eyring == 0.0:
@@ -85,7 +84,7 @@ def _sheared(reach, compliance, steady, limit, eyring, fluidity):
     return steady + eyring * y, slope / (1.0 + compliance * slope)
 
 
-@njit(inline="always", error_model="numpy")
+@compiled(inline=True)
 def _fluidity(law, pressure, table, spacing):
     """Slip times this is the rate of shear over the rate at the Eyring stress; table : ln of the oil's thickening."""
     if law[EYRING] == 0.0:
@@ -95,7 +94,7 @@ def _fluidity(law, pressure, table, spacing):
     return law[FLUIDITY] * np.exp(table[index] + (place - index) * (table[index + 1] - table[index]))
 
 
-@njit(inline="always", error_model="numpy")
+@compiled(inline=True)
 def _strip_closed(law, slip, along, spread):
     """One strip by the closed law: forces and stiffness by slip along it, across it and by spin, and sums over it.
 
@@ -137,7 +136,7 @@ def _strip_closed(law, slip, along, spread):
     return (f_p, f_l, f_n), (pp, pl, pn, pl, ll, ln, pn, ln, nn), (law_power, unit, friction)
 
 
-@njit(inline="always", error_model="numpy")
+@compiled(inline=True)
 def _strip_marched(law, slip, along, spread):
     """One strip, marched from its leading edge; arguments and results of `_strip_closed`, p0 L u/a being L u there."""
     slide, lateral, spin = slip
@@ -191,7 +190,7 @@ def _strip_marched(law, slip, along, spread):
     return (f_p, f_l, f_n), (pp, pl, pn, lp, ll, ln, np_, nl, nn), (law_power, unit, friction)
 
 
-@njit(error_model="numpy")
+@compiled
 def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
     """Add one contact to sums: forces A^T stress and their tangent; write its outcome.
 
@@ -240,7 +239,7 @@ def _contact(contact, ball, velocity, passing, quadrature, outcome, sums):
         outcome[FRICTION] += width * friction
 
 
-@njit(inline="always", error_model="numpy")
+@compiled(inline=True)
 def _passing(contact, ball, velocity):
     """Mean velocity of both surfaces through the contact, m per unit w, along the orbit."""
     orbit = velocity[0] / ball[ORBIT_RADIUS]
@@ -249,7 +248,7 @@ def _passing(contact, ball, velocity):
     return (turns + passes) / 2.0
 
 
-@njit(error_model="numpy")
+@compiled
 def _hold(contact, sums):
     """Leave a ball that one race touches one freedom, its speed of rolling there, which leaves no force along rolling.
 
@@ -266,7 +265,7 @@ def _hold(contact, sums):
         tangent[c, c] = stiffness
 
 
-@njit(error_model="numpy")
+@compiled
 def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     """What the ball's equilibrium lacks and its tangent, into sums; returns the sum of all friction.
 
@@ -293,7 +292,7 @@ def _residual(contacts, ball, velocity, passing, quadrature, outcome, sums):
     return outcome[0, FRICTION] + outcome[1, FRICTION]
 
 
-@njit(error_model="numpy")
+@compiled
 def _roll(contact, ball, velocity):
     """Let a ball roll on one race without slip at the contact's centre: a start for what `_hold` leaves it."""
     n_r, n_z = contact[NORMAL_R], contact[NORMAL_Z]
@@ -303,7 +302,7 @@ def _roll(contact, ball, velocity):
     velocity[3] -= n_r * slide
 
 
-@njit(inline="always", error_model="numpy")
+@compiled(inline=True)
 def _solved(matrix, right):
     """The solution of a system of four by elimination with pivots; both are overwritten."""
     for column in range(4):
@@ -326,7 +325,7 @@ def _solved(matrix, right):
         right[column] /= matrix[column, column]
 
 
-@njit(error_model="numpy")
+@compiled
 def _newton(contacts, ball, velocity, passing, quadrature, tolerance, outcome):
     """Damped Newton's method; the velocity is overwritten. Returns the residual over all friction.
 

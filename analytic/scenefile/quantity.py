@@ -1,18 +1,19 @@
 """Quantities: `"7.94 mm"` in a scene file is 0.00794 for the model.
 
-A quantity is a number and a unit; the unit is a product of names with one-digit powers. Nothing else reaches pint,
-which would evaluate any expression. Degrees and revolutions are angles, and a radian is not a pure number: `"100 Hz"`
-is not an angular speed. For a speed, `"1/min"` and the like are revolutions per minute.
+A quantity is a number and a unit; the unit is a product of names with one-digit powers. `COMMON` has the names that
+scenes use; any other name is looked up in pint, whose units take a third of a second to build. Degrees and revolutions
+are angles, and a radian is not a pure number: `"100 Hz"` is not an angular speed. For a speed, `"1/min"` and the like
+are revolutions per minute.
 """
 
 import re
+from collections import Counter
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache, lru_cache
-from math import isfinite
+from math import isclose, isfinite, prod
 from typing import Any
 
-import pint
 from pydantic_core import CoreSchema, core_schema
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
@@ -43,6 +44,52 @@ MISTAKEN = {
 }
 
 
+Powers = frozenset[tuple[str, int]]  # of root units by their names in pint
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit by root units: metre, gram, second, kelvin, radian and others."""
+
+    factor: Decimal
+    powers: Powers
+    zero: Decimal = Decimal(0)  # of its scale, in root units: 273.15 for degC
+
+
+def _common() -> dict[str, Unit]:
+    """The units that scenes use. With Decimal "7.94 mm" is 0.00794 to the last digit."""
+    pi = Decimal("3.14159265358979323846264338328")
+    kinds: tuple[tuple[dict[str, int], dict[str, str | Decimal]], ...] = (
+        (
+            {"meter": 1},
+            {"m": "1", "cm": "1e-2", "mm": "1e-3", "um": "1e-6", "µm": "1e-6", "nm": "1e-9"},
+        ),
+        ({"gram": 1}, {"kg": "1e3", "g": "1", "mg": "1e-3"}),
+        ({"second": 1}, {"s": "1", "ms": "1e-3", "min": "60"}),
+        ({"kelvin": 1}, {"K": "1"}),
+        ({"radian": 1}, {"rad": "1", "mrad": "1e-3", "deg": pi / 180}),
+        ({"radian": 1, "second": -1}, {"rpm": pi / 30}),
+        ({"gram": 1, "meter": 1, "second": -2}, {"N": "1e3", "kN": "1e6", "MN": "1e9", "mN": "1"}),
+        (
+            {"gram": 1, "meter": -1, "second": -2},
+            {"Pa": "1e3", "mPa": "1", "kPa": "1e6", "MPa": "1e9", "GPa": "1e12"},
+        ),
+        ({"gram": 1, "meter": 2, "second": -3}, {"W": "1e3"}),
+        ({"meter": 2, "second": -1}, {"cSt": "1e-6"}),
+        ({}, {"%": "1e-2", "percent": "1e-2"}),
+    )
+    common = {
+        name: Unit(Decimal(factor), frozenset(powers.items()))
+        for powers, names in kinds
+        for name, factor in names.items()
+    }
+    celsius = Unit(Decimal(1), common["K"].powers, Decimal("273.15"))
+    return common | {"\N{GREEK SMALL LETTER MU}m": common["um"], "degC": celsius, "°C": celsius}
+
+
+COMMON = _common()
+
+
 @dataclass(frozen=True, kw_only=True)
 class Dimension:
     """What a key accepts: a unit in SI, a closed range in that unit, and an example for messages."""
@@ -55,10 +102,10 @@ class Dimension:
     @property
     def accepted(self) -> str:
         """The end of every message: range, in the unit of the example, and example."""
-        low, high = (_registry().Quantity(Decimal(repr(bound)), self.unit) for bound in (self.low, self.high))
-        shown = " to ".join(
-            f"{float(bound.to(self.shown_unit or 'dimensionless').magnitude):g}" for bound in (low, high)
-        )
+        unit = self._unit(self.shown_unit)
+        assert unit is not None
+        roots = (Decimal(repr(bound)) * self._si.factor for bound in (self.low, self.high))
+        shown = " to ".join(f"{float((root - unit.zero) / unit.factor):g}" for root in roots)
         return f"give {shown} {self.shown_unit}".strip() + f", for example {self.example}"
 
     @property
@@ -109,28 +156,27 @@ class Dimension:
         remedy = self._remedy(match[2])
         if unit is None:
             raise ValueError(f"has the unknown unit {match[2]!r}{remedy}; {self.accepted}")
-        if not self._fits(unit):
+        if unit.powers != self._si.powers:
             raise ValueError(f"is not {self._kind}{remedy}; {self.accepted}")
-        try:
-            return float(_registry().Quantity(number, unit).to(self.unit or "dimensionless").magnitude)
-        except (pint.PintError, ArithmeticError):
-            raise ValueError(f"is not {self._kind}{remedy}; {self.accepted}") from None
+        return float((number * unit.factor + unit.zero) / self._si.factor)
 
-    def _unit(self, written: str) -> pint.Unit | None:
+    @property
+    def _si(self) -> Unit:
+        unit = unit_of(self.unit)
+        assert unit is not None
+        return unit
+
+    def _unit(self, written: str) -> Unit | None:
         """The unit that is written; None if a name in it is unknown."""
         compact = written.replace(" ", "").replace("**", "^")
         spellings = SPELLINGS | SPEEDS if self.unit == "rad/s" else SPELLINGS
-        return _unit(spellings.get(compact, written))
-
-    def _fits(self, unit: pint.Unit) -> bool:
-        wanted = _unit(self.unit) if self.unit else _registry().Unit("percent")
-        return wanted is not None and _roots(unit) == _roots(wanted)
+        return unit_of(spellings.get(compact, written))
 
     def _remedy(self, written: str) -> str:
         """What to write in place of a unit that is often mistaken for one of this dimension."""
         meant, reason = MISTAKEN.get(written.replace(" ", ""), ("", ""))
-        unit = _unit(meant) if meant else None
-        return f" ({reason}: write {meant})" if unit is not None and self._fits(unit) else ""
+        unit = unit_of(meant) if meant else None
+        return f" ({reason}: write {meant})" if unit is not None and unit.powers == self._si.powers else ""
 
     def _hint(self, given: str) -> str:
         if re.fullmatch(rf"\s*{NUMBER}\s*", given[:LONGEST]):
@@ -146,37 +192,52 @@ def _plain_powers(text: str) -> str:
     return text
 
 
-@cache
-def _registry() -> pint.UnitRegistry:
-    # With Decimal "7.94 mm" is 0.00794 to the last digit. Pint documents Decimal, but its annotation allows only float.
-    return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]
-
-
-@lru_cache(maxsize=200)  # pint takes half a millisecond for a unit, and scene files repeat the same few
-def _unit(text: str) -> pint.Unit | None:
+@lru_cache(maxsize=200)
+def unit_of(text: str) -> Unit | None:
     """The product of the factors of the unit; None if a name is unknown."""
-    product = _registry().Unit("dimensionless")
-    inverse, known = False, True
+    factors: list[tuple[Unit, int]] = []
+    inverse = False
     for token in re.findall(rf"{FACTOR}|[/*·]|1", text, re.ASCII):
         if token in "/*·1":
             inverse = token == "/"
             continue
         name = token.rstrip("^*-0123456789")
-        power = token[len(name) :].lstrip("^*")
-        try:
-            factor = _registry().Unit("percent" if name == "%" else name)
-        except (pint.PintError, AttributeError, TypeError, ValueError):
-            known = False
-            break
-        product = product * factor ** (int(power or 1) * (-1 if inverse else 1))
+        unit = COMMON.get(name) or looked_up(name)
+        if unit is None:
+            return None
+        factors.append((unit, int(token[len(name) :].lstrip("^*") or 1) * (-1 if inverse else 1)))
         inverse = False
-    return product if known else None
+    if [power for _, power in factors] == [1]:
+        return factors[0][0]
+    powers = Counter[str]()
+    for unit, power in factors:
+        powers.update({root: power * each for root, each in unit.powers})
+        if unit.zero:
+            powers["a scale with a zero of its own"] = 1
+    factor = prod((unit.factor**power for unit, power in factors), start=Decimal(1))
+    return Unit(factor, frozenset((root, power) for root, power in powers.items() if power))
 
 
-@lru_cache(maxsize=200)
-def _roots(unit: pint.Unit) -> pint.Unit:
-    """The unit in root units (metre, gram, second, kelvin, radian ...): the same for all units of one dimension."""
-    return _registry().get_root_units(unit)[1]
+@cache
+def looked_up(name: str) -> Unit | None:
+    """The unit of that name in pint; None if pint does not know it, or if its scale is not even."""
+    import pint
+
+    try:
+        roots = [_registry().Quantity(Decimal(number), name).to_root_units() for number in range(3)]
+        zero, one, two = (each.magnitude for each in roots)
+    except (pint.PintError, ArithmeticError, AttributeError, TypeError, ValueError):
+        return None
+    if not isclose(two - one, one - zero, rel_tol=1e-15):
+        return None
+    return Unit(one - zero, frozenset((root, int(power)) for root, power in roots[0]._units.items()), zero)
+
+
+@cache
+def _registry() -> Any:
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Decimal)  # pyright: ignore[reportArgumentType]
 
 
 @dataclass(frozen=True, kw_only=True)

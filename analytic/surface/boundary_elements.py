@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import fft
 
 from analytic.errors import ConvergenceError, InputError
 from analytic.scene import Array
@@ -69,6 +68,8 @@ def _half_space(
     shape: tuple[int, ...], factor: float, *, periodic: bool
 ) -> tuple[Callable[[Array], Array], Callable[[Array], Array]]:
     """Displacement of a pressure, factor p(q)/q with q per point, and pressure of a displacement; without means."""
+    from scipy import fft  # only rough surfaces need it
+
     rows, columns = shape
     if periodic:
         q = 2 * np.pi * np.hypot(fft.fftfreq(rows)[:, None], fft.rfftfreq(columns))

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import fft
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.scene import Array, Autocorrelation, Surface
@@ -87,6 +86,8 @@ def generated_surface(*, rms_roughness: float, autocorrelation: Autocorrelation,
             f"autocorrelation.length {length_of(length)} is more than a tenth of {points} points at "
             f"{length_of(spacing)}; give {int(np.ceil(length / (WIDEST * spacing) - 1e-9))} points or more"
         )
+    from scipy import fft  # only rough surfaces need it
+
     steps = np.minimum(np.arange(points), points - np.arange(points)) * spacing  # the shorter of both directions
     correlation = autocorrelation_at(np.hypot(steps[:, None], steps), autocorrelation)
     # The correlation is not quite 0 at half of the period, so its spectrum falls slightly below 0.

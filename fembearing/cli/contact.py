@@ -8,7 +8,7 @@ import typer
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
 from analytic.words import percent_of
-from fembearing.cli.console import DONE, NOT_SOLVED, complain, out, print_json, print_warnings, shown_progress
+from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import (
     LOAD,
     Accuracy,
@@ -21,6 +21,7 @@ from fembearing.cli.options import (
     read_scene,
     read_tolerance,
 )
+from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
 
 
 def contact(

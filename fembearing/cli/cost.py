@@ -2,8 +2,9 @@
 
 from contextlib import nullcontext
 
-from fembearing.cli.console import out, print_json, print_warnings, shown_progress
+from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance
+from fembearing.cli.status import print_warnings
 
 
 def cost(

@@ -20,7 +20,7 @@ NARROW = 6  # columns; more stand close together, to fit a screen of 80 characte
 
 def listing(
     topic: Annotated[Topic, typer.Argument(metavar="TOPIC", help=f"One of {', '.join(get_args(Topic))}.")],
-    beginning: Annotated[str, typer.Argument(metavar="[FILTER]", help="Only names that begin so, as 62.")] = "",
+    beginning: Annotated[str, typer.Argument(metavar="FILTER", help="Only names that begin so, as 62.")] = "",
     as_json: AsJson = False,
 ) -> None:
     """List what a scene may name: bearings of the catalogue, oils, materials, built-in scenes, effects."""

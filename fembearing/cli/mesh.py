@@ -9,8 +9,9 @@ import typer
 
 from analytic.errors import InputError
 from analytic.scene import Pair
-from fembearing.cli.console import out, print_json, print_warnings
+from fembearing.cli.console import out, print_json
 from fembearing.cli.options import LOAD, AsJson, Geometry, Load, SceneName, read_option, read_scene
+from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
     from fembearing.mesh.bodies import BodyMesh
@@ -41,7 +42,7 @@ def mesh(
         raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
     meshed = as_meshed(contact_of(given, pair=pair, load=force), recipe=recipe)
     with traced_to_load(given, pair=pair, load=force):
-        expected = expected_semi_axes(meshed)
+        expected = expected_semi_axes(meshed, geometry=recipe.geometry)
         bodies = pair_mesh(meshed, recipe=recipe, level=chosen, semi_axes=expected)
         lower = ring_piece(meshed, recipe, chosen, expected).body if geometry == "ring" else bodies.lower
     files = {f"{pair}-{geometry}-upper.vtu": bodies.upper, f"{pair}-{geometry}-lower.vtu": lower}

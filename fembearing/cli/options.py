@@ -35,7 +35,7 @@ def scene_names_like(incomplete: str) -> list[str]:
 SceneName = Annotated[
     str | None,
     typer.Argument(
-        metavar="[SCENE]",
+        metavar="SCENE",
         help="Scene file, TOML; or a bearing of the catalog, as 6206; the built-in paper_6205 without it.",
         autocompletion=scene_names_like,
     ),

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fembearing.cli.console import DONE, INTERRUPTED, NOT_SOLVED, complain, err, out, print_json, shown_progress
+from fembearing.cli.console import err, out, print_json, shown_progress
 from fembearing.cli.options import AsJson
+from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain
 
 if TYPE_CHECKING:
     from fembearing.sweep.run import Sweep

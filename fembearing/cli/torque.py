@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import typer
 
-from fembearing.cli.console import STATUS, out, print_json, print_warnings, shown_progress
+from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import (
     AsJson,
     Samples,
@@ -16,6 +16,7 @@ from fembearing.cli.options import (
     read_scene,
     read_tolerance,
 )
+from fembearing.cli.status import STATUS, print_warnings
 
 
 def torque(

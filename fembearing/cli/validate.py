@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.console import STATUS, out, print_json, print_warnings, shown_progress
+from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import (
     AsJson,
     Folder,
@@ -16,6 +16,7 @@ from fembearing.cli.options import (
     read_tolerance,
 )
 from fembearing.cli.report_options import given_details, with_report_options
+from fembearing.cli.status import STATUS, print_warnings
 
 
 @with_report_options

@@ -4,40 +4,26 @@ Under normal forces f, N, on the touching nodes and the far-field displacement o
 by compliance @ f + drift * Q, m, along the direction of their force.
 """
 
-import os
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import LinAlgError
-from scipy.sparse import csr_matrix, diags_array, hstack, triu, vstack
-from scipy.sparse.linalg import splu
+from scipy.sparse import csr_matrix, hstack
 
 from analytic.errors import SingularError
 from analytic.scene import Material
 from fembearing.fem.contact import is_positive_definite
-from fembearing.fem.elasticity import stiffness, surface_mass
+from fembearing.fem.elasticity import CELL, PAIRS, cell_stiffness, surface_mass
 from fembearing.fem.farfield import pressed_ellipse
+from fembearing.fem.topology import Topology, topology_of
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import UNCUT
 
-# MKL's own packages install it here. Without this hint pypardiso searches the whole environment for half a second.
-for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
-    os.environ.setdefault("PYPARDISO_MKL_RT", str(library))
-try:
-    from pypardiso import PyPardisoSolver
-    from pypardiso.pardiso_wrapper import PyPardisoError
-except ImportError:  # other processors than x86-64 have no MKL
-    PyPardisoSolver, PyPardisoError = None, LinAlgError
-
 Array = NDArray[np.float64]
 UNBALANCED = 1e-8  # relative residual force; round-off leaves less than 1e-12
-OUT_OF_MEMORY = (-2, -8, -9)  # status codes of PARDISO: too little memory, too many entries to count, disk full
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -70,10 +56,10 @@ def condense(
     """
     system = held_stiffness(body, material=material, semi_axes=semi_axes, shoulders=shoulders)
     push = system.forces(body.touching, force)
-    solve = _by_superlu if PyPardisoSolver is None else _by_pardiso
+    further = middle_plane(system, body) if body.pinned else system.far_force
     with system.solving():
-        further = middle_plane(system, body) if body.pinned else system.far_force
-        compliance, drift, own = solve(system.matrix, push, further)
+        moved = system.topology.complement(system.upper, csr_matrix(hstack([push, _column(further)])))
+        compliance, drift, own = moved[:-1, :-1], moved[:-1, -1], float(moved[-1, -1])
         if body.pinned:
             transverse = drift[:, None] * force[1]
             compliance = compliance + own * force[1][:, None] * force[1] - transverse - transverse.T
@@ -82,6 +68,12 @@ def condense(
         if not (np.isfinite(compliance).all() and is_positive_definite(compliance)):
             raise LinAlgError("touching nodes yield without resistance")
     return CondensedBody(compliance=compliance, drift=drift, unknowns=system.free.size)
+
+
+def _column(values: Array) -> csr_matrix:
+    """(n, 1) with all values stored, zeros too: then the sparsity is that of every other load."""
+    count = values.size
+    return csr_matrix((values, np.zeros(count, dtype=np.int32), np.arange(count + 1)), shape=(count, 1))
 
 
 def middle_plane(system: "HeldBody", body: BodyMesh) -> Array:
@@ -98,11 +90,19 @@ class HeldBody:
     """The equations of one body without its held degrees of freedom."""
 
     name: str  # of the body
-    matrix: csr_matrix  # (n, n) N/m
+    topology: Topology
+    upper: csr_matrix  # (n, n) N/m, upper triangle of a symmetric matrix
     far_force: Array  # (n,) force that the far field of a unit load puts on the free degrees of freedom
-    free: NDArray[np.intp]  # (n,) numbers of the free degrees of freedom
     held: Array  # (3, nodes) displacement of the held ones in the far field of a unit load, m/N; 0 at free ones
-    nodes: int
+
+    @property
+    def free(self) -> NDArray[np.intp]:
+        """(n,) numbers of the free degrees of freedom."""
+        return self.topology.free
+
+    @property
+    def nodes(self) -> int:
+        return self.held.shape[1]
 
     def forces(self, nodes: NDArray[np.intp], direction: Array) -> csr_matrix:
         """(n, m): one column for the unit force on each of `nodes` along `direction` (3, m)."""
@@ -116,12 +116,12 @@ class HeldBody:
 
         Raises SingularError where no displacement balances the forces.
         """
-        solve = _solution_by_superlu if PyPardisoSolver is None else _solution_by_pardiso
         moved = load * self.held.ravel()
         right = push + load * self.far_force
         with self.solving():
-            free = solve(self.matrix, right)
-            residual = np.linalg.norm(self.matrix @ free - right)
+            free = self.topology.solution(self.upper, right)
+            balanced = self.upper @ free + self.upper.T @ free - self.upper.diagonal() * free
+            residual = np.linalg.norm(balanced - right)
             if not residual <= UNBALANCED * np.linalg.norm(right):
                 raise LinAlgError(f"forces of {residual:.1e} N stay without balance")
         moved[self.free] = free
@@ -132,12 +132,12 @@ class HeldBody:
         """For the call of either solver: its own error becomes a SingularError that names the body."""
         equations = f"{self.name}: its {self.free.size} equations"
         try:
-            diagonal = self.matrix.diagonal()
-            if not (np.isfinite(self.matrix.data).all() and (diagonal > 0).all()):  # an empty row would crash PARDISO
+            diagonal = self.upper.diagonal()
+            if not (np.isfinite(self.upper.data).all() and (diagonal > 0).all()):  # an empty row would crash PARDISO
                 raise LinAlgError("a stiffness that is not finite and positive")
             yield
-        except (LinAlgError, RuntimeError, PyPardisoError, MemoryError) as problem:
-            if isinstance(problem, MemoryError) or getattr(problem, "value", 0) in OUT_OF_MEMORY:
+        except (LinAlgError, RuntimeError, MemoryError) as problem:
+            if isinstance(problem, MemoryError):
                 remedy = "Ask for a larger tolerance, which takes a coarser mesh."
                 raise SingularError(problem=f"{equations} do not fit into memory", remedy=remedy) from problem
             raise SingularError(
@@ -150,9 +150,8 @@ def held_stiffness(
     body: BodyMesh, *, material: Material, semi_axes: tuple[float, float], shoulders: tuple[float, float] = UNCUT
 ) -> HeldBody:
     """Assemble a body and hold its planes of symmetry and its far boundary."""
-    matrix = stiffness(body.mesh, material)
-    count = body.mesh.doflocs.shape[1]
-    displacement = np.zeros((3, count))
+    entries = cell_stiffness(body.mesh, material)
+    cells, count = body.mesh.dofs.element_dofs, body.mesh.doflocs.shape[1]
     is_held = np.zeros((3, count), dtype=bool)
     for axis, plane in enumerate(body.planes):
         is_held[axis, plane] = True
@@ -160,74 +159,32 @@ def held_stiffness(
     is_held[:, body.clamped] = True
     x, y, z = body.mesh.doflocs[:, body.far]
     side = 1.0 if z.size and z.min() >= 0 else -1.0
+    displacement = np.zeros((3, count))
     displacement[:, body.far] = pressed_ellipse(
         x, y, side * z, semi_axes=semi_axes, shoulders=shoulders, material=material
     )
     displacement[2] *= side
-    held, free = np.flatnonzero(is_held), np.flatnonzero(~is_held)
-    rows = matrix[free]
     displacement[~is_held] = 0.0
+    topology = topology_of(cells, is_held)
     return HeldBody(
         name=body.name,
-        matrix=rows[:, free],
-        far_force=-(rows[:, held] @ displacement.ravel()[held]),
-        free=free,
+        topology=topology,
+        upper=topology.assembled(entries),
+        far_force=-_forces_of(displacement, cells, entries)[topology.free],
         held=displacement,
-        nodes=count,
     )
 
 
-def _by_pardiso(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array, float]:
-    """push.T K^-1 push, push.T K^-1 far_force and far_force.T K^-1 far_force from one factorisation.
+def _forces_of(displacement: Array, cells: NDArray[np.intp], entries: Array) -> Array:
+    """Forces (3 nodes,), N/m times the unit of `displacement`, (3, nodes), on all degrees of freedom.
 
-    The columns of B are those of `push`, and `far_force`. PARDISO eliminates the degrees of freedom of K from
-    [K B; B.T 0]; the Schur complement that remains is -B.T K^-1 B.
+    entries : `cell_stiffness` of the `cells`; few of them have nodes that move
     """
-    size, columns = matrix.shape[0], push.shape[1] + 1
-    stiffest = matrix.diagonal().max()
-    scale = stiffest / np.append(np.ones(columns - 1), np.abs(far_force).max() or 1.0)  # same magnitude as the matrix
-    border = hstack([push, csr_matrix(far_force[:, None])]) @ diags_array(scale)
-    corner = csr_matrix((np.zeros(columns), (np.arange(columns),) * 2), shape=(columns, columns))  # stored zeros
-    upper = triu(vstack([hstack([matrix, border]), hstack([csr_matrix((columns, size)), corner])]), format="csr")
-    upper.sort_indices()
-    solver = _pardiso(schur=True)
-    solver.perm = np.repeat(np.array([0, 1], dtype=np.int32), [size, columns])
-    solver.set_phase(12)
-    try:
-        # pypardiso has no public call that returns a Schur complement; its `factorize` passes a vector to PARDISO
-        complement = solver._call_pardiso(upper, np.zeros(max(size + columns, columns**2)))[: columns**2]
-    finally:
-        solver.free_memory(everything=True)
-    moved = -complement.reshape(columns, columns) / np.outer(scale, scale)
-    return moved[:-1, :-1], moved[:-1, -1], float(moved[-1, -1])
-
-
-def _solution_by_pardiso(matrix: csr_matrix, right: Array) -> Array:
-    """K^-1 right."""
-    upper = triu(matrix, format="csr")
-    upper.sort_indices()
-    solver = _pardiso(schur=False)
-    try:
-        return solver.solve(upper, right)
-    finally:
-        solver.free_memory(everything=True)
-
-
-def _pardiso(*, schur: bool) -> Any:
-    assert PyPardisoSolver is not None  # the caller has checked it
-    solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
-    for number, value in ((1, 1), (2, 2), (10, 8), (36, int(schur))):  # own settings, METIS, pivot 1e-8, complement
-        solver.set_iparm(number, value)
-    return solver
-
-
-def _by_superlu(matrix: csr_matrix, push: csr_matrix, far_force: Array) -> tuple[Array, Array, float]:
-    """As `_by_pardiso`, from one solution for each touching node."""
-    moved = _solution_by_superlu(matrix, np.column_stack([push.toarray(), far_force]))
-    return push.T @ moved[:, :-1], push.T @ moved[:, -1], float(far_force @ moved[:, -1])
-
-
-def _solution_by_superlu(matrix: csr_matrix, right: Array) -> Array:
-    """K^-1 right."""
-    factor = splu(matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    return factor.solve(right)
+    moving = np.flatnonzero((displacement != 0).any(axis=0)[cells].any(axis=0))
+    stiffness = np.empty((moving.size, CELL, CELL))
+    first, second = PAIRS
+    stiffness[:, first, second] = stiffness[:, second, first] = entries[moving]
+    nodes = displacement.shape[1]
+    numbers = (np.arange(3)[:, None, None] * nodes + cells[:, moving]).reshape(CELL, -1).T
+    forces = stiffness @ displacement.ravel()[numbers][:, :, None]
+    return np.bincount(numbers.ravel(), forces.ravel(), minlength=3 * nodes).astype(np.float64)

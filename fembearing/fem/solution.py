@@ -1,6 +1,7 @@
 """One contact solved on one mesh."""
 
 import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -8,10 +9,11 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from analytic.errors import ConvergenceError
-from analytic.scene import Contact
+from analytic.scene import Contact, Material
 from fembearing.fem.condensation import CondensedBody, condense
 from fembearing.fem.contact import press
 from fembearing.fem.elasticity import require_elastic, strip_integrals, surface_mass
+from fembearing.fem.factor import solver_threads
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import (
     STRIP,
@@ -23,14 +25,15 @@ from fembearing.fem.measure import (
     shoulder_load,
     uncut_semi_axes,
 )
+from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
-# Deviation of the ellipse from that of its mesh, in semi-axes, on the first and the second level. A slender ellipse is
-# up to a tenth too short on the first; a mesh that is 1 % too large or too small changes no quantity by more than its
-# own discretisation error (validation/benchmarks/calibrations.py).
-GOOD_GUESSES = (0.1, 0.01)
+# Deviation of the ellipse from that of its mesh, in semi-axes. A mesh that is 1 % too large or too small changes no
+# quantity by more than its own discretisation error (validation/benchmarks/calibrations.py); at 3 % the extrapolation
+# of a semi-axis is off by three times its uncertainty.
+GOOD_GUESS = 0.01
 # On a mesh far too large a single node touches and the ellipse has no size. On one far too small all nodes touch and
 # the ellipse is 1.6 times that of the mesh. A round corrects a factor of 4 or 1.6: all rounds together correct a guess
 # that is 100 times too large or too small.
@@ -187,10 +190,8 @@ def fitted_solution(contact: Contact, *, recipe: Recipe, guess: tuple[float, flo
     guess : semi-axes to start from, m; `expected_semi_axes` unless given
     Raises ConvergenceError if the ellipse and its mesh do not converge.
     """
-    coarse, fine = recipe.levels[:2]
-    start = expected_semi_axes(contact) if guess is None else guess
-    rough = fitted_on_level(contact, recipe=recipe, level=coarse, start=start, good=GOOD_GUESSES[0])
-    return fitted_on_level(contact, recipe=recipe, level=fine, start=rough.pair.semi_axes, good=GOOD_GUESSES[1])
+    start = expected_semi_axes(contact, geometry=recipe.geometry) if guess is None else guess
+    return fitted_on_level(contact, recipe=recipe, level=recipe.levels[1], start=start, good=GOOD_GUESS)
 
 
 def fitted_on_level(
@@ -221,12 +222,20 @@ def fitted_on_level(
 
 
 def _condensed(contact: Contact, pair: PairMesh, upper: CondensedBody | None) -> tuple[CondensedBody, CondensedBody]:
-    footprint = {"semi_axes": pair.semi_axes, "shoulders": pair.footprint.shoulders}
-    if upper is None or pair.upper.name != "ball":
-        upper = condense(pair.upper, material=contact.ball_material, force=-pair.normal, **footprint)
+    def reduced(body: BodyMesh, material: Material, force: Array) -> CondensedBody:
+        size = {"semi_axes": pair.semi_axes, "shoulders": pair.footprint.shoulders}
+        return condense(body, material=material, force=force, **size)
+
+    above = pair.upper, contact.ball_material, -pair.normal
+    below = pair.lower, contact.race_material, pair.normal
+    if upper is not None and pair.upper.name == "ball":
+        return upper, reduced(*below)
     if pair.upper.name == pair.lower.name and contact.ball_material == contact.race_material:
-        return upper, upper  # two half spaces of one material are mirror images
-    return upper, condense(pair.lower, material=contact.race_material, force=pair.normal, **footprint)
+        both = reduced(*above)
+        return both, both  # two half spaces of one material are mirror images
+    with ThreadPoolExecutor(solver_threads()) as pool:
+        first, second = pool.map(reduced, *zip(above, below, strict=True))
+    return first, second
 
 
 def _mass_within(pair: PairMesh) -> csr_matrix:

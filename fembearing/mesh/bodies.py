@@ -51,7 +51,7 @@ def body_mesh(name: BodyName, patch: PatchMesh, position: Array) -> BodyMesh:
         still &= deepest & (patch.u < NODE)[column] & (name == "ball")
     return BodyMesh(
         name=name,
-        mesh=MeshHex2(np.ascontiguousarray(position), patch.topology.t),
+        mesh=patch.placed(position),
         touching=order[patch.zone],
         surface=np.flatnonzero(on_surface),
         far=np.flatnonzero(outermost | deepest) if name in ("race", "half space") else none,

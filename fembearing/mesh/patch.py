@@ -18,7 +18,9 @@ its ring turns through a larger angle.
 `layer` counts cells along depth. Nodes of the quadratic cells sit at half steps of all three.
 """
 
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -35,6 +37,7 @@ NODE = 1e-6  # tolerance of patch coordinates, which are multiples of 1/(2 cells
 # Taper of the core towards a shoulder that just touches the ellipse, over its width. Without it the cells between the
 # corner of the core and that of the edge, where the edge has turned far, turn inside out.
 CORNER = 0.6
+KEPT = 16  # patches; a check of a scene uses fewer, and the largest holds 2 MB
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,6 +57,15 @@ class PatchMesh:
         """(columns,) number of rings outside the core; negative inside it."""
         return np.maximum(self.u, np.abs(self.v)) - 1.0
 
+    def placed(self, position: Array) -> MeshHex2:
+        """The cells with their nodes at `position` (3, nodes), m.
+
+        A copy keeps the numbers of nodes, faces and edges that scikit-fem would work out again for a new mesh.
+        """
+        mesh = copy(self.topology)
+        mesh.doflocs = np.ascontiguousarray(position)
+        return mesh
+
     @property
     def half(self) -> bool:
         """Whether the patch has both sides of v = 0."""
@@ -71,9 +83,15 @@ def patch_mesh(cells: Cells, *, ends: tuple[float, float] = UNCUT, half: bool = 
     ends : where the contact is cut off at v < 0 and at v > 0, in semi-axes, below 1; inf where it is not
     half : whether the patch has both sides of v = 0
     """
+    below, above = (cells.core * (2 if np.isfinite(end) else 1) for end in ends)  # cells of the core
+    return replace(_uncut(cells, below=below if half else 0, above=above), ends=ends)
+
+
+@lru_cache(maxsize=KEPT)
+def _uncut(cells: Cells, *, below: int, above: int) -> PatchMesh:
+    """A patch with so many cells of the core at v < 0 and at v > 0; it serves every contact, whatever its `ends`."""
     corners: dict[tuple[float, float], int] = {}
-    counts = [cells.core * (2 if np.isfinite(end) else 1) for end in ends]  # cells of the core at v < 0 and v > 0
-    places = _quads(cells, below=counts[0] if half else 0, above=counts[1])
+    places = _quads(cells, below=below, above=above)
     quads = np.array(
         [[corners.setdefault((round(u, 9), round(v, 9)), len(corners)) for u, v in quad] for quad in places]
     ).T
@@ -84,11 +102,12 @@ def patch_mesh(cells: Cells, *, ends: tuple[float, float] = UNCUT, half: bool = 
     high = low + count
     hexahedra = np.vstack([low[0], high[0], low[1], low[2], high[1], high[2], low[3], high[3]])  # scikit-fem's order
     topology = MeshHex2.from_mesh(MeshHex1(np.ascontiguousarray(points), np.ascontiguousarray(hexahedra)))
+    assert topology.doflocs.shape[1] == topology.dofs.N  # numbered here, once for all its copies
     u, v, layer = topology.doflocs
     columns, column = np.unique(np.round(np.array([u, v]) / NODE).astype(np.int64), axis=1, return_inverse=True)
     return PatchMesh(
         cells=cells,
-        ends=ends,
+        ends=UNCUT,
         topology=topology,
         u=columns[0] * NODE,
         v=columns[1] * NODE,

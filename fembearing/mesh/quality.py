@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from skfem import MeshHex2
-from skfem.quadrature import get_quadrature
-from skfem.refdom import RefHex
+
+from fembearing.mesh.hexahedron import cofactors, gauss_points, jacobian
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,15 +27,16 @@ class Quality:
 
 def mesh_quality(mesh: MeshHex2, *, degree: int = 5) -> Quality:
     """Quality at the integration points of a quadrature `degree`; the stiffness is integrated with 5."""
-    points, weights = get_quadrature(RefHex, degree)
-    determinant = -mesh.mapping().detDF(points)  # scikit-fem's reference cell is left-handed: det J = -1 on a unit cube
+    shape = gauss_points(degree)
+    _, determinant = cofactors(jacobian(mesh, shape))
+    determinant = -determinant  # scikit-fem's reference cell is left-handed: det J = -1 on a unit cube
     relative = determinant.min(axis=1) / np.abs(determinant).mean(axis=1)
     worst = int(np.argmin(relative))
     x, y, z = mesh.p[:, mesh.t[:, worst]].mean(axis=1)
     return Quality(
         cells=mesh.t.shape[1],
         nodes=mesh.doflocs.shape[1],
-        volume=float((determinant * weights).sum()),
+        volume=float((determinant * shape.weights).sum()),
         least_determinant=float(relative[worst]),
         worst_cell=worst,
         worst_place=(float(x), float(y), float(z)),

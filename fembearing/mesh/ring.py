@@ -84,7 +84,7 @@ def ring_piece(contact: Contact, recipe: Recipe, level: int, semi_axes: tuple[fl
     below = patch.cells.depth - patch.layer  # layers are counted upwards from the seat
     down = np.interp(below, np.arange(corners.size), corners)
     position = _position(contact, ring, angle, axial, down)
-    body = _body(patch, MeshHex2(np.ascontiguousarray(position), patch.topology.t), below)
+    body = _body(patch, patch.placed(position), below)
     quality = mesh_quality(body.mesh)
     if not quality.valid:
         raise InputError(

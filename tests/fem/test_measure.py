@@ -68,8 +68,8 @@ def test_nodal_pressure_gives_back_the_pressure_behind_the_forces(pair: PairMesh
 
 
 @pytest.mark.parametrize("name", ["inner", "outer"])
-def test_the_first_guess_is_near_enough_for_one_correction(contacts: dict[str, Contact], name: str) -> None:
-    """Within 5 % of Hertz from nearly round to nearly a line; the two directions are not exchanged."""
+def test_the_first_guess_is_that_of_half_spaces(contacts: dict[str, Contact], name: str) -> None:
+    """From nearly round to nearly a line; the two directions are not exchanged."""
     for conformity in (0.505, 0.53, 0.7, 3.1):
         for load in (2e-3, 372.0):
             contact = replace(contacts[name], groove_radius=conformity * 7.94e-3, load=load)
@@ -77,7 +77,7 @@ def test_the_first_guess_is_near_enough_for_one_correction(contacts: dict[str, C
             modulus = contact_modulus(contact.ball_material, contact.race_material)
             exact = hertz_contact(curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus)
             expected = float(exact.semi_axis_x), float(exact.semi_axis_y)
-            np.testing.assert_allclose(expected_semi_axes(contact), expected, rtol=0.05)
+            np.testing.assert_allclose(expected_semi_axes(contact), expected, rtol=1e-12)  # round-off of a curvature
 
 
 def test_over_both_sides_a_slope_does_not_change_the_peak() -> None:

@@ -11,11 +11,12 @@ from skfem.generic_utils import OrientedBoundary
 
 from analytic.scene import Contact, Material
 from fembearing.fem.condensation import held_stiffness
-from fembearing.fem.elasticity import lame_parameters, stiffness
+from fembearing.fem.elasticity import lame_parameters
 from fembearing.fem.farfield import pressed_ellipse
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.recipe import load_recipe
+from tests.fem.assembly import stiffness, symmetric
 
 Array = NDArray[np.float64]
 CASES = [("inner", "race"), ("outer", "race"), ("inner", "hertzian")]
@@ -59,7 +60,7 @@ def loaded(request: pytest.FixtureRequest, contacts: dict[str, Contact]) -> list
         system = held_stiffness(body, material=material, semi_axes=found.pair.semi_axes)
         right = system.forces(body.touching, -outwards) @ found.force + contact.load * system.far_force
         displacement = np.zeros(3 * system.nodes)
-        factor = splu(system.matrix.tocsc(), permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
+        factor = splu(symmetric(system.upper).tocsc(), permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
         displacement[system.free] = factor.solve(right)
         whole = displacement.reshape(3, -1)
         x, y, z = body.mesh.doflocs[:, body.far]

@@ -15,7 +15,6 @@ from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.fem.condensation import condense, held_stiffness, middle_plane
-from fembearing.fem.elasticity import stiffness
 from fembearing.fem.farfield import point_load, pressed_ellipse
 from fembearing.fem.measure import STRIP
 from fembearing.fem.ring_structure import ring_compression
@@ -26,6 +25,7 @@ from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.pair import PairMesh
 from fembearing.mesh.recipe import load_recipe
+from tests.fem.assembly import stiffness
 
 BENCHMARKS = Path(__file__).resolve().parents[2] / "validation" / "benchmarks"
 NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")

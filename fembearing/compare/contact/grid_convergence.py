@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
 
 # Chosen on random contacts whose exact answer is Hertz: seeds 0 to 59, 1000 to 1099, 5000 to 5019 and 7000 to 7099 of
 # validation/benchmarks/intervals.py, which tests them on others.
@@ -132,4 +131,6 @@ def observed_order(values: Sequence[float], cell_sizes: Sequence[float]) -> floa
     low, high = 0.05, 20.0
     if misfit(low) * misfit(high) > 0:
         return None
+    from scipy.optimize import brentq  # a tenth of a second to import, and only unequal meshes need it
+
     return float(brentq(misfit, low, high))

@@ -1,6 +1,7 @@
 """The races as free balls feel them: creep against a marched strip, derivatives against equilibria, balls alone."""
 
 from dataclasses import replace
+from inspect import unwrap
 from typing import Any
 
 import numpy as np
@@ -88,7 +89,7 @@ def test_the_compiled_tractions_are_those_of_the_formulas() -> None:
     row, law = races.table[0], races.law()
 
     def both(v: Array) -> tuple[Array, Array]:
-        inner, outer = race_law.seats.py_func(law, row, 0.0, 0.0, 1.0)
+        inner, outer = unwrap(race_law.seats)(law, row, 0.0, 0.0, 1.0)
         ring = W * PITCH, W * RADIUS
         first = race_law.traction(inner, v[0] - ring[0], v[1], v[2], v[3] - ring[1])
         second = race_law.traction(outer, *v)
@@ -162,8 +163,8 @@ def test_a_force_on_a_ball_changes_its_loads_as_the_equilibrium_says() -> None:
 def test_a_race_that_the_pocket_unloads_leaves_its_share_to_the_other() -> None:
     races = races_under((40.0, 40.0), (0.3, 0.3), inner_speed=W, friction=0.1)
     law, row = races.law(), races.table[0]
-    light, pressed = race_law.seats.py_func(law, row, 60.0, 0.0, 1.0)
-    lifted = race_law.seats.py_func(law, row, 200.0, 0.0, 1.0)
+    light, pressed = unwrap(race_law.seats)(law, row, 60.0, 0.0, 1.0)
+    lifted = unwrap(race_law.seats)(law, row, 200.0, 0.0, 1.0)
     assert 0 < light.limit < 0.1 * 40 < pressed.limit
     assert lifted[0].limit == 0
     # The other race bears what the derivatives give both: the force across the bearing, less what angles turn.

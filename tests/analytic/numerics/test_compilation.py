@@ -1,47 +1,201 @@
-"""Compiled functions and their cache."""
+"""Compiled functions against the same functions in Python, and what is kept of them between processes."""
 
+import os
 import subprocess
 import sys
+from inspect import unwrap
 from pathlib import Path
+from typing import Any, NamedTuple, cast
 
 import numpy as np
+import pytest
 
-from analytic.numerics.compilation import rows_of
+from analytic.numerics.compilation import FIRST_TIME, Compiled, compiled
+from analytic.numerics.machine_code import FOLDER
+from analytic.scene import Array
 
-BELOW = """
-from analytic.numerics.compilation import compiled
-OFFSET = {offset}
+POWERS = np.array([0.3, 1.7, 2.9])
+EXTRA = 0.25
+
+
+class Law(NamedTuple):
+    """What a function is given by name."""
+
+    doubled: bool
+    factor: float
+    shift: tuple[int, float]
+    table: Array
+
+
+class Sums(NamedTuple):
+    """What it gives."""
+
+    law: tuple[bool, int]
+    total: float
+
+
 @compiled
-def below(x):
-    return {factor} * x
-"""
-ABOVE = """
-from analytic.numerics.compilation import compiled
-from below import OFFSET, below
+def powers_of(base: float) -> Array:
+    found = np.zeros(3)
+    for index in range(3):
+        found[index] = base ** POWERS[index]
+    return found
+
+
+@compiled(inline=True)
+def both(base, law):
+    total = powers_of(base).sum() * law.factor + law.table[1, 0]
+    return total, total + law.shift[0] * law.shift[1] + EXTRA
+
+
 @compiled
-def above(x):
-    return below(x) + OFFSET
-print(above(7.0), *above.stats.cache_hits.values())
+def fill(bases: Array, out: Array, count: int, law: Law) -> tuple[Sums, float]:
+    total = 0.0
+    for index in range(count):
+        first, second = both(bases[index], law)
+        out[index, 0], out[index, 1] = first, np.sinh(second) / bases[index]
+        total += 2.0 * second if law.doubled else second
+    return Sums((not law.doubled, count), total), np.arcsinh(total)
+
+
+@compiled
+def pairs(count: int) -> Array:
+    found = np.empty((count, 2))
+    for index in range(count):
+        found[index, 0], found[index, 1] = index, -0.5 * index
+    return found
+
+
+@compiled
+def split(values: Array):
+    return Sums((False, values.size), values[0]), values.reshape((2, -1)) * 2.0
+
+
+@compiled
+def refuse(value: float) -> None:
+    if value > 0.0:
+        raise ValueError("above zero")
+
+
+def arguments(*, doubled: bool = False) -> tuple[Array, Array, Any, Law]:
+    table = np.array([[0.1, 0.2], [0.4, 0.9]])
+    return np.array([0.2, 1.9, 0.7, 1.3]), np.zeros((4, 2)), np.int64(3), Law(doubled, 0.7, (5, 0.3), table)
+
+
+@pytest.mark.parametrize("doubled", [False, True])
+def test_machine_code_does_what_python_does(doubled: bool) -> None:
+    ours, theirs = arguments(doubled=doubled), arguments(doubled=doubled)
+    found, expected = fill(*ours), unwrap(fill)(*theirs)
+    assert isinstance(found[0], Sums)
+    assert (found[0].law, type(found[0].law[0])) == ((not doubled, 3), bool)
+    assert found[0].total == pytest.approx(expected[0].total, rel=1e-14)  # some roundings of libm
+    assert found[1] == pytest.approx(expected[1], rel=1e-14)
+    np.testing.assert_allclose(ours[1], theirs[1], rtol=1e-14)
+    assert ours[1][3].tolist() == [0.0, 0.0]  # beyond the count
+
+
+def test_any_array_is_read_where_it_lies() -> None:
+    bases, out, count, law = arguments()
+    fill(bases, out, count, law)
+    wide, transposed = np.zeros((2, 4)), law._replace(table=law.table.T.copy().T)
+    assert not transposed.table.flags.c_contiguous
+    wide.flags.writeable, bases.flags.writeable = True, False
+    fill(np.repeat(bases, 2)[::2], wide.T, 3, transposed)
+    np.testing.assert_array_equal(wide.T, out)
+    law.table[1, 0] += 0.05  # the same tuple, whose array has changed
+    fill(bases, out, count, law)
+    assert np.all(wide.T[:3, 0] + 0.05 - out[:3, 0] == pytest.approx(0.0, abs=1e-15))
+
+
+def test_arrays_are_given_with_their_shapes() -> None:
+    assert pairs(3).tolist() == [[0.0, 0.0], [1.0, -0.5], [2.0, -1.0]]
+    assert pairs(0).shape == (0, 2)
+    many = [pairs(1000) for _ in range(300)]  # memory that is given back is used again, and no array changes
+    assert all(np.array_equal(each, many[0]) for each in many)
+    np.testing.assert_allclose(powers_of(2), [2**0.3, 2**1.7, 2**2.9], rtol=1e-14)  # an integer for a float
+
+
+def test_results_have_their_names_without_annotations() -> None:
+    sums, doubled = split(np.array([0.5, 1.5, 2.5, 3.5]))
+    assert (type(sums), sums) == (Sums, ((False, 4), 0.5))
+    assert doubled.tolist() == [[1.0, 3.0], [5.0, 7.0]]  # by a function of numba's own, for the shape
+
+
+def test_a_division_by_zero_gives_infinity() -> None:
+    bases, out, count, law = arguments()
+    bases[1] = 0.0
+    fill(bases, out, count, law)
+    assert out[1, 1] == np.inf
+
+
+def test_what_machine_code_does_not_take_is_refused() -> None:
+    with pytest.raises(TypeError, match="take no str"):
+        fill(*arguments()[:2], cast(Any, "3"), arguments()[3])
+    with pytest.raises(TypeError, match="take no list"):
+        fill(*arguments()[:3], cast(Any, ([1.0], 2)))
+    refuse(-0.5)
+    with pytest.raises(RuntimeError, match="refuse"):
+        refuse(0.5)
+
+
+def test_all_that_a_function_depends_on_is_in_its_source(monkeypatch: pytest.MonkeyPatch) -> None:
+    def source() -> list[str]:
+        return [*cast(Compiled, fill).source()]
+
+    before = source()
+    assert source() == before
+    for name, value in (("POWERS", POWERS + 1e-15), ("EXTRA", 0.5), ("both", powers_of), ("Sums", Law)):
+        with monkeypatch.context() as patched:
+            patched.setitem(globals(), name, value)
+            assert source() != before
+    fast = Compiled(cast(Any, unwrap(fill)), {"fastmath": {"contract"}, "inline": "never"})
+    assert [*fast.source()] != before
+    monkeypatch.setitem(globals(), "EXTRA", sys.modules["pathlib"])
+    with pytest.raises(TypeError, match="pathlib: import what it takes"):
+        source()
+
+
+PROGRAM = """
+import sys
+from tests.analytic.numerics import test_compilation as here
+print(here.fill(*here.arguments())[1], "numba" in sys.modules)
+assert here.split(here.arguments()[0])[1][1, 0] == 1.4
+
 """
 
 
-def test_a_change_of_what_a_function_calls_compiles_it_anew(tmp_path: Path) -> None:
-    """The file of the caller is the same in all runs: numba alone would take what it has in the cache."""
+def in_process(folder: Path) -> tuple[float, str, str]:
+    """Result of the function in a new process, whether numba is there, and what is said."""
+    done = subprocess.run(
+        [sys.executable, "-c", PROGRAM],
+        env=os.environ | {FOLDER: str(folder)},
+        cwd=Path(__file__).parents[3],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    result, with_numba = done.stdout.split()
+    return float(result), with_numba, done.stderr
 
-    def run(factor: float, offset: float) -> list[str]:
-        (tmp_path / "below.py").write_text(BELOW.format(factor=factor, offset=offset), "utf-8")
-        command = [sys.executable, "-B", str(tmp_path / "above.py")]
-        return subprocess.run(command, capture_output=True, check=True, text=True).stdout.split()
 
-    (tmp_path / "above.py").write_text(ABOVE, "utf-8")
-    assert run(3.0, 0.5) == ["21.5"]
-    assert run(3.0, 0.5) == ["21.5", "1"]  # from the cache
-    assert run(13.0, 0.25) == ["91.25"]  # as long as 3.0, 0.5 in no digit: the size of the file changes too
+def test_a_function_is_compiled_once_and_loaded_without_numba(tmp_path: Path) -> None:
+    expected = fill(*arguments())[1]
+    assert in_process(tmp_path) == (expected, "True", f"fembearing: {FIRST_TIME}\n")
+    assert in_process(tmp_path) == (expected, "False", "")
+    file, other = sorted(tmp_path.iterdir())
+    assert [each.name.partition("-")[0].rpartition(".")[2] for each in (file, other)] == ["fill", "split"]
+    whole = file.read_bytes()
+    file.write_bytes(whole[: len(whole) // 2])
+    assert in_process(tmp_path) == (expected, "True", f"fembearing: {FIRST_TIME}\n")
+    assert in_process(tmp_path) == (expected, "False", "")
 
 
-def test_rows_are_what_broadcasts() -> None:
-    rows, shape = rows_of(np.array([[2.0], [3.0]]), 5, np.array([7.0, 11.0, 13.0]))
-    assert shape == (2, 3)
-    np.testing.assert_array_equal(rows, [[2, 2, 2, 3, 3, 3], [5] * 6, [7, 11, 13, 7, 11, 13]])
-    assert rows.flags.c_contiguous
-    assert rows.flags.writeable  # else a loop would be compiled once more
+def test_without_a_folder_the_answer_is_the_same(tmp_path: Path) -> None:
+    occupied = tmp_path / "file"
+    occupied.touch()
+    result, with_numba, said = in_process(occupied / "inside")
+    assert (result, with_numba) == (fill(*arguments())[1], "True")
+    first, second = said.splitlines()
+    assert first == f"fembearing: {FIRST_TIME}"
+    assert "cannot be kept" in second
+    assert FOLDER in second

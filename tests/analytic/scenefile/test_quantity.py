@@ -2,12 +2,15 @@
 
 import math
 import re
+import subprocess
+import sys
 from dataclasses import replace
 
 import pytest
 
+from analytic import catalog
 from analytic.scenefile.keys import paths, scene_key
-from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.quantity import COMMON, Dimension, looked_up
 
 MINUTE, INCH, POUND = 2 * math.pi / 60, 0.0254, 0.45359237 * 9.80665  # rad/s, m, N: by definition
 KEYS = {
@@ -59,6 +62,33 @@ def test_a_number_is_read_to_its_end() -> None:
 )
 def test_units_of_engineers(key: str, written: str, expected: float) -> None:
     assert KEYS[key].read(written) == pytest.approx(expected, rel=1e-15)  # one rounding
+
+
+@pytest.mark.parametrize("name", COMMON)
+def test_the_units_that_scenes_use_are_those_of_pint(name: str) -> None:
+    ours, theirs = COMMON[name], looked_up("percent" if name == "%" else name)
+    assert theirs is not None
+    assert (ours.powers, ours.zero) == (theirs.powers, theirs.zero)
+    assert float(ours.factor / theirs.factor - 1) == pytest.approx(0, abs=1e-27)  # of 28 digits
+
+
+def test_scenes_that_ship_need_no_pint() -> None:
+    names = [*catalog.names("scenes"), "6205", "7208B"]
+    show = (
+        "import sys, analytic\n"
+        f"for name in {names!r}: analytic.load_scene(name)\n"
+        "assert 'pint' not in sys.modules\n"
+        "analytic.operation(axial_load='1 short_ton_force', inner_speed='1 turn/minute'); assert 'pint' in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", show], check=True)
+
+
+def test_scales_that_are_not_even_have_no_units() -> None:
+    for key in (*KEYS.values(), scene_key("friction.coefficient")):
+        with pytest.raises(ValueError, match="unknown unit 'dB'"):
+            key.read("7 dB")
+    with pytest.raises(ValueError, match="is not in a unit like"):
+        scene_key("lubricant.viscosity_temperature").read("0.04 1/degC")  # a scale with a zero of its own
 
 
 @pytest.mark.parametrize("unit", ["cSt", "mm2/s", "mm^2/s", "mm²/s"])

@@ -1,0 +1,65 @@
+"""Two half spaces pressed together over a paraboloidal gap: the ellipse in which they touch, and their approach.
+
+The gap is curvature_x x^2/2 + curvature_y y^2/2. Under the pressure p0 sqrt(1 - x^2/a^2 - y^2/b^2) of a load Q,
+
+    curvature_x = Q/(pi E*) R_D(0, b^2, a^2),   curvature_y = Q/(pi E*) R_D(0, a^2, b^2)
+    approach = 3 Q/(2 pi E*) R_F(0, a^2, b^2)
+
+with Carlson's integrals R_D and R_F, in which no direction is the longer one and a circle is no special case.
+Source: [Johnson1985] section 4.2, whose integrals over the potential of an ellipsoid are those of [Carlson1995].
+"""
+
+import math
+
+from scipy.optimize import brentq
+from scipy.special import elliprd, elliprf
+
+from analytic.scene import Contact, Material
+
+ROUND_OFF = 1e-15  # of the logarithm of an axis ratio
+
+
+def plane_strain_modulus(material: Material) -> float:
+    """E/(1 - nu^2), Pa."""
+    return material.youngs_modulus / (1 - material.poisson_ratio**2)
+
+
+def contact_modulus(contact: Contact) -> float:
+    """E*, Pa, of both bodies: 1/E* is the sum of (1 - nu^2)/E."""
+    return 1 / (1 / plane_strain_modulus(contact.ball_material) + 1 / plane_strain_modulus(contact.race_material))
+
+
+def curvatures_under(semi_axes: tuple[float, float], *, load: float, modulus: float) -> tuple[float, float]:
+    """Relative curvatures in x and y, 1/m, of the gap that a load closes in an ellipse of given semi-axes, m.
+
+    load : of the whole ellipse, N
+    modulus : E*, Pa
+    """
+    a, b = semi_axes
+    scale = load / (math.pi * modulus)
+    return scale * float(elliprd(0, b**2, a**2)), scale * float(elliprd(0, a**2, b**2))
+
+
+def approach_under(semi_axes: tuple[float, float], *, load: float, modulus: float) -> float:
+    """Approach of the far fields, m, under a load with an ellipse of given semi-axes; arguments as above."""
+    a, b = semi_axes
+    return 3 * load / (2 * math.pi * modulus) * float(elliprf(0, a**2, b**2))
+
+
+def hertz_ellipse(curvatures: tuple[float, float], *, load: float, modulus: float) -> tuple[float, float]:
+    """Semi-axes in x and y, m, of the ellipse in which a load closes a gap of given relative curvatures, 1/m, positive.
+
+    load, modulus : as above
+    The axis ratio b/a depends on the ratio of curvatures alone; it lies between 1 and that ratio.
+    """
+    x, y = curvatures
+    wanted = math.log(x / y)
+
+    def miss(logarithm: float) -> float:
+        there = curvatures_under((1.0, math.exp(logarithm)), load=1.0, modulus=1.0)
+        return math.log(there[0] / there[1]) - wanted
+
+    ratio = math.exp(brentq(miss, *sorted((0.0, wanted)), xtol=ROUND_OFF)) if wanted else 1.0
+    unit, _ = curvatures_under((1.0, ratio), load=load, modulus=modulus)
+    a = (unit / x) ** (1 / 3)  # curvatures fall with the cube of the size
+    return a, ratio * a

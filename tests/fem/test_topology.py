@@ -1,0 +1,192 @@
+"""What is kept for the next body with the same cells gives the same numbers as what is made for it alone."""
+
+from collections import OrderedDict
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.sparse import csr_matrix
+
+from analytic.scene import Contact
+from fembearing.fem import factor, topology
+from fembearing.fem.condensation import CondensedBody, condense, held_stiffness
+from fembearing.fem.factor import new_factor
+from fembearing.fem.solution import solve_on_mesh
+from fembearing.mesh.pair import PairMesh, pair_mesh
+from fembearing.mesh.recipe import load_recipe
+from tests.contacts import NITRIDE, STEEL
+from tests.fem.assembly import stiffness, symmetric
+
+Array = NDArray[np.float64]
+RECIPE = load_recipe("race")
+SIZES = (0.12e-3, 1.05e-3), (0.17e-3, 0.71e-3)  # m: two contacts on cells of the same numbers
+has_pardiso = pytest.mark.skipif(factor.PyPardisoSolver is None, reason="PARDISO is not available for this processor")
+
+
+@pytest.fixture(scope="module")
+def pairs(contacts: dict[str, Contact]) -> list[PairMesh]:
+    both = zip((contacts["inner"], contacts["outer"]), SIZES, strict=True)
+    return [pair_mesh(contact, recipe=RECIPE, level=2, semi_axes=size) for contact, size in both]
+
+
+def reduced(pair: PairMesh, side: str) -> CondensedBody:
+    body, force, material = {
+        "upper": (pair.upper, -pair.normal, NITRIDE),
+        "lower": (pair.lower, pair.normal, STEEL),
+    }[side]
+    return condense(body, material=material, force=force, semi_axes=pair.semi_axes)
+
+
+def kept(monkeypatch: pytest.MonkeyPatch) -> OrderedDict[bytes, topology.Topology]:
+    store: OrderedDict[bytes, topology.Topology] = OrderedDict()
+    monkeypatch.setattr(topology, "_kept", store)
+    return store
+
+
+@pytest.mark.parametrize("side", ["upper", "lower"])
+def test_a_kept_topology_gives_what_a_new_one_gives(
+    pairs: list[PairMesh], side: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another load, groove and material on the same cells, bit for bit; the first one again, after the other."""
+    fresh = []
+    for pair in pairs:
+        kept(monkeypatch)
+        fresh.append(reduced(pair, side))
+    store = kept(monkeypatch)
+    for number in (0, 1, 0):
+        again = reduced(pairs[number], side)
+        np.testing.assert_array_equal(again.compliance, fresh[number].compliance)
+        np.testing.assert_array_equal(again.drift, fresh[number].drift)
+    assert len(store) == 1
+    assert np.abs(fresh[1].compliance / fresh[0].compliance - 1).max() > 0.1  # they are two bodies
+
+
+@pytest.mark.usefixtures("nothing_kept")
+def test_assembled_entries_are_those_of_the_cells_added_one_by_one(pairs: list[PairMesh]) -> None:
+    """With degrees of freedom held at random, also all or one of a node."""
+    body = pairs[0].lower
+    whole = stiffness(body.mesh, STEEL)
+    random = np.random.default_rng(3)
+    planes = tuple(random.choice(body.mesh.doflocs.shape[1], 400, replace=False) for _ in range(3))
+    held = held_stiffness(replace(body, planes=planes), material=STEEL, semi_axes=pairs[0].semi_axes)
+    free = held.free
+    assert np.unique(free).size == free.size < whole.shape[0] - 1100
+    assert not np.isin(free, np.concatenate([plane + axis * held.nodes for axis, plane in enumerate(planes)])).any()
+    difference = symmetric(held.upper) - whole[free][:, free]
+    assert abs(difference).max() < 1e-14 * abs(whole).max()  # sums in another order
+    far = -(whole[free] @ held.held.ravel())
+    np.testing.assert_allclose(held.far_force, far, atol=1e-14 * np.abs(far).max() * 1e3, rtol=0)  # cancelling entries
+
+
+def test_other_held_nodes_are_another_topology(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
+    store = kept(monkeypatch)
+    body = pairs[0].lower
+    first = held_stiffness(body, material=STEEL, semi_axes=SIZES[0])
+    other = held_stiffness(replace(body, far=body.far[1:]), material=STEEL, semi_axes=SIZES[0])
+    assert other.topology is not first.topology
+    assert held_stiffness(body, material=NITRIDE, semi_axes=SIZES[1]).topology is first.topology
+    assert len(store) == 2
+
+
+@has_pardiso
+def test_the_memory_is_bounded(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers go first, then whole topologies, those used longest ago first; the last one stays, without numbers."""
+    store = kept(monkeypatch)
+    fresh = {side: reduced(pairs[0], side).compliance for side in ("lower", "upper")}
+    lower, upper = store.values()
+    most = lower.memory + upper.memory
+    assert upper.memory > lower.memory > 1e6
+    monkeypatch.setattr(topology, "MOST_MEMORY", most - 1)
+    np.testing.assert_array_equal(reduced(pairs[0], "upper").compliance, fresh["upper"])
+    assert list(store.values()) == [lower, upper]
+    assert lower.memory + upper.memory < most
+    np.testing.assert_array_equal(reduced(pairs[0], "lower").compliance, fresh["lower"])
+    monkeypatch.setattr(topology, "MOST_MEMORY", 1)
+    before = upper.memory
+    np.testing.assert_array_equal(reduced(pairs[0], "upper").compliance, fresh["upper"])
+    assert list(store.values()) == [upper]
+    assert upper.memory <= before
+
+
+@pytest.mark.usefixtures("solver")
+def test_a_solution_is_that_of_its_own_matrix(pairs: list[PairMesh]) -> None:
+    """After the other body of the same topology was factored, after the same one, and before any was."""
+    systems = [held_stiffness(pair.lower, material=STEEL, semi_axes=pair.semi_axes) for pair in pairs]
+    right = np.random.default_rng(5).normal(size=systems[0].free.size)
+    for number in (0, 0, 1, 0):
+        system = systems[number]
+        found = system.topology.solution(system.upper, right)
+        left = symmetric(system.upper) @ found - right
+        assert np.linalg.norm(left) < 1e-11 * np.linalg.norm(right)  # round-off; of the other matrix: 1
+        reduced(pairs[1], "lower")
+
+
+@has_pardiso
+def test_a_matrix_is_factored_once_for_all_that_is_asked_of_it(
+    pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    phases: list[int] = []
+    plain = factor.PardisoFactor._call
+
+    def counted(self: factor.PardisoFactor, phase: int, right: Array) -> Array:
+        phases.append(phase)
+        return plain(self, phase, right)
+
+    monkeypatch.setattr(factor.PardisoFactor, "_call", counted)
+    kept(monkeypatch)
+    for pair in pairs:
+        reduced(pair, "lower")
+    system = held_stiffness(pairs[1].lower, material=STEEL, semi_axes=pairs[1].semi_axes)
+    system.displacement(system.far_force, load=0.0)
+    assert phases == [factor.ANALYSIS, factor.NUMBERS, factor.NUMBERS, factor.FORWARD, factor.BACKWARD]
+
+
+@pytest.mark.usefixtures("solver")
+def test_complement_and_solution_by_hand() -> None:
+    """K = [[4, 1], [1, 3]] with two columns of very different size; K^-1 = [[3, -1], [-1, 4]]/11."""
+    upper, border = csr_matrix([[4.0, 1.0], [0.0, 3.0]]), csr_matrix([[2.0, 0.0], [5.0, 7e-9]])
+    made = new_factor(upper, border)
+    inverse = np.array([[3.0, -1.0], [-1.0, 4.0]]) / 11
+    expected = border.toarray().T @ inverse @ border.toarray()
+    np.testing.assert_allclose(made.complement(upper, border), expected, rtol=1e-14)
+    np.testing.assert_allclose(made.solution(upper, np.array([0.3, -1.7])), inverse @ [0.3, -1.7], rtol=1e-14)
+
+
+@has_pardiso
+@pytest.mark.parametrize(("code", "error"), [(-2, MemoryError), (-4, factor.LinAlgError)])
+def test_pardisos_errors_get_a_kind(code: int, error: type[Exception], monkeypatch: pytest.MonkeyPatch) -> None:
+    upper = csr_matrix([[4.0, 1.0], [0.0, 3.0]])
+    made = new_factor(upper, csr_matrix((2, 0)))
+
+    def refuse(*_: object) -> None:
+        raise factor.PyPardisoError(code)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(factor.PyPardisoSolver, "_call_pardiso", refuse)
+        with pytest.raises(error, match=str(code)):
+            made.solution(upper, np.ones(2))
+    np.testing.assert_allclose(made.solution(upper, np.ones(2)), [2 / 11, 3 / 11], rtol=1e-14)  # as good as before
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_threads_do_not_change_a_bit(
+    contacts: dict[str, Contact], threads: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Both bodies of a contact at once, and several contacts at once that share their topologies."""
+    monkeypatch.setattr("fembearing.fem.solution.solver_threads", lambda: threads)
+    chosen = [(contacts[name], size) for name in ("inner", "outer") for size in SIZES]
+
+    def solve(task: tuple[Contact, tuple[float, float]]) -> Array:
+        contact, size = task
+        return solve_on_mesh(contact, recipe=RECIPE, level=1, semi_axes=size).force
+
+    alone = []
+    for task in chosen:
+        kept(monkeypatch)
+        alone.append(solve(task))
+    kept(monkeypatch)
+    with ThreadPoolExecutor(len(chosen)) as pool:
+        for one, together in zip(alone, pool.map(solve, chosen), strict=True):
+            np.testing.assert_array_equal(together, one)
