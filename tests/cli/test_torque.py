@@ -9,7 +9,7 @@ import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import parse_scene
-from fembearing.cli.console import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
+from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.document.verdicts import Verdicts
 from fembearing.report.terminal.torque import print_torque
