@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 EXTRAS = PROJECT["optional-dependencies"]
 DECLARED = [
-    Requirement(line) for line in [*PROJECT["dependencies"], *EXTRAS["dev"], *EXTRAS["peers"], *EXTRAS["cluster"]]
+    Requirement(line) for line in [*PROJECT["dependencies"], *EXTRAS["dev"], *EXTRAS["peers"]]
 ]
 PINNED = {
     canonicalize_name(pin.name): pin
