@@ -121,6 +121,14 @@ def point(scene_of: Callable[[Path], Any], tree: Path, *, radial: float = 0.0) -
     return Work(call=lambda: friction_torque(scene).torque.total[0])
 
 
+def called(scene_of: Callable[[Path], Any], tree: Path, *, radial: float = 0.0) -> Work:
+    """The torque at one operating point by the callable for a time step."""
+    from analytic import torque_function
+
+    torque = torque_function(scene_of(tree))
+    return Work(call=lambda: torque(axial_load=LOAD, inner_speed=SPEED, radial_load=radial))
+
+
 def at(scene: Any, axial: Any, speed: Any, *, radial: float) -> Any:
     from dataclasses import replace
 
@@ -231,24 +239,28 @@ JOBS = {
         title="contact in the true groove to 0.1 %, the first of its process",
         work=partial(contact, pair="inner", accuracy=1e-3, warm=False),
         goal=0.5,
+        clock="wall",  # both bodies at once
         fresh=True,
     ),
     "next_contact": Job(
         title="the same, the next load",
         work=partial(contact, pair="inner", accuracy=1e-3, warm=True),
         goal=0.2,
+        clock="wall",  # both bodies at once
         short=True,
     ),
     "contact_outer": Job(
         title="contact of the outer race to 0.1 %, the first of its process",
         work=partial(contact, pair="outer", accuracy=1e-3, warm=False),
         goal=0.5,
+        clock="wall",  # both bodies at once
         fresh=True,
     ),
     "fine_contact": Job(
         title="contact in the true groove to 0.05 %, the first of its process",
         work=partial(contact, pair="inner", accuracy=5e-4, warm=False),
         goal=1.5,
+        clock="wall",  # both bodies at once
         fresh=True,
     ),
     "dry_point": Job(
@@ -268,6 +280,26 @@ JOBS = {
         work=partial(point, partial(oiled, "6205_physical")),
         goal=0.5e-3,
         short=True,
+    ),
+    "dry_call": Job(
+        title="one call of torque_function, built-in with a coefficient",
+        work=partial(called, dry),
+        goal=0.1e-3,
+    ),
+    "calibrated_call": Job(
+        title="one call of torque_function, 6205_paper_calibrated",
+        work=partial(called, partial(oiled, "6205_paper_calibrated")),
+        goal=0.15e-3,
+    ),
+    "physical_call": Job(
+        title="one call of torque_function, 6205_physical",
+        work=partial(called, partial(oiled, "6205_physical")),
+        goal=0.5e-3,
+    ),
+    "radial_call": Job(
+        title="one call of torque_function, 6205_physical with 1000 N of radial load",
+        work=partial(called, partial(oiled, "6205_physical"), radial=1000.0),
+        goal=1e-3,
     ),
     "free_point": Job(
         title="torque point, 6205_physical, free balls",
