@@ -28,7 +28,8 @@ from analytic.errors import FembearingError
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from fembearing.compare.contact.hertz import hertz_quantities
-from fembearing.compare.contact.mesh_refinement import COMPARED, solve_reference
+from fembearing.compare.contact.mesh_refinement import COMPARED
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.compare.contact.scene_contact import heaviest_contact
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent

@@ -22,7 +22,7 @@ from fembearing.fem.solution import (
     fitted_solution,
     pressed,
 )
-from fembearing.mesh.footprint import shoulders_of
+from fembearing.mesh.footprint import Sides, shoulders_of
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
@@ -67,12 +67,12 @@ def checked_loads(loads: ArrayLike) -> Array:
 
 
 def on_level(
-    series: Sequence[MeshSolution], *, recipe: Recipe, level: int, extended: bool = False, whole: bool = False
+    series: Sequence[MeshSolution], *, recipe: Recipe, level: int, extended: bool = False, sides: Sides = "even"
 ) -> tuple[MeshSolution, ...]:
     """The loads of a solved series on another level, each on a mesh for the same ellipse as in `series`.
 
     extended : add cells around a block, to measure the effect of its far boundary
-    whole : mesh both sides of y = 0 as they are
+    sides : of y = 0 that are meshed, see `fembearing.mesh.pair.pair_mesh`
     Raises InputError and ConvergenceError as `solve_series`.
     """
     meshes: dict[CondensedPair, CondensedPair] = {}
@@ -84,8 +84,8 @@ def on_level(
                 level=level,
                 semi_axes=part.pair.semi_axes,
                 extended=extended,
-                whole=whole,
-                upper=part.upper if level == part.level and not whole else None,
+                sides=sides,
+                upper=part.upper if level == part.level and sides != "both" else None,
             )
     return tuple(pressed(meshes[part.bodies], load=part.contact.load, expected=part.semi_axes) for part in series)
 

@@ -26,6 +26,7 @@ from fembearing.fem.measure import (
     uncut_semi_axes,
 )
 from fembearing.mesh.bodies import BodyMesh
+from fembearing.mesh.footprint import Sides
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import Recipe
 
@@ -84,19 +85,20 @@ def solve_on_mesh(
     level: int,
     semi_axes: tuple[float, float],
     extended: bool = False,
-    whole: bool = False,
+    sides: Sides = "even",
     upper: CondensedBody | None = None,
 ) -> MeshSolution:
     """Solve a contact on one level of a recipe, on a mesh for an ellipse of `semi_axes` (m).
 
     extended : add cells around a block, to measure the effect of its far boundary
-    whole : mesh both sides of y = 0 as they are, see `fembearing.mesh.pair.pair_mesh`
-    upper : the condensed ball of this level and ellipse, if it is known; it does not depend on `extended`
+    sides : of y = 0 that are meshed, see `fembearing.mesh.pair.pair_mesh`
+    upper : the condensed ball of this level and ellipse, if it is known; it does not depend on `extended`, nor on the
+        side of a quarter
     Raises InputError if the mesh cannot be made, ConvergenceError if the contact does not converge.
     """
     start = time.perf_counter()
     bodies = condensed_pair(
-        contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended, whole=whole, upper=upper
+        contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended, sides=sides, upper=upper
     )
     solution = pressed(bodies, load=contact.load, expected=semi_axes)
     return replace(solution, seconds=time.perf_counter() - start)
@@ -109,7 +111,7 @@ def condensed_pair(
     level: int,
     semi_axes: tuple[float, float],
     extended: bool = False,
-    whole: bool = False,
+    sides: Sides = "even",
     upper: CondensedBody | None = None,
 ) -> CondensedPair:
     """Mesh both bodies of a contact and condense them; arguments as those of `solve_on_mesh`.
@@ -118,7 +120,7 @@ def condensed_pair(
     a body have no unique solution.
     """
     require_elastic(contact)
-    pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended, whole=whole)
+    pair = pair_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes, extended=extended, sides=sides)
     upper, lower = _condensed(contact, pair, upper)
     mass = _mass_within(pair)
     return CondensedPair(contact=contact, level=level, pair=pair, upper=upper, lower=lower, mass=mass)

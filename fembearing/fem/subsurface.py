@@ -71,7 +71,9 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
         )  # layers are even near the surface and grow below it; in this coordinate all are about even
 
     knots = even(lines)
-    spline = make_lsq_spline(even(place), stresses, np.concatenate([[knots[0]] * 3, knots, [knots[-1]] * 3]), k=3)
+    degree = min(3, lines.size - 1)  # with fewer than three layers there are too few points for a cubic
+    ends = np.repeat(knots[0], degree), np.repeat(knots[-1], degree)
+    spline = make_lsq_spline(even(place), stresses, np.concatenate([ends[0], knots, ends[1]]), k=degree)
     depth = np.linspace(0.0, min(DEEPEST * minor, lines[-1]), POINTS)
     stress = spline(even(depth)).T
     shear, mises = _max_shear(stress), _von_mises(stress)

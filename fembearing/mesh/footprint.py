@@ -7,6 +7,7 @@ shoulders are equally near.
 
 import math
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,8 @@ Array = NDArray[np.float64]
 ROUND_OFF = 1e-9  # of a coordinate
 UNCUT = (math.inf, math.inf)
 NEARLY = 0.995  # largest shoulder distance in the mesh, in semi-axes; an error of 1 % in the mesh does no harm
+# Which side of y = 0 a mesh has; "both": half of the contact, else a quarter whose two sides are alike
+Sides = Literal["even", "above", "below", "both"]
 MOST_OVERRUN = 3.0  # semi-axis of the mesh over the shoulder distance; beyond, too little of the ellipse is left
 
 
@@ -78,7 +81,15 @@ def is_symmetric(contact: Contact) -> bool:
     return contact.shoulder == contact.far_shoulder and contact.tilt == 0
 
 
-def evened(contact: Contact) -> Contact:
-    """The contact that a quarter stands for: the nearer shoulder on both sides, and lands parallel to the tangent."""
+def as_quarter(contact: Contact, sides: Sides) -> Contact:
+    """The contact whose side y > 0 a quarter has.
+
+    "even": the nearer shoulder, and a land parallel to the tangent plane; "above" and "below": the true sides
+    """
+    if sides == "above":
+        return contact
+    if sides == "below":
+        mirrored = {"shoulder": contact.far_shoulder, "far_shoulder": contact.shoulder}
+        return replace(contact, **mirrored, contact_angle=-contact.contact_angle)
     nearer = contact.nearer_shoulder
     return replace(contact, shoulder=nearer, far_shoulder=nearer, contact_angle=0.0)

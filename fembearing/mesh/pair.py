@@ -13,9 +13,9 @@ from analytic.errors import InputError
 from analytic.scene import Contact
 from analytic.words import MILLIMETRE, length_of
 from fembearing.mesh.ball import ball_octant
-from fembearing.mesh.bodies import FURTHER, Block, BodyMesh, body_mesh
-from fembearing.mesh.footprint import Footprint, evened, footprint_of
-from fembearing.mesh.patch import contact_zone, patch_mesh
+from fembearing.mesh.bodies import FURTHER, Block, BodyMesh
+from fembearing.mesh.footprint import Footprint, Sides, as_quarter, footprint_of
+from fembearing.mesh.half_space import flat_block
 from fembearing.mesh.pocket import pocket_wall
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.race import distance_to_race, race_block
@@ -48,22 +48,22 @@ def pair_mesh(
     level: int,
     semi_axes: tuple[float, float],
     extended: bool = False,
-    whole: bool = False,
+    sides: Sides = "even",
 ) -> PairMesh:
     """Mesh both bodies of a contact on one level of a recipe.
 
     semi_axes : expected semi-axes, rolling and transverse, m; they size the mesh
     extended : add rings and layers of cells to a block, which is then up to twice as large; the other cells stay where
         they are, so that the difference is the effect of the far boundary and little else
-    whole : mesh both sides of y = 0 of a contact of true shape, each with its own shoulder and land; else a quarter
-        stands for it where no shoulder cuts it off, see `evened`
+    sides : of y = 0 that are meshed where no shoulder cuts the contact off, see `fembearing.mesh.footprint.as_quarter`;
+        "both": half of the contact, as where one shoulder cuts it off
     Raises InputError if the bodies cannot be meshed at that size.
     """
     footprint = footprint_of(contact, semi_axes)
-    if whole:
+    if sides == "both":
         footprint = replace(footprint, half=True)
     make = _half_spaces if recipe.geometry == "hertzian" else _ball_on_race
-    pair = make(contact if footprint.half else evened(contact), recipe, level, footprint, extended)
+    pair = make(contact if footprint.half else as_quarter(contact, sides), recipe, level, footprint, extended)
     for body in (pair.upper, pair.lower):
         quality = mesh_quality(body.mesh)
         if not quality.valid:
@@ -78,20 +78,16 @@ def pair_mesh(
 
 def _half_spaces(contact: Contact, recipe: Recipe, level: int, footprint: Footprint, extended: bool) -> PairMesh:
     """Two half spaces; no node beyond a shoulder can touch."""
-    semi_axes = footprint.semi_axes
-    reach = recipe.domain.extent * max(semi_axes)
+    reach = recipe.domain.extent * max(footprint.semi_axes)
     further = FURTHER * reach if extended else None
-    block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach, further=further)
-    patch = patch_mesh(block.cells, ends=footprint.ends, half=footprint.half)
-    x, y = plane = block.plane(patch, contact_zone(patch, shape=recipe.patch, footprint=footprint))
-    flat = np.zeros_like(x)
-    upper = body_mesh("half space", patch, block.stack(patch, plane, flat, side=1))
-    lower = body_mesh("half space", patch, block.stack(patch, plane, flat, side=-1))
+    block = Block(recipe=recipe, level=level, semi_axes=footprint.semi_axes, reach=reach, further=further)
+    upper, lower = flat_block(block, footprint, side=1), flat_block(block, footprint, side=-1)
+    x, y, _ = upper.mesh.doflocs[:, upper.touching]
     curvature_x = 1 / contact.ball_radius + 1 / contact.rolling_radius
     curvature_y = 1 / contact.ball_radius - 1 / contact.groove_radius
-    inside = footprint.holds(y[patch.zone])
+    inside = footprint.holds(y)
     upper, lower = (replace(body, touching=body.touching[inside]) for body in (upper, lower))
-    gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[patch.zone][inside]
+    gap = ((curvature_x * x**2 + curvature_y * y**2) / 2)[inside]
     normal = np.tile([[0.0], [0.0], [-1.0]], gap.size)
     return PairMesh(upper=upper, lower=lower, gap=gap, normal=normal, footprint=footprint)
 

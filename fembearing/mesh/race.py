@@ -21,17 +21,21 @@ def race_block(contact: Contact, recipe: Recipe, level: int, footprint: Footprin
 
     Where a shoulder cuts the contact off, the patch lies on the race instead, and the shoulder is a line of the mesh.
     """
-    semi_axes = footprint.semi_axes
-    widest = WIDEST_BLOCK * abs(contact.rolling_radius)
-    reach = min(recipe.domain.extent * max(semi_axes), widest / LEAST_FURTHER)
-    further = min(FURTHER * reach, widest) if extended else None
-    block = Block(recipe=recipe, level=level, semi_axes=semi_axes, reach=reach, further=further)
+    block = block_of_race(contact, recipe, level, footprint, extended)
     patch = patch_mesh(block.cells, ends=footprint.ends, half=footprint.half)
     zone = contact_zone(patch, shape=recipe.patch, footprint=footprint)
     if not footprint.cut:
         zone = meeting_places(contact, zone)
     plane = block.plane(patch, zone)
     return body_mesh("race", patch, block.stack(patch, plane, race_height(contact, *plane), side=-1))
+
+
+def block_of_race(contact: Contact, recipe: Recipe, level: int, footprint: Footprint, extended: bool) -> Block:
+    """The grid of the block of a race, which the radius of the ring may limit."""
+    widest = WIDEST_BLOCK * abs(contact.rolling_radius)
+    reach = min(recipe.domain.extent * max(footprint.semi_axes), widest / LEAST_FURTHER)
+    further = min(FURTHER * reach, widest) if extended else None
+    return Block(recipe=recipe, level=level, semi_axes=footprint.semi_axes, reach=reach, further=further)
 
 
 def race_height(contact: Contact, x: Array, y: Array) -> Array:

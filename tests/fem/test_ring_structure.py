@@ -10,7 +10,7 @@ from scipy.integrate import quad
 
 from analytic.scene import Contact, Material, Ring
 from fembearing.compare.contact.grid_convergence import Estimate
-from fembearing.compare.contact.mesh_refinement import boundary_effect
+from fembearing.compare.contact.meshed_region import boundary_effect
 from fembearing.compare.contact.ring import structure_of_ring
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh

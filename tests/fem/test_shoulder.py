@@ -22,7 +22,7 @@ from fembearing.fem.solution import CondensedPair, MeshSolution, fitted_solution
 from fembearing.fem.subsurface import subsurface_stress
 from fembearing.mesh import pair as pair_module
 from fembearing.mesh.bodies import BodyMesh
-from fembearing.mesh.footprint import Footprint
+from fembearing.mesh.footprint import Footprint, Sides
 from fembearing.mesh.pair import PairMesh
 from fembearing.mesh.recipe import load_recipe
 from tests.fem.assembly import stiffness
@@ -214,15 +214,15 @@ def test_a_cut_contact_loses_less_within_what_is_stated_of_it(contacts: dict[str
     assert 0.5 * share < -change < PER_CUT_SHARE * share
 
 
-def sided(contact: Contact, *, near: float, far: float, whole: bool) -> MeshSolution:
+def sided(contact: Contact, *, near: float, far: float, sides: Sides) -> MeshSolution:
     """With shoulders at `near` and `far`, m, and lands parallel to the tangent plane."""
     even = replace(contact, shoulder=near, far_shoulder=far, contact_angle=0.0)
-    return solve_on_mesh(even, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES, whole=whole)
+    return solve_on_mesh(even, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES, sides=sides)
 
 
 def test_mirrored_sides_give_the_mirrored_contact(contacts: dict[str, Contact]) -> None:
     one, other = (
-        sided(contacts["inner"], near=near, far=far, whole=True) for near, far in ((1.2e-3, 2.9e-3), (2.9e-3, 1.2e-3))
+        sided(contacts["inner"], near=near, far=far, sides="both") for near, far in ((1.2e-3, 2.9e-3), (2.9e-3, 1.2e-3))
     )
     for name in NAMES:
         found, expected = (getattr(part.quantities, name) for part in (one, other))
@@ -237,9 +237,9 @@ def test_mirrored_sides_give_the_mirrored_contact(contacts: dict[str, Contact]) 
 def test_each_shoulder_acts_by_itself(contacts: dict[str, Contact]) -> None:
     """Half of a contact with unequal shoulders is the mean of two quarters; a far shoulder tends to none."""
     near, far, none = 1.2e-3, 2.0e-3, 3.8e-3
-    quarters = {at: sided(contacts["inner"], near=at, far=at, whole=False) for at in (near, far, none)}
+    quarters = {at: sided(contacts["inner"], near=at, far=at, sides="even") for at in (near, far, none)}
     for at in (far, none):
-        half = sided(contacts["inner"], near=near, far=at, whole=True)
+        half = sided(contacts["inner"], near=near, far=at, sides="both")
         for name in NAMES:
             one, other = (getattr(quarters[each].quantities, name) for each in (near, at))
             found = getattr(half.quantities, name)
@@ -250,9 +250,24 @@ def test_each_shoulder_acts_by_itself(contacts: dict[str, Contact]) -> None:
     assert abs(approaches[1] / approaches[2] - 1) < 0.7 * abs(approaches[0] / approaches[2] - 1)
 
 
+def test_each_side_acts_by_itself_at_a_contact_angle_too(contacts: dict[str, Contact]) -> None:
+    """Half of the contact, with tilted lands, is the mean of a quarter with either side."""
+    contact, recipe = replace(contacts["inner"], shoulder=1.2e-3, far_shoulder=2.0e-3), load_recipe("race")
+    even, half, above, below = (
+        solve_on_mesh(contact, recipe=recipe, level=2, semi_axes=SEMI_AXES, sides=sides).quantities
+        for sides in ("even", "both", "above", "below")
+    )
+    for name in NAMES:
+        found, one, other = (getattr(part, name) for part in (half, above, below))
+        # 4e-5: a tenth of what each side does, 4e-4, for what two do together and for the mirrored tilt of the groove
+        assert found == pytest.approx((one + other) / 2, rel=4e-5), name
+    assert abs(half.approach / even.approach - 1) > 2e-4
+    assert abs(above.approach / below.approach - 1) > 2e-4
+
+
 def test_a_far_shoulder_that_is_reached_cuts_the_contact_like_a_near_one(contacts: dict[str, Contact]) -> None:
     one, other = (
-        sided(contacts["inner"], near=near, far=far, whole=False) for near, far in ((0.7e-3, 3.1e-3), (3.1e-3, 0.7e-3))
+        sided(contacts["inner"], near=near, far=far, sides="even") for near, far in ((0.7e-3, 3.1e-3), (3.1e-3, 0.7e-3))
     )
     assert one.shoulder is not None
     assert other.shoulder is not None

@@ -89,7 +89,7 @@ def test_each_side_of_a_whole_contact_has_its_own_shoulder_and_land(contacts: di
     """In cylinder coordinates about the bearing's axis: a torus, and lands of constant radius on both sides."""
     contact = replace(contacts[pair], shoulder=1.3e-3, far_shoulder=2.2e-3, contact_angle=0.41)
     plain = pair_mesh(contact, recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES[pair])
-    bodies = pair_mesh(contact, recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES[pair], whole=True)
+    bodies = pair_mesh(contact, recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES[pair], sides="both")
     assert (plain.footprint.half, bodies.footprint.half) == (False, True)
     x, y, z = bodies.lower.mesh.doflocs[:, bodies.lower.surface]
     side, groove = (1 if pair == "inner" else -1), contact.groove_radius

@@ -8,7 +8,7 @@ from skfem import Basis, ElementHex2
 
 from analytic.errors import InputError
 from analytic.scene import Contact, Ring
-from fembearing.mesh.footprint import Footprint, evened
+from fembearing.mesh.footprint import Footprint, as_quarter
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.race import race_block
 from fembearing.mesh.recipe import load_recipe
@@ -89,7 +89,7 @@ def test_touching_nodes_are_those_of_the_race(contact: Contact) -> None:
     found = body.mesh.doflocs[:, body.touching]
     np.testing.assert_allclose(found, centre + into_ring(contact, places), rtol=0, atol=1e-9 * AXES[0])
     assert np.unique(body.touching).size == race.touching.size
-    quarter = race_block(evened(contact), RACE, 2, Footprint(semi_axes=AXES), False)
+    quarter = race_block(as_quarter(contact, "even"), RACE, 2, Footprint(semi_axes=AXES), False)
     mirrored = np.abs(quarter.mesh.doflocs[:2, quarter.touching][:, piece.quarter])
     np.testing.assert_allclose(mirrored, np.abs(places[:2]), rtol=0, atol=1e-3 * AXES[0])  # the tilt moves them by 1e-4
     np.testing.assert_array_equal(piece.side, np.sign(np.where(np.abs(places[1]) < 1e-12 * AXES[0], 0.0, places[1])))

@@ -131,6 +131,7 @@ def contact_made(
             for name, part in given.items()
         },
         meshes=tuple(meshes),
+        refinement="levels",
         warnings=(),
         corrected=corrected,
     )

@@ -22,7 +22,8 @@ from rich.table import Table
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
 from fembearing.compare.contact.hertz import hertz_quantities
-from fembearing.compare.contact.mesh_refinement import COMPARED, solve_reference
+from fembearing.compare.contact.mesh_refinement import COMPARED
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
 from fembearing.progress import silent

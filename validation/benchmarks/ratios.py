@@ -138,7 +138,7 @@ def solved(case: dict[str, Any]) -> dict[str, Any]:
 
     from analytic.contact.hertz import contact_modulus, hertz_contact
     from analytic.scene import Contact, Material
-    from fembearing.compare.contact.mesh_refinement import solve_reference
+    from fembearing.compare.contact.reference import solve_reference
     from fembearing.fem.solution import solve_on_mesh
     from fembearing.mesh.recipe import load_recipe
     from fembearing.progress import silent

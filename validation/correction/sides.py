@@ -3,9 +3,8 @@
 A quarter of a contact is meshed with the nearer shoulder on both sides, and lands parallel to the tangent plane. Here
 steel contacts are solved so, and on half of the contact with both sides as they are: unequal shoulders, and lands
 parallel to the axis of the bearing, which the contact angle tilts. For each the table has the change of the quantities
-from quarter to half, at the angle and without it; then what is left without it when two quarters are averaged, one with
-each shoulder: there every shoulder acts by itself. `--fine` adds the change of the first on the third level. Takes two
-minutes, with `--fine` ten.
+from quarter to half, at the angle and without it; then the mean of two quarters, one with each side, over the half.
+`--fine` adds the change of the first on the third level. Takes two minutes, with `--fine` ten.
 """
 
 import argparse
@@ -18,6 +17,7 @@ from solve import QUANTITIES, contact_of_shape
 
 from analytic.scene import Array, Contact
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
+from fembearing.mesh.footprint import Sides
 from fembearing.mesh.recipe import load_recipe
 
 # Rolling curvature r/R, contact angle in degrees, size b/r, and both shoulders over r
@@ -42,7 +42,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--fine", action="store_true", help="the third level too")
     fine = parser.parse_args().fine
-    columns = ("half over quarter", "the same at 0 degrees", "mean of two quarters at 0 degrees")
+    columns = ("half over quarter", "the same at 0 degrees", "mean of two quarters over half")
     table = Table("r/R", "angle", "b/r", "shoulders", *columns, *(("the first, level 3",) if fine else ()))
     table.title = "a, b, peak pressure and approach, changes in 1e-5"
     for curvature, degrees, size, shoulder, far_shoulder in CASES:
@@ -51,22 +51,20 @@ def main() -> None:
         tilted = contact_of_shape(shape)
         flat = replace(tilted, contact_angle=0.0)
         semi_axes = fitted_solution(tilted, recipe=RECIPE).pair.semi_axes
-        near, far = (
-            solved(replace(flat, shoulder=each, far_shoulder=each), semi_axes)
-            for each in (flat.shoulder, flat.far_shoulder)
+        quarter, half, above, below = (
+            solved(tilted, semi_axes, sides=sides) for sides in ("even", "both", "above", "below")
         )
-        quarter, half = solved(tilted, semi_axes), solved(flat, semi_axes, whole=True)
-        found = [solved(tilted, semi_axes, whole=True) / quarter, half / quarter, (near + far) / 2 / half]
+        found = [half / quarter, solved(flat, semi_axes, sides="both") / quarter, (above + below) / 2 / half]
         if fine:
-            found.append(solved(tilted, semi_axes, whole=True, level=3) / solved(tilted, semi_axes, level=3))
+            found.append(solved(tilted, semi_axes, sides="both", level=3) / solved(tilted, semi_axes, level=3))
         words = (", ".join(f"{1e5 * (ratio - 1):.1f}" for ratio in ratios) for ratios in found)
         table.add_row(f"{curvature:g}", f"{degrees:g}", f"{size:g}", f"{shoulder:g}, {far_shoulder:g}", *words)
     Console(width=150).print(table)
 
 
-def solved(contact: Contact, semi_axes: tuple[float, float], *, whole: bool = False, level: int = 2) -> Array:
+def solved(contact: Contact, semi_axes: tuple[float, float], *, sides: Sides = "even", level: int = 2) -> Array:
     """(4,) semi-axes, peak pressure and approach on one mesh."""
-    found = solve_on_mesh(contact, recipe=RECIPE, level=level, semi_axes=semi_axes, whole=whole).quantities
+    found = solve_on_mesh(contact, recipe=RECIPE, level=level, semi_axes=semi_axes, sides=sides).quantities
     return np.array([getattr(found, name) for name in QUANTITIES])
 
 

@@ -36,7 +36,7 @@ from analytic.contact.hertz import contact_modulus
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
 from fembearing.compare.contact.hertz import hertz_quantities
-from fembearing.compare.contact.mesh_refinement import solve_reference
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
 
@@ -72,7 +72,13 @@ COLUMNS = [
 PRESSURES = (0.007, 0.028)  # p0/E* in the bearings: 0.8 to 3.2 GPa on steel
 CATALOGUE = (0.01, 0.0217)  # p0/E* on steel at 0.02 to 0.2 C0, where 4.2 GPa are reached at C0: 1.1 to 2.5 GPa
 # Parts of fembearing on which a solve depends
-SOLVER = ("fem", "mesh", "compare/contact/mesh_refinement.py", "compare/contact/grid_convergence.py")
+SOLVER = (
+    *("fem", "mesh"),
+    *(
+        f"compare/contact/{part}.py"
+        for part in ("reference", "twin_refinement", "mesh_refinement", "grid_convergence", "meshed_region")
+    ),
+)
 MATERIALS = {  # E, nu; typical values
     "steel": (206e9, 0.3),
     "silicon nitride": (310e9, 0.26),

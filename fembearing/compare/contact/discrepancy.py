@@ -18,8 +18,9 @@ from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact
 from fembearing.compare.contact.comparison_error import Comparison, comparison_of
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
-from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, solve_reference
+from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Refinement
 from fembearing.compare.contact.pressure_profile import Profiles, profiles_of
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.compare.contact.ring import RingStructure, structure_of_ring
 from fembearing.compare.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.compare.contact.verdict import Verdict, could_be_decided, verdict_on, worst
@@ -58,6 +59,7 @@ class ContactSolution(Brief):
     corrected: CorrectedHertz | None = None  # None outside the range of the correction's fit
     approach_curve: ApproachCurve
     pressure_profile: Profiles
+    refinement: Refinement = "levels"
     peak_memory: int | None  # of the process when the contact was solved, bytes
 
     def _facts(self) -> Iterator[str]:
@@ -123,7 +125,8 @@ class ContactSolution(Brief):
     def method(self) -> str:
         """How the reference was computed, in words."""
         part = "half of the contact, " if self.meshes[-1].pair.footprint.half else ""
-        return f"finite elements, {self.geometry}, {part}{self.meshes[-1].unknowns} unknowns"
+        way = "corrected by a half-space twin, " if self.refinement == "twin" else ""
+        return f"finite elements, {self.geometry}, {part}{way}{self.meshes[-1].unknowns} unknowns"
 
     @property
     def centroid(self) -> float:
@@ -184,6 +187,7 @@ class ContactSolution(Brief):
             "verdict": self.shown_verdict,
             "judged": self.judged,
             "rung": self.method,
+            "refinement": self.refinement,
             "meshes": [
                 {"level": mesh.level, "unknowns": mesh.unknowns, "seconds": mesh.seconds} for mesh in self.meshes
             ],
@@ -195,6 +199,7 @@ class ContactSolution(Brief):
                     "grid_convergence_index": part.index,
                     "formal_order": self.formal_orders[name],
                     "richardson": part.richardson,
+                    "corrected": list(part.corrected),
                     "mesh": part.mesh,
                     "beyond": part.beyond,
                     "sides": part.sides,
@@ -300,11 +305,11 @@ def with_ring(solution: ContactSolution) -> ContactSolution:
 def compare_contact(
     contact: Contact, *, recipe: Recipe, tolerance: float, accuracy: float | None = None, progress: Progress = silent
 ) -> ContactSolution:
-    """Solve `contact` on three levels of `recipe` or more, until the accuracy is reached.
+    """Solve `contact` on two levels of `recipe` or more, until the accuracy is reached.
 
     accuracy : required of the finite elements, relative; the tolerance unless given
-    The first two levels predict the third one needed. Finer levels follow where that one misses the accuracy, or
-    leaves a verdict undecided that a finer mesh could decide. A sheet has no verdict; only its approach and stiffness
+    Finer levels follow where one misses the accuracy, or leaves a verdict undecided that a finer mesh could decide. A
+    sheet has no verdict; only its approach and stiffness
     must reach the accuracy.
     """
     start = time.perf_counter()
@@ -351,6 +356,7 @@ def compare_contact(
         corrected=corrected,
         approach_curve=approach_over_load(contact, hertz=hertz, correctable=correctable),
         pressure_profile=profiles_of(meshes[-1], hertz),
+        refinement=reference.refinement,
         peak_memory=peak_memory(),
         valid=not thin and not overrun,
     )

@@ -29,13 +29,14 @@ class Estimate:
 
     values: tuple[float, ...]  # coarse to fine
     order: float | None  # observed; None where the values are not monotonic or diverge
-    richardson: float | None  # extrapolated with the formal order; None where that is unknown or not reliable
+    richardson: float | None  # extrapolated, from `corrected` where given; None where the order is not reliable
     mesh: float  # from the meshes
     settled: bool = True  # whether the meshes converge
     index: float | None = None  # Roache's grid-convergence index, relative: shown with `mesh`, part of no interval
     beyond: float = 0.0  # share by which an infinite meshed region would raise the value
     sides: float = 0.0  # share by which the true shoulders and lands raise the value, where a symmetric part is meshed
     domain: float = 0.0  # from the size of the meshed region and from the sides
+    corrected: tuple[float, ...] = ()  # `values` less the error that a twin shows; empty on plain levels
 
     @property
     def limit(self) -> float:

@@ -22,16 +22,10 @@ from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.compare.contact.columns import COLUMNS, VERDICT
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import hertz_quantities
-from fembearing.compare.contact.mesh_refinement import (
-    Boundary,
-    boundary_effect,
-    estimates_of,
-    has_boundary,
-    has_sides,
-    solve_reference,
-    with_sides,
-)
+from fembearing.compare.contact.mesh_refinement import estimates_of
+from fembearing.compare.contact.meshed_region import Boundary, boundary_effect, has_boundary, has_sides, with_sides
 from fembearing.compare.contact.power_law import LawData, StiffnessLaw, fit_law, fit_tangents
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.compare.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.compare.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.compare.contact.warnings import (
@@ -251,12 +245,15 @@ def compare_series(
     larger = on_level(second, recipe=recipe, level=middle, extended=True) if bounded else (None,) * given.size
     # Where one load needs the true sides all get them; a mesh that is cut off is half of the contact already.
     sided = any(has_sides(part, recipe=recipe) for part in second)
-    both = on_level(second, recipe=recipe, level=middle, whole=True) if sided else (None,) * given.size
+    both = [
+        on_level(second, recipe=recipe, level=middle, sides=side) if sided else (None,) * given.size
+        for side in ("above", "below")
+    ]
     progress(0.5, f"{contact.pair}: level {fine}")
     third = on_level(second, recipe=recipe, level=fine)
     solved = {
         parts[1].contact.load: SolvedLoad(parts[1], _approach(*parts), off_mesh_uncertainty(parts[1]))
-        for parts in zip(second, third, larger, both, strict=True)
+        for parts in zip(second, third, larger, *both, strict=True)
     }
     solved |= _refined(
         solved, recipe=recipe, tolerance=tolerance, accuracy=accuracy, progress=part_of(progress, 0.6, 1.0)
@@ -337,10 +334,14 @@ def off_mesh_uncertainty(solution: MeshSolution) -> float:
 
 
 def _approach(
-    second: MeshSolution, third: MeshSolution, larger: MeshSolution | None, whole: MeshSolution | None
+    second: MeshSolution,
+    third: MeshSolution,
+    larger: MeshSolution | None,
+    above: MeshSolution | None,
+    below: MeshSolution | None,
 ) -> Estimate:
     estimate = estimates_of((second, third))["approach"]
     boundary = {"approach": Boundary()} if larger is None else boundary_effect(second, larger)
-    if whole is not None:
-        boundary = with_sides(boundary, second, whole)
+    if above is not None and below is not None:
+        boundary = with_sides(boundary, second, above, below)
     return replace(estimate, mesh=estimate.mesh + off_mesh_uncertainty(third), **vars(boundary["approach"]))

@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.contact.subsurface import subsurface_maximum
 from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.contact.grid_convergence import FINEST, LEAST
+from fembearing.compare.contact.grid_convergence import FINEST, LEAST, UNSTEADY
 from fembearing.fem.subsurface import Array, Side, SubsurfaceStress, subsurface_stress
 
 STRESSES = ("max_shear", "max_von_mises")  # each with its "_depth"
@@ -15,6 +15,7 @@ NAMES: tuple[str, ...] = ("max_shear", "max_shear_depth", "max_von_mises", "max_
 # A maximum is flat: its depth on a mesh is uncertain, and two meshes may agree by chance. The error of depths on the
 # third and fourth level is measured by validation/benchmarks/subsurface.py.
 LEAST_DEPTH = 5e-3  # minor semi-axes
+COUNTED_RATIO = 1.5  # of cell sizes, from the second level to the third: over a larger one a change counts less
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,10 +52,12 @@ class SubsurfaceComparison:
 def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> SubsurfaceComparison:
     """Compare the greatest shear and von Mises stress; solves one body of the last two meshes again.
 
-    The uncertainty of a stress is the last change, or 0.03 % if that is larger. The uncertainty of a depth is the
-    largest of the last change, 0.5 % of the minor semi-axis, and the distance to another maximum that may be the
-    greater one within the uncertainty of the stresses. The effect of the far boundary on the peak pressure is added to
-    stresses, that on the minor semi-axis to depths. Raises InputError for half a contact, see `subsurface_stress`.
+    The uncertainty of a stress is the last change, or 0.03 % if that is larger. From the first level to the second
+    cells shrink more than between later ones; that change counts as if they shrank by a third, at order 3. The
+    uncertainty of a depth is the largest of the last change, 0.5 % of the minor semi-axis, and the distance to another
+    maximum that may be the greater one within the uncertainty of the stresses. The effect of the far boundary on the
+    peak pressure is added to stresses, that on the minor semi-axis to depths. Raises InputError for half a contact, see
+    `subsurface_stress`.
     """
     contact, hertz = solution.contact, solution.hertz
     material = contact.race_material if side == "lower" else contact.ball_material
@@ -66,12 +69,14 @@ def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> Su
     )
     coarse, fine = (subsurface_stress(mesh, side=side) for mesh in solution.meshes[-2:])
     before, maxima = _maxima(coarse), _maxima(fine)
+    ratio = solution.meshes[-1].level / solution.meshes[-2].level
+    step = min(1.0, (COUNTED_RATIO**UNSTEADY - 1) / (ratio**UNSTEADY - 1))
     minor = min(("semi_axis_rolling", "semi_axis_transverse"), key=lambda name: getattr(solution.reference, name))
     boundary = {name: solution.estimates[name].domain for name in (minor, "peak_pressure")}
     uncertainty = {}
     for name, curve in zip(STRESSES, (fine.max_shear, fine.von_mises), strict=True):
         depth = f"{name}_depth"
-        change = {each: abs(maxima[each] - before[each]) for each in (name, depth)}
+        change = {each: step * abs(maxima[each] - before[each]) for each in (name, depth)}
         off = max(change[name], LEAST * maxima[name]) + (FINEST + boundary["peak_pressure"]) * maxima[name]
         tops = _tops(fine.depth, curve, least=maxima[name] - 2 * off)  # each of the two may be off
         away = float(np.abs(tops - maxima[depth]).max(initial=0.0))

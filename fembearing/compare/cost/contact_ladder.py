@@ -1,5 +1,6 @@
 """The ladder of one contact: Hertz, Hertz corrected for finite geometry, and meshes from coarse to fine."""
 
+import time
 from collections.abc import Sequence
 
 import numpy as np
@@ -8,8 +9,9 @@ from analytic.errors import FembearingError, InputError
 from analytic.scene import Array, Contact
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
-from fembearing.compare.contact.mesh_refinement import COMPARED, Estimates, estimates_of
+from fembearing.compare.contact.mesh_refinement import COMPARED, Estimates, Refinement, estimates_of
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
+from fembearing.compare.contact.twin_refinement import solve_by_twin
 from fembearing.compare.cost.ladder import Ladder, TimedMethod, UntimedMethod, ladder_of, timed
 from fembearing.compare.memory import peak_while
 from fembearing.fem.measure import Quantities
@@ -18,6 +20,7 @@ from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress, silent
 
 FEWEST = 3  # meshes needed to extrapolate
+WITH_TWIN = 1e-3  # accuracy for which meshes with a twin are shown
 MESH_REPEATS = 3
 DEAR = 10.0  # s: a mesh that takes longer is timed once, to save minutes on a slow machine
 # Worst error of semi-axes, peak pressure and approach on each level of the recipe of a race, for any contact: the mesh
@@ -57,14 +60,36 @@ def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, prog
         meshes.append(mesh)
         methods.append(_mesh_method(mesh, seconds=seconds, warm_up=warm_up, memory=memory, predicted=expected))
     estimates = estimates_of(meshes) if len(meshes) >= FEWEST else None
-    methods += _extrapolated(estimates, methods)
+    levels = list(methods)
+    methods += _with_twin(contact, recipe)
+    methods += _extrapolated(estimates, levels)
     return ladder_of(_quantity(contact), _reference(meshes, estimates), methods, tolerance=tolerance)
+
+
+def _with_twin(contact: Contact, recipe: Recipe) -> list[TimedMethod]:
+    """The coarse levels with their twin as `solve_reference` takes them, with sizing and far boundary; none without."""
+    if recipe.geometry != "real":
+        return []
+    start = time.perf_counter()
+    found = solve_by_twin(
+        contact, recipe=recipe, accuracy=WITH_TWIN, quantities=COMPARED, undecided=lambda _: False, progress=silent
+    )
+    if found is None:
+        return []
+    return [
+        TimedMethod(
+            name=f"finite elements, twin, to level {found.meshes[-1].level}",
+            answer=np.array([found.estimates[name].limit for name in COMPARED]),
+            bound=_off(found.estimates),
+            seconds=(time.perf_counter() - start,),
+        )
+    ]
 
 
 def contact_ladder_of(solution: ContactSolution) -> Ladder:
     """The contact ladder of a solution: formulas are timed here, each mesh has the seconds of its one solve."""
     meshes = [_mesh_method(mesh, seconds=(mesh.seconds,)) for mesh in solution.meshes]
-    methods = [*_formulas(solution.contact), *meshes, *_extrapolated(solution.estimates, meshes)]
+    methods = [*_formulas(solution.contact), *meshes, *_extrapolated(solution.estimates, meshes, solution.refinement)]
     reference = _reference(solution.meshes, solution.estimates)
     return ladder_of(_quantity(solution.contact), reference, methods, tolerance=solution.tolerance)
 
@@ -159,15 +184,17 @@ def _off(estimates: Estimates) -> float:
     return max(part.mesh for name, part in estimates.items() if name in COMPARED)
 
 
-def _extrapolated(estimates: Estimates | None, methods: Sequence[TimedMethod]) -> list[TimedMethod]:
-    """The extrapolation of three meshes or more, at the price of all."""
+def _extrapolated(
+    estimates: Estimates | None, methods: Sequence[TimedMethod], refinement: Refinement = "levels"
+) -> list[TimedMethod]:
+    """The extrapolation of several meshes, at the price of all."""
     if estimates is None:
         return []
     meshes = [each for each in methods if each.unknowns and each.seconds]
     memories = [mesh.memory for mesh in meshes if mesh.memory is not None]
     return [
         TimedMethod(
-            name="finite elements, extrapolated",
+            name=f"finite elements, {'with twin' if refinement == 'twin' else 'extrapolated'}",
             answer=np.array([estimates[name].limit for name in COMPARED]),
             bound=_off(estimates),
             seconds=(sum(float(np.median(mesh.seconds)) for mesh in meshes),),

@@ -14,7 +14,7 @@ from analytic.contact.subsurface import SubsurfaceMaximum, subsurface_maximum
 from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.scene import Bearing, Contact, ContactAngle
 from fembearing.compare.contact.hertz import hertz_quantities
-from fembearing.compare.contact.mesh_refinement import solve_reference
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.compare.contact.scene_contact import as_meshed
 from fembearing.compare.hard.case import HardCase
 from fembearing.compare.hard.specimens import (

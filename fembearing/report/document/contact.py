@@ -111,6 +111,7 @@ class Study(Table):
     beyond: float
     sides: float = 0.0
     domain: float
+    corrected: Annotated[list[Positive], Field(default_factory=list)]
 
 
 class Mesh(Table):
@@ -144,6 +145,7 @@ class Contact(Table):
     verdict: Verdict | Literal["shown"]
     judged: bool
     method: str = Field(alias="rung")
+    refinement: Literal["twin", "levels"] = "levels"
     meshes: Annotated[list[Mesh], Field(min_length=2)]
     ring: Ring | None
     convergence: OfQuantities[Study]

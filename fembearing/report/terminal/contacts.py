@@ -22,23 +22,25 @@ def print_contact(out: Console, contact: Contact, verdicts: Mapping[str, str]) -
         column.min_width = width
     for name, quantity in quantities_of(contact).items():
         discrepancy, uncertainty, factor = contact.discrepancy[name], contact.uncertainty[name], quantity.shown.factor
-        order = contact.convergence[name].order
+        study = contact.convergence[name]
         table.add_row(
             quantity.heading,
             f"{contact.hertz[name] * factor:.5g}",
             f"{contact.fe[name] * factor:.5g}",
             f"{discrepancy:+.2%} {'*' if abs(discrepancy) > uncertainty else ' '}",
             f"{uncertainty:.2%}",
-            "none" if order is None else f"{order:.1f}",
+            "twin" if study.corrected else "none" if study.order is None else f"{study.order:.1f}",
             verdicts[name].removesuffix(" validity") if contact.judged else "shown",
         )
     out.print(table)
     _print_corrected(out, contact)
     for line in shoulder_lines(contact):
         out.print(line)
+    is_twin = contact.refinement == "twin"
+    order = "twin: corrected by half spaces on the same cells" if is_twin else "order: observed on the meshes"
     out.print(
         f"{AXES}. FE: finite elements; +-: their numerical uncertainty, "
-        "95 %; *: the difference exceeds it; order: observed on the meshes.\n"
+        f"95 %; *: the difference exceeds it; {order}.\n"
         f"{contact.method}, {contact.cost.seconds:.1f} s\n",
         style="dim",
     )

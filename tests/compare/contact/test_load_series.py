@@ -14,8 +14,8 @@ from fembearing.compare.contact.discrepancy import ContactSolution, solve_contac
 from fembearing.compare.contact.grid_convergence import CAUTIOUS, LEAST
 from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.contact.load_series import LoadSeries, compare_series, solve_load_series
-from fembearing.compare.contact.mesh_refinement import solve_reference
 from fembearing.compare.contact.power_law import StiffnessLaw
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 from fembearing.progress import silent
 from tests.analytic.specimens import present

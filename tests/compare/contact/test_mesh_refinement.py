@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
-from fembearing.compare.contact.mesh_refinement import SIDES_LEFT, _predicted_level, has_sides, solve_reference
+from fembearing.compare.contact.grid_convergence import FINEST
+from fembearing.compare.contact.mesh_refinement import _predicted_level
+from fembearing.compare.contact.meshed_region import SIDES_LEFT, has_sides
+from fembearing.compare.contact.reference import solve_reference
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
@@ -67,12 +70,13 @@ def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[s
     found = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent)
     axes = found.meshes[1].pair.semi_axes
     thirds = [
-        solve_on_mesh(contact, recipe=recipe, level=3, semi_axes=axes, whole=whole).quantities
-        for whole in (False, True)
+        solve_on_mesh(contact, recipe=recipe, level=3, semi_axes=axes, sides=sides).quantities
+        for sides in ("even", "both")
     ]
     largest = max(abs(part.sides) for part in found.estimates.values())
     assert largest > 1e-5
     for name, part in found.estimates.items():
         quarter, half = (getattr(third, name) for third in thirds)
         sides = half / quarter - 1
-        assert abs(part.sides - sides) < SIDES_LEFT * largest + 1e-5, name
+        # Half differs from the mean of its quarters by 1.5e-5, in the stiffness by more; intervals hold FINEST besides.
+        assert abs(part.sides - sides) < SIDES_LEFT * largest + FINEST / 2, name

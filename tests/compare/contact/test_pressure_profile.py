@@ -57,7 +57,7 @@ def test_the_axes_are_not_exchanged(solution: ContactSolution) -> None:
     rolling, transverse = (nodal_profile(solution.meshes[-1], axis) for axis in AXES)
     touched = [part.position[part.pressure > 0].max() for part in (rolling, transverse)]
     semi_axes = solution.reference.semi_axis_rolling, solution.reference.semi_axis_transverse
-    np.testing.assert_allclose(touched, semi_axes, rtol=0.05)  # to the last node that touches
+    np.testing.assert_allclose(touched, semi_axes, rtol=0.08)  # to the last node that touches: half a cell
 
 
 def test_many_nodes_are_thinned_with_ends_and_centre(solution: ContactSolution) -> None:

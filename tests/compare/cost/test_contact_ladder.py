@@ -8,6 +8,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Contact
+from fembearing.compare.contact import reference
 from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
 from fembearing.compare.cost import contact_ladder
@@ -23,7 +24,10 @@ def coarse() -> Recipe:
 
 @pytest.fixture(scope="module")
 def solved(contacts: dict[str, Contact], coarse: Recipe) -> ContactSolution:
-    return compare_contact(contacts["inner"], recipe=coarse, tolerance=0.01)
+    """On plain levels."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(reference, "solve_by_twin", lambda *_, **__: None)
+        return compare_contact(contacts["inner"], recipe=coarse, tolerance=0.01)
 
 
 @pytest.mark.usefixtures("timed_once")
@@ -56,8 +60,12 @@ def test_a_measured_ladder_agrees_with_that_of_a_solution(
     assert "extrapolated" in run.reference
     seconds = [mesh.seconds for mesh in solved.meshes]
     assert [method.seconds for method in taken.methods[2:]] == [*seconds, sum(seconds)]
-    assert [method.unknowns for method in run.methods] == [None, None, *(mesh.unknowns for mesh in solved.meshes), None]
-    assert [method.repeats for method in run.methods[2:]] == [1, 1, 1, 1]
+    *levels, twin, extrapolated = run.methods
+    assert [method.unknowns for method in levels] == [None, None, *(mesh.unknowns for mesh in solved.meshes)]
+    assert [method.repeats for method in run.methods[2:]] == [1, 1, 1, 1, 1]
+    assert (twin.name, extrapolated.error) == ("finite elements, twin, to level 2", None)
+    # The plain levels are themselves uncertain by 0.02 %; those with a twin claim less than a third level alone
+    assert present(twin.error) < present(twin.bound) + 2e-4 < present(levels[-1].bound)
     assert steps == sorted(steps)
     assert 0 <= steps[0] < steps[-1] < 1
 
@@ -117,6 +125,15 @@ def test_bounds_cover_the_errors_of_a_new_contact(solved: ContactSolution) -> No
         assert method.error is not None
         assert method.error < present(method.bound) < 10 * method.error, method.name
     assert [method.bound for method in methods[2:5]] == [LEVEL_BOUNDS[level] for level in (1, 2, 3)]
+
+
+def test_the_ladder_of_a_solution_names_its_twin(contacts: dict[str, Contact], coarse: Recipe) -> None:
+    with_twin = compare_contact(contacts["inner"], recipe=coarse, tolerance=0.01)
+    *_, last = contact_ladder_of(with_twin).methods
+    assert (last.name, last.seconds) == (
+        "finite elements, with twin",
+        sum(mesh.seconds for mesh in with_twin.meshes),
+    )
 
 
 def test_pockets_and_cut_contacts_have_no_bound(solved: ContactSolution) -> None:

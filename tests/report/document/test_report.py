@@ -148,7 +148,7 @@ def test_no_damage_is_answered_by_a_traceback(document: Document) -> None:
 @pytest.mark.parametrize(
     ("place", "value", "words"),
     [
-        (("contacts", 0, "pressure_profile", "rolling", "fe", "pressure"), [1e9], "lists of 1 and 16 values"),
+        (("contacts", 0, "pressure_profile", "rolling", "fe", "pressure"), [1e9], "lists of 1 and 11 values"),
         (("contacts", 1, "approach_curve", "corrected"), [None], "lists of 1 and 25 values"),
         (("sensitivity", "inputs", 0, "change_low"), [0.1, 0.2, 0.3], "lists of 1 and 3 values"),
         (("cage_records", 0, "forces", "sum"), [1.0], "values that belong together"),

@@ -243,6 +243,7 @@ def test_json_tells_each_contact_with_its_numbers(told: dict[str, Any]) -> None:
         "beyond": 0.0,
         "domain": 0.003,
         "sides": 0.0,
+        "corrected": [],
     }
     assert [contact["verdict"] for contact in (inner, outer, seat)] == ["fail", "outside validity", "undecided"]
     assert (sheet["geometry"], sheet["cost"]["unknowns"]) == ("wall", 43000)
@@ -264,7 +265,7 @@ def test_json_tells_the_change_of_torque(told: dict[str, Any]) -> None:
 def test_every_word_of_the_table_fits(checked: Validation) -> None:
     """The widest verdict beside the widest numbers."""
     inner = checked.contacts[0]
-    parts = {name: replace(part, mesh=0.789, order=None) for name, part in inner.estimates.items()}
+    parts = {name: replace(part, mesh=0.789, order=None, corrected=()) for name, part in inner.estimates.items()}
     wide = replace(checked, contacts=(replace(inner, estimates=parts, tolerance=0.3), *checked.contacts[1:]))
     rows = [line for line in text_of(wide).splitlines() if " none " in line][: len(parts)]  # the inner race comes first
     assert len(rows) == len(parts)

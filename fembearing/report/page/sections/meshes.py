@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from fembearing.quantities import Units
-from fembearing.report.document.contact import Contact
+from fembearing.report.document.contact import Contact, Study
 from fembearing.report.document.report import Report
 from fembearing.report.page.sections.grid import Grid, Group, Head, Row
 from fembearing.report.phrases import contact_title, digits, quantities_of, shown
@@ -33,10 +33,17 @@ def _rows(contact: Contact, units: Units) -> Iterator[Row]:
         study, factor = contact.convergence[name], quantity.shown.factor
         yield [
             quantity.heading,
-            ", ".join(digits(value, factor) for value in study.values),
+            _on_meshes(study, factor),
             shown(study.order, ".1f", absent="none"),
             shown(study.grid_convergence_index, ".2%", absent="none"),
             digits(study.richardson, factor, absent=""),
             f"{study.mesh:.2%}",
             f"{study.domain:.2%}",
         ]
+
+
+def _on_meshes(study: Study, factor: float) -> str:
+    plain, corrected = (
+        ", ".join(digits(value, factor) for value in values) for values in (study.values, study.corrected)
+    )
+    return f"{plain}; with twin {corrected}" if corrected else plain

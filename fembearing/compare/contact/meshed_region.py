@@ -1,0 +1,128 @@
+"""The region that is meshed: a block of finite size, and a quarter whose sides are alike.
+
+What the true contact differs in is computed once, on one level, and corrects every quantity.
+"""
+
+from dataclasses import asdict, dataclass, replace
+
+from fembearing.compare.contact.grid_convergence import FINEST
+from fembearing.fem.solution import MeshSolution, solve_on_mesh
+from fembearing.fem.twin import TwinSolution, twin_factors
+from fembearing.mesh.footprint import is_symmetric
+from fembearing.mesh.recipe import Recipe
+
+# The effect of the far boundary falls with this power of the block's size: tests/compare/contact/test_discrepancy.py
+# predicts a block 2.5 times as large from one 1.5 times as large. A pocket's seat is a cavity, not a half space: its
+# approach grows with the logarithm of the size, without a limit.
+FADING = 2.0
+UNLIMITED_IN_A_SEAT = ("approach", "stiffness")
+# The effect of the true sides, on the second level, differs from that on the third by at most this share of the largest
+# effect of all quantities: 0.28 and less on 17 contacts with shoulders 1.13 to 2.3 semi-axes away.
+SIDES_LEFT = 0.3
+# Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
+# uncertainty claimed it is not computed.
+SIDES_BOUND, SIDES_LEAST = 0.1, 0.1 * FINEST
+
+
+@dataclass(frozen=True, kw_only=True)
+class Boundary:
+    """The fields of an `Estimate` that the meshed region sets: its size, and that it is symmetric."""
+
+    beyond: float = 0.0
+    sides: float = 0.0
+    domain: float = 0.0
+
+
+def far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
+    """The remaining effect of a block's far boundary on each quantity.
+
+    It is 0 for half spaces: their far boundary is given the displacement of the half space, exact to the second moments
+    of the pressure. It is 0 for a sheet, which has no such boundary.
+    """
+    if not has_boundary(mesh, recipe=recipe):
+        return dict.fromkeys(measured(mesh), Boundary())
+    return boundary_effect(mesh, _larger(mesh, recipe=recipe))
+
+
+def has_sides(mesh: MeshSolution, *, recipe: Recipe) -> bool:
+    """Whether a quarter stands for a contact whose sides differ, by more than a tenth of the least uncertainty."""
+    if mesh.pair.footprint.half or is_symmetric(mesh.contact) or recipe.geometry != "real":
+        return False
+    transverse = mesh.pair.semi_axes[1]
+    return (
+        SIDES_BOUND * (transverse / mesh.contact.ball_radius) ** 2 * transverse
+        > SIDES_LEAST * mesh.contact.nearer_shoulder
+    )
+
+
+def each_side(mesh: MeshSolution, *, recipe: Recipe) -> list[MeshSolution]:
+    """A quarter with the true side y > 0, and one with the true side y < 0."""
+    return [
+        solve_on_mesh(
+            mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, sides=side, upper=mesh.upper
+        )
+        for side in ("above", "below")
+    ]
+
+
+def with_sides(
+    boundary: dict[str, Boundary], mesh: MeshSolution, above: MeshSolution, below: MeshSolution
+) -> dict[str, Boundary]:
+    """The same with the effect of the true sides, from a quarter with each of them on the cells of `mesh`.
+
+    Shoulders and lands of both sides change the contact by less than 0.3 %, and to first order each by itself: half of
+    the contact gives the mean of the two quarters to 0.0015 % (validation/twin_coverage.py).
+    """
+    even, *both = (measured(part) for part in (mesh, above, below))
+    sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
+    left = SIDES_LEFT * max(map(abs, sides.values()))
+    return {name: replace(part, sides=sides[name], domain=part.domain + left) for name, part in boundary.items()}
+
+
+def has_boundary(mesh: MeshSolution, *, recipe: Recipe) -> bool:
+    """Whether the lower body ends in a prescribed displacement that is only approximate."""
+    return recipe.geometry != "hertzian" and mesh.pair.lower.far.size > 0
+
+
+def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Boundary]:
+    """The effect of the far boundary on each quantity, from a larger block with more cells all round.
+
+    The larger block shows a part of the effect. The rest follows from the power with which it falls, and half of the
+    whole stays as uncertainty. The approach into a seat is not corrected; its uncertainty assumes an effect that falls
+    as one over the size.
+    """
+    return _effects(mesh, larger, before=measured(mesh), after=measured(larger))
+
+
+def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
+    """The same on the first level, where the added cells change the error of the mesh: both blocks have a twin."""
+    mesh = solution.mesh
+    larger = _larger(mesh, recipe=recipe)
+    after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True))
+    return _effects(mesh, larger, before=solution.corrected, after=after.corrected)
+
+
+def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
+    return solve_on_mesh(
+        mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
+    )
+
+
+def _effects(
+    mesh: MeshSolution, larger: MeshSolution, *, before: dict[str, float], after: dict[str, float]
+) -> dict[str, Boundary]:
+    size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
+    effects = {}
+    for name, value in before.items():
+        change = after[name] / value - 1 if value else 0.0
+        if mesh.contact.pair == "pocket" and name in UNLIMITED_IN_A_SEAT:
+            effects[name] = Boundary(domain=abs(change) / (1 - size / further))
+        else:
+            whole = change / (1 - (size / further) ** FADING)
+            effects[name] = Boundary(beyond=whole, domain=abs(whole) / 2)
+    return effects
+
+
+def measured(mesh: MeshSolution) -> dict[str, float]:
+    """All quantities of a solved mesh, with those at its shoulder."""
+    return asdict(mesh.quantities) | ({} if mesh.shoulder is None else asdict(mesh.shoulder))
