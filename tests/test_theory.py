@@ -1,0 +1,154 @@
+"""The pages of theory: every name exists, every equation of the paper has its place, printed numbers are computed."""
+
+import importlib
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from analytic.cage.steady import rest_torque
+from analytic.contact.geometry import race_curvatures
+from analytic.contact.hertz import contact_modulus
+from analytic.contact.rolling_contact import elliptic_contact
+from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.thrust import ThrustEquilibrium, thrust_equilibrium
+from analytic.oil.film import central_film
+from analytic.scene import ContactAngle
+from analytic.sliding.long_ellipse import microslip_moments
+from tests.analytic.specimens import BEARING_6205 as BEARING
+
+FOLDER = Path(__file__).resolve().parents[1] / "docs/theory"
+TEXTS = {page.stem: page.read_text("utf-8") for page in sorted(FOLDER.glob("*.md"))}
+KEYS = set(re.findall(r"^- \*\*\[(\w+)\]\*\* ", (FOLDER.parent / "references.md").read_text("utf-8"), re.MULTILINE))
+ANGLE, THRUST = 0.18, 1000.0  # rad, N: of the paper
+
+
+def thing(name: str) -> object:
+    """What a dotted name means; an error where there is no such thing."""
+    module, _, attribute = name.rpartition(".")
+    try:
+        return importlib.import_module(name)
+    except ModuleNotFoundError:
+        return getattr(importlib.import_module(module), attribute)
+
+
+@pytest.mark.parametrize("page", TEXTS)
+def test_every_dotted_name_exists_and_has_a_docstring(page: str) -> None:
+    names = re.findall(r"\b(?:analytic|fembearing)(?:\.\w+)+", TEXTS[page])
+    assert names or page == "index"
+    assert [name for name in names if not thing(name).__doc__] == []
+
+
+@pytest.mark.parametrize("page", TEXTS)
+def test_sources_have_entries_and_links_lead_somewhere(page: str) -> None:
+    cited = re.findall(r"\[([A-Z]\w+)\](?!\()", TEXTS[page])
+    assert [key for key in cited if key not in KEYS] == []
+    for target, anchor in re.findall(r"\]\(([^)#\s]+)#?([\w-]*)\)", TEXTS[page]):
+        assert (FOLDER / target).exists(), target
+        headings = re.findall(r"^#+ (.+)$", (FOLDER / target).read_text("utf-8"), re.MULTILINE)
+        there = {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
+        assert not anchor or anchor in there, f"{target}#{anchor}"
+
+
+def test_the_contents_list_every_page() -> None:
+    listed = re.search(r"```\{toctree\}\n:maxdepth: 1\n\n(.*?)```", TEXTS["index"], re.DOTALL)
+    assert listed
+    assert set(listed[1].split()) == set(TEXTS) - {"index"}
+
+
+def test_every_equation_of_the_paper_has_its_row_and_its_place() -> None:
+    rows = [row for row in TEXTS["index"].splitlines() if re.match(r"\| \d", row)]
+    numbers = [int(n) for row in rows for n in row.split("|")[1].split(",")]
+    rows_of = [(row, page) for row in rows for page in re.findall(r"\]\(([\w-]+)\.md\)", row)]
+    assert numbers == [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22]
+    for row, page in rows_of:
+        first = row.split("|")[1].split(",")[0].strip()
+        assert re.search(rf"\({first}\)|equations? {first}\b", TEXTS[page]), f"{page}: equation {first}"
+
+
+@pytest.mark.parametrize("page", [page for page in TEXTS if page not in ("index", "total-torque")])
+def test_every_chapter_has_symbols_with_units_and_a_range(page: str) -> None:
+    assert "| symbol | meaning | unit |" in TEXTS[page]
+    assert re.search(r"[Rr]ange|Where Hertz ends", TEXTS[page])
+
+
+def under_thrust(angle: ContactAngle) -> ThrustEquilibrium:
+    return thrust_equilibrium(BEARING, angle, axial_load=THRUST)
+
+
+def says(page: str, *numbers: str) -> None:
+    text = " ".join(TEXTS[page].split())
+    assert [number for number in numbers if number not in text] == []
+
+
+def test_the_contact_on_the_page_of_geometry_is_computed() -> None:
+    thrust = under_thrust(ContactAngle(rule="given", value=ANGLE))
+    says("geometry-and-contact", f"{float(thrust.ball_load):.1f} N", f"{BEARING.diametral_clearance * 1e3:.3f} mm")
+    for hertz in (thrust.inner, thrust.outer):
+        axes = (hertz.semi_axis_x, hertz.semi_axis_y)
+        says("geometry-and-contact", *(f"{float(axis) * 1e3:.4g} mm" for axis in axes))
+        says("geometry-and-contact", f"{float(hertz.peak_pressure) / 1e9:.4g} GPa")
+        says("geometry-and-contact", f"{float(hertz.approach) * 1e6:.3f} um")
+
+
+def test_018_rad_cannot_be_the_angle_under_load() -> None:
+    thrust = under_thrust(ContactAngle(rule="given", value=ANGLE))
+    distance = BEARING.groove_centre_distance
+    cosine = (distance + float(thrust.approach)) / distance * np.cos(ANGLE)
+    assert cosine > 1
+    says("loads-and-equilibrium", f"= {cosine:.3f} > 1", f"{float(thrust.ball_load):.0f} N")
+    free = under_thrust(ContactAngle(rule="solved", free=ANGLE))
+    says("loads-and-equilibrium", f"{float(free.contact_angle):.3f} rad", f"{float(free.ball_load):.0f} N")
+
+
+def test_the_films_on_their_page_are_computed() -> None:
+    rolling, transverse = race_curvatures(BEARING, "inner", contact_angle=ANGLE)
+    motion = ball_kinematics(
+        inner_speed=np.array([100.0, 500.0]) * np.pi / 30,
+        inner_angle=ANGLE,
+        outer_angle=ANGLE,
+        pitch_diameter=BEARING.pitch_diameter,
+        ball_diameter=BEARING.ball_diameter,
+    )
+    contact = elliptic_contact(
+        curvature_rolling=rolling,
+        curvature_transverse=transverse,
+        load=under_thrust(ContactAngle(rule="given", value=ANGLE)).ball_load,
+        modulus=contact_modulus(BEARING.ball_material, BEARING.inner.material),
+    )
+    film = central_film(
+        contact, entrainment_speed=motion.inner_entrainment, viscosity=0.06, pressure_viscosity=2e-8
+    ).thickness
+    says("film", f"{film[0] * 1e6:.4f} um at 100 1/min", f"{film[1] * 1e6:.3f} um at 500 1/min")
+
+
+def test_the_moments_at_the_ends_of_the_range_are_those_of_the_table() -> None:
+    def moments(spin: float) -> tuple[float, float]:
+        found = microslip_moments(
+            friction_force=7.0, semi_axis_transverse=3e-4, deformed_radius=0.005, spin_to_roll=spin
+        )
+        return float(found[0]) / (7.0 * 3e-4), float(found[1]) / (7.0 * 3e-4**2 / 0.005)
+
+    assert moments(0.0)[0] == 0.0
+    assert moments(0.61) == (0.375, 0.0)
+    says("traction-and-sliding", f"{moments(0.0)[1]:.4f}", f"{4 * moments(0.0)[1]:.4f}")
+    says("traction-and-sliding", f"{1 / (4 * moments(0.0)[1]):.2f} times too large")
+
+
+def test_the_torque_of_a_resting_cage_is_computed() -> None:
+    motion = ball_kinematics(
+        inner_speed=1.0,
+        inner_angle=ANGLE,
+        outer_angle=ANGLE,
+        pitch_diameter=BEARING.pitch_diameter,
+        ball_diameter=BEARING.ball_diameter,
+    )
+    torque = rest_torque(
+        friction_coefficient=0.1,
+        cage_mass=6.58e-3,
+        ball_rate=motion.ball_speed,
+        ball_radius=BEARING.ball_radius,
+        contact_angle=ANGLE,
+    )
+    says("cage", f"{float(torque) * 1e3:.3f} N mm")
