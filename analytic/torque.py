@@ -56,13 +56,38 @@ def friction_torque(
 ) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
-    tolerance : of the torque, relative, or a text as "1 %"; the scene's unless given
-    correction : factors on Hertz's contacts, in place of those of the finite geometry; under the rule `solved` they
-        change contact angle and ball loads too
-    variation : of the formulas of oil and surfaces, to show the effect of their uncertainty
-    The balls are loaded (`analytic.loads`), and each loses power to each race: per unit speed and summed,
+    Parameters
+    ----------
+    scene : Scene
+        Bearing, loads, speeds, and either oil with surfaces or a friction coefficient.
+    tolerance : float or str, optional
+        Of the torque, relative (dimensionless), or a text as "1 %"; None: the scene's.
+    correction : ContactCorrection, optional
+        Factors on Hertz's contacts, dimensionless, in place of those of the finite geometry; under the rule `solved`
+        they change contact angle and ball loads too.
+    variation : Variation
+        Of the formulas of oil and surfaces, dimensionless factors, to show the effect of their uncertainty.
+
+    Returns
+    -------
+    FrictionTorque
+        Torques by part, N m, loads, contacts, effects and warnings; arrays (n,), one element for each operating point.
+
+    Raises
+    ------
+    InputError
+        The scene gives neither or both of coefficient and surface, demands an effect that lacks its input, or loads the
+        balls beyond a shoulder.
+    ConvergenceError
+        An equilibrium that did not settle.
+
+    Notes
+    -----
+    The balls are loaded (`analytic.loads`), and each loses power to each race. Per unit speed and summed::
+
         race = spin + conformity + hysteresis (equations 9 to 12 of [Paper]) + hydrodynamic rolling, where there is oil
         total = race + cage (`analytic.cage`) + declared losses of seals and drag
+
     Sliding is by mixed lubrication where the scene has an oil and a surface. A friction coefficient takes the place of
     the surface: then sliding friction does not depend on speed, and at standstill it is that of the first motion.
     Rolling takes the oil at the inlet's temperature.
@@ -70,8 +95,6 @@ def friction_torque(
     The scene's tolerance decides which effects are computed, and how (`analytic.effects`, `analytic.sliding.methods`);
     the result lists them all, with the numerical uncertainty that remains.
     A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
-    Raises InputError if the scene gives neither or both of coefficient and surface, demands an effect that lacks its
-    input, or loads the balls beyond a shoulder.
     """
     started = perf_counter()
     if tolerance is not None:

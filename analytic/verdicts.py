@@ -88,16 +88,32 @@ def numerical_check(friction: FrictionTorque, *, tolerance: float) -> NumericalC
 
 
 def physical_checks(friction: FrictionTorque) -> tuple[PhysicalCheck, ...]:
-    """Every physical limit that the torque's scene can reach, each at its worst operating point:
+    """Every physical limit that the torque's scene can reach, each at its worst operating point.
 
-    peak_pressure : Pa, on each race, against the static limit of 4.2 GPa of [ISO76]
-    shoulder : share of a contact's load that is cut off on each race, against 0.1; "unknown" where the shoulders are
-        not known and low ones would cut off more
-    sliding : rolling force of the oil over the friction of each race, against 1; only where rolling and sliding are
-        computed
-    gyroscopic_hold : gyroscopic moment over what friction holds, against 1, of balls with a tenth of the heaviest load
-        or more; only where balls turn and slide
-    cage_force : share of the races' grip that the cage uses, against 0.9; only with a cage
+    Parameters
+    ----------
+    friction : FrictionTorque
+        Of any scene.
+
+    Returns
+    -------
+    tuple of PhysicalCheck
+        Value and limit of each check, in its unit: see Notes. What the scene does not have is not checked.
+
+    Notes
+    -----
+    peak_pressure
+        Pa, on each race, against the static limit of 4.2 GPa of [ISO76].
+    shoulder
+        Share of a contact's load that is cut off on each race, against 0.1; "unknown" where the shoulders are not known
+        and low ones would cut off more.
+    sliding
+        Rolling force of the oil over the friction of each race, against 1; only where rolling and sliding are computed.
+    gyroscopic_hold
+        Gyroscopic moment over what friction holds, against 1, of balls with a tenth of the heaviest load or more; only
+        where balls turn and slide.
+    cage_force
+        Share of the races' grip that the cage uses, against 0.9; only with a cage.
     """
     return tuple(_checks(friction))
 

@@ -166,18 +166,37 @@ def _loaded_contacts(rows: Array) -> Array:
 def hertz_contact(
     *, curvature_x: ArrayLike, curvature_y: ArrayLike, load: ArrayLike, modulus: ArrayLike
 ) -> HertzContact:
-    """Size, pressure and approach of an elliptic contact; all arguments broadcast.
+    """Size, pressure and approach of an elliptic contact.
 
-    curvature_x, curvature_y : relative curvatures 1/R, summed over both bodies, rolling and transverse, 1/m, > 0
-    load : Q, N, >= 0 (at 0 the semi-axes, the pressure and the approach are 0)
-    modulus : E*, with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, Pa, > 0; not the E' = 2 E* of the film formulas
+    Parameters
+    ----------
+    curvature_x, curvature_y : array_like
+        Relative curvatures 1/R along and across rolling, summed over both bodies, 1/m, > 0.
+    load : array_like
+        Q, N, >= 0. At 0 the semi-axes, the pressure and the approach are 0.
+    modulus : array_like
+        Contact modulus ``E*``, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, Pa, > 0; not the E' = 2 E* of films.
 
-    With s = (minor/major)^2 and the elliptic integrals K(m), D(m) = (K - E)/m and B(m) = K - D at m = 1 - s:
+    Returns
+    -------
+    HertzContact
+        Each field has the broadcast shape of the arguments: m, Pa, N/m^1.5.
+
+    Raises
+    ------
+    InputError
+        An argument is negative, zero (load excepted) or not finite, or shapes do not broadcast.
+
+    Notes
+    -----
+    With s = (minor/major)^2 and the elliptic integrals K(m), D(m) = (K - E)/m and B(m) = K - D at m = 1 - s::
+
         B/(s D) = larger over smaller curvature
         major^3 = 3 Q D/(pi E* smaller curvature),  minor = sqrt(s) major
         p0 = 3 Q/(2 pi major minor),  delta = 3 Q K/(2 pi E* major)
+
     Curvature ratios from 1 (a circle, exactly) to 1e6 agree with 50-digit arithmetic to 1e-14.
-    Raises InputError if an argument is negative, zero (load excepted), not finite, or if shapes do not broadcast.
+    Source: [Johnson1985] section 4.2.
     """
     contact_arguments(curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus)
     return loaded_contact(unit_contact(curvature_x, curvature_y, modulus), load=load)

@@ -19,7 +19,28 @@ from analytic.scene import Array, Bearing, ContactAngle
 def thrust_correction(bearing: Bearing, contact_angle: ContactAngle, *, axial_load: ArrayLike) -> RaceCorrections:
     """The correction of both races under thrust, at the ball loads and contact angles that Hertz's contacts give.
 
-    axial_load : Fa, (n,), N, > 0
+    Parameters
+    ----------
+    bearing : Bearing
+        Rings and balls. Where a shoulder is not known, a typical height stands for it.
+    contact_angle : ContactAngle
+        Rule `given` or `solved`.
+    axial_load : array_like, shape (n,)
+        Fa, N, > 0.
+
+    Returns
+    -------
+    RaceCorrections
+        Dimensionless factors on Hertz's contacts and their uncertainties, (n,) for each race.
+
+    Raises
+    ------
+    InputError
+        As `thrust_equilibrium`.
+
+    Notes
+    -----
+    Source: derived here, a fit to finite elements (`analytic.contact.finite_geometry`), and no second opinion on them.
     """
     balls = thrust_equilibrium(bearing, contact_angle, axial_load=axial_load)
     return _corrections(bearing, angles=(balls.contact_angle,) * 2, loads=(balls.ball_load,) * 2)

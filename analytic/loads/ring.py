@@ -62,30 +62,59 @@ def ring_equilibrium(
     ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0),
     correction: ContactCorrection | None = None,
 ) -> RingEquilibrium:
-    """Ball loads, contact angles and ring displacement under any load; loads and speed broadcast to (...).
+    """Ball loads, contact angles and ring displacement under any load.
 
-    axial_load, radial_load_x, radial_load_y : N;  moment_x, moment_y : about x and y, N m; any sign
-    inner_speed : rad/s
-    turning : what acts on the balls because they turn, for the points in their flat order; None: centrifugal force and
-        gyroscopic moment by closed kinematics
-    ball_weight : of each ball along x, y and z, N; the cage carries its part along the orbit
-    contact_angle : rule "solved"; free, where given, replaces the clearance by A0 (1 - cos al0)
-    correction : factors on Hertz's contacts, each a number or (..., Z); None leaves them as they are
+    Parameters
+    ----------
+    bearing : Bearing
+        Rings and Z balls.
+    contact_angle : ContactAngle
+        Rule `solved`; `free`, where given, replaces the clearance by A0 (1 - cos al0), rad.
+    axial_load, radial_load_x, radial_load_y : array_like
+        N, any sign; loads and speed broadcast to (...).
+    moment_x, moment_y : array_like
+        About x and y, N m, any sign.
+    inner_speed : array_like
+        rad/s, any sign.
+    turning : Turning, optional
+        What acts on the balls because they turn, for the points in their flat order; None: centrifugal force and
+        gyroscopic moment by closed kinematics.
+    ball_weight : tuple of 3 floats
+        Of each ball along x, y and z, N; the cage carries its part along the orbit.
+    correction : ContactCorrection, optional
+        Factors on Hertz's contacts, dimensionless, each a number or (..., Z); None: Hertz as it is.
 
+    Returns
+    -------
+    RingEquilibrium
+        Displacements, m and rad, shape (...); loads, N, and angles, rad, shape (..., Z).
+
+    Raises
+    ------
+    InputError
+        A number is not finite, the rule is `given`, a radial load or moment acts on fewer than three balls, a load
+        drives a ball out of its groove (an angle beyond pi/2), and as `thrust_equilibrium` for the bearing.
+    ConvergenceError
+        The iteration stopped short.
+
+    Notes
+    -----
     Each ball settles between groove centres that are V = (A0 cos al0 + u_r, u_a) apart
-    (analytic.loads.ball_balance), with
+    (`analytic.loads.ball_balance`), with ::
+
         u_r = x cos psi + y sin psi,  u_a = z + R (t_x sin psi - t_y cos psi)
+
     and the load is the sum of the ball forces. K of a contact is Hertz's at its own angle, and its force acts along the
     normal. The work of a K that changes with the angle, (2/5)(delta/A0) d ln K/d al of the force, is left out.
     Centrifugal force F_c and friction across the grooves F_t come from `turning`, with loads and angles of the last
-    round; by closed kinematics (analytic.loads.turning) at the cage speed w_m, the ball speed w_b and the pitch B
+    round; by closed kinematics (`analytic.loads.turning`) at the cage speed w_m, the ball speed w_b and the pitch B ::
+
         F_c = m (d_m/2) w_m^2,  M_g = (m D^2/10) w_b w_m sin B
+
     and friction carries M_g, on each race in proportion to its load.
     Without load on a bearing with clearance nothing touches, and the ring is left in the middle of its play.
     Fewer than three balls carry thrust alone: the other freedoms of the ring are then held, with stiffness 0.
-    Raises InputError for a number that is not finite, the rule `given`, a radial load or moment on fewer than three
-    balls, a load that drives a ball out of its groove (an angle beyond pi/2), and as thrust_equilibrium does for the
-    bearing; ConvergenceError where the iteration stops short.
+    Source: [Jones1960] and [Harris2007b] sections 1 to 3; derived here.
     """
     given = {
         "axial_load": axial_load,

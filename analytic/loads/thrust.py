@@ -76,15 +76,37 @@ def thrust_equilibrium(
 ) -> ThrustEquilibrium:
     """Loaded contact angle and ball load under pure thrust, by the scene's rule.
 
-    axial_load : Fa, any shape, N, > 0
-    correction : factors on Hertz's contacts, each a number or of the shape of axial_load; None leaves them as they are
-    `given`: al = contact_angle.value, which is pi/2 in a thrust bearing. `solved`: al from
+    Parameters
+    ----------
+    bearing : Bearing
+        Rings and balls; its grooves must be wider than the ball.
+    contact_angle : ContactAngle
+        Rule `given` or `solved`; `free`, where given, replaces the unloaded angle of the clearance, rad.
+    axial_load : array_like, any shape
+        Fa, N, > 0.
+    correction : ContactCorrection, optional
+        Factors on Hertz's contacts, dimensionless, each a number or of the shape of axial_load; None: Hertz as it is.
+
+    Returns
+    -------
+    ThrustEquilibrium
+        Angle, rad, load, N, and Hertz's contact on both races, of the shape of axial_load.
+
+    Raises
+    ------
+    InputError
+        A load is not positive, an angle is outside its range, the clearance is 2 A0 or more, or a groove is no wider
+        than the ball. Whether the contact stays in the groove is not checked here: `race_contact` does.
+
+    Notes
+    -----
+    `given`: al = contact_angle.value, which is pi/2 in a thrust bearing. `solved`: al from ::
+
         Q = Fa/(Z sin al),  (A0 + delta_i(Q, al) + delta_o(Q, al)) cos al = A0 cos al0
+
     where A0 is the groove-centre distance and cos al0 = 1 - P_d/(2 A0), P_d the diametral clearance; P_d < 0 (preload)
-    has no al0 and is solved in the same form. contact_angle.free replaces the al0 of the clearance.
-    The left side falls as al grows from 0 to pi/2, so there is one root, bracketed in ln(tan al) at any load.
-    Raises InputError for a load that is not positive, an angle outside its range, a clearance of 2 A0 or more,
-    or a groove no wider than the ball. Whether the contact stays in the groove is not checked here: race_contact does.
+    has no al0 and is solved in the same form. The left side falls as al grows from 0 to pi/2, so there is one root,
+    bracketed in ln(tan al) at any load. Source: [Harris2007] section 7.
     """
     require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
     if contact_angle.rule == "given":

@@ -107,13 +107,31 @@ class TorqueFunction(Brief):
 def torque_function(scene: Scene, *, invalid: Invalid = "raise") -> TorqueFunction:
     """The friction torque of a scene as a function of load, speed and temperature, for a loop over time steps.
 
-    invalid : what a call gives for numbers without an answer: `raise` an error, or "nan"
+    Parameters
+    ----------
+    scene : Scene
+        Its own operating points settle how sliding is computed.
+    invalid : {"raise", "nan"}
+        What a call gives for numbers without an answer: an error, or NaN.
+
+    Returns
+    -------
+    TorqueFunction
+        A call takes N, N m, rad/s and K and returns N m; `series` takes arrays.
+
+    Raises
+    ------
+    InputError
+        A scene whose cage has to move, and as `friction_torque` does at the scene's points.
+
+    Notes
+    -----
     Every effect counts that the scene has the input for and does not rule out, whatever the load: nothing is decided
-    from call to call. The scene's own operating points settle how sliding is computed. The cage rests on its balls.
+    from call to call. The cage rests on its balls.
     Calls take some hundredths to tenths of a millisecond. They are compiled where closed kinematics turn the balls: by
     friction.spin_rule, or under "free" where the scene's points need no creep. Else each call is a `friction_torque`
     (`is_compiled`).
-    Raises InputError for a scene whose cage has to move, and as `friction_torque` does at the scene's points.
+    Sources: those of `friction_torque`, whose formulas are compiled.
     """
     if invalid not in ("raise", "nan"):
         raise InputError(f'invalid must be "raise" or "nan", got {invalid!r}')

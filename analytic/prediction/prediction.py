@@ -160,16 +160,38 @@ def predict(
 ) -> Prediction:
     """The friction torque of a scene with its 95 % interval by Latin hypercube sampling.
 
-    tolerance : of the torque, as in friction_torque
-    samples : evaluations of the torque; None: 512, and more, at most 4096, until the standard error of each end
-        of the total's interval is at most 3 % of that end
-    seed : of the points
-    workers : processes; None: one for each core that this process may use. The result does not depend on it
-    progress : called with the share done, 0 to 1, and a text with the time left
+    Parameters
+    ----------
+    scene : Scene
+        As in `friction_torque`.
+    tolerance : float or str, optional
+        Of the torque, relative (dimensionless), as in `friction_torque`.
+    samples : int, optional
+        Number of evaluations of the torque; None: 512, and more, at most 4096, until the standard error of each end of
+        the total's interval is at most 3 % of that end.
+    seed : int
+        Number that fixes the points.
+    workers : int, optional
+        Number of processes; None: one for each core that this process may use. The result does not depend on it.
+    progress : callable
+        Called with the share done, 0 to 1 (dimensionless), and a text with the time left.
+
+    Returns
+    -------
+    Prediction
+        Torque and ends of its interval, N m, (n,); Sobol indices, (d, n), of d inputs.
+
+    Raises
+    ------
+    InputError
+        As `friction_torque` for the scene; where nothing is uncertain; for fewer samples than the ends need; where more
+        than 1 % of the samples have no torque.
+
+    Notes
+    -----
     Standard deviations are those of `scene.uncertainty`, else of the origins of bearing, oil and surface, else
     defaults (`analytic.prediction.spreads`). Effects and methods stay as they are decided for the scene itself.
-    Raises InputError as friction_torque does for the scene, where nothing is uncertain, for fewer samples than the ends
-    need, and where more than 1 % of the samples have no torque.
+    Source: indices by [Saltelli2010]; the interval is derived here (`analytic.prediction.interval`).
     """
     begun = perf_counter()
     if tolerance is not None:

@@ -31,11 +31,28 @@ MATERIAL = "bearing.ball_material"  # the keys of any material are the same
 def bearing(designation: str | None = None, **dimensions: Any) -> Bearing:
     """The bearing that the table `[bearing]` of a scene describes.
 
-    designation : of the catalogue, as "NSK 6206/C3"; None: the dimensions say all
-    dimensions : keys of [bearing], which take precedence: numbers in SI, or texts with units; a dict for a table, as
-        inner={"conformity": 0.515} or contact_angle={"nominal": 0.262}. The clearance may be a group, as "C3"
-    Raises InputError for an unknown designation or key, for what is missing, out of range or does not fit together.
-    Warns where makers differ, and of suffixes that are not understood.
+    Parameters
+    ----------
+    designation : str, optional
+        Of the catalogue, as "NSK 6206/C3"; None: the dimensions say all.
+    **dimensions : float, str or dict
+        Keys of [bearing], which take precedence: numbers in SI, or texts with units; a dict for a table, as
+        inner={"conformity": 0.515} or contact_angle={"nominal": 0.262}. The clearance may be a group, as "C3".
+
+    Returns
+    -------
+    Bearing
+        In SI.
+
+    Raises
+    ------
+    InputError
+        A designation or key is unknown; something is missing, out of range or does not fit together.
+
+    Warns
+    -----
+    UserWarning
+        Makers differ, or a suffix is not understood.
     """
     table = _with_units(dimensions, "bearing")
     if designation is not None:
@@ -71,9 +88,24 @@ def operation(
 ) -> Operation:
     """The operating points of a series: single values or (n,); a single value counts for the whole series.
 
-    inner_speed : rad/s;  axial_load, radial_load : N;  moment : N m, as in `analytic.Operation`; or texts with units,
-        as "1000 rpm" or ["500 rpm", "1000 rpm"]
-    Raises InputError where lengths differ, and for what is neither a number nor a quantity of that key.
+    Parameters
+    ----------
+    inner_speed : array_like or str, shape (n,)
+        Of the inner ring, rad/s, or texts with units, as "1000 rpm" or ["500 rpm", "1000 rpm"].
+    axial_load, radial_load : array_like or str, shape (n,)
+        N, or texts with units.
+    moment : array_like or str, shape (n,)
+        N m, as in `analytic.scene.Operation`, or texts with units.
+
+    Returns
+    -------
+    Operation
+        Arrays (n,), SI.
+
+    Raises
+    ------
+    InputError
+        Lengths differ, or something is neither a number nor a quantity of that key.
     """
     given = {"axial_load": axial_load, "inner_speed": inner_speed, "radial_load": radial_load, "moment": moment}
     return Operation(**{key: _in_si(f"operation.{key}", value) for key, value in given.items()}).as_series()
@@ -95,8 +127,20 @@ def _in_si(path: str, given: Series) -> Array:
 def surfaces(**keys: Any) -> Surface:
     """The surfaces that the table `[surface]` of a scene describes.
 
-    keys : of [surface]: numbers in SI or texts with units, as finish="ground and honed" or Ra=0.05e-6
-    Raises InputError for an unknown key, for what is missing, out of range or in conflict.
+    Parameters
+    ----------
+    **keys : float, str or dict
+        Keys of [surface]: numbers in SI or texts with units, as finish="ground and honed" or Ra=0.05e-6.
+
+    Returns
+    -------
+    Surface
+        In SI, with the origin of each property.
+
+    Raises
+    ------
+    InputError
+        A key is unknown, missing or in conflict, or a value is out of range.
     """
     table = _with_units(keys, "surface")
     scene = scene_of({**ANYTHING, "bearing": {"catalog": "paper_6205"}, "surface": table}, origin="surface")
@@ -113,13 +157,32 @@ def lubricant(
 ) -> Lubricant:
     """The lubricant that the table `[lubricant]` of a scene describes.
 
-    name : of an oil or grease of the catalog, as "ISO VG 46"; analytic.catalog.oil_names lists them; None: the other
-        keys say all, as viscosity=0.03, density=870.0, base_oil="mineral"
-    temperature : K, or a text as "70 degC"; by default 40 degC, or where the viscosity is known
-    viscosity : Pa s, or as in a scene, for example ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]
-    overrides : keys of [lubricant], which take precedence: numbers in SI, or texts with units
-    Raises InputError for an unknown name or key, for a value out of range, for a temperature beyond the oil's data, and
-    for what neither the catalog nor an override gives.
+    Parameters
+    ----------
+    name : str, optional
+        Of an oil or grease of the catalog, as "ISO VG 46"; analytic.catalog.oil_names lists them; None: the other keys
+        say all, as viscosity=0.03, density=870.0, base_oil="mineral".
+    temperature : float or str, optional
+        K, or a text as "70 degC"; None: 40 degC, or where the viscosity is known.
+    viscosity : float, str or sequence of str, optional
+        Pa s, or as in a scene, for example ["46 cSt at 40 degC", "6.8 cSt at 100 degC"].
+    **overrides : float, str or bool
+        Keys of [lubricant], which take precedence: numbers in SI, or texts with units.
+
+    Returns
+    -------
+    Lubricant
+        In SI, with the origin of each property.
+
+    Raises
+    ------
+    InputError
+        A name or key is unknown, a value is out of range, the temperature is beyond the oil's data, or neither the
+        catalog nor an override gives a value.
+
+    Notes
+    -----
+    Sources: [ASTMD341] for the viscosity over the temperature, [Arana2019] for the stresses; see docs/oils.md.
     """
     own = {"name": name, "temperature": temperature, **overrides}
     given = {key: _checked(f"lubricant.{key}", value) for key, value in own.items() if value is not None}
@@ -142,9 +205,22 @@ def _viscosity(given: Given | Sequence[str]) -> GivenViscosity:
 def material(name: str, **overrides: Given) -> Material:
     """The material that a scene means by this name.
 
-    name : of the catalog, as "100Cr6"; analytic.catalog.names("materials") lists them
-    overrides : keys of a material in SI, which take precedence; `source` may say where they come from
-    Raises InputError for an unknown name or key, for a value out of range, and for what neither gives.
+    Parameters
+    ----------
+    name : str
+        Of the catalog, as "100Cr6"; analytic.catalog.names("materials") lists them.
+    **overrides : float or str
+        Keys of a material in SI, which take precedence; `source` may say where they come from.
+
+    Returns
+    -------
+    Material
+        In SI.
+
+    Raises
+    ------
+    InputError
+        A name or key is unknown, a value is out of range, or neither gives a value.
     """
     given = {key: _checked(f"{MATERIAL}.{key}", value) for key, value in overrides.items()}
     try:

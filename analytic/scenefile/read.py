@@ -57,8 +57,21 @@ MOST_FAULTS = 5  # in one message; the others are counted
 def load_scene(scene: str | os.PathLike[str]) -> Scene:
     """The scene that a TOML file describes; or a built-in scene, or a bearing of the catalog, by its name.
 
-    Raises InputError for a name that is none of these, for a file that cannot be read, is too large or is not TOML, and
-    for every key that is unknown, missing, without its unit, out of range or in conflict with other keys.
+    Parameters
+    ----------
+    scene : str or path
+        A file, a built-in scene as "6205-dry", or a bearing of the catalog as "6206".
+
+    Returns
+    -------
+    Scene
+        In SI.
+
+    Raises
+    ------
+    InputError
+        A name that is none of these; a file that cannot be read, is too large or is not TOML; a key that is unknown,
+        missing, without its unit, out of range or in conflict with other keys.
     """
     found = find_scene(scene)
     return parse_scene(found.text, origin=found.origin, folder=found.folder)

@@ -28,14 +28,38 @@ def validate(
 ) -> Validation:
     """Check every contact of a scene, and write the report.
 
-    out : folder for report.html, report.json, pictures and meshes (.vtu); it must not exist yet. None writes nothing
-    tolerance : relative; the scene's unless given
-    hard : run the table of hard cases too
-    cost : measure every method of every ladder too
-    samples : of the 95 % interval of the torque, or "enough"; None: no interval
-    progress : called with the share done, 0 to 1, and a word on the step at hand
-    Raises InputError for a scene that cannot be solved or a folder that cannot be made, ConvergenceError for a contact
-    that does not settle.
+    Parameters
+    ----------
+    scene : Scene
+        Of one bearing: a pair is refused.
+    out : str or path, optional
+        Folder for report.html, report.json, pictures and meshes (.vtu); it must not exist yet. None writes nothing.
+    tolerance : float or str, optional
+        Relative (dimensionless); None: the scene's.
+    hard : bool
+        Run the table of hard cases too.
+    cost : bool
+        Measure every method of every ladder too.
+    samples : int or "enough", optional
+        Number of samples of the torque's 95 % interval; None: no interval.
+    progress : callable
+        Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand.
+
+    Returns
+    -------
+    Validation
+        Contacts both ways, the torque, and the verdicts, SI.
+
+    Raises
+    ------
+    InputError
+        The scene cannot be solved, or the folder cannot be made.
+    ConvergenceError
+        A contact does not settle.
+
+    Notes
+    -----
+    Sources: those of `solve_contact` and of `analytic.friction_torque`; the comparison is in the terms of [ASME2009].
     """
     with nullcontext() if out is None else whole_folder(Path(out)) as folder:
         checked = 1.0 if folder is None else CHECKED

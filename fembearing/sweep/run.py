@@ -58,14 +58,31 @@ def run_sweep(
 ) -> Sweep:
     """Compute every point of a grid and gather all in `out`/sweep.nc; a stopped sweep continues when started again.
 
-    grid : from `load_grid`, or the path of a grid file
-    out : folder, made if it is missing; a folder of the same sweep is continued
-    workers : number of processes on this machine; one for each core unless given
-    scheduler : address of a Dask cluster that computes instead
-    progress : called with the share done, 0 to 1, and a text with the number of points and the time left
-    announce : called with the address of Dask's dashboard, if there is one
-    Raises InputError for a mistake in the grid or a folder that holds something else. Where a point cannot be computed,
-    `failure` in the dataset gives the reason, and the others continue.
+    Parameters
+    ----------
+    grid : Grid, str or path
+        From `load_grid`, or the path of a grid file.
+    out : str or path
+        Folder, made if it is missing; a folder of the same sweep is continued.
+    workers : int, optional
+        Number of processes on this machine; None: one for each core.
+    scheduler : str, optional
+        Address of a Dask cluster that computes instead.
+    progress : callable
+        Called with the share done, 0 to 1 (dimensionless), and a text with the number of points and the time left.
+    announce : callable, optional
+        Called with the address of Dask's dashboard, if there is one.
+
+    Returns
+    -------
+    Sweep
+        Number of points that were computed, kept and failed, and the folder; `to_dataset` reads the results, SI.
+
+    Raises
+    ------
+    InputError
+        A mistake in the grid, or a folder that holds something else. Where a point cannot be computed, `failure` in the
+        dataset gives the reason, and the others continue.
     """
     begun = time.perf_counter()
     if workers is not None and workers < 1:

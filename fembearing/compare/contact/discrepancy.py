@@ -272,15 +272,41 @@ def solve_contact(
 ) -> ContactSolution:
     """Solve one contact of a scene by finite elements and compare Hertz with it.
 
-    load : of the ball, N; by default the scene's largest, and 28 N in the pocket
-    tolerance : relative, for the verdict; the scene's unless given
-    accuracy : required of the finite elements: relative half-width of the 95 % intervals of semi-axes, peak pressure
-        and approach; the tolerance unless given
-    geometry : "real"; "hertzian" for the idealisation whose exact answer is Hertz; "wall", for a pocket only: the
-        cage's sheet on its own support, where "real" has a thick seat; "ring", for a race only: "real", and separately
-        what the ring on a rigid seat adds to the approach
-    progress : called with the share done, 0 to 1, and the name of the current step
-    Raises InputError for a contact that cannot be meshed, ConvergenceError for one that does not converge.
+    Parameters
+    ----------
+    scene : Scene
+        With a cage for the pair "pocket".
+    pair : {"inner", "outer", "pocket"}
+        What the ball touches.
+    load : float, optional
+        Of the ball, N, > 0; None: the scene's largest, and 28 N in the pocket.
+    tolerance : float or str, optional
+        Relative (dimensionless), for the verdict; None: the scene's.
+    accuracy : float, optional
+        Required of the finite elements: relative half-width of the 95 % intervals of semi-axes, peak pressure and
+        approach (dimensionless); None: the tolerance.
+    geometry : {"real", "hertzian", "wall", "ring"}
+        "hertzian": the idealisation whose exact answer is Hertz; "wall", for a pocket only: the cage's sheet on its own
+        support, where "real" has a thick seat; "ring", for a race only: "real", and separately what the ring on a rigid
+        seat adds to the approach.
+    progress : callable
+        Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
+
+    Returns
+    -------
+    ContactSolution
+        Both answers with the numerical uncertainty, SI, and the verdicts.
+
+    Raises
+    ------
+    InputError
+        The contact cannot be meshed.
+    ConvergenceError
+        It does not converge.
+
+    Notes
+    -----
+    Sources: linear elasticity [Timoshenko1970]; uncertainty of the meshes [Roache1998], [Celik2008].
     """
     contact = contact_of(scene, pair=pair, load=load)
     tolerance = scene.tolerance if tolerance is None else with_tolerance(scene, tolerance).tolerance

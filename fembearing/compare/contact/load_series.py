@@ -196,13 +196,38 @@ def solve_load_series(
 ) -> LoadSeries:
     """Solve one contact of a scene under each of `loads` and compare Hertz with it.
 
-    loads : (n,) of the ball, N, in any order; the contact angle stays that of the scene's largest load
-    tolerance : relative, for the verdict; the scene's unless given
-    accuracy : required of each approach, relative half-width of its 95 % interval; the tolerance unless given
-    geometry : as in `solve_contact`, except "ring"
-    progress : called with the share done, 0 to 1, and the name of the current step
-    Raises InputError for missing or non-positive loads or a contact that cannot be meshed, ConvergenceError for one
-    that does not converge.
+    Parameters
+    ----------
+    scene : Scene
+        With a cage for the pair "pocket".
+    pair : {"inner", "outer", "pocket"}
+        What the ball touches.
+    loads : array_like, shape (n,)
+        Of the ball, N, > 0, in any order; the contact angle stays that of the scene's largest load.
+    tolerance : float or str, optional
+        Relative (dimensionless), for the verdict; None: the scene's.
+    accuracy : float, optional
+        Required of each approach, relative half-width of its 95 % interval (dimensionless); None: the tolerance.
+    geometry : {"real", "hertzian", "wall"}
+        As in `solve_contact`.
+    progress : callable
+        Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
+
+    Returns
+    -------
+    LoadSeries
+        Points in the order of `loads`, SI, and the law F = K delta^n with its uncertainty.
+
+    Raises
+    ------
+    InputError
+        Loads are missing or not positive, or a contact cannot be meshed.
+    ConvergenceError
+        A contact does not converge.
+
+    Notes
+    -----
+    Sources: those of `solve_contact`; the fit of the law is derived here (`fembearing.compare.contact.power_law`).
     """
     given = checked_loads(loads)
     tolerance = scene.tolerance if tolerance is None else with_tolerance(scene, tolerance).tolerance
