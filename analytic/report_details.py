@@ -14,9 +14,9 @@ PublishedCase = Literal["paper_6205"]  # of the paper behind the model: see `fem
 class ReportDetails:
     """Names and dates are texts as the scene gives them; None: a blank to fill in by hand."""
 
-    author: str | None = None
-    checker: str | None = None
-    revision: str | None = None
+    author: str | None = None  # who made it
+    checker: str | None = None  # who checked it
+    revision: str | None = None  # of the report
     date: str | None = None  # of the revision, not of the computation
-    units: UnitSystem = "metric"
+    units: UnitSystem = "metric"  # that pages and tables show
     published: PublishedCase | None = None  # None: the report has no published numbers

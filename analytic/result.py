@@ -80,17 +80,17 @@ class TorqueParts(Brief):
 class FrictionCoefficients(Brief):
     """Of each contact, (n,); None where there is no such contact, or where nothing that slides was computed."""
 
-    inner: Array | None = None
-    outer: Array | None = None
-    pocket: Array | None = None
+    inner: Array | None = None  # coefficient of ball on inner race
+    outer: Array | None = None  # coefficient of ball on outer race
+    pocket: Array | None = None  # coefficient of ball on pocket
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class OnRaces(Brief):
     """A quantity of the contacts on both races, each (n,); None where it is not known."""
 
-    inner: Array | None = None
-    outer: Array | None = None
+    inner: Array | None = None  # on the inner race, in the unit of the quantity
+    outer: Array | None = None  # on the outer race, in the unit of the quantity
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -108,10 +108,10 @@ class LoadedContact(Brief):
 class PairPart(Brief):
     """What each bearing of a pair does at the n operating points of the pair."""
 
-    kind: ArrangementKind
+    kind: ArrangementKind  # how the bearings are set against each other
     equilibrium: PairEquilibrium
     bearings: "tuple[FrictionTorque | None, FrictionTorque | None]"  # at `points`, in its own frame; None: nowhere
-    points: tuple[NDArray[np.intp], NDArray[np.intp]]  # the operating points at which each inner ring presses
+    points: tuple[NDArray[np.intp], NDArray[np.intp]]  # numbers of the points at which each inner ring presses
     total: Array  # (2, n) torque of each bearing, N m
 
     def to_json(self) -> dict[str, Any]:
@@ -163,12 +163,12 @@ class FrictionTorque(Brief):
     limits: LimitNumbers  # of the worst ball of all
     effects: tuple[Effect, ...]
     sliding: Sliding  # the method that integrated it; auto: nothing slides
-    warnings: tuple[str, ...]
-    provenance: Mapping[str, str]
+    warnings: tuple[str, ...]  # one line each
+    provenance: Mapping[str, str]  # where decisions and numbers come from, by subject
     seconds: float  # that the computation took
     cage: CagePart | None = None  # what its torque comes from; None: left out
     model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.torque
-    model_parts: Mapping[str, Array] | None = None  # of it, likewise, by the formula that is varied
+    model_parts: Mapping[str, Array] | None = None  # of it, relative, 95 %, by the formula that is varied
     unknown: tuple[str, ...] = ()  # why the numerical uncertainty is not known; empty: it is
     gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
     clearances: Clearances | None = None  # how the bearing came to its clearance; None: its seats are not given
@@ -181,16 +181,49 @@ class FrictionTorque(Brief):
         yield f"{span(self.torque.total, NEWTON_MILLIMETRE.factor)} {NEWTON_MILLIMETRE.name}"
 
     def at(self, points: NDArray[np.intp]) -> "FrictionTorque":
-        """The torque at some operating points; effects, warnings and what else belongs to the whole series stay."""
+        """The torque at some operating points; effects, warnings and what else belongs to the whole series stay.
+
+        Parameters
+        ----------
+        points : ndarray, shape (k,)
+            Numbers of the points, from 0.
+
+        Returns
+        -------
+        FrictionTorque
+            With arrays (k,).
+        """
         return replace(self, **{name: _rows(value, points) for name, value in vars(self).items() if name != "pair"})
 
     def settled(self, scene: Scene) -> Scene:
-        """The scene with every effect and method fixed as it was decided here, so that a change of it keeps them."""
+        """The scene with every effect and method fixed as it was decided here, so that a change of it keeps them.
+
+        Parameters
+        ----------
+        scene : Scene
+            The one that this torque is of.
+
+        Returns
+        -------
+        Scene
+            Without `auto`.
+        """
         decisions = {effect.name: effect.decision for effect in self.effects if effect.name in CHOSEN}
         return replace(scene, effects={**scene.effects, **decisions}, sliding=self.sliding)
 
     def is_on(self, name: str) -> bool:
-        """Whether an effect counts."""
+        """Whether an effect counts.
+
+        Parameters
+        ----------
+        name : str
+            Of an effect, as in `scene.effects`.
+
+        Returns
+        -------
+        bool
+            As it was decided.
+        """
         return any(effect.name == name and effect.decision == "on" for effect in self.effects)
 
     def to_json(self) -> dict[str, Any]:
@@ -216,7 +249,7 @@ class FrictionTorque(Brief):
         ]
 
     def columns(self) -> dict[str, Array]:
-        """The values of COLUMNS, each (n,); NaN where a part was left out or is not modelled."""
+        """The values of COLUMNS, each (n,), SI; NaN where a part was left out or is not modelled."""
         values = {f"torque_{name}": part for name, part in vars(self.torque).items()}
         values |= {
             "uncertainty_numerical": self.numerical_uncertainty,

@@ -45,7 +45,7 @@ STANDARD_GRAVITY = 9.80665  # m/s^2
 class Material(Noun):
     """An isotropic elastic solid."""
 
-    name: str
+    name: str  # of the catalog, or any other
     youngs_modulus: float  # E, Pa
     poisson_ratio: float  # nu
     density: float  # kg/m^3
@@ -58,7 +58,7 @@ class Material(Noun):
 class Origin(Noun):
     """Where a dimension or a property comes from, and how far to trust it."""
 
-    status: Status
+    status: Status  # how it came about, in a word
     uncertainty: float | None  # standard deviation, in the unit of the value; None: unknown
     source: str  # in words
 
@@ -88,7 +88,7 @@ class Groove(Noun):
 class Land(Noun):
     """The ring whose shoulders guide the cage: the rims of the cage touch them before its pockets touch the balls."""
 
-    ring: Literal["inner", "outer"]
+    ring: Literal["inner", "outer"]  # to which the shoulders belong
     clearance: float  # on the diameter, m
     width: float  # of the cage, from rim to rim, m
 
@@ -109,7 +109,7 @@ class Cage(Noun):
     start: CageStart | None = None  # how the motion begins; None: no motion
     seeds: int = 4  # motions from slightly different beginnings
     duration: float = 0.2  # measured time of each, s: ten swings of a cage at rest, a hundred turns of a whirl
-    steps_per_contact: int = 40  # time steps in the shortest impact to expect
+    steps_per_contact: int = 40  # number of time steps in the shortest impact to expect
     gravity: CageGravity = "across"  # of the axis: "across" is -y, "along" is -z
     drag: float = 0.0  # braking torque of the surrounding oil over the speed of the cage, N m s
     land: Land | None = None
@@ -119,7 +119,7 @@ class Cage(Noun):
 class Bearing(Noun):
     """A ball bearing: radial, or a thrust bearing of two equal washers at 90 degrees, of which `inner` turns."""
 
-    name: str
+    name: str  # shown with results
     ball_count: int  # Z
     ball_diameter: float  # D, m
     ball_mass: float  # kg
@@ -129,7 +129,7 @@ class Bearing(Noun):
     bore_diameter: float | None = None  # m: where the inner ring sits on its shaft
     outside_diameter: float | None = None  # m: where the outer ring sits in its housing
     width: float | None = None  # of both rings, m; where one of these three is None the rings' structure is unknown
-    kind: BearingKind = "radial"
+    kind: BearingKind = "radial"  # radial, or thrust of two washers
     static_load_rating: float | None = None  # C0 by a catalogue, N; None: unknown
     dynamic_load_rating: float | None = None  # C by a catalogue, N; None: unknown
     series: str | None = None  # by its designation, "62" or "72 B"; None: not of the catalogue
@@ -141,6 +141,7 @@ class Bearing(Noun):
 
     @property
     def ball_radius(self) -> float:
+        """r = D/2, m."""
         return self.ball_diameter / 2
 
     @property
@@ -150,7 +151,10 @@ class Bearing(Noun):
 
     @property
     def diametral_clearance(self) -> float:
-        """P_d: radial clearance of the unloaded bearing, on the diameter, m; negative is preload."""
+        """P_d: radial clearance of the unloaded bearing, on the diameter, m; negative is preload.
+
+        Raises InputError for a thrust bearing.
+        """
         if self.kind == "thrust":
             raise InputError("a thrust bearing has no radial clearance: its contact angle is given, 90 degrees")
         return 2 * (self.outer.bottom_radius - self.inner.bottom_radius - self.ball_diameter)
@@ -183,7 +187,7 @@ class Arrangement(Noun):
     both carry thrust in the same direction, without preload.
     """
 
-    kind: ArrangementKind
+    kind: ArrangementKind  # see above
     preload: float | None = None  # axial force in the mounted pair at standstill, N
     offset: float | None = None  # axial distance that clamping closes, of the pair, m
     distance: float | None = None  # between the middles of both bearings, m; None: the bearing's width
@@ -208,7 +212,7 @@ class ContactAngle(Noun):
     None: the angle that the clearance allows.
     """
 
-    rule: Literal["solved", "given"]
+    rule: Literal["solved", "given"]  # see above
     value: float | None = None  # rad
     free: float | None = None  # rad
 
@@ -225,8 +229,8 @@ class Lubricant(Noun):
     thermal_conductivity: float  # k_f, W/(m K)
     density: float  # kg/m^3
     eyring_stress: float  # tau_E, Pa
-    limiting_shear: float  # zeta: the largest shear stress over the pressure
-    traction: Traction
+    limiting_shear: float  # zeta, ratio of the largest shear stress to the pressure
+    traction: Traction  # law of the shear stress, see `analytic.oil.traction`
     supply: Supply = "oil_bath"  # how oil returns to the track
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
     compressible: bool = False  # whether pressure squeezes the oil in the film
@@ -263,7 +267,7 @@ class Surface(Noun):
     height_map: HeightMapFile | None = None
     ball_rms_roughness: float | None = None  # Sq of the ball, m; None: as the race
     hardness: float | None = None  # H, Pa; None: that of the softer material
-    boundary_friction: float = 0.12  # mu_b, of asperities in contact
+    boundary_friction: float = 0.12  # mu_b, coefficient of asperities in contact
     gap: GapModel = "elastic"  # room for the oil: between surfaces that deform, or that are cut off where they overlap
     asperities: AsperityLaw = "zhao_maietta_chang"  # of truncated surfaces; greenwood_williamson: they never yield
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
@@ -312,7 +316,7 @@ class Scene(Noun):
 
     bearing: Bearing
     operation: Operation
-    name: str = "scene"
+    name: str = "scene"  # shown with results
     tolerance: float = 0.05  # of the torque, relative
     contact_angle: ContactAngle = ContactAngle(rule="solved")
     clearances: Clearances | None = None  # on the way to `bearing`, which is in operation; None: no seats are given
@@ -326,12 +330,12 @@ class Scene(Noun):
     spin_rule: SpinRule = "free"  # how a ball turns; free: by mechanics, else its spin is shared by a rule
     sliding: Sliding = "auto"  # method that integrates sliding; auto: chosen by the tolerance
     microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
-    effects: Mapping[str, Decision] = field(default_factory=nothing)
+    effects: Mapping[str, Decision] = field(default_factory=nothing)  # by their names; those left out are `auto`
     uncertainty: Mapping[str, float] = field(default_factory=nothing)  # SI, see `analytic.inputs`
     assumed: Mapping[str, str] = field(default_factory=nothing)  # sources, by key
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
-    down: tuple[float, float, float] | None = None  # direction of gravity along x, y, z, of length 1; None: unknown
-    warnings: tuple[str, ...] = ()
+    down: tuple[float, float, float] | None = None  # unit vector of gravity along x, y, z, dimensionless; None: unknown
+    warnings: tuple[str, ...] = ()  # from reading the scene
     report: ReportDetails = field(default_factory=ReportDetails)
 
     def _facts(self) -> Iterator[str]:
@@ -370,7 +374,7 @@ class Contact:
     the contact to the shoulders at y > 0, which it has moved towards, and at y < 0, in the tangent plane there.
     """
 
-    pair: Pair
+    pair: Pair  # what the ball touches
     ball_radius: float  # m
     groove_radius: float  # r_g, m
     rolling_radius: float  # m, signed; infinite on a thrust washer

@@ -95,6 +95,7 @@ def friction_torque(
     The scene's tolerance decides which effects are computed, and how (`analytic.effects`, `analytic.sliding.methods`);
     the result lists them all, with the numerical uncertainty that remains.
     A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
+    Sources: [Paper], and those of the modules named here.
     """
     started = perf_counter()
     if tolerance is not None:

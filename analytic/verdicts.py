@@ -49,14 +49,14 @@ UNKNOWN_GRIP = 'The friction of the races is not computed, so their grip is not 
 class PhysicalCheck:
     """One number against its limit, at the operating point where it is worst."""
 
-    name: Literal["peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force"]
-    where: Literal["inner race", "outer race", "ball", "cage"]
-    point: int  # the operating point, from 0
-    value: float | None  # None: infinite or not known
-    limit: float
+    name: Literal["peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force"]  # see `physical_checks`
+    where: Literal["inner race", "outer race", "ball", "cage"]  # what it is of
+    point: int  # number of the operating point, from 0
+    value: float | None  # in the unit of the limit; None: infinite or not known
+    limit: float  # Pa, or a share
     unit: Literal["Pa", "1"]  # of value and limit
-    verdict: Literal["pass", "fail", "unknown"]
-    note: str
+    verdict: Literal["pass", "fail", "unknown"]  # whether the limit holds
+    note: str  # in words; empty: nothing to add
 
 
 @dataclass(frozen=True, kw_only=True)

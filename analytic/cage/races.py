@@ -66,7 +66,7 @@ class Races:
 
     bearing: Bearing
     contacts: RaceContacts
-    friction: tuple[float, float]  # mu of the inner and the outer race
+    friction: tuple[float, float]  # mu, coefficient of the inner and of the outer race
     inner_speed: float  # w, rad/s
 
     def __post_init__(self) -> None:
@@ -87,7 +87,7 @@ class Races:
 
     @cached_property
     def table(self) -> Array:
-        """(n, 2, FIELDS) of the compiled loop, but for the slip power without a cage."""
+        """(n, 2, FIELDS) numbers of the compiled loop, SI, but for the slip power without a cage."""
         from analytic.cage import race_law as column
 
         bearing, contacts = self.bearing, self.contacts

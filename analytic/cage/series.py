@@ -21,7 +21,7 @@ class CageSeries(Brief):
     ball_angle: Array  # (n,) rad, through which the balls have orbited
     centre: Array  # (n, 3) m
     velocity: Array  # (n, 3) m/s
-    axis: Array  # (n, 3) direction of the axis of the cage, of length 1
+    axis: Array  # (n, 3) direction of the axis of the cage, of length 1, dimensionless
     angular_velocity: Array  # (n, 3) rad/s
     offset: Array  # (n, Z, 3) from the centre of each pocket to that of its ball, m
     force: Array  # (n, Z, 3) of each ball on the cage, N

@@ -36,8 +36,8 @@ STEADY_DISTANCE = 0.1  # of the half clearance: root mean square deviation of th
 class OtherStart:
     """The motion of the same cage from another start."""
 
-    start: CageStart
-    state: State
+    start: CageStart  # from which it begins
+    state: State  # in which it ends: the regime
     torque: float  # N m
 
 
@@ -46,24 +46,24 @@ class CageStatistics:
     """The motion of a cage at one operating point; intervals are (low, high) at 95 %."""
 
     torque: float  # mean power of sliding and drag over the speed of the ring, N m
-    torque_interval: tuple[float, float]  # of the mean
+    torque_interval: tuple[float, float]  # of the mean, N m
     drag_torque: float  # the part of it from drag of the oil around the cage, N m
     damping_torque: float  # power lost in impacts over the speed of the ring, N m; not part of `torque`
     signed_moment: float  # mean moment of the balls on the cage about the axis, N m
     mean_force: float  # mean sum of all normal forces in the pockets, N
     max_force: float  # of one contact: median over blocks of the largest, N
-    max_force_interval: tuple[float, float]  # of that median
+    max_force_interval: tuple[float, float]  # of that median, N
     block_maxima: tuple[float, ...]  # largest force in each block, seed after seed, N
     block: float  # length of a block, s
     duration: float  # measured time of all seeds together, s
     state: State  # mixed: not the same for all seeds
     whirl_speed: float  # mean angular speed of the cage centre about the axis, with the sign of the orbit, rad/s
     wobble: float  # root mean square deviation of the centre's distance from the axis, over each seed, m
-    start: CageStart
+    start: CageStart  # from which the motions began
     other: OtherStart | None  # None: the cage cannot whirl, so there is only one steady motion
     race_excess_torque: float = 0.0  # slip in the races that the cage adds, over the ring's speed, N m; by free balls
-    race_excess_interval: tuple[float, float] = (0.0, 0.0)  # of its mean
-    grip_used: float = 0.0  # largest traction of a race along the orbit over its limit; by free balls
+    race_excess_interval: tuple[float, float] = (0.0, 0.0)  # of its mean, N m
+    grip_used: float = 0.0  # largest traction of a race along the orbit over its limit, a share; by free balls
 
 
 @lru_cache(maxsize=256)

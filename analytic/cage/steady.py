@@ -51,7 +51,7 @@ class DrivenCage:
     centre_offset: float = 0.0  # D_p/2 - k, m
     pocket_axis: PocketAxis = "axial"  # x in `analytic.cage.pocket`: the line through the centres of both shells
     stiffness: float  # K_pb, N/m^1.5
-    restitution: float  # e, of an impact
+    restitution: float  # e, of an impact, a share
     friction_coefficient: float  # mu, of ball on pocket
     orbit_speed: float  # w_c, of the balls about the bearing's axis, rad/s
     ball_speed: float  # w_b, of each ball about its own axis relative to the orbit, with the sign of w, rad/s
@@ -63,7 +63,7 @@ class DrivenCage:
     land: LandGuidance | None = None
     smoothing: float = 1e-3  # v0 of the friction's direction, m/s; reduced where the balls turn slowly
     axial_inertia: float | None = None  # about z, kg m^2; None: that of a thin ring of the pitch radius
-    transverse_inertia: float | None = None  # about an axis across z, likewise
+    transverse_inertia: float | None = None  # about an axis across z, kg m^2; None: that of a thin ring
 
     def __post_init__(self) -> None:
         require_positive(
@@ -131,16 +131,34 @@ class DrivenCage:
         return self.pitch_radius * np.stack([np.cos(azimuth), np.sin(azimuth), 0 * azimuth], axis=1)
 
     def ball_places(self, angle: float) -> Array:
-        """(Z, 3) m: the centres of the balls in the fixed frame; angle : through which they have orbited, rad."""
+        """The centres of the balls in the fixed frame.
+
+        Parameters
+        ----------
+        angle : float
+            Through which they have orbited, rad.
+
+        Returns
+        -------
+        ndarray, shape (Z, 3)
+            In m.
+        """
         azimuth = angle + 2 * np.pi * np.arange(self.ball_count) / self.ball_count
         azimuth += self.ball_lead / self.pitch_radius * np.sin(azimuth)
         return self.pitch_radius * np.stack([np.cos(azimuth), np.sin(azimuth), 0 * azimuth], axis=1)
 
     def free_path(self, direction: Array) -> float:
-        """Distance that the level cage can move from `middle` until a ball or the land stops it, m.
+        """Distance that the level cage can move from `middle` until a ball or the land stops it.
 
-        direction : (3,), of length 1
-        The balls are where a motion begins, at the azimuths 2 pi i/Z.
+        Parameters
+        ----------
+        direction : ndarray, shape (3,)
+            Of length 1, dimensionless.
+
+        Returns
+        -------
+        float
+            In m. The balls are where a motion begins, at the azimuths 2 pi i/Z.
         """
         pockets = self.pocket_places
         axes = np.broadcast_to([0.0, 0.0, 1.0], pockets.shape)

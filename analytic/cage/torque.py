@@ -63,7 +63,7 @@ class CagePart(Brief):
     driven: tuple[DrivenCage | None, ...]  # the cage that moved; None: by a closed form
     motion: tuple[CageStatistics | None, ...]  # its motion; likewise
     races: tuple[Races | None, ...]  # on which the balls moved freely; None: their motion was given
-    warnings: tuple[str, ...]
+    warnings: tuple[str, ...]  # one line each
     provenance: str  # methods of motion, stiffness and friction
 
     @property
@@ -88,13 +88,35 @@ class CagePart(Brief):
         return np.array([sum(high - low for low, high in each) / 2 for each in ends])
 
     def of_points(self, points: NDArray[np.intp]) -> "CagePart":
-        """The same at some operating points."""
+        """The same at some operating points.
+
+        Parameters
+        ----------
+        points : ndarray, shape (k,)
+            Numbers of the points, from 0.
+
+        Returns
+        -------
+        CagePart
+            With arrays (k,).
+        """
         kept = {name: value[points] for name, value in vars(self).items() if isinstance(value, np.ndarray)}
         series = ("driven", "motion", "races")
         return replace(self, **kept, **{name: tuple(getattr(self, name)[p] for p in points) for name in series})
 
     def at(self, point: int) -> dict[str, object]:
-        """CAGE_KEYS of one operating point as plain Python; None where a closed form has no such value."""
+        """CAGE_KEYS of one operating point as plain Python.
+
+        Parameters
+        ----------
+        point : int
+            Number of the point, from 0.
+
+        Returns
+        -------
+        dict
+            SI; None where a closed form has no such value.
+        """
         motion = self.motion[point]
         if motion is None:
             state = "squeezed" if self.is_squeezed[point] else "rest"

@@ -23,9 +23,9 @@ class ContactFactors:
     Each factor is a number, or an array with one element for each load.
     """
 
-    semi_axis_rolling: float | Array = 1.0
-    semi_axis_transverse: float | Array = 1.0
-    approach: float | Array = 1.0
+    semi_axis_rolling: float | Array = 1.0  # factor on a
+    semi_axis_transverse: float | Array = 1.0  # factor on b
+    approach: float | Array = 1.0  # factor on delta
     peak_pressure: float | Array | None = None  # None: pressure is a semi-ellipsoid over the new semi-axes
 
     def __post_init__(self) -> None:
@@ -41,7 +41,18 @@ class ContactCorrection:
     outer: ContactFactors = ContactFactors()
 
     def mapped(self, change: Callable[[Array], Array]) -> "ContactCorrection":
-        """A copy with `change` applied to every factor that is an array."""
+        """A copy with a change applied to every factor that is an array.
+
+        Parameters
+        ----------
+        change : callable
+            Takes and returns an array of factors, dimensionless, of one shape.
+
+        Returns
+        -------
+        ContactCorrection
+            Factors that are numbers stay.
+        """
 
         def side(factors: ContactFactors) -> ContactFactors:
             return ContactFactors(

@@ -63,7 +63,7 @@ class CorrectedGeometry:
     farthest: ContactFactors  # those that lie as far beyond Hertz's as the growth of the uncertainty outside allows
     uncertainty: Mapping[str, Array]  # of each factor, relative half-width, 95 %; grows outside the range
     covered: NDArray[np.bool_]  # where the shape lies within the range
-    applied: Array  # 1 within the range and one step beyond, from there falling to 0
+    applied: Array  # share: 1 within the range and one step beyond, from there falling to 0
     warnings: tuple[str, ...]  # which ratios lie outside, with the numbers
 
 
@@ -76,14 +76,17 @@ class RaceCorrections:
 
     @property
     def correction(self) -> ContactCorrection:
+        """The factors of both races."""
         return ContactCorrection(inner=self.inner.factors, outer=self.outer.factors)
 
     @property
     def farthest(self) -> ContactCorrection:
+        """The factors of both races at the far end of what is uncertain."""
         return ContactCorrection(inner=self.inner.farthest, outer=self.outer.farthest)
 
     @property
     def warnings(self) -> tuple[str, ...]:
+        """Where a race lies outside the range of the fit, one line each."""
         sides = (("inner", self.inner), ("outer", self.outer))
         return tuple(f"{race}: {warning}" for race, side in sides for warning in side.warnings)
 

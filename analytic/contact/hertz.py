@@ -39,7 +39,18 @@ class HertzContact(Brief):
     stiffness: Array  # K = load / approach^1.5, N/m^1.5; finite at zero load too
 
     def reshape(self, shape: tuple[int, ...]) -> "HertzContact":
-        """The same contacts with fields of another shape."""
+        """The same contacts with fields of another shape.
+
+        Parameters
+        ----------
+        shape : tuple of int
+            With the same number of elements.
+
+        Returns
+        -------
+        HertzContact
+            Fields of that shape.
+        """
         return HertzContact(**{name: field.reshape(shape) for name, field in vars(self).items()})
 
 

@@ -25,12 +25,12 @@ SHARE_OF_TOLERANCE = 0.5
 class Effect:
     """One physical contribution, decided for the whole series."""
 
-    name: str
-    decision: Literal["on", "off"]
+    name: str  # as in `scene.effects`
+    decision: Literal["on", "off"]  # whether it counts
     # The largest share of the total over the series: of its part of the torque where it has one, else a bound. Infinite
     # where it could be of any size, None where it is not known.
     share: float | None
-    reason: str
+    reason: str  # in words, with the bound or the limit
 
 
 def size_of(share: float) -> str:

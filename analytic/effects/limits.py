@@ -31,16 +31,42 @@ class LimitNumbers:
     cut_off: Array  # (2, n) share of a contact's load beyond a shoulder; by the lowest usual one where it is not known
     knows_shoulder: NDArray[np.bool_]  # (2,) of each race
     sliding_number: Array | None = None  # (2, n) rolling force of the oil over the most friction of each race
-    gyroscopic_hold: Array | None = None  # (n,) gyroscopic moment over the most that friction holds
+    gyroscopic_hold: Array | None = None  # (n,) ratio of gyroscopic moment to the most that friction holds
     cage_grip: Array | None = None  # (n,) share of the grip of the races that the cage uses; NaN: not known
 
     def at(self, points: NDArray[np.intp]) -> "LimitNumbers":
-        """The same at some operating points."""
+        """The same at some operating points.
+
+        Parameters
+        ----------
+        points : ndarray, shape (k,)
+            Numbers of the points, from 0.
+
+        Returns
+        -------
+        LimitNumbers
+            Of k points.
+        """
         changed = {n: v[..., points] for n, v in vars(self).items() if v is not None and n != "knows_shoulder"}
         return replace(self, **changed)
 
     def worst(self, rows: Sequence[NDArray[np.intp]], points: Sequence[NDArray[np.intp]], count: int) -> "LimitNumbers":
-        """At `count` operating points the worst of several: rows[k] of these numbers are number k at points[k]."""
+        """The worst of several balls or bearings at each operating point.
+
+        Parameters
+        ----------
+        rows : sequence of ndarray, shape (k,)
+            Numbers of the elements of these arrays.
+        points : sequence of ndarray, shape (k,)
+            Numbers of the operating points that they belong to.
+        count : int
+            Number of operating points.
+
+        Returns
+        -------
+        LimitNumbers
+            Of `count` points.
+        """
 
         def largest(values: Array) -> Array:
             found = np.zeros((*values.shape[:-1], count))

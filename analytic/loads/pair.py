@@ -49,7 +49,7 @@ class PairEquilibrium:
     ball_load: Array  # (2, n) of the heaviest ball on the race where it is larger, N
     is_pressed: NDArray[np.bool_]  # (2, n) whether the inner ring presses on a ball
     # (2, n) whether the rings leave every ball room; at speed centrifugal force may still press it on the inner ring
-    is_relieved: NDArray[np.bool_]
+    is_relieved: NDArray[np.bool_]  # (2, n) whether no ball would touch both grooves without its own forces
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -71,7 +71,7 @@ def ring_equilibrium(
     contact_angle : ContactAngle
         Rule `solved`; `free`, where given, replaces the clearance by A0 (1 - cos al0), rad.
     axial_load, radial_load_x, radial_load_y : array_like
-        N, any sign; loads and speed broadcast to (...).
+        In N, any sign; loads and speed broadcast to (...).
     moment_x, moment_y : array_like
         About x and y, N m, any sign.
     inner_speed : array_like

@@ -42,7 +42,18 @@ class RingState(Brief):
         yield f"heaviest {span(self.load.max(axis=(1, 2)))} N"
 
     def at(self, points: NDArray[np.intp]) -> "RingState":
-        """The state at some operating points."""
+        """The state at some operating points.
+
+        Parameters
+        ----------
+        points : ndarray, shape (k,)
+            Numbers of the points, from 0.
+
+        Returns
+        -------
+        RingState
+            Of k points.
+        """
         rows = {name: getattr(self, name)[points] for name in ("load", "contact_angle", "approach", "sideways")}
         return replace(self, **rows)
 
@@ -107,7 +118,18 @@ class RingState(Brief):
         return np.stack([np.cos(self.contact_angle), np.sin(self.contact_angle)], axis=-1)
 
     def to_json(self, point: int) -> dict[str, Any]:
-        """One operating point as plain types, SI; angles of unloaded contacts are None."""
+        """One operating point as plain types.
+
+        Parameters
+        ----------
+        point : int
+            Number of the point, from 0.
+
+        Returns
+        -------
+        dict
+            SI; angles of unloaded contacts are None.
+        """
         place = self.displacement
         balls: dict[str, Sequence[float | None]] = {"azimuth": self.azimuth.tolist()}
         for side, race in enumerate(("inner", "outer")):

@@ -39,7 +39,7 @@ class Mounting(Noun):
     shaft_material: Material
     housing_material: Material
     shaft_interference: float = 0.0  # on the diameter, m; negative: loose
-    housing_interference: float = 0.0  # likewise
+    housing_interference: float = 0.0  # likewise, on the diameter, m
     shaft_bore: float = 0.0  # diameter, m; 0: a solid shaft
     housing_outside_diameter: float | None = None  # m; None: far away
     inner_temperature: float = REFERENCE_TEMPERATURE  # of inner ring and shaft, K

@@ -22,10 +22,10 @@ class Variation:
     Raises InputError for a factor that is not positive.
     """
 
-    film: float = 1.0  # on every film
-    asperity_pressure: float = 1.0  # on the pressure of the asperities at any gap
-    rolling: float = 1.0  # on the hydrodynamic resistance to rolling
-    rolling_formula: Literal["biboulet", "houpert"] = "biboulet"
+    film: float = 1.0  # factor on every film
+    asperity_pressure: float = 1.0  # factor on the pressure of the asperities at any gap
+    rolling: float = 1.0  # factor on the hydrodynamic resistance to rolling
+    rolling_formula: Literal["biboulet", "houpert"] = "biboulet"  # see `analytic.oil.rolling`
 
     def __post_init__(self) -> None:
         require_positive(film=self.film, asperity_pressure=self.asperity_pressure, rolling=self.rolling)

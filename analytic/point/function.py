@@ -29,11 +29,11 @@ class TorqueFunction(Brief):
 
     scene: Scene  # with every effect settled
     is_compiled: bool  # else each call is a `friction_torque`
-    invalid: Invalid
+    invalid: Invalid  # what a call gives for numbers without an answer
     model: PointModel | None
     work: Workspace
-    points: Array  # (5, 1) of one call
-    torques: Array  # (6, 1)
+    points: Array  # (5, 1) of one call: N, N, N m, rad/s, K
+    torques: Array  # (6, 1) of one call, N m
 
     def _facts(self) -> Iterator[str]:
         yield from (self.scene.name, "compiled" if self.is_compiled else "not compiled")
@@ -47,11 +47,30 @@ class TorqueFunction(Brief):
         moment: float = 0.0,
         temperature: float | None = None,
     ) -> float:
-        """Torque about the bearing axis, N m, a magnitude: it opposes inner_speed.
+        """Torque about the bearing axis, a magnitude: it opposes inner_speed.
 
-        axial_load : N;  inner_speed : rad/s, of either sign;  radial_load : along x, N;  moment : about y, N m
-        temperature : of the oil at the inlets, K; None: the scene's
-        Raises InputError and ConvergenceError as `friction_torque` does; returns NaN instead where `invalid` is "nan".
+        Parameters
+        ----------
+        axial_load : float
+            Along z, N.
+        inner_speed : float
+            In rad/s, of either sign.
+        radial_load, moment : float
+            Along x, N, and about y, N m.
+        temperature : float, optional
+            Of the oil at the inlets, K; None: the scene's.
+
+        Returns
+        -------
+        float
+            In N m.
+
+        Raises
+        ------
+        InputError
+            As `friction_torque`; NaN instead where `invalid` is "nan".
+        ConvergenceError
+            Likewise.
         """
         points = self.points
         points[0, 0], points[1, 0], points[2, 0], points[3, 0] = axial_load, radial_load, moment, inner_speed
@@ -71,7 +90,31 @@ class TorqueFunction(Brief):
         moment: ArrayLike = 0.0,
         temperature: ArrayLike | None = None,
     ) -> Array:
-        """The same at many points; the arguments broadcast, and the torque has their shape."""
+        """The torque at many points; the arguments broadcast.
+
+        Parameters
+        ----------
+        axial_load : array_like
+            Along z, N.
+        inner_speed : array_like
+            In rad/s, of either sign.
+        radial_load, moment : array_like
+            Along x, N, and about y, N m.
+        temperature : array_like, optional
+            Of the oil at the inlets, K; None: the scene's.
+
+        Returns
+        -------
+        ndarray
+            N m, of the broadcast shape; it opposes inner_speed.
+
+        Raises
+        ------
+        InputError
+            As `friction_torque`; NaN instead where `invalid` is "nan".
+        ConvergenceError
+            Likewise.
+        """
         warm = self._temperature if temperature is None else temperature
         given = np.broadcast_arrays(axial_load, radial_load, moment, inner_speed, warm)
         points = np.stack([np.asarray(each, dtype=np.float64).ravel() for each in given])

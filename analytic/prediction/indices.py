@@ -21,10 +21,10 @@ SEED = 2
 class SobolIndices(Brief):
     """Of the total at n operating points, for d inputs: each (d, n)."""
 
-    first: Array  # by the input alone
-    total: Array  # with its products with others
-    first_error: Array  # standard error
-    total_error: Array
+    first: Array  # share of the variance by the input alone
+    total: Array  # share with its products with others
+    first_error: Array  # standard error, a share
+    total_error: Array  # standard error, a share
 
 
 def indices_of(regression: Regression, scores: Array, values: Array) -> SobolIndices:

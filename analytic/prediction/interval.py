@@ -34,7 +34,7 @@ class Interval(Brief):
 
     @property
     def largest_error(self) -> float:
-        """The standard error of an end over that end, the largest of all; 0 where an end is 0."""
+        """The standard error of an end over that end, relative, the largest of all; 0 where an end is 0."""
         ends = ((self.low_error, self.low), (self.high_error, self.high))
         return float(np.max([np.divide(e, np.abs(v), out=np.zeros_like(e), where=v != 0) for e, v in ends]))
 

@@ -63,8 +63,8 @@ class Prediction(Brief):
     made_of: Mapping[str, Array]
     indices: SobolIndices
     explained: Array  # (n,) share of the variance of the total that the regression predicts for samples left out
-    samples: int  # that were asked for
-    failed: int  # of them, without a torque
+    samples: int  # number that was drawn
+    failed: int  # number of them without a torque
     reasons: tuple[str, ...]  # why
     seed: int
     seconds: float  # that all took

@@ -66,11 +66,11 @@ class UncertainInput:
     """One input that a prediction varies, SI."""
 
     key: str  # of `analytic.inputs.UNCERTAIN`; "numerical" of the numerical uncertainty
-    value: float
+    value: float  # nominal, SI
     unit: str  # "" for a pure number
-    deviation: float  # standard deviation
+    deviation: float  # standard deviation, in the unit of the value, or of its logarithm: see `analytic.inputs.Varied`
     source: str  # of the deviation
-    floor: float | None = 0.0  # as `analytic.inputs.Varied`
+    floor: float | None = 0.0  # in the unit of the value, see `analytic.inputs.Varied`
 
     @property
     def kind(self) -> Literal["numerical", "input", "model"]:
@@ -80,7 +80,18 @@ class UncertainInput:
         return "model" if self.key.startswith("model.") else "input"
 
     def at(self, score: Array) -> Array:
-        """The values at these scores, which are normal with the standard deviation 1."""
+        """The values of the input at some scores.
+
+        Parameters
+        ----------
+        score : ndarray, any shape
+            Normal, with mean 0 and standard deviation 1, dimensionless.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of score, in the unit of the input, SI.
+        """
         if self.floor is None:
             return self.value + self.deviation * score
         above = self.value - self.floor

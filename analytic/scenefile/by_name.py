@@ -163,7 +163,7 @@ def lubricant(
         Of an oil or grease of the catalog, as "ISO VG 46"; analytic.catalog.oil_names lists them; None: the other keys
         say all, as viscosity=0.03, density=870.0, base_oil="mineral".
     temperature : float or str, optional
-        K, or a text as "70 degC"; None: 40 degC, or where the viscosity is known.
+        In K, or a text as "70 degC"; None: 40 degC, or where the viscosity is known.
     viscosity : float, str or sequence of str, optional
         Pa s, or as in a scene, for example ["46 cSt at 40 degC", "6.8 cSt at 100 degC"].
     **overrides : float, str or bool
