@@ -54,9 +54,9 @@ class Validation(Brief):
     hard: tuple[HardOutcome, ...]  # empty unless they were run
     ladders: tuple[Ladder, ...]  # all of the scene's where they were measured, else the methods that the check ran
     measured: bool  # whether every ladder was measured, with repeats
-    seconds: float
+    seconds: float  # wall time of all
     peak_memory: int | None  # of the process, bytes
-    provenance: Mapping[str, Any]
+    provenance: Mapping[str, Any]  # versions, machine, date and scene, by name
     sensitivity: Sensitivity | None = None  # None: not computed
     cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
     trouble: tuple[str, ...] = ()  # met while the report was written

@@ -32,7 +32,7 @@ class CondensedBody:
 
     compliance: Array  # (m, m) m/N, symmetric
     drift: Array  # (m,) m/N, for each newton of the whole load
-    unknowns: int
+    unknowns: int  # number before condensation
 
 
 def condense(

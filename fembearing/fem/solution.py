@@ -47,7 +47,7 @@ class CondensedPair:
     """Two bodies reduced to the nodes that may touch, ready to be pressed by any load that suits their mesh."""
 
     contact: Contact
-    level: int
+    level: int  # number of the mesh of its recipe, coarse to fine
     pair: PairMesh
     upper: CondensedBody
     lower: CondensedBody
@@ -59,7 +59,7 @@ class MeshSolution:
     """A contact on one mesh. Arrays run over the nodes that may touch, of a quarter or of half the contact."""
 
     contact: Contact
-    level: int
+    level: int  # number of the mesh of its recipe, coarse to fine
     pair: PairMesh
     quantities: Quantities
     semi_axes: tuple[float, float]  # m, of the ellipse that a mesh should follow; from the side that is not cut off
@@ -68,13 +68,14 @@ class MeshSolution:
     y: Array  # (m,) transverse direction, m
     force: Array  # (m,) normal force on the meshed part, N
     pressure: Array  # (m,) Pa
-    unknowns: int
-    rounds: int  # of the active set
+    unknowns: int  # number, of both bodies
+    rounds: int  # number of rounds of the active set
     seconds: float  # of meshing and solving
     bodies: CondensedPair
 
     @property
     def upper(self) -> CondensedBody:
+        """The condensed ball, for other solutions on this mesh."""
         return self.bodies.upper
 
 

@@ -21,13 +21,13 @@ BodyName = Literal["ball", "race", "pocket wall", "half space", "ring"]
 class BodyMesh:
     """One body's mesh and the sets of nodes that carry conditions."""
 
-    name: BodyName
+    name: BodyName  # which body it is
     mesh: MeshHex2  # positions in m, frame of `fembearing.mesh`
     touching: Nodes  # (m,) nodes that may come into contact, in the same order in both bodies
-    surface: Nodes  # all nodes of the loaded surface
-    far: Nodes  # nodes that carry the far-field displacement of a half space
-    clamped: Nodes  # nodes that cannot move
-    planes: tuple[Nodes, Nodes, Nodes]  # nodes with u_x = 0, u_y = 0, u_z = 0; for u_y, half a ball has its centre
+    surface: Nodes  # numbers of all nodes of the loaded surface
+    far: Nodes  # numbers of the nodes that carry the far-field displacement of a half space
+    clamped: Nodes  # numbers of the nodes that cannot move
+    planes: tuple[Nodes, Nodes, Nodes]  # numbers of those with u_x, u_y, u_z = 0; for u_y, half a ball has its centre
 
     @property
     def pinned(self) -> bool:

@@ -44,7 +44,18 @@ class Footprint:
         return self.shoulders != UNCUT
 
     def holds(self, y: Array) -> NDArray[np.bool_]:
-        """Whether contact is possible at y, m: up to a shoulder and on it."""
+        """Whether contact is possible at a place: up to a shoulder and on it.
+
+        Parameters
+        ----------
+        y : ndarray, any shape
+            Transverse place, m.
+
+        Returns
+        -------
+        ndarray of bool
+            Of the shape of y.
+        """
         below, above = self.shoulders
         return (-(1 + ROUND_OFF) * below <= y) & (y <= (1 + ROUND_OFF) * above)
 

@@ -48,13 +48,24 @@ MEMORY_UNKNOWN = 8e9  # bytes, taken where the system does not say
 class Axis:
     """One quantity or word that varies."""
 
-    key: str
+    key: str  # of a scene, with dots
     unit: str | None  # SI; "" for a pure number, None for words and counts
     values: tuple[Value, ...]  # SI
     in_series: bool = False  # a key of [operation]: the torque model takes all its values at once
 
     def in_scene(self, index: int) -> Value:
-        """The value as it is written in a scene file."""
+        """The value as it is written in a scene file.
+
+        Parameters
+        ----------
+        index : int
+            Number of the value, from 0.
+
+        Returns
+        -------
+        float, int, str or bool
+            A number in the unit of the axis becomes a text with that unit.
+        """
         value = self.values[index]
         return f"{value!r} {self.unit}" if self.unit else value
 
@@ -67,14 +78,14 @@ class Grid:
     varies fastest.
     """
 
-    what: What
+    what: What  # is computed at each point
     document: dict[str, Any]  # of the scene
     folder: str  # base of the relative paths in the scene
     fixed: dict[str, Value]  # keys of OF_CONTACT for the whole sweep
-    samples: int | None  # of the torque's 95 % interval at each point; None: no interval
+    samples: int | None  # number for the torque's 95 % interval at each point; None: no interval
     axes: tuple[Axis, ...]
     text: str  # of the grid file
-    origin: str
+    origin: str  # the file that it was read from
 
     @property
     def order(self) -> tuple[Axis, ...]:
@@ -102,20 +113,55 @@ class Grid:
         return prod(len(axis.values) for axis in self.series)
 
     def chosen(self, variant: int) -> dict[str, int]:
-        """Key and index of each axis of `outside`."""
+        """Key and index of each axis of `outside`.
+
+        Parameters
+        ----------
+        variant : int
+            Number of a choice of these axes, from 0.
+
+        Returns
+        -------
+        dict
+            Index by key.
+        """
         shape = tuple(len(axis.values) for axis in self.outside)
         places = np.unravel_index(variant, shape) if shape else ()
         return {axis.key: int(place) for axis, place in zip(self.outside, places, strict=True)}
 
     def settings(self, variant: int) -> dict[str, Value]:
-        """Values of the keys of OF_CONTACT at one choice of the axes of `outside`."""
+        """Values of the keys of OF_CONTACT at one choice of the axes of `outside`.
+
+        Parameters
+        ----------
+        variant : int
+            Number of the choice, from 0.
+
+        Returns
+        -------
+        dict
+            SI.
+        """
         chosen = self.chosen(variant)
         return self.fixed | {a.key: a.values[chosen[a.key]] for a in self.outside if a.key in OF_CONTACT}
 
     def scene(self, variant: int) -> Scene:
         """The scene at one choice of the axes of `outside`, and at the first point of its series.
 
-        Raises InputError as `load_scene`.
+        Parameters
+        ----------
+        variant : int
+            Number of the choice, from 0.
+
+        Returns
+        -------
+        Scene
+            In SI.
+
+        Raises
+        ------
+        InputError
+            As `load_scene`.
         """
         chosen = self.chosen(variant)
         document = self.document

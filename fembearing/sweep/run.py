@@ -26,24 +26,36 @@ SHOWN_REASONS = 5
 class Sweep(Brief):
     """The outcome of a sweep."""
 
-    folder: str
+    folder: str  # where its files are
     file: str  # the dataset, netCDF
-    points: int
-    computed: int  # in this run
-    kept: int  # from runs before
-    failed: int  # of all points
-    lost: int  # of all points: their process died, and the next run tries them again
+    points: int  # number of all
+    computed: int  # number in this run
+    kept: int  # number from runs before
+    failed: int  # number without a result
+    lost: int  # number whose process died; the next run tries them again
     reasons: tuple[str, ...]  # why points failed, the first `SHOWN_REASONS` different ones
     seconds: float
 
     def to_dataset(self, *names: str) -> Any:
-        """The results as an xarray.Dataset in memory: all variables, or those of `names` that it holds."""
+        """The results as an xarray.Dataset in memory.
+
+        Parameters
+        ----------
+        *names : str
+            Of the variables; none: all of them.
+
+        Returns
+        -------
+        xarray.Dataset
+            SI, with units as attributes; of `names` those that it holds.
+        """
         import xarray  # on demand: it takes a second
 
         with xarray.open_dataset(self.file, engine="netcdf4") as dataset:
             return (dataset[[name for name in names if name in dataset]] if names else dataset).load()
 
     def to_json(self) -> dict[str, Any]:
+        """Plain types."""
         return asdict(self)
 
 

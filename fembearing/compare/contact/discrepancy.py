@@ -46,15 +46,15 @@ class ContactSolution(Brief):
     """
 
     contact: Contact
-    geometry: Shape
-    tolerance: float
+    geometry: Shape  # which shapes were meshed
+    tolerance: float  # of the verdicts, relative
     hertz: Quantities
     estimates: dict[str, Estimate]
     shoulder: dict[str, Estimate]  # keyed by the names of `ShoulderLoad`; empty where the contact ends before it
     meshes: tuple[MeshSolution, ...]  # coarse to fine
     seconds: float
-    warnings: tuple[str, ...]
-    valid: bool
+    warnings: tuple[str, ...]  # one line each
+    valid: bool  # whether the verdicts count: no sheet, and no contact beyond its shoulder
     ring: RingStructure | None = None  # part of no quantity and not judged; None where not computed
     corrected: CorrectedHertz | None = None  # None outside the range of the correction's fit
     approach_curve: ApproachCurve
@@ -101,6 +101,7 @@ class ContactSolution(Brief):
 
     @property
     def verdicts(self) -> dict[str, Verdict]:
+        """The verdict on each of the five quantities, by its name."""
         return {
             name: verdict_on(getattr(self.hertz, name), part, tolerance=self.tolerance, valid=self.valid)
             for name, part in self.estimates.items()
@@ -157,7 +158,18 @@ class ContactSolution(Brief):
         return 3 * self.contact.load / (4 * self.hertz.semi_axis_transverse)
 
     def write_meshes(self, folder: Path) -> dict[str, Path]:
-        """Write both bodies of the finest mesh with the pressure, Pa, as .vtu; returns "upper" and "lower" paths."""
+        """Write both bodies of the finest mesh with the pressure, Pa, as .vtu.
+
+        Parameters
+        ----------
+        folder : Path
+            Where both files go.
+
+        Returns
+        -------
+        dict
+            The paths, by "upper" and "lower".
+        """
         finest, written = self.meshes[-1], {}
         for side, body in (("upper", finest.pair.upper), ("lower", finest.pair.lower)):
             pressure = np.zeros(body.mesh.doflocs.shape[1])
@@ -215,7 +227,7 @@ class ContactSolution(Brief):
         }
 
     def columns(self) -> dict[str, float]:
-        """The values of `fembearing.compare.contact.columns.COLUMNS`."""
+        """The values of `fembearing.compare.contact.columns.COLUMNS`, SI."""
         return {
             "load": self.contact.load,
             "contact_angle": self.contact.contact_angle,

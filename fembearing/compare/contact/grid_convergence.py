@@ -27,25 +27,25 @@ SETTLES = 0.5  # meshes converge if the last change is below this share of the o
 class Estimate:
     """A quantity on its meshes, with its uncertainties as relative half-widths."""
 
-    values: tuple[float, ...]  # coarse to fine
+    values: tuple[float, ...]  # coarse to fine, in the unit of the quantity
     order: float | None  # observed; None where the values are not monotonic or diverge
     richardson: float | None  # extrapolated, from `corrected` where given; None where the order is not reliable
-    mesh: float  # from the meshes
+    mesh: float  # relative, from the meshes
     settled: bool = True  # whether the meshes converge
     index: float | None = None  # Roache's grid-convergence index, relative: shown with `mesh`, part of no interval
     beyond: float = 0.0  # share by which an infinite meshed region would raise the value
     sides: float = 0.0  # share by which the true shoulders and lands raise the value, where a symmetric part is meshed
-    domain: float = 0.0  # from the size of the meshed region and from the sides
+    domain: float = 0.0  # relative, from the size of the meshed region and from the sides
     corrected: tuple[float, ...] = ()  # `values` less the error that a twin shows; empty on plain levels
 
     @property
     def limit(self) -> float:
-        """The value for vanishing cells; on the finest mesh where it is not extrapolated."""
+        """The value for vanishing cells, in the unit of the quantity; if not extrapolated, on the finest mesh."""
         return self.values[-1] if self.richardson is None else self.richardson
 
     @property
     def value(self) -> float:
-        """The value for vanishing cells, an infinite region and the true sides."""
+        """The value for vanishing cells, an infinite region and the true sides, in the unit of the quantity."""
         return self.limit * (1 + self.beyond) * (1 + self.sides)
 
     @property
@@ -56,7 +56,7 @@ class Estimate:
 
     @property
     def total(self) -> float:
-        """The sum of mesh and domain uncertainty, as they may depend on each other."""
+        """The sum of mesh and domain uncertainty, relative, as they may depend on each other."""
         return self.mesh + self.domain
 
 

@@ -75,6 +75,7 @@ class LoadPoint:
 
     @property
     def hertz_tangent(self) -> float:
+        """dF/d(delta) by Hertz, N/m: 1.5 times load over approach."""
         return 1.5 * self.load / self.hertz_approach
 
 
@@ -83,15 +84,15 @@ class LoadSeries(Brief):
     """A contact under a series of loads, in the order given."""
 
     contact: Contact  # under the first load
-    geometry: Geometry
-    tolerance: float
+    geometry: Geometry  # which shapes were meshed
+    tolerance: float  # of the verdicts, relative
     points: tuple[LoadPoint, ...]
     law: StiffnessLaw | None  # None for a single load
     hertz_stiffness: float  # K of Hertz, N/m^1.5
     solutions: tuple[MeshSolution, ...]  # on the finest level, in the order of the points
     seconds: float
     peak_memory: int | None  # of the process when the series was solved, bytes
-    warnings: tuple[str, ...]
+    warnings: tuple[str, ...]  # one line each
 
     def _facts(self) -> Iterator[str]:
         yield from (self.contact.pair, self.geometry, f"{span([point.load for point in self.points])} N")

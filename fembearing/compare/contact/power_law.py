@@ -25,16 +25,27 @@ class StiffnessLaw:
     stiffness: float  # K, N/m^n: extrapolated to 1 m, to be used only with n
     exponent: float  # n
     stiffness_uncertainty: float | None  # of K, relative half-width, 95 %: large, as 1 m is far from any approach
-    misfit: float | None  # uncertainty of n from the deviation of the loads from a power law
-    propagated: float  # uncertainty of n from uncertain approaches
+    misfit: float | None  # of the exponent, from the deviation of the loads from a power law
+    propagated: float  # of the exponent, from uncertain approaches
 
     @property
     def exponent_uncertainty(self) -> float | None:
-        """Half-width, 95 %, absolute: the sum of both parts, as they may depend on each other."""
+        """Half-width of the exponent, 95 %, absolute: the sum of both parts, as they may depend on each other."""
         return None if self.misfit is None else self.misfit + self.propagated
 
     def load(self, approach: ArrayLike) -> Array:
-        """Load, N, at approaches of any shape, m."""
+        """Load of the fitted law.
+
+        Parameters
+        ----------
+        approach : array_like, any shape
+            delta, m.
+
+        Returns
+        -------
+        ndarray
+            F, N, of the shape of approach.
+        """
         return self.stiffness * np.asarray(approach, dtype=np.float64) ** self.exponent
 
 

@@ -29,17 +29,17 @@ DIGITS = (0.1, 0.01, 0.001, 0.0001)  # tolerances whose choices are shown, whate
 class Method:
     """A method to compute a quantity, compared with the others of its ladder."""
 
-    name: str
+    name: str  # as readers see it
     error: float | None  # worst relative deviation from the reference; None for the reference and without one
     bound: float | None = None  # on the true error, relative, known without the reference; None: unknown
     seconds: float | None  # median of the repeats; None if it failed
     spread: float | None  # longest less shortest repeat, s
-    repeats: int
+    repeats: int  # number of timed runs
     warm_up: float | None = None  # s, of the first call, which is in no repeat
     predicted: float | None = None  # s, of a mesh, predicted before it was solved
     memory: int | None  # largest resident memory of the process while it ran, bytes; see `memory.peak_while`
-    unknowns: int | None = None  # of a mesh
-    known_error: float | None = None  # compared with a tolerance, see `known_error`; None: unknown
+    unknowns: int | None = None  # number, of a mesh
+    known_error: float | None = None  # relative, compared with a tolerance, see `known_error`; None: unknown
     chosen: bool = False  # the cheapest within the tolerance
     failed: str | None = None  # why it gave no answer, in one line
 
@@ -70,7 +70,7 @@ class Choice:
 class Ladder:
     """The methods for one quantity, from cheap to exact."""
 
-    quantity: str
+    quantity: str  # what the methods compute
     reference: str  # what the errors are relative to
     methods: tuple[Method, ...]
     absent: str | None = None  # why the scene has no such ladder; then there are no methods
@@ -81,7 +81,18 @@ class Ladder:
         return next((method for method in self.methods if method.chosen), None)
 
     def choose(self, tolerance: float) -> Method | None:
-        """The cheapest method whose error is known to be within `tolerance`, relative; None where none is."""
+        """The cheapest method whose error is known to be within a tolerance.
+
+        Parameters
+        ----------
+        tolerance : float
+            Relative.
+
+        Returns
+        -------
+        Method or None
+            None where there is none.
+        """
         within = [
             (method.seconds, number)
             for number, method in enumerate(self.methods)
@@ -101,6 +112,7 @@ class Ladder:
         )
 
     def to_json(self) -> dict[str, Any]:
+        """Plain types, SI."""
         return {
             "quantity": self.quantity,
             "reference": self.reference,

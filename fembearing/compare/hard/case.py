@@ -36,9 +36,9 @@ class HardCase:
 class HardOutcome:
     """How a case ended. "refused" is right too, for a case whose answer is a refusal."""
 
-    case: str
-    outcome: Outcome
-    detail: str
+    case: str  # its name
+    outcome: Outcome  # how it ended
+    detail: str  # numbers, or the message of a refusal
 
 
 def outcome_of(case: HardCase) -> HardOutcome:

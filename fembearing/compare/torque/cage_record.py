@@ -27,7 +27,7 @@ class CageRecord(Brief):
     """A cage that moved at one operating point."""
 
     scene: Scene
-    point: int  # from 1
+    point: int  # number of the operating point, from 1
     cage: DrivenCage
     statistics: CageStatistics  # of all seeds
     series: CageSeries  # of one seed, from its beginning
@@ -35,14 +35,22 @@ class CageRecord(Brief):
 
     @property
     def measured(self) -> np.ndarray:
-        """(n,) instants after the start-up."""
+        """(n,) whether an instant comes after the start-up, dimensionless."""
         return self.series.time > self.start_up
 
     def drawn(self, *, most: int | None = None) -> dict[str, Any]:
-        """Orbit and forces of this motion, and the statistics of all seeds, as plain types for a figure, SI.
+        """Orbit and forces of this motion, and the statistics of all seeds, as plain types for a figure.
 
-        most : instants of the orbit and of the forces; a force is then the greatest of those that it stands for. None:
-            all of them
+        Parameters
+        ----------
+        most : int, optional
+            Number of instants of the orbit and of the forces; a force is then the greatest of those that it stands for.
+            None: all of them.
+
+        Returns
+        -------
+        dict
+            SI.
         """
         series, statistics, after = self.series, self.statistics, self.measured
         angle = np.linspace(0, 2 * np.pi, 1 + DIRECTIONS)

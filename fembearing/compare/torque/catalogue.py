@@ -17,7 +17,7 @@ class BesideCatalogue(Brief):
     """The band of the models, or the reason for which there is none."""
 
     band: CatalogueBand | None  # arrays (n,), N m
-    note: str
+    note: str  # why there is no band, or what to know of it
 
     def to_json(self) -> dict[str, Any]:
         """Plain types, SI; low and high are None where there is no band."""

@@ -43,7 +43,7 @@ class FittedChange(Brief):
     torque: FrictionTorque  # of the races
     relative: Array  # (n,) of the production's total; NaN where the correction does not reach
     uncertainty: Array  # (n,) of that change, from the factors' uncertainties, 95 %
-    warnings: tuple[str, ...]
+    warnings: tuple[str, ...]  # where a contact is outside the range of the fit
 
     def to_json(self) -> dict[str, Any]:
         """Lists over the operating points; change and uncertainty relative; None where it does not reach."""
@@ -80,7 +80,7 @@ class TorqueChange(Brief):
 
     @property
     def is_solved(self) -> np.ndarray:
-        """(n,) operating points at the ball load that was solved: elsewhere nothing is known of the change."""
+        """(n,) whether a point has the ball load that was solved, dimensionless: elsewhere the change is unknown."""
         load = self.own.ball_load
         return load >= (1 - SAME_LOAD) * load.max()
 
@@ -95,9 +95,17 @@ class TorqueChange(Brief):
         return np.where(self.is_solved, _total(self.production, self.own, self.corrected), np.nan)
 
     def relative(self, part: str) -> Array | None:
-        """Change of a part over that part, of the total over the production's; NaN where no contact was solved.
+        """Change of a part of the torque over that part, of the total over the production's.
 
-        None where the part was left out.
+        Parameters
+        ----------
+        part : str
+            A field of `TorqueParts`, or "total".
+
+        Returns
+        -------
+        ndarray, shape (n,), or None
+            Relative; NaN where no contact was solved, None where the part was left out.
         """
         if part == "total":
             return _change(self.total, self.production.torque.total)

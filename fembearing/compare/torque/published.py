@@ -42,7 +42,7 @@ class Printed:
 class Compared(Printed):
     """A number of the paper with that of the scene."""
 
-    ours: float
+    ours: float  # the scene's number, SI
     deviation: float  # from the paper's, relative
 
 
@@ -50,7 +50,7 @@ class Compared(Printed):
 class Chosen:
     """An input that the paper does not give, as the scene has it."""
 
-    value: float
+    value: float  # SI
     unit: str  # SI
 
 
@@ -58,7 +58,7 @@ class Chosen:
 class BesidePaper:
     """The numbers of the paper that a scene of the same case has too, at its own speeds and roughness."""
 
-    paper: str
+    paper: str  # its title
     absent: str | None  # why no number of the scene is compared
     calibration: str | None  # what was chosen until it came out, in the scene's words
     chosen: dict[str, Chosen]

@@ -28,7 +28,7 @@ RACES: tuple[Literal["inner", "outer"], ...] = ("inner", "outer")
 class Output:
     """What the inputs change."""
 
-    quantity: Literal["total_torque", "peak_pressure"]
+    quantity: Literal["total_torque", "peak_pressure"]  # what is compared
     pair: Literal["inner", "outer"] | None  # None of a torque
     inner_speed: float | None  # rad/s, None of a pressure, which is the heaviest ball's at any point
     axial_load: float | None  # N, likewise
@@ -41,19 +41,19 @@ class Output:
 class Input:
     """One input with its range, SI, and what its ends do to each output, relative; None at an end that is refused."""
 
-    name: str
+    name: str  # as readers see it
     unit: str  # of the next three; "1" without a dimension
-    value: float  # the scene's
-    low: float
-    high: float
+    value: float  # the scene's, SI
+    low: float  # end of the range, SI
+    high: float  # end of the range, SI
     source: str  # of the range
-    change_low: tuple[float, ...] | None  # of each output
-    change_high: tuple[float, ...] | None
+    change_low: tuple[float, ...] | None  # of each output, relative
+    change_high: tuple[float, ...] | None  # of each output, relative
     refused: tuple[str, ...]  # why an end was
 
     @property
     def swing(self) -> float:
-        """The largest change of any output."""
+        """The largest change of any output, relative."""
         changes = [*(self.change_low or ()), *(self.change_high or ())]
         return max(map(abs, changes), default=0.0)
 
