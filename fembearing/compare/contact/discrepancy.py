@@ -59,7 +59,7 @@ class ContactSolution(Brief):
     corrected: CorrectedHertz | None = None  # None outside the range of the correction's fit
     approach_curve: ApproachCurve
     pressure_profile: Profiles
-    refinement: Refinement = "levels"
+    refinement: Refinement = "levels"  # how the error of the meshes was removed
     peak_memory: int | None  # of the process when the contact was solved, bytes
 
     def _facts(self) -> Iterator[str]:
@@ -205,18 +205,7 @@ class ContactSolution(Brief):
             ],
             "ring": None if self.ring is None else self.ring.to_json(),
             "convergence": {
-                name: {
-                    "values": list(part.values),
-                    "order": part.order,
-                    "grid_convergence_index": part.index,
-                    "formal_order": self.formal_orders[name],
-                    "richardson": part.richardson,
-                    "corrected": list(part.corrected),
-                    "mesh": part.mesh,
-                    "beyond": part.beyond,
-                    "sides": part.sides,
-                    "domain": part.domain,
-                }
+                name: part.to_json() | {"formal_order": self.formal_orders[name]}
                 for name, part in self.estimates.items()
             },
             "pressure_profile": plain(self.pressure_profile),

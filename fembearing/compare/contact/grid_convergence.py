@@ -6,6 +6,7 @@ the index; [Celik2008] for the observed order at unequal ratios. The formulas ar
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -36,7 +37,7 @@ class Estimate:
     beyond: float = 0.0  # share by which an infinite meshed region would raise the value
     sides: float = 0.0  # share by which the true shoulders and lands raise the value, where a symmetric part is meshed
     domain: float = 0.0  # relative, from the size of the meshed region and from the sides
-    corrected: tuple[float, ...] = ()  # `values` less the error that a twin shows; empty on plain levels
+    corrected: tuple[float, ...] = ()  # `values` without the error that a twin shows, in their unit; empty without twin
 
     @property
     def limit(self) -> float:
@@ -58,6 +59,20 @@ class Estimate:
     def total(self) -> float:
         """The sum of mesh and domain uncertainty, relative, as they may depend on each other."""
         return self.mesh + self.domain
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain types: values in the unit of the quantity, uncertainties relative."""
+        return {
+            "values": list(self.values),
+            "order": self.order,
+            "grid_convergence_index": self.index,
+            "richardson": self.richardson,
+            "corrected": list(self.corrected),
+            "mesh": self.mesh,
+            "beyond": self.beyond,
+            "sides": self.sides,
+            "domain": self.domain,
+        }
 
 
 def estimate(
