@@ -14,7 +14,6 @@ from analytic.free_ball.layout import (
     BOUNDARY,
     EYRING,
     FLEXIBILITY,
-    FLUIDITY,
     FRICTION,
     INERTIA,
     LAW_POWER,
@@ -30,68 +29,18 @@ from analytic.free_ball.layout import (
     RADIUS,
     RING,
     ROLLING,
-    SHARE,
     SPIN_POWER,
     TRANSVERSE,
     UNIT_POWER,
 )
+from analytic.free_ball.stress import fluidity_of, sheared, yielding
 from analytic.numerics.compilation import compiled
 
-SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
 LEAST_TANGENT = 1e-14  # of the trace of the tangent
 LEAST_SHARE = 1e-4  # of a Newton step
 HARDER = 10.0  # between two stages of a ball whose Newton's method stalls
 STAGES = 6
-
-
-@compiled(inline=True)
-def _yielding(slip, steady, limit, eyring, fluidity):
-    """Stress of a point that slides, and its slope: steady + min(eyring asinh(fluidity slip), limit)."""
-    if eyring == 0.0:
-        return steady, 0.0
-    if fluidity > SOLID:
-        return steady + limit, 0.0
-    rate = fluidity * slip
-    oil = eyring * np.arcsinh(rate)
-    if oil >= limit:
-        return steady + limit, 0.0
-    return steady + oil, eyring * fluidity / np.sqrt(1.0 + rate * rate)
-
-
-@compiled(inline=True)
-def _sheared(reach, compliance, steady, limit, eyring, fluidity):
-    """Stress and slope of a point whose surfaces would slip by `reach` without stress: g + compliance T(g) = reach."""
-    if eyring == 0.0:
-        limit = 0.0
-    elif fluidity > SOLID:
-        steady, eyring = steady + limit, 0.0
-    if reach <= compliance * steady:
-        return reach / compliance, 1.0 / compliance
-    slip = reach - compliance * (steady + limit)
-    if eyring == 0.0 or (slip > 0.0 and eyring * np.arcsinh(fluidity * slip) >= limit):
-        return steady + limit, 0.0
-    # sinh(y)/fluidity + compliance eyring y = rest rises and is convex: from the right Newton cannot overshoot.
-    rest = reach - compliance * steady
-    y = min(np.arcsinh(fluidity * rest), rest / (compliance * eyring))
-    for _ in range(50):
-        value = np.sinh(y) / fluidity + compliance * eyring * y - rest
-        step = value / (np.cosh(y) / fluidity + compliance * eyring)
-        y -= step
-        if step <= 1e-14 * y:
-            break
-    slope = eyring * fluidity / np.cosh(y)
-    return steady + eyring * y, slope / (1.0 + compliance * slope)
-
-
-@compiled(inline=True)
-def _fluidity(law, pressure, table, spacing):
-    """Slip times this is the rate of shear over the rate at the Eyring stress; table : ln of the oil's thickening."""
-    if law[EYRING] == 0.0:
-        return 0.0
-    place = law[SHARE] * pressure / spacing
-    index = min(int(place), table.shape[0] - 2)
-    return law[FLUIDITY] * np.exp(table[index] + (place - index) * (table[index + 1] - table[index]))
 
 
 @compiled(inline=True)
@@ -109,9 +58,9 @@ def _strip_closed(law, slip, along, spread):
         pressure, area, x = middle * cosines[k], weights[k] * half * cosines[k], flow * half * sines[k]
         across = lateral + spin * x
         size = max(np.sqrt(slide * slide + across * across), NO_SLIP)
-        fluidity = _fluidity(law, pressure, table, spacing)
+        fluidity = fluidity_of(law, pressure, table, spacing)
         steady = law[BOUNDARY] * pressure + law[PLAIN]
-        stress, slope = _yielding(size, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
+        stress, slope = yielding(size, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
         unit += area * pressure * size
         law_power += area * stress * size
         if stress == 0.0:
@@ -161,9 +110,9 @@ def _strip_marched(law, slip, along, spread):
         reach_y = lateral + spin * acting + from_last * stress_y - from_older * older_y
         reach = max(np.sqrt(reach_x * reach_x + reach_y * reach_y), NO_SLIP)
         older_x, older_y = stress_x, stress_y
-        fluidity = _fluidity(law, pressure, table, spacing)
+        fluidity = fluidity_of(law, pressure, table, spacing)
         steady = law[BOUNDARY] * pressure + law[PLAIN]
-        stress, slope = _sheared(reach, compliance, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
+        stress, slope = sheared(reach, compliance, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
         e_x, e_y, over = reach_x / reach, reach_y / reach, stress / reach
         stress_x, stress_y = stress * e_x, stress * e_y
         xx, xy = over + (slope - over) * e_x * e_x, (slope - over) * e_x * e_y
@@ -183,7 +132,7 @@ def _strip_marched(law, slip, along, spread):
         np_, nl, nn = np_ + area * yp * x, nl + area * yl * x, nn + area * yn * x
         across = lateral + spin * x
         size = np.sqrt(slide * slide + across * across)
-        without, _ = _yielding(size, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
+        without, _ = yielding(size, steady, law[LIMIT] * pressure, law[EYRING], fluidity)
         law_power += area * without * size
         unit += area * pressure * size
         friction += area * stress
@@ -358,10 +307,10 @@ def _newton(contacts, ball, velocity, passing, quadrature, tolerance, outcome):
                 break
             share *= 0.5
         if share < LEAST_SHARE:
+            _residual(contacts, ball, velocity, passing, quadrature, outcome, (force, tangent))  # not the trial's
             break
         velocity[:], force[:], tangent[:] = trial, trial_force, trial_tangent
         friction = tried
-    _residual(contacts, ball, velocity, passing, quadrature, outcome, (force, tangent))
     return np.sqrt(np.sum(force * force)) / friction
 
 

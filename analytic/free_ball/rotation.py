@@ -57,7 +57,7 @@ from analytic.free_ball.layout import (
 )
 from analytic.loads.kinematics import BallKinematics, ball_kinematics
 from analytic.loads.turning import PlacedBalls, TurningForces
-from analytic.oil.traction import PointLaw, Traction, log_thickening
+from analytic.oil.traction import PointLaw, Traction, log_thickenings
 from analytic.scene import Array, Bearing
 
 Creep = Literal["none", "closed", "marched"]
@@ -299,7 +299,7 @@ class FreeTurning:
         peak = np.divide(1.5 * contacts[..., LOAD], np.pi * area, out=np.zeros_like(area), where=area > 0)
         highest = 1.01 * float(np.max(peak * contacts[..., SHARE], initial=1.0))
         pressures = np.linspace(0.0, highest, PRESSURES)
-        return np.array([log_thickening(*self.thickening, pressure) for pressure in pressures]), float(pressures[1])
+        return log_thickenings(*self.thickening, pressures), float(pressures[1])
 
 
 def _numbers(law: PointLaw, speed: Array, shape: tuple[int, ...]) -> Array:

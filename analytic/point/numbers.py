@@ -46,6 +46,7 @@ class Counted(NamedTuple):
     spin: bool
     conformity: bool
     oil: bool  # there is one
+    hysteresis: bool
     rolling: bool  # resistance of the oil to it
     cage: bool
 
@@ -147,7 +148,7 @@ def point_model(scene: Scene, counted: Counted, variation: Variation = NOMINAL) 
             quadrature=quadrature_of((12, 8)),
             coefficient=np.nan if given is None else float(given),
         ),
-        hysteresis_loss=float(scene.hysteresis_loss or 0.0),
+        hysteresis_loss=float(scene.hysteresis_loss or 0.0) * counted.hysteresis,
         cage=NO_CAGE if scene.cage is None else _cage(scene, scene.cage),
         declared=float(declared_torque(scene.losses) or 0.0),
     )

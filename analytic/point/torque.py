@@ -105,6 +105,8 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
     spin = conformity = hysteresis = rolling = 0.0
     orbit = own = angles = lead = time = 0.0
     for j in range(balls):
+        if counted.cage and load.speed != 0.0 and max(point.load[0, j], point.load[1, j]) == 0.0:
+            return NO_TORQUE  # nothing turns this ball, and it cannot drive the cage
         inner, outer = point.angle[0, j], point.angle[1, j]
         motion = ruled_motion(bearing, 1.0, inner, outer)
         side = -1.0 if inner + outer < 0.0 else 1.0

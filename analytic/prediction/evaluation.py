@@ -6,6 +6,7 @@ from time import perf_counter
 import numpy as np
 
 from analytic.errors import FembearingError
+from analytic.point.settled import settled_parts
 from analytic.prediction.spreads import NUMERICAL, UncertainInput
 from analytic.prediction.variants import varied_scene
 from analytic.result import FrictionTorque, TorqueParts
@@ -44,16 +45,10 @@ def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInp
         source = "bound or estimate by the model of its own computation, as two standard deviations"
         largest = float(numerical.max())
         inputs = (*inputs, UncertainInput(key=NUMERICAL, value=1.0, unit="", deviation=largest, source=source))
-    begun = perf_counter()
-    friction_torque(settled)  # the first torque of a process takes longer, as it compiles
-    return Problem(
-        scene=settled,
-        inputs=inputs,
-        numerical=numerical,
-        parts=tuple(names),
-        held=held,
-        seconds=perf_counter() - begun,
-    )
+    problem = Problem(scene=settled, inputs=inputs, numerical=numerical, parts=tuple(names), held=held, seconds=0.0)
+    nothing = np.zeros((1, len(inputs)))
+    evaluated(problem, nothing)  # the first one of a process takes longer, as it loads what it computes with
+    return replace(problem, seconds=evaluated(problem, nothing)[2])
 
 
 def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]:
@@ -69,7 +64,7 @@ def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]
         values.pop(NUMERICAL, None)
         try:
             scene, variation = varied_scene(problem.scene, values)
-            parts = friction_torque(scene, variation=variation).torque
+            parts = settled_parts(scene, variation) or friction_torque(scene, variation=variation).torque
         except FembearingError as failure:
             reasons.append(str(failure))
             continue

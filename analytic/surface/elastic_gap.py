@@ -9,8 +9,8 @@ Gaps are over sigma, the rms height; pressures over E* slope, with slope = sqrt(
 """
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
-from typing import NamedTuple
+from functools import cache, cached_property, lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -181,7 +181,6 @@ def gap_between(curve: GapCurve, *, moments: SpectralMoments, modulus: float) ->
     return ElasticGap(curve=curve, sigma=moments.rms_roughness, log_scale=scale)
 
 
-@lru_cache(maxsize=64)
 def declared_gap_curve(autocorrelation: Autocorrelation) -> GapCurve:
     """The mean over generated Gaussian surfaces, from the catalog.
 
@@ -189,19 +188,34 @@ def declared_gap_curve(autocorrelation: Autocorrelation) -> GapCurve:
     beyond the widest and the finest, theirs.
     """
     require_positive(length=autocorrelation.length, spacing=autocorrelation.spacing)
-    table = catalog.entry("corrections", "elastic_gap")
-    curves = sorted((c for c in table["curve"] if c["kind"] == autocorrelation.kind), key=lambda c: c["spacing"])
+    curves = _stored_curves(autocorrelation.kind)
     if not curves:
         raise InputError(f"autocorrelation.kind must be gaussian or exponential, got {autocorrelation.kind!r}")
     spacing, at = autocorrelation.spacing / autocorrelation.length, np.log([c["spacing"] for c in curves])
-    weights = np.array([np.interp(np.log(spacing), at, row) for row in np.eye(len(curves))])
+    weights = tuple(float(np.interp(np.log(spacing), at, row)) for row in np.eye(len(curves)))
+    return _mean_curve(autocorrelation.kind, weights)
+
+
+@lru_cache(maxsize=64)
+def _mean_curve(kind: str, weights: tuple[float, ...]) -> GapCurve:
+    table, curves = _table(), _stored_curves(kind)
     return GapCurve(
         knots=np.log(table["pressure"]),
-        gaps=weights @ np.log([c["gap"] for c in curves]),
-        spreads=weights @ np.array([c["spread"] for c in curves]),
-        areas=weights @ np.array([c["area_fraction"] for c in curves]),
+        gaps=np.array(weights) @ np.log([c["gap"] for c in curves]),
+        spreads=np.array(weights) @ np.array([c["spread"] for c in curves]),
+        areas=np.array(weights) @ np.array([c["area_fraction"] for c in curves]),
         width=table["width"],
     )
+
+
+def _stored_curves(kind: str) -> list[dict[str, Any]]:
+    """From the finest spacing to the widest."""
+    return sorted((c for c in _table()["curve"] if c["kind"] == kind), key=lambda c: c["spacing"])
+
+
+@cache
+def _table() -> dict[str, Any]:
+    return catalog.entry("corrections", "elastic_gap")
 
 
 def measured_gap_curve(height_map: HeightMap) -> GapCurve:

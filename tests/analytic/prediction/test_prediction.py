@@ -1,6 +1,7 @@
 """The interval of real scenes: closed forms where the torque is linear, workers, spreads and messages."""
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -213,13 +214,12 @@ def test_samples_without_a_torque_are_counted_and_too_many_are_refused(monkeypat
     seals = 4e-3 * np.exp(1.5 / 4 * np.array([2.4, 1.0]))  # beyond them 0.8 % and 16 % of the samples
 
     def failing(limit: float) -> None:
-        def torque(scene: Scene, *, variation: Variation | None = None) -> object:
-            assert scene.losses.seals is not None
-            if scene.losses.seals > limit:
+        def varied(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Variation]:
+            if values["losses.seals"] > limit:
                 raise InputError("the seal is stuck")
-            return friction_torque(scene) if variation is None else friction_torque(scene, variation=variation)
+            return varied_scene(scene, values)
 
-        monkeypatch.setattr(evaluation, "friction_torque", torque)
+        monkeypatch.setattr(evaluation, "varied_scene", varied)
 
     failing(seals[0])
     found = predict(dry(**SPREADS), samples=128, workers=1)
