@@ -20,6 +20,7 @@ from typing import Any, TypeVar, cast, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from analytic.errors import StorageError
 from analytic.numerics import machine_code
 from analytic.numerics.machine_code import Kind, MachineCode
 
@@ -94,7 +95,7 @@ class Compiled:
             made = _compile(self, kinds)
             try:
                 machine_code.keep(made, name, key)
-            except OSError as problem:
+            except (OSError, StorageError) as problem:
                 _say(
                     f"compiled formulas cannot be kept ({problem}), so that every start compiles them again; give a "
                     f"folder that can be written in {machine_code.FOLDER}"

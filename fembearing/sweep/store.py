@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from analytic.errors import InputError
+from analytic.writing import remove_leftovers, replaced_file
 from fembearing.sweep.grid import Grid
 from fembearing.sweep.parts import Part, Piece
 
@@ -31,6 +32,7 @@ except ImportError:  # Windows: the user has to ensure that no other sweep works
 GRID, DONE, RESULT = "sweep.json", "done.json", "sweep.nc"
 BYTES = "bytes"  # size of the result, which shows whether it is still complete
 PARTS, LOCK = "parts", ".lock"
+KEPT = ": what is done is kept, and the same sweep continues"
 HEIGHT_MAP = "surface.height_map.path"
 DIGITS = 32  # of a hash in a file name
 
@@ -54,7 +56,9 @@ class Store:
         arrays: dict[str, Any] = {f"column {name}": values for name, values in part.columns.items()}
         arrays |= {f"word {name}": values for name, values in part.words.items()}
         np.savez(content, allow_pickle=False, notes=np.array(json.dumps(notes)), **arrays)
-        _write_whole(self.path(piece), lambda file: file.write_bytes(content.getvalue()))
+        path = self.path(piece)
+        path.parent.mkdir(exist_ok=True)
+        _write(path, content.getvalue())
 
     def load(self, piece: Piece, names: Container[str] | None = None) -> Part | None:
         """The results of a piece; only the columns of `names` if given.
@@ -81,12 +85,13 @@ class Store:
     def keep_result(self, write: Callable[[Path], Any]) -> None:
         """Write the result by a function that takes its path."""
         (self.folder / DONE).unlink(missing_ok=True)
-        _write_whole(self.folder / RESULT, write)
+        with replaced_file(self.folder / RESULT, besides=KEPT) as file:
+            write(file)
 
     def finish(self, outcome: dict[str, Any]) -> None:
         """Record the outcome of a complete sweep, so that a later run need not compute anything."""
         text = json.dumps(outcome | {BYTES: (self.folder / RESULT).stat().st_size}, indent=1)
-        _write_whole(self.folder / DONE, lambda file: file.write_text(text, "utf-8"))
+        _write(self.folder / DONE, text.encode())
 
     def finished(self) -> dict[str, Any] | None:
         """The outcome of a complete sweep; None where pieces are missing or the result has changed."""
@@ -120,29 +125,15 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
             _require_same(_read_json(description), hashes, place)
         else:
             text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
-            _write_whole(description, lambda file: file.write_text(text, "utf-8"))
+            _write(description, text.encode())
+        for place_of_files in (folder, folder / PARTS):
+            remove_leftovers(place_of_files)
         yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
 
 
-def _write_whole(path: Path, write: Callable[[Path], Any]) -> None:
-    """Write a file under a temporary name and rename it when it is complete.
-
-    The temporary name is always the same, so that a later write replaces what a killed process left. Raises InputError
-    where the file cannot be written.
-    """
-    apart = path.with_name(f".{path.name}")
-    try:
-        path.parent.mkdir(exist_ok=True)
-        write(apart)
-        apart.replace(path)
-    except (OSError, RuntimeError) as problem:  # RuntimeError: netCDF's error for a full disk
-        reason = getattr(problem, "strerror", None) or problem
-        raise InputError(
-            f"{str(path)!r} cannot be written: {reason}; free some space: what is done is kept, and the same sweep "
-            "continues"
-        ) from problem
-    finally:
-        apart.unlink(missing_ok=True)
+def _write(path: Path, content: bytes) -> None:
+    with replaced_file(path, besides=KEPT) as file:
+        file.write_bytes(content)
 
 
 def _hashes(grid: Grid) -> dict[str, str]:

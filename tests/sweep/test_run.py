@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from analytic import catalog
-from analytic.errors import InputError
+from analytic.errors import InputError, StorageError
 from analytic.prediction.prediction import predict
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
@@ -180,7 +180,7 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path:
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (space, limits[1]))
     try:
-        with pytest.raises(InputError, match=r"cannot be written: .*; free some space: what is done is kept") as found:
+        with pytest.raises(StorageError, match=r"cannot be written: .*; raise .*: what is done is kept") as found:
             run_sweep(path, out=out)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)

@@ -8,8 +8,9 @@ from types import MappingProxyType
 from typing import Any
 
 from analytic.errors import InputError
+from analytic.writing import remove_leftovers, replaced_file
 from fembearing.report.document.read import read_report
-from fembearing.report.page.write import MARK, write_page
+from fembearing.report.page.write import MARK, page_of
 
 PAGE = "report.html"
 NO_DETAILS: Mapping[str, str] = MappingProxyType({})
@@ -42,16 +43,10 @@ def rebuild_page(numbers: Path, *, out: Path | None = None, details: Mapping[str
     place = f"--out {str(target)!r}"
     if os.path.lexists(target) and not _is_page(target):
         raise InputError(f"{place} exists and is no page of fembearing: give another name, or remove it first")
-    temporary = target.with_name(f".{target.name}-{os.getpid()}")
-    try:
-        write_page(document, folder=numbers.parent, file=temporary)
-        temporary.replace(target)
-    except OSError as problem:
-        raise InputError(
-            f"{place} cannot be written: {problem.strerror}; give a file in a folder of yours"
-        ) from problem
-    finally:
-        temporary.unlink(missing_ok=True)
+    page = page_of(document, numbers.parent)
+    remove_leftovers(target.parent)
+    with replaced_file(target) as file:
+        file.write_bytes(page.encode())
     missing = (picture.file for picture in document.pictures if not (numbers.parent / picture.file).is_file())
     return RebuiltPage(file=target, missing=tuple(missing))
 

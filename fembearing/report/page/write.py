@@ -31,13 +31,13 @@ GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
 
 
-def write_page(document: Report, *, folder: Path, file: Path) -> None:
-    """Write the page.
+def page_of(document: Report, folder: Path) -> str:
+    """The page.
 
     folder : where the pictures of the document lie; the page says which of them is missing
     """
     appendices = appendices_of(document)
-    page = filled(
+    return filled(
         "page.html",
         document=document,
         generator=GENERATOR,
@@ -65,4 +65,3 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
         hard_grid=hard_grid(document),
         next_section=next_section(document),
     )
-    file.write_text(page, "utf-8", newline="\n")

@@ -1,12 +1,11 @@
 """Off-screen pictures by VTK, in a process of their own: python -m fembearing.report.pictures.render < jobs.json
 
 Where a machine has no GL library VTK ends the process instead of raising, so nothing else may live in it. The jobs
-are those of `fembearing.report.pictures.draw`; each picture is one PNG, or one page to turn it in, whole or not at all.
+are those of `fembearing.report.pictures.draw`; each picture is one PNG, or one page to turn it in.
 Frame of the meshes: z along the load into the ball, x along rolling, y transverse; lengths are drawn in mm.
 """
 
 import json
-import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -26,18 +25,16 @@ AROUND = 4.0  # half widths of the lower body around the contact: what lies fart
 
 
 def main() -> None:
-    """Draw every job of standard input into its file, whole or not at all."""
+    """Draw every job of standard input into its file, in a folder that is still being made."""
     pv.OFF_SCREEN = True
     for job in json.load(sys.stdin):
         made = KINDS[job["kind"]](job)
         target = Path(job["file"])
-        temporary = target.with_name(f".{target.stem}-{os.getpid()}{target.suffix}")
         if isinstance(made, str):
-            temporary.write_text(made, "utf-8")
+            target.write_text(made, "utf-8")
         else:
-            made.screenshot(temporary)
+            made.screenshot(target)
             made.close()
-        os.replace(temporary, target)
 
 
 def pressure_map(job: dict[str, Any]) -> pv.Plotter:
