@@ -13,6 +13,7 @@ import inspect
 import re
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from functools import cached_property, update_wrapper
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, TypeVar, cast, overload
@@ -151,7 +152,8 @@ def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
 def _say(line: str) -> None:
     if line not in said:
         said.add(line)
-        sys.stderr.write(f"fembearing: {line}\n")
+        with suppress(OSError, AttributeError):  # it takes no more, or a process without a terminal has none
+            sys.stderr.write(f"fembearing: {line}\n")
 
 
 def _compile(function: Compiled, kinds: list[Any]) -> MachineCode:

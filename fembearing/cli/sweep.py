@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from analytic.writing import new_folder, remove_whole
-from fembearing.cli.console import err, out, print_json, shown_progress
+from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import AsJson
-from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain
+from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain, say
 
 if TYPE_CHECKING:
     from fembearing.sweep.run import Sweep
@@ -48,7 +48,7 @@ def sweep(
 
 
 def _announce(dashboard: str) -> None:
-    err.print(f"dashboard: {dashboard}", soft_wrap=True, markup=False)
+    say(f"dashboard: {dashboard}")
 
 
 def _maps(result: "Sweep") -> list[Path]:

@@ -16,7 +16,7 @@ from fembearing.cli.options import (
     read_scene,
     read_tolerance,
 )
-from fembearing.cli.status import STATUS, print_warnings
+from fembearing.cli.status import STATUS, print_warnings, say
 
 
 def torque(
@@ -43,5 +43,5 @@ def torque(
         if target is not None:
             out.print(f"{'file' if target.suffix else 'folder'}: {target}", soft_wrap=True, markup=False)
     if lacking is not None:
-        typer.echo(f"fembearing: {lacking}", err=True)
+        say(lacking)
     raise typer.Exit(STATUS[result.verdicts.overall])

@@ -14,7 +14,7 @@ from importlib.util import find_spec
 from itertools import islice
 from typing import Any
 
-from analytic.errors import FembearingError, InputError
+from analytic.errors import FembearingError, InputError, ResourceError
 
 PATIENCE = 10.0  # s, within which a cluster elsewhere has to answer
 MEMORY = 1.0  # share of this machine's that each worker may take: all, since a task that needs much runs alone at last
@@ -65,7 +65,7 @@ def each_done(
     that fails as well, its result is a LostWorkerError. An exception of a task is raised here. The workers have a few
     tasks each at a time, so that memory does not grow with the number of tasks.
     Raises InputError where no cluster answers at the address, it goes away, or it has another version of fembearing;
-    FembearingError where the processes of this machine cannot start.
+    FembearingError where the processes of this machine cannot start, ResourceError where all of them end.
     """
     if not tasks:
         return
@@ -137,7 +137,7 @@ def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
             with Client(cluster, set_as_default=False) as client:
                 yield client
         except NoWorkerError as problem:
-            raise FembearingError(
+            raise ResourceError(
                 "the processes that compute ended and none starts again; free some memory: what is done is kept, and "
                 "the same command goes on"
             ) from problem

@@ -17,6 +17,7 @@ from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
 from analytic.writing import new_folder
 from fembearing import cli
+from fembearing.cli.boundary import end
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
 from fembearing.report.document.build import report_of
@@ -156,7 +157,7 @@ def test_a_second_signal_does_not_stop_the_clearing_up(tmp_path: Path, monkeypat
         remove(*given, **how)  # pyright: ignore[reportArgumentType, reportCallIssue]
 
     monkeypatch.setattr(shutil, "rmtree", signalled)
-    before = signal.signal(signal.SIGTERM, cli.end)
+    before = signal.signal(signal.SIGTERM, end)
     try:
         with pytest.raises(SystemExit), new_folder(tmp_path / "report"):
             os.kill(os.getpid(), signal.SIGTERM)
