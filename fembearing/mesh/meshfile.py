@@ -9,9 +9,11 @@ from skfem import MeshHex2
 from skfem.io.meshio import from_meshio, to_meshio
 
 from analytic.errors import InputError
+from analytic.reading import require_regular
 from analytic.writing import replaced_file
 from fembearing.mesh.bodies import BodyMesh, BodyName
 
+LARGEST = 1_000_000_000  # bytes: ten times the finest mesh
 ABSENT = -1  # number of a node that cannot touch
 SETS = ("surface", "far", "clamped", "plane_x", "plane_y", "plane_z")
 
@@ -35,6 +37,10 @@ def write_body(path: Path, body: BodyMesh, **fields: Any) -> None:
 
 def read_body(path: Path, *, name: BodyName) -> BodyMesh:
     """Read what `write_body` wrote. Raises InputError for a file that is not such a mesh."""
+    try:
+        require_regular(path, most=LARGEST, remedy="give a .vtu file of `fembearing mesh`")
+    except InputError as problem:
+        raise InputError(f"{path}: {problem}") from problem
     try:
         content = meshio.vtu.read(str(path))
         _require_sound(content)

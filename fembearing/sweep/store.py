@@ -10,7 +10,7 @@ import json
 import os
 import zipfile
 from collections.abc import Callable, Container, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from importlib.metadata import version
 from io import BytesIO
@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from analytic.errors import InputError
+from analytic.reading import content_of, opened
 from analytic.writing import remove_leftovers, replaced_file
 from fembearing.sweep.grid import Grid
 from fembearing.sweep.parts import Part, Piece
@@ -34,6 +35,7 @@ BYTES = "bytes"  # size of the result, which shows whether it is still complete
 PARTS, LOCK = "parts", ".lock"
 KEPT = ": what is done is kept, and the same sweep continues"
 HEIGHT_MAP = "surface.height_map.path"
+LARGEST = 400_000_000  # bytes of a height map, and of a file in the folder
 DIGITS = 32  # of a hash in a file name
 
 
@@ -66,7 +68,10 @@ class Store:
         None where the piece is not finished, or its file is damaged, for example by a power failure.
         """
         try:
-            with self.path(piece).open("rb") as file, np.load(file, allow_pickle=False) as content:
+            with (
+                opened(self.path(piece), most=LARGEST, remedy="") as file,
+                np.load(file, allow_pickle=False) as content,
+            ):
                 notes = json.loads(str(content["notes"]))
                 groups: dict[str, dict[str, Any]] = {"column": {}, "word": {}}
                 for key in content.files:
@@ -157,9 +162,9 @@ def _height_maps(grid: Grid) -> Iterator[bytes]:
         node = node.get(key) if isinstance(node, dict) else None
     named = [node, *(value for axis in grid.axes if axis.key == HEIGHT_MAP for value in axis.values)]
     for name in named:
-        path = Path(grid.folder) / str(name)
-        if isinstance(name, str) and path.is_file():  # else reading the scene raises the error
-            yield path.read_bytes()
+        if isinstance(name, str):
+            with suppress(InputError):  # reading the scene raises it
+                yield content_of(Path(grid.folder) / name, most=LARGEST, remedy="")
 
 
 def _is_free(folder: Path) -> bool:
@@ -169,7 +174,7 @@ def _is_free(folder: Path) -> bool:
 def _read_json(path: Path) -> dict[str, Any] | None:
     """The table in a JSON file; None where it is missing or damaged."""
     try:
-        content = json.loads(path.read_text("utf-8"))
+        content = json.loads(content_of(path, most=LARGEST, remedy=""))
     except (OSError, ValueError):
         return None
     return content if isinstance(content, dict) else None

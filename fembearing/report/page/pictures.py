@@ -2,9 +2,10 @@
 
 import re
 from pathlib import Path
-from stat import S_ISREG
 from typing import NamedTuple
 
+from analytic.errors import InputError
+from analytic.reading import content_of
 from fembearing.report.document.report import PictureFile, Report
 from fembearing.report.figures.page_plots import embedded
 from fembearing.report.phrases import contact_title
@@ -53,7 +54,6 @@ def _shown(picture: PictureFile, document: Report, folder: Path) -> ShownPicture
 def _content_of(file: Path) -> bytes | None:
     """The content of a regular file of bounded size; None where there is none. No link is followed, no pipe opened."""
     try:
-        kind = file.lstat()
-        return file.read_bytes() if S_ISREG(kind.st_mode) and kind.st_size <= LARGEST_FILE else None
-    except OSError:
+        return content_of(file, most=LARGEST_FILE, remedy="", linked=False)
+    except InputError:
         return None

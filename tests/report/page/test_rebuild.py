@@ -215,7 +215,7 @@ def test_a_missing_key_is_named_with_both_versions_where_they_differ(document: d
         (b'"text"', "no report of"),
         (b"{}", "no report of"),
         (b'{"kind": "fembearing validation", "format": 3, "tolerance": 1e999}', "is missing"),
-        (None, "cannot be read: No such file"),
+        (None, "No such file or directory; give the report.json"),
     ],
 )
 def test_a_file_that_is_no_report_gets_one_line_and_status_2(
@@ -250,7 +250,7 @@ def test_a_huge_file_is_not_read_to_its_end(tmp_path: Path, monkeypatch: pytest.
     file = tmp_path / "report.json"
     with file.open("wb") as sparse:
         sparse.truncate(5_000_001)
-    with pytest.raises(InputError, match="has more than 5 MB; no report"):
+    with pytest.raises(InputError, match="has more than 5 MB; give the report"):
         rebuild_page(file)
     with file.open("wb") as sparse:
         sparse.truncate(5_000_000)
