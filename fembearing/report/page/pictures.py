@@ -8,9 +8,10 @@ from analytic.errors import InputError
 from analytic.reading import content_of
 from fembearing.report.document.report import PictureFile, Report
 from fembearing.report.figures.page_plots import embedded
+from fembearing.report.page.view import remade
 from fembearing.report.phrases import contact_title
 
-PNG, VIEW = b"\x89PNG\r\n\x1a\n", b"<!DOCTYPE html>"  # how such a file begins
+PNG = b"\x89PNG\r\n\x1a\n"  # how such a file begins
 LARGEST_FILE = 64_000_000  # bytes
 SENTENCE_END = re.compile(r"(?<=[.]) (?=[A-Z])")
 
@@ -44,8 +45,11 @@ def _shown(picture: PictureFile, document: Report, folder: Path) -> ShownPicture
     content = _content_of(folder / picture.file)
     if content is None:
         return shown._replace(missing=f"The picture {picture.file} does not lie beside report.json.")
-    if picture.kind == "view" and content.startswith(VIEW):
-        return shown._replace(view=content.decode("utf-8", "replace"))
+    if picture.kind == "view":
+        view = remade(content)
+        if view is None:
+            return shown._replace(missing=f"The file {picture.file} beside report.json is no view.")
+        return shown._replace(view=view)
     if not content.startswith(PNG):
         return shown._replace(missing=f"The file {picture.file} beside report.json is no picture.")
     return shown._replace(source=embedded(content))

@@ -26,6 +26,7 @@ from fembearing.report.page.sections.summary import summary_of
 from fembearing.report.page.sections.torque import torque_section
 from fembearing.report.page.sections.verdicts import verdict_section
 from fembearing.report.page.template import filled
+from fembearing.report.page.view import script_hash
 
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
@@ -41,6 +42,7 @@ def page_of(document: Report, folder: Path) -> str:
         "page.html",
         document=document,
         generator=GENERATOR,
+        script=script_hash(),
         header=header_of(document),
         tolerance=f"{100 * document.tolerance:g} %",
         summary=summary_of(document),

@@ -1,7 +1,7 @@
 """Pictures of the contacts, made without a screen.
 
-VTK draws them in a child process (`fembearing.report.pictures.render`), which also writes the view that turns in a
-browser. Where VTK cannot draw, a plain map of the pressure takes their place, and the page says so.
+VTK draws them in a child process (`fembearing.report.pictures.render`), which also gives the numbers of the view that
+turns in a browser. Where VTK cannot draw, a plain map of the pressure takes their place, and the page says so.
 """
 
 import json
@@ -14,9 +14,12 @@ from typing import Any, Literal
 
 from matplotlib.ticker import MaxNLocator
 
+from analytic.writing import write
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.document.build import contact_table
+from fembearing.report.document.view import View
+from fembearing.report.page.view import view_page
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.pictures.plain_map import draw_map
@@ -95,6 +98,8 @@ def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
     except OSError as problem:
         return f"the renderer could not be started: {problem.strerror}"
     if done.returncode == 0 and all(Path(job["file"]).is_file() for job in jobs):
+        for file in (Path(job["file"]) for job in jobs if job["kind"] == "view"):
+            write(file, view_page(View.model_validate_json(file.read_bytes())))
         return None
     for job in jobs:
         Path(job["file"]).unlink(missing_ok=True)  # one kind of picture in a report, not a mixture

@@ -1,7 +1,7 @@
 """Off-screen pictures by VTK, in a process of their own: python -m fembearing.report.pictures.render < jobs.json
 
 Where a machine has no GL library VTK ends the process instead of raising, so nothing else may live in it. The jobs
-are those of `fembearing.report.pictures.draw`; each picture is one PNG, or one page to turn it in.
+are those of `fembearing.report.pictures.draw`; each picture is one PNG, or the numbers of a view as JSON.
 Frame of the meshes: z along the load into the ball, x along rolling, y transverse; lengths are drawn in mm.
 """
 
@@ -30,8 +30,8 @@ def main() -> None:
     for job in json.load(sys.stdin):
         made = KINDS[job["kind"]](job)
         target = Path(job["file"])
-        if isinstance(made, str):
-            target.write_text(made, "utf-8")
+        if isinstance(made, dict):
+            target.write_text(json.dumps(made), "utf-8")
         else:
             made.screenshot(target)
             made.close()
