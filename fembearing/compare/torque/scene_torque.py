@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from analytic.brief import Brief, span
-from analytic.errors import FembearingError
+from analytic.errors import FembearingError, InputError
 from analytic.inputs import StatedInput, stated_inputs
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
-from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
+from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque, require_numbers
 from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
@@ -45,6 +45,16 @@ class SceneTorque(Brief):
         None  # with the balls that the ratings fit nearly as well, if there are any
     )
     prediction: "Prediction | None" = None  # the interval; None: not asked for
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a number that is not finite, so that no face shows it: terminal, files or page."""
+        require_numbers(self.friction)
+        for name, values in self._beside():
+            if not np.isfinite(values).all():
+                raise InputError(
+                    f"the {BESIDE[name].meaning} comes out as {values[~np.isfinite(values)][0]:g} N m: the numbers of the "
+                    "scene lie beyond what can be computed; give usual ones"
+                )
 
     def _facts(self) -> Iterator[str]:
         yield self.scene.name
