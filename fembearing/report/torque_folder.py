@@ -25,12 +25,18 @@ COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and
 
 
 def torque_with_files(
-    scene: Scene, *, out: Path | None = None, samples: Samples = None, progress: Progress = silent
+    scene: Scene,
+    *,
+    out: Path | None = None,
+    samples: Samples = None,
+    keep_going: bool = False,
+    progress: Progress = silent,
 ) -> tuple[SceneTorque, str | None]:
     """Compute the torque, and write it.
 
     out : folder, or file whose ending says what it holds (`torque_file`); it must not exist yet. None writes nothing
     samples : of the 95 % interval, or "enough"; None: no interval
+    keep_going : leave out the operating points that have no torque
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Gives the torque, and a sentence on what a folder lacks and why: None where it lacks nothing.
     Raises InputError for a scene that has no torque or a name that cannot be written, MotionError where a cage's motion
@@ -39,7 +45,8 @@ def torque_with_files(
 
     def computed(most: float) -> SceneTorque:
         progress(0.0, "torque")
-        return torque_of_scene(scene, samples=samples, progress=part_of(progress, 0.0, most))
+        part = part_of(progress, 0.0, most)
+        return torque_of_scene(scene, samples=samples, keep_going=keep_going, progress=part)
 
     if out is None:
         return computed(1.0), None

@@ -18,7 +18,7 @@ READERS = {  # every face by which a user names a file
     "grid.toml": load_grid,
     "a.csv": lambda path: read_height_map(path, spacing=2e-6),
     "a.npy": lambda path: read_height_map(path, spacing=2e-6),
-    "a.vtu": lambda path: read_body(path, name="upper"),
+    "a.vtu": lambda path: read_body(path, name="ball"),
     "report.json": read_report,
 }
 

@@ -110,8 +110,8 @@ def scene_band(scene: Scene) -> CatalogueBand:
         raise InputError(f"operation.axial_load = {axial.min():g} N is below 0")
     if np.any(axial > rating):  # their angle of the loaded contact would pass 25 deg, and turn back beyond 90 deg
         raise InputError(
-            f"operation.axial_load = {axial.max():g} N is above the static load rating of {rating:g} N, up to which the "
-            "models are"
+            f"operation.axial_load = {axial.max():g} N is above the static load rating of {rating:g} N, up to which "
+            "the models are"
         )
     case = CatalogueCase(
         series=series,

@@ -1,13 +1,15 @@
-"""Off-screen pictures by VTK, in a process of their own: python -m fembearing.report.pictures.render < jobs.json
+"""Off-screen pictures by VTK, in a process of their own: python -m fembearing.report.pictures.render
 
-Where a machine has no GL library VTK ends the process instead of raising, so nothing else may live in it. The jobs
-are those of `fembearing.report.pictures.draw`; each picture is one PNG, or the numbers of a view as JSON.
+Where a machine has no GL library VTK ends the process instead of raising, so nothing else may live in it. The jobs,
+one line of JSON, are those of `fembearing.report.pictures.draw`; each picture is one PNG, or the numbers of a view.
 Frame of the meshes: z along the load into the ball, x along rolling, y transverse; lengths are drawn in mm.
 """
 
 import json
+import os
 import sys
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import numpy as np
@@ -27,7 +29,9 @@ AROUND = 4.0  # half widths of the lower body around the contact: what lies fart
 def main() -> None:
     """Draw every job of standard input into its file, in a folder that is still being made."""
     pv.OFF_SCREEN = True
-    for job in json.load(sys.stdin):
+    jobs = json.loads(sys.stdin.readline())
+    Thread(target=end_with_the_other, daemon=True).start()
+    for job in jobs:
         made = KINDS[job["kind"]](job)
         target = Path(job["file"])
         if isinstance(made, dict):
@@ -35,6 +39,12 @@ def main() -> None:
         else:
             made.screenshot(target)
             made.close()
+
+
+def end_with_the_other() -> None:
+    """End where the process that wants the pictures was killed: it holds standard input open until they are drawn."""
+    os.read(sys.stdin.fileno(), 1)
+    os._exit(1)
 
 
 def pressure_map(job: dict[str, Any]) -> pv.Plotter:
