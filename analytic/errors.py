@@ -14,6 +14,14 @@ class InputError(FembearingError, ValueError):
     """A value that the model cannot accept."""
 
 
+class StorageError(FembearingError):
+    """A file or stream that cannot be written or read, through no fault of its name: the disk is full, or gone."""
+
+
+class ResourceError(FembearingError):
+    """Memory or processes that the system does not give."""
+
+
 class ConvergenceError(FembearingError):
     """An iteration that did not converge; its numbers are attributes."""
 

@@ -12,6 +12,7 @@ from analytic.cage.torque import CAGE_KEYS, CagePart
 from analytic.effects.ledger import Effect
 from analytic.effects.limits import LimitNumbers
 from analytic.effects.table import CHOSEN, DECLARED
+from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
 from analytic.loads.pair import PairEquilibrium
 from analytic.loads.ring_state import RingState
@@ -135,6 +136,9 @@ class PairPart(Brief):
                 for bearing in range(2)
             ],
         }
+
+
+OF_POINTS = ("torque", "friction_coefficient", "film", "asperity_share", "boundary_share", "inner", "outer")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -345,6 +349,30 @@ class FrictionTorque(Brief):
             "cage": dict.fromkeys(CAGE_KEYS) if self.cage is None else self.cage.at(index),
             "ring": None if self.ring is None else self.ring.to_json(index),
         }
+
+
+def require_numbers(result: FrictionTorque) -> FrictionTorque:
+    """The result, of which every number is finite, or missing for a reason that it gives.
+
+    What was left out is None, and an effect says why; an uncertainty is infinite where `unknown` says why.
+    Raises InputError for any other: the inputs lie beyond what can be computed.
+    """
+    groups = (result, *(getattr(result, name) for name in OF_POINTS))
+    numbers = ((name, values) for group in groups for name, values in vars(group).items())
+    for name, values in numbers:
+        if not isinstance(values, np.ndarray) or values.dtype.kind != "f":
+            continue
+        good = np.isfinite(values)
+        if name == "numerical_uncertainty" and result.unknown:
+            good |= np.isposinf(values)
+        if not good.all():
+            point = int(np.flatnonzero(~good)[0])
+            given = ", ".join(f"{key} {getattr(result, key)[point]:g} {each.unit}" for key, each in COORDINATES.items())
+            raise InputError(
+                f"{name.replace('_', ' ')} comes out as {values[point]:g} at operating point {point + 1} ({given}): "
+                "the numbers of the scene lie beyond what can be computed; give usual ones"
+            )
+    return result
 
 
 def _rows(value: Any, points: NDArray[np.intp]) -> Any:

@@ -31,7 +31,14 @@ from analytic.oil.inlets import Inlets, starvation_source
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.pair import pair_in_series, pair_torque
 from analytic.races import BY_SLIP, RaceTorque, race_torque
-from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
+from analytic.result import (
+    FrictionCoefficients,
+    FrictionTorque,
+    LoadedContact,
+    OnRaces,
+    TorqueParts,
+    require_numbers,
+)
 from analytic.scene import Array, Decision, Scene
 from analytic.sliding.methods import Sliding
 from analytic.units import Quantity
@@ -106,7 +113,7 @@ def friction_torque(
     if scene.arrangement is not None:
         both = pair_in_series(scene, scene.arrangement, correction)
         result = pair_torque(scene, both, friction_torque(both.scene, correction=correction, variation=variation))
-        return replace(result, seconds=perf_counter() - started)
+        return require_numbers(replace(result, seconds=perf_counter() - started))
     operation = scene.operation.as_series()
     speed = operation.inner_speed
     ledger = Ledger(scene, speed.size)
@@ -181,7 +188,7 @@ def friction_torque(
         result = _beyond_the_fit(scene, result, races.chosen.farthest, variation)
     if races.chosen.any_direction:
         result = _in_any_direction(scene, result, correction, variation)
-    return replace(result, seconds=perf_counter() - started)
+    return require_numbers(replace(result, seconds=perf_counter() - started))
 
 
 def _in_any_direction(

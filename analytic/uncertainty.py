@@ -9,7 +9,7 @@ from analytic.contact.factors import ContactCorrection
 from analytic.effects.ledger import share_in
 from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import COVERAGE, NOMINAL, ROLLING_SPREAD, SURFACE_SPREAD, Variation
-from analytic.result import FrictionTorque
+from analytic.result import FrictionTorque, require_numbers
 from analytic.scene import Array, Bearing, Scene, Surface
 from analytic.torque import NO_CAGE, friction_torque
 
@@ -58,7 +58,7 @@ def with_model_uncertainty(
 
     parts = {name: np.max(changes(pairs), axis=0) for name, pairs in variations.items()}
     whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
-    return replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts))
+    return require_numbers(replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts)))
 
 
 def _without_cage(scene: Scene) -> Scene:

@@ -13,6 +13,7 @@ import inspect
 import re
 import sys
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from functools import cached_property, update_wrapper
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, TypeVar, cast, overload
@@ -20,6 +21,7 @@ from typing import Any, TypeVar, cast, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from analytic.errors import StorageError
 from analytic.numerics import machine_code
 from analytic.numerics.machine_code import Kind, MachineCode
 
@@ -94,7 +96,7 @@ class Compiled:
             made = _compile(self, kinds)
             try:
                 machine_code.keep(made, name, key)
-            except OSError as problem:
+            except (OSError, StorageError) as problem:
                 _say(
                     f"compiled formulas cannot be kept ({problem}), so that every start compiles them again; give a "
                     f"folder that can be written in {machine_code.FOLDER}"
@@ -150,7 +152,8 @@ def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
 def _say(line: str) -> None:
     if line not in said:
         said.add(line)
-        sys.stderr.write(f"fembearing: {line}\n")
+        with suppress(OSError, AttributeError):  # it takes no more, or a process without a terminal has none
+            sys.stderr.write(f"fembearing: {line}\n")
 
 
 def _compile(function: Compiled, kinds: list[Any]) -> MachineCode:

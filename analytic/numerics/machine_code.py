@@ -20,7 +20,6 @@ from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader, FileFin
 from importlib.util import find_spec, module_from_spec
 from operator import attrgetter
 from pathlib import Path
-from tempfile import NamedTemporaryFile
 from types import ModuleType
 from typing import Any
 
@@ -28,6 +27,8 @@ import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 from numpy.typing import NDArray
+
+from analytic.writing import remove_leftovers, replaced_file
 
 FOLDER = "FEMBEARING_CACHE"  # of the environment
 NUMBERS = {"float64": ctypes.c_double, "int64": ctypes.c_int64, "boolean": ctypes.c_bool}
@@ -89,20 +90,15 @@ def kept(name: str, key: str) -> MachineCode | None:
 
 
 def keep(made: MachineCode, name: str, key: str) -> None:
-    """Write machine code. Raises OSError where no folder can be written."""
+    """Write machine code. Raises OSError or StorageError where no folder can be written."""
     folder = cache_folder()
     if folder is None:
         raise OSError("the user has no home folder")
     folder.mkdir(parents=True, exist_ok=True)
     header = json.dumps({name: value for name, value in vars(made).items() if name != "code"}).encode()
-    with NamedTemporaryFile(dir=folder, delete=False) as file:
-        try:
-            file.write(b"\n".join((_digest(header + made.code), header, made.code)))
-            file.flush()
-        except OSError:  # the disk is full
-            os.unlink(file.name)
-            raise
-    os.replace(file.name, _file(folder, name, key))
+    remove_leftovers(folder)
+    with replaced_file(_file(folder, name, key)) as file:
+        file.write_bytes(b"\n".join((_digest(header + made.code), header, made.code)))
 
 
 def _file(folder: Path, name: str, key: str) -> Path:

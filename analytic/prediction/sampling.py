@@ -17,7 +17,7 @@ import numpy as np
 from scipy.special import ndtri
 from scipy.stats import qmc
 
-from analytic.errors import FembearingError, InputError
+from analytic.errors import InputError, ResourceError
 from analytic.prediction.evaluation import Problem, evaluated
 from analytic.scene import Array
 
@@ -62,7 +62,7 @@ def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int |
 
     seed : numbers that the points follow from
     workers : processes; None: one for each core that this process may use, or none where the work is short; 1: none
-    Raises InputError where more than 1 % of the samples have no torque; FembearingError where a process dies.
+    Raises InputError where more than 1 % of the samples have no torque; ResourceError where a process dies.
     """
     cube = qmc.LatinHypercube(len(problem.inputs), rng=np.random.default_rng(list(seed)))
     scores = ndtri(cube.random(count))
@@ -100,7 +100,7 @@ def _on_processes(problem: Problem, pieces: Sequence[Array], width: int) -> Iter
     try:
         yield from pool.map(evaluated, repeat(problem), pieces)
     except BrokenProcessPool as fault:
-        raise FembearingError(
+        raise ResourceError(
             "a process that computes samples ended: the system ends one that takes too much memory, and a script of "
             'your own has to begin with if __name__ == "__main__":; workers=1 computes without processes'
         ) from fault

@@ -4,10 +4,10 @@ import os
 import re
 import reprlib
 import tomllib
-from pathlib import Path
 from typing import Any
 
 from analytic.errors import InputError
+from analytic.reading import content_of
 
 # A value without quotes that has a letter or a sign of a unit in it: a quantity or a word.
 BARE_VALUE = re.compile(r"""[=\[,]\s*([^\s"'=,\[\]{}#][^"'=,\[\]{}#]*)""")
@@ -26,17 +26,11 @@ def read_text(path: str | os.PathLike[str], *, kind: str, remedy: str) -> str:
     """
     origin = plain(os.fspath(path))
     try:
-        with Path(path).open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-        if len(content) > LARGEST_FILE:
-            raise InputError(f"{origin}: more than {LARGEST_FILE} bytes; a {kind} file is short text in TOML")
-        return content.decode("utf-8-sig")
-    except OSError as problem:
-        raise InputError(f"{origin}: {problem.strerror or 'cannot be read'}; {remedy}") from problem
+        return content_of(path, most=LARGEST_FILE, remedy=remedy).decode("utf-8-sig")
+    except InputError as problem:
+        raise InputError(f"{origin}: {problem}") from problem
     except UnicodeDecodeError as problem:
         raise InputError(f"{origin}: byte {problem.start} is not UTF-8; save the {kind} file as UTF-8") from problem
-    except ValueError as problem:  # a path with a null character; InputError is a ValueError too
-        raise problem if isinstance(problem, InputError) else InputError(f"{origin}: not a path") from problem
 
 
 def parse_text(text: str, *, origin: str) -> dict[str, Any]:

@@ -7,17 +7,23 @@ mean plane, which is subtracted before anything is measured.
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
 from analytic.errors import InputError, require_positive
+from analytic.reading import opened, require_regular
 from analytic.scene import Array
 from analytic.surface.moments import SpectralMoments, Summits
 from analytic.words import length_of
 
 FEWEST_POINTS, MOST_POINTS = 32, 4096  # in each direction: fewer are no statistics, more need too much memory
-LARGEST_TEXT = 100_000_000  # bytes of .csv; the numbers take up to four times as much memory
+FEWER = f"give {FEWEST_POINTS} to {MOST_POINTS} in each direction, or cut out a part"
+LARGEST_TEXT, LARGEST_BINARY = 100_000_000, 300_000_000  # bytes of .csv and .npy
+LONGEST_LINE = 100 * MOST_POINTS  # bytes; a number has 25 at most
+BAND = 64  # rows of a map that are measured together
 HIGHEST = 1e-3  # m, from the lowest to the highest point: larger heights are not in metres, or the part is broken
 WIDEST = 0.1  # correlation length over domain, and spacing over correlation length: more spoils statistics or summits
 MOST_UNEQUAL = 1.5  # ratio of the mean squared slopes along x and y: more is a lay, and the summits are no spheres
@@ -58,10 +64,6 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
         raise InputError(f"{origin}: not a height map; give a .npy or .csv file of heights in m")
     try:
         heights = readers[kind](path)
-    except OSError as problem:
-        raise InputError(
-            f"{origin}: {problem.strerror or 'cannot be read'}; give the path of a height map"
-        ) from problem
     except InputError as problem:
         raise InputError(f"{origin}: {problem}") from problem
     except Exception as problem:  # NumPy raises different exceptions for a damaged header, depending on the damage
@@ -76,18 +78,25 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
             f"{origin}: heights span {length_of(2 * float(half))}, more than {length_of(HIGHEST)}; give them in m, "
             "not in um"
         )
-    return levelled(HeightMap(heights=heights, spacing=spacing))
+    _level(heights)
+    return HeightMap(heights=heights, spacing=spacing)
 
 
 def levelled(raw: HeightMap) -> HeightMap:
     """The map without its mean plane (least squares); waves and the curvature of a ball remain."""
-    heights = raw.heights - raw.heights.mean()
+    heights = raw.heights.copy()
+    _level(heights)
+    return HeightMap(heights=heights, spacing=raw.spacing)
+
+
+def _level(heights: Array) -> None:
+    """Subtract the mean plane in place: a large map is in memory once."""
+    heights -= heights.mean()
     for axis, size in enumerate(heights.shape):
         across = np.arange(size) - (size - 1) / 2
         profile = heights.mean(axis=1 - axis)
         slope = across @ profile / (across @ across)
-        heights = heights - slope * (across[:, None] if axis == 0 else across)
-    return HeightMap(heights=heights, spacing=raw.spacing)
+        heights -= slope * (across[:, None] if axis == 0 else across)
 
 
 def measure(height_map: HeightMap) -> Measurement:
@@ -98,10 +107,10 @@ def measure(height_map: HeightMap) -> Measurement:
     is low by 0.5 %, m_4 by 1.6 %, the curvature of the summits by 1.3 %, and their number by less than 1 %.
     """
     z, d = height_map.heights, height_map.spacing
-    slopes = [float(np.mean(np.diff(z, axis=axis) ** 2)) / d**2 for axis in (0, 1)]
-    curvatures = [float(np.mean(np.diff(z, n=2, axis=axis) ** 2)) / d**4 for axis in (0, 1)]
+    slopes = [_mean_square(lines, order=1) / d**2 for lines in (z.T, z)]
+    curvatures = [_mean_square(lines, order=2) / d**4 for lines in (z.T, z)]
     moments = SpectralMoments(
-        height=float(np.mean(z**2)), slope=float(np.mean(slopes)), curvature=float(np.mean(curvatures))
+        height=_mean_square(z, order=0), slope=float(np.mean(slopes)), curvature=float(np.mean(curvatures))
     )
     length = _correlation_length(height_map)
     return Measurement(
@@ -112,7 +121,20 @@ def measure(height_map: HeightMap) -> Measurement:
     )
 
 
+def _bands(lines: Array) -> Iterator[Array]:
+    """Some rows at a time, so that what is computed of them takes little memory beside a large map."""
+    for start in range(0, lines.shape[0], BAND):
+        yield lines[start : start + BAND]
+
+
+def _mean_square(lines: Array, *, order: int) -> float:
+    """Of the differences of this order along the rows."""
+    total = sum(float(np.sum(np.diff(band, n=order, axis=1) ** 2)) for band in _bands(lines))
+    return total / (lines.shape[0] * (lines.shape[1] - order))
+
+
 def _read_binary(path: str | os.PathLike[str]) -> Array:
+    require_regular(path, most=LARGEST_BINARY, remedy="give the path of a height map")
     mapped = np.lib.format.open_memmap(path, mode="r")  # the header only; refuses pickled objects
     if mapped.dtype.kind not in "fiu":
         raise InputError(f"holds {mapped.dtype}, not real numbers; save heights in m")
@@ -121,25 +143,36 @@ def _read_binary(path: str | os.PathLike[str]) -> Array:
 
 
 def _read_text(path: str | os.PathLike[str]) -> Array:
-    if Path(path).stat().st_size > LARGEST_TEXT:
-        raise InputError(f"more than {LARGEST_TEXT} bytes; save the heights as .npy, or a part of them")
-    with Path(path).open(encoding="utf-8-sig") as lines:
-        content = [line for line in lines if line.strip() and not line.startswith("#")]
-    if not content:
-        raise InputError("holds no numbers; give a line of comma-separated heights in m for each row")
-    heights = np.loadtxt(content, delimiter=",", ndmin=2, dtype=np.float64)
+    with opened(path, most=LARGEST_TEXT, remedy="give the path of a height map; of a large one, a .npy file") as file:
+        rows = _rows(file)
+        first = next(rows, None)
+        if first is None:
+            raise InputError("holds no numbers; give a line of comma-separated heights in m for each row")
+        heights = np.loadtxt(chain((first,), rows), delimiter=",", ndmin=2, dtype=np.float64)
     _require_matrix(heights.shape)
     return heights
+
+
+def _rows(file: BinaryIO) -> Iterator[str]:
+    """The lines with numbers, one at a time in memory. Raises InputError for more of them than a map may have."""
+    count = 0
+    while line := file.readline(LONGEST_LINE + 1):
+        if len(line) > LONGEST_LINE:
+            raise InputError(f"has a line of more than {LONGEST_LINE} bytes; {FEWER}")
+        text = line.decode("utf-8-sig" if file.tell() == len(line) else "utf-8")
+        if not text.strip() or text.startswith("#"):
+            continue
+        count += 1
+        if count > MOST_POINTS:
+            raise InputError(f"has more than {MOST_POINTS} rows; {FEWER}")
+        yield text
 
 
 def _require_matrix(shape: tuple[int, ...]) -> None:
     if len(shape) != 2:
         raise InputError(f"has the shape {shape}; a height map is a matrix, rows by columns")
     if not all(FEWEST_POINTS <= size <= MOST_POINTS for size in shape):
-        raise InputError(
-            f"has {shape[0]} by {shape[1]} points; give {FEWEST_POINTS} to {MOST_POINTS} in each direction, or cut out "
-            "a part"
-        )
+        raise InputError(f"has {shape[0]} by {shape[1]} points; {FEWER}")
 
 
 def _correlation_length(height_map: HeightMap) -> float:
@@ -148,8 +181,9 @@ def _correlation_length(height_map: HeightMap) -> float:
     both = []
     for z in (height_map.heights, height_map.heights.T):
         size = z.shape[1]
-        spectrum = np.abs(np.fft.rfft(z, n=2 * size, axis=1)) ** 2  # padded with zeros: the map is not periodic
-        products = np.fft.irfft(spectrum.mean(axis=0), n=2 * size)[:lags]
+        # padded with zeros: the map is not periodic
+        spectrum = sum((np.abs(np.fft.rfft(band, n=2 * size, axis=1)) ** 2).sum(axis=0) for band in _bands(z))
+        products = np.fft.irfft(spectrum / z.shape[0], n=2 * size)[:lags]
         both.append(products / (size - np.arange(lags)))
     correlation = np.mean(both, axis=0)
     below = np.flatnonzero(correlation < correlation[0] / np.e)
@@ -170,15 +204,14 @@ def _counted_summits(height_map: HeightMap) -> Summits:
     ring[1, 1] = False
     from scipy.ndimage import maximum_filter  # a twentieth of a second to import, only for height maps
 
-    top = (z > maximum_filter(z, footprint=ring))[1:-1, 1:-1]
-    inside = z[1:-1, 1:-1]
-    tops = inside[top]
+    row, column = (1 + place for place in np.nonzero((z > maximum_filter(z, footprint=ring))[1:-1, 1:-1]))
+    tops = z[row, column]
     if tops.size == 0:
         return Summits(density=0.0, radius=float("inf"), height_deviation=0.0, mean_height=0.0)
-    around = z[:-2, 1:-1] + z[2:, 1:-1] + z[1:-1, :-2] + z[1:-1, 2:]
-    curvature = float(np.mean((4 * inside - around)[top])) / (2 * d**2)
+    around = z[row - 1, column] + z[row + 1, column] + z[row, column - 1] + z[row, column + 1]
+    curvature = float(np.mean(4 * tops - around)) / (2 * d**2)
     return Summits(
-        density=tops.size / (inside.size * d**2),
+        density=tops.size / ((z.shape[0] - 2) * (z.shape[1] - 2) * d**2),
         radius=1 / curvature,
         height_deviation=float(tops.std()),
         mean_height=float(tops.mean()),

@@ -6,7 +6,6 @@ accuracy required of the finite elements, and the deviation of Hertz is shown, n
 A command's file is imported when the command runs, shows its help or is completed, so that `--help` stays quick.
 """
 
-import signal
 import sys
 from dataclasses import dataclass
 from importlib import import_module
@@ -14,20 +13,8 @@ from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
-from typer.exceptions import Abort, TyperException
 
-from fembearing.cli.status import (
-    INPUT_AT_FAULT,
-    INTERRUPTED,
-    NOT_SOLVED,
-    OUTPUT_FULL,
-    PIPE_CLOSED,
-    TERMINATED,
-    close_output,
-    complain,
-)
-
-PYDANTICS = "Value error, "  # how typer's message about a word begins where pydantic reads it
+from fembearing.cli.boundary import DEBUG, guarded
 
 
 @dataclass(frozen=True)
@@ -112,7 +99,16 @@ def command_of(name: str) -> Any:
 def _stand_in() -> None: ...
 
 
-app = typer.Typer(cls=OnDemand, no_args_is_help=True, context_settings={"help_option_names": ["-h", "--help"]}, **PLAIN)
+STATUSES = """Exit status: 0 done, all verdicts hold; 1 a check failed; 2 the input is at fault; 3 not solved to the
+accuracy, or a verdict is not known; 70 a defect of fembearing; 71 not enough memory; 74 a file or stream cannot be
+written or read; 130, 141, 143 ended by Ctrl-C, a closed pipe, a signal."""
+app = typer.Typer(
+    cls=OnDemand,
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog=STATUSES,
+    **PLAIN,
+)
 for _name, _entry in COMMANDS.items():
     app.command(_name, short_help=_entry.summary)(_stand_in)
 
@@ -130,46 +126,12 @@ def about(
     _version: Annotated[
         bool, typer.Option("--version", is_eager=True, callback=print_version, help="Show the version and end.")
     ] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show where in the code a failure is.")] = False,
 ) -> None:
     """Friction and contact of a ball bearing: closed forms, checked by finite elements."""
+    DEBUG.set(debug)
 
 
 def main() -> None:
-    """Run the command line. A user's mistake gives one line; any other error is our bug and keeps its traceback."""
-    if sys.stdout is None:
-        sys.exit(complain("standard output is closed; give the result somewhere to go", INPUT_AT_FAULT))
-    signal.signal(signal.SIGTERM, end)
-    try:
-        status = app(standalone_mode=False)
-        sys.stdout.flush()
-    except Exception as problem:
-        status = status_of(problem)
-    sys.exit(status)
-
-
-def end(*_: object) -> None:
-    """Leave by an exception, which cleans up as a signal does not. A second signal does not interrupt the clean-up."""
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    sys.exit(TERMINATED)
-
-
-def status_of(problem: Exception) -> int:
-    """The exit status of a problem, which is said in one line. Raises an exception that is our bug again."""
-    from analytic.errors import ConvergenceError, FembearingError  # with NumPy
-
-    match problem:
-        case ConvergenceError():
-            return complain(problem, NOT_SOLVED)
-        case FembearingError():
-            return complain(problem, INPUT_AT_FAULT)
-        case TyperException():
-            return complain(problem.format_message().replace(PYDANTICS, ""), INPUT_AT_FAULT)
-        case Abort():
-            return INTERRUPTED
-        case BrokenPipeError():
-            close_output()
-            return PIPE_CLOSED
-        case OSError() if problem.errno in OUTPUT_FULL:
-            close_output()
-            return complain(f"cannot write the result: {problem.strerror}; check where it goes", INPUT_AT_FAULT)
-    raise problem
+    """Run the command line; `boundary` has what becomes of failures."""
+    sys.exit(guarded(lambda: app(standalone_mode=False)))

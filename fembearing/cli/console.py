@@ -5,25 +5,11 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-import typer
 from rich.console import Console
 
-from fembearing.cli.status import PIPE_CLOSED, close_output
 from fembearing.progress import silent
 
-
-class Output(Console):
-    """Standard output.
-
-    Where its reader closes the pipe, Rich would end with status 1. Here that status means that a check failed.
-    """
-
-    def on_broken_pipe(self) -> None:
-        close_output()
-        raise typer.Exit(PIPE_CLOSED)
-
-
-out, err = Output(highlight=False), Console(stderr=True)
+out, err = Console(highlight=False), Console(stderr=True)
 
 
 @contextmanager

@@ -2,6 +2,7 @@
 
 from contextlib import nullcontext
 
+from analytic.writing import new_folder
 from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance
 from fembearing.cli.status import print_warnings
@@ -18,10 +19,9 @@ def cost(
     limit = read_tolerance(tolerance, given)
     from fembearing.compare.cost.scene_cost import measure_cost
     from fembearing.report.folder import write_cost
-    from fembearing.report.new_folder import whole_folder
     from fembearing.report.terminal.cost import print_cost
 
-    with shown_progress() as progress, nullcontext() if folder is None else whole_folder(folder) as place:
+    with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
         result = measure_cost(given, tolerance=limit, progress=progress)
         if place is not None:
             write_cost(result, place)

@@ -1,5 +1,6 @@
 """`fembearing init`."""
 
+import os
 import re
 import shlex
 from pathlib import Path
@@ -7,8 +8,8 @@ from typing import Annotated
 
 import typer
 
-from analytic.errors import InputError
 from analytic.scenefile.template import SCHEMA_NAME, Choice, scene_text
+from analytic.writing import new_file
 from fembearing.cli.console import out
 from fembearing.cli.options import bearing_names_like
 
@@ -41,19 +42,11 @@ def init(
     text = scene_text(designation, choice)
     parse_scene(text, origin="init")  # so that a scene with a mistake in it is not written
     path = Path(re.sub(r"[^\w.+-]+", "-", designation.strip()) + ".toml") if file is None else file
-    _write_new(path, text)
+    with new_file(path) as apart:
+        apart.write_text(text, "utf-8")
     schema = path.with_name(SCHEMA_NAME)
-    if not schema.exists():
-        _write_new(schema, SCHEMA.read_text("utf-8"))
+    if not os.path.lexists(schema):
+        with new_file(schema) as apart:
+            apart.write_text(SCHEMA.read_text("utf-8"), "utf-8")
     out.print(f"written: {path}; an editor completes its keys by {schema}", soft_wrap=True, markup=False)
     out.print(f"next: fembearing torque {shlex.quote(str(path))}", soft_wrap=True, markup=False)
-
-
-def _write_new(path: Path, text: str) -> None:
-    try:
-        with path.open("x", encoding="utf-8") as file:
-            file.write(text)
-    except FileExistsError:
-        raise InputError(f"{path} exists already; give another name with --out, or remove it") from None
-    except OSError as problem:
-        raise InputError(f"--out {str(path)!r}: {problem.strerror}; give a file in a folder that exists") from problem

@@ -2,13 +2,13 @@
 
 from dataclasses import asdict
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from analytic.errors import InputError
 from analytic.scene import Pair
+from analytic.writing import scratch_folder
 from fembearing.cli.console import out, print_json
 from fembearing.cli.options import LOAD, AsJson, Geometry, Load, SceneName, read_option, read_scene
 from fembearing.cli.status import print_warnings
@@ -62,11 +62,11 @@ def _write(files: dict[str, "BodyMesh"], folder: Path) -> dict[str, dict[str, An
 
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with TemporaryDirectory(dir=folder, prefix=".") as apart:
+        with scratch_folder(folder) as apart:
             for name, body in files.items():
-                write_body(Path(apart) / name, body)
+                write_body(apart / name, body)
             for name in files:
-                (Path(apart) / name).replace(folder / name)
+                (apart / name).replace(folder / name)
     except OSError as problem:
         raise InputError(f"--out {str(folder)!r}: {problem.strerror}") from problem
     return {name: asdict(mesh_quality(body.mesh)) | {"body": body.name} for name, body in files.items()}

@@ -8,6 +8,7 @@ import typer
 from fembearing.cli.console import out, print_json
 from fembearing.cli.options import AsJson
 from fembearing.cli.report_options import given_details, with_report_options
+from fembearing.cli.status import say
 
 
 @with_report_options
@@ -30,4 +31,4 @@ def report(
     else:
         out.print(f"page: {result.file}", soft_wrap=True, markup=False)
     for name in result.missing:
-        typer.echo(f"fembearing: the picture {name} does not lie beside {numbers}; the page says so", err=True)
+        say(f"the picture {name} does not lie beside {numbers}; the page says so")

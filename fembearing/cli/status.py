@@ -1,34 +1,44 @@
 """Exit statuses, and complaints on standard error.
 
 0 done and all verdicts hold, 1 a comparison or a physical limit fails, 2 the input is at fault, 3 not solved to the
-required accuracy, or a physical verdict is not known.
+required accuracy, or a physical verdict is not known; 70, 71 and 74 are those of sysexits.h.
 """
 
-import errno
 import os
 import sys
+from contextlib import suppress
+from typing import TextIO
 
 import typer
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
 STATUS = {"pass": DONE, "fail": CHECK_FAILED, "undecided": NOT_SOLVED}  # of a result's verdicts together
-INTERRUPTED, PIPE_CLOSED, TERMINATED = 130, 141, 143  # what a shell makes of the three signals
-OUTPUT_FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)  # standard output takes no more
+DEFECT, NO_MEMORY, NO_STORAGE = 70, 71, 74
+INTERRUPTED, PIPE_CLOSED = 130, 141  # what a shell makes of the two signals
 
 
-def close_output() -> None:
-    """Discard what is still buffered: Python would complain about it when it ends."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+def discard(stream: TextIO) -> None:
+    """Discard what is still buffered, and all that follows: Python would complain about it when it ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def say(line: str) -> None:
+    """Write a line on standard error. Where that takes no more, the line is lost, and the result is not."""
+    try:
+        typer.echo(f"fembearing: {line}", err=True)
+    except OSError:
+        with suppress(OSError):
+            discard(sys.stderr)
 
 
 def complain(problem: object, status: int) -> int:
     """Write a problem in one line on standard error; the status, for `sys.exit`."""
     words = " ".join(str(problem).split())
     if words:  # empty where typer printed the help
-        typer.echo(f"fembearing: {words}", err=True)
+        say(words)
     return status
 
 
 def print_warnings(warnings: tuple[str, ...]) -> None:
     for warning in warnings:
-        typer.echo(f"fembearing: warning: {warning}", err=True)
+        say(f"warning: {warning}")

@@ -1,14 +1,14 @@
 """`fembearing sweep`: it computes a grid, draws maps of the dataset, and prints a summary."""
 
-import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fembearing.cli.console import err, out, print_json, shown_progress
+from analytic.writing import new_folder, remove_whole
+from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import AsJson
-from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain
+from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain, say
 
 if TYPE_CHECKING:
     from fembearing.sweep.run import Sweep
@@ -48,19 +48,18 @@ def sweep(
 
 
 def _announce(dashboard: str) -> None:
-    err.print(f"dashboard: {dashboard}", soft_wrap=True, markup=False)
+    say(f"dashboard: {dashboard}")
 
 
 def _maps(result: "Sweep") -> list[Path]:
     """The maps of the dataset. They are drawn again where they are older than it."""
     folder, dataset = Path(result.folder) / MAPS, Path(result.file)
     if folder.exists() and folder.stat().st_mtime_ns < dataset.stat().st_mtime_ns:
-        shutil.rmtree(folder)
+        remove_whole(folder)
     if not folder.exists():
         from fembearing.report.figures.sweep_maps import PLOTTED, write_maps  # takes matplotlib
-        from fembearing.report.new_folder import whole_folder
 
-        with whole_folder(folder) as apart:
+        with new_folder(folder) as apart:
             write_maps(result.to_dataset(*PLOTTED), apart)
     return sorted(folder.iterdir())
 

@@ -1,6 +1,7 @@
 """`fembearing torque`."""
 
 from dataclasses import replace
+from typing import Annotated
 
 import typer
 
@@ -16,7 +17,7 @@ from fembearing.cli.options import (
     read_scene,
     read_tolerance,
 )
-from fembearing.cli.status import STATUS, print_warnings
+from fembearing.cli.status import DONE, NOT_SOLVED, STATUS, print_warnings, say
 
 
 def torque(
@@ -25,6 +26,9 @@ def torque(
     target: Target = None,
     with_interval: WithInterval = False,
     samples: Samples = None,
+    keep_going: Annotated[
+        bool, typer.Option("--keep-going", help="Leave out operating points that have no torque, and say why.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Friction torque of a scene by effect, and which effects were computed or left out."""
@@ -34,7 +38,7 @@ def torque(
     from fembearing.report.torque_folder import torque_with_files
 
     with shown_progress() as progress:
-        result, lacking = torque_with_files(given, out=target, samples=count, progress=progress)
+        result, lacking = torque_with_files(given, out=target, samples=count, keep_going=keep_going, progress=progress)
     if as_json:
         print_json(result.to_json())
     else:
@@ -43,5 +47,6 @@ def torque(
         if target is not None:
             out.print(f"{'file' if target.suffix else 'folder'}: {target}", soft_wrap=True, markup=False)
     if lacking is not None:
-        typer.echo(f"fembearing: {lacking}", err=True)
-    raise typer.Exit(STATUS[result.verdicts.overall])
+        say(lacking)
+    status = STATUS[result.verdicts.overall]
+    raise typer.Exit(NOT_SOLVED if status == DONE and result.left_out else status)

@@ -1,6 +1,5 @@
 """Meshes as .vtu files of VTK, written by meshio, with cells and node sets and without loss."""
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -10,8 +9,11 @@ from skfem import MeshHex2
 from skfem.io.meshio import from_meshio, to_meshio
 
 from analytic.errors import InputError
+from analytic.reading import require_regular
+from analytic.writing import replaced_file
 from fembearing.mesh.bodies import BodyMesh, BodyName
 
+LARGEST = 1_000_000_000  # bytes: ten times the finest mesh
 ABSENT = -1  # number of a node that cannot touch
 SETS = ("surface", "far", "clamped", "plane_x", "plane_y", "plane_z")
 
@@ -29,16 +31,16 @@ def write_body(path: Path, body: BodyMesh, **fields: Any) -> None:
         marks[name] = np.isin(np.arange(count), nodes).astype(np.int8)
     content = to_meshio(body.mesh)
     content.point_data.update(marks | fields)
-    temporary = path.with_name(f".{path.stem}-{os.getpid()}.vtu")  # a file of tempfile could be read by its owner only
-    try:
-        meshio.vtu.write(str(temporary), content)
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    with replaced_file(path) as file:
+        meshio.vtu.write(str(file), content)
 
 
 def read_body(path: Path, *, name: BodyName) -> BodyMesh:
     """Read what `write_body` wrote. Raises InputError for a file that is not such a mesh."""
+    try:
+        require_regular(path, most=LARGEST, remedy="give a .vtu file of `fembearing mesh`")
+    except InputError as problem:
+        raise InputError(f"{path}: {problem}") from problem
     try:
         content = meshio.vtu.read(str(path))
         _require_sound(content)

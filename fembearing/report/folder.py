@@ -7,11 +7,11 @@ from pathlib import Path
 
 from analytic.scene import Scene
 from analytic.scenefile.by_name import Given
+from analytic.writing import new_folder, write
 from fembearing.compare.cost.scene_cost import Cost
 from fembearing.compare.torque.scene_torque import Samples
 from fembearing.compare.validation import Validation, check_scene
 from fembearing.progress import Progress, part_of, silent
-from fembearing.report.new_folder import whole_folder
 
 CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written
 
@@ -61,7 +61,7 @@ def validate(
     -----
     Sources: those of `solve_contact` and of `analytic.friction_torque`; the comparison is in the terms of [ASME2009].
     """
-    with nullcontext() if out is None else whole_folder(Path(out)) as folder:
+    with nullcontext() if out is None else new_folder(Path(out)) as folder:
         checked = 1.0 if folder is None else CHECKED
         solving = part_of(progress, 0.0, checked)
         result = check_scene(scene, tolerance=tolerance, hard=hard, cost=cost, samples=samples, progress=solving)
@@ -75,7 +75,7 @@ def write_report(result: Validation, folder: Path) -> Validation:
     """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
     from fembearing.report.document.build import report_of
     from fembearing.report.figures.cost import cost_table
-    from fembearing.report.page.write import write_page  # with matplotlib: half a second that only a report pays for
+    from fembearing.report.page.write import page_of  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures.draw import draw_pictures
 
     pictures, trouble = draw_pictures(result.contacts, folder)
@@ -83,9 +83,9 @@ def write_report(result: Validation, folder: Path) -> Validation:
         result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
     document = report_of(result, pictures=[picture.to_json() for picture in pictures], renderer=trouble)
     numbers = json.dumps(document.to_json(), indent=1, allow_nan=False)
-    (folder / "report.json").write_text(numbers, "utf-8")
-    write_page(document, folder=folder, file=folder / "report.html")
-    (folder / "cost.csv").write_text(cost_table(document.cost.ladders), "utf-8")
+    write(folder / "report.json", numbers)
+    write(folder / "report.html", page_of(document, folder))
+    write(folder / "cost.csv", cost_table(document.cost.ladders))
     return result
 
 
@@ -96,6 +96,6 @@ def write_cost(cost: Cost, folder: Path) -> None:
     from fembearing.report.figures.style import png
 
     ladders = [Ladder.model_validate(ladder.to_json()) for ladder in cost.ladders]
-    (folder / "cost.png").write_bytes(png(*cost_figures(ladders, tolerance=cost.tolerance, most=len(ladders) + 1)))
-    (folder / "cost.csv").write_text(cost_table(ladders), "utf-8")
-    (folder / "cost.json").write_text(json.dumps(cost.to_json(), indent=1, allow_nan=False), "utf-8")
+    write(folder / "cost.png", png(*cost_figures(ladders, tolerance=cost.tolerance, most=len(ladders) + 1)))
+    write(folder / "cost.csv", cost_table(ladders))
+    write(folder / "cost.json", json.dumps(cost.to_json(), indent=1, allow_nan=False))

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from analytic.scene import Scene
+from analytic.writing import being_written, new_file, new_folder, write
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
 from fembearing.compare.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 from fembearing.progress import Progress, part_of, silent
 from fembearing.quantities import METRIC
-from fembearing.report.new_folder import whole_file, whole_folder
 from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file
 
 if TYPE_CHECKING:
@@ -25,12 +25,18 @@ COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and
 
 
 def torque_with_files(
-    scene: Scene, *, out: Path | None = None, samples: Samples = None, progress: Progress = silent
+    scene: Scene,
+    *,
+    out: Path | None = None,
+    samples: Samples = None,
+    keep_going: bool = False,
+    progress: Progress = silent,
 ) -> tuple[SceneTorque, str | None]:
     """Compute the torque, and write it.
 
     out : folder, or file whose ending says what it holds (`torque_file`); it must not exist yet. None writes nothing
     samples : of the 95 % interval, or "enough"; None: no interval
+    keep_going : leave out the operating points that have no torque
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Gives the torque, and a sentence on what a folder lacks and why: None where it lacks nothing.
     Raises InputError for a scene that has no torque or a name that cannot be written, MotionError where a cage's motion
@@ -39,17 +45,18 @@ def torque_with_files(
 
     def computed(most: float) -> SceneTorque:
         progress(0.0, "torque")
-        return torque_of_scene(scene, samples=samples, progress=part_of(progress, 0.0, most))
+        part = part_of(progress, 0.0, most)
+        return torque_of_scene(scene, samples=samples, keep_going=keep_going, progress=part)
 
     if out is None:
         return computed(1.0), None
     if out.suffix:
         content = content_of(out)
-        with whole_file(out) as file:
+        with new_file(out) as file:
             result = computed(RECORDED)
             file.write_bytes(content(result))
         return result, None
-    with whole_folder(out) as folder:
+    with new_folder(out) as folder:
         result = computed(COMPUTED)
         return result, write_torque(result, folder, progress=progress)
 
@@ -77,10 +84,10 @@ def write_torque(
         written, lacking = [], _why_at_rest(result)
     if result.prediction is not None:
         _write_prediction(result.prediction, folder)
-    (folder / "torque.csv").write_bytes(table_file(result))
-    (folder / "torque.png").write_bytes(figure_file(result))
+    write(folder / "torque.csv", table_file(result))
+    write(folder / "torque.png", figure_file(result))
     motion = {"points": written, "lacking": lacking}
-    (folder / "torque.json").write_bytes(numbers_file(result, cage_motion=motion))
+    write(folder / "torque.json", numbers_file(result, cage_motion=motion))
     return lacking
 
 
@@ -90,7 +97,7 @@ def _write_prediction(prediction: "Prediction", folder: Path) -> None:
     from fembearing.report.figures.prediction import interval_figure
     from fembearing.report.figures.style import png
 
-    (folder / "interval.png").write_bytes(png(interval_figure(Table.model_validate(prediction.to_json()), METRIC)))
+    write(folder / "interval.png", png(interval_figure(Table.model_validate(prediction.to_json()), METRIC)))
 
 
 def _write_motions(
@@ -111,9 +118,10 @@ def _write_motions(
         series, plot = folder / f"{record.point}-cage.nc", folder / f"{record.point}-cage-forces.png"
         dataset = record.to_dataset()
         packed = {name: {"zlib": True, "complevel": 1} for name in dataset.data_vars}  # most forces are 0
-        dataset.to_netcdf(series, engine="netcdf4", encoding=packed)
+        with being_written(series):
+            dataset.to_netcdf(series, engine="netcdf4", encoding=packed)
         motion = Motion.model_validate(record.drawn())
-        plot.write_bytes(png(orbit_figure(motion, METRIC, captioned=True)))
+        write(plot, png(orbit_figure(motion, METRIC, captioned=True)))
         written.append(
             {
                 "point": record.point,

@@ -5,7 +5,7 @@
 
 import logging
 import os
-from asyncio import gather
+from asyncio import gather, run, wait_for
 from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import CancelledError
 from contextlib import contextmanager
@@ -14,9 +14,9 @@ from importlib.util import find_spec
 from itertools import islice
 from typing import Any
 
-from analytic.errors import FembearingError, InputError
+from analytic.errors import FembearingError, InputError, ResourceError
 
-PATIENCE = 10.0  # s, within which a cluster elsewhere has to answer
+PATIENCE = 5.0  # s, within which a cluster elsewhere has to answer
 MEMORY = 1.0  # share of this machine's that each worker may take: all, since a task that needs much runs alone at last
 AHEAD = 2  # tasks sent for each thread of the workers: one runs, and the next one waits there
 ENVIRONMENT = {  # of the workers on this machine, where the user has not set it
@@ -65,7 +65,7 @@ def each_done(
     that fails as well, its result is a LostWorkerError. An exception of a task is raised here. The workers have a few
     tasks each at a time, so that memory does not grow with the number of tasks.
     Raises InputError where no cluster answers at the address, it goes away, or it has another version of fembearing;
-    FembearingError where the processes of this machine cannot start.
+    FembearingError where the processes of this machine cannot start, ResourceError where all of them end.
     """
     if not tasks:
         return
@@ -137,7 +137,7 @@ def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
             with Client(cluster, set_as_default=False) as client:
                 yield client
         except NoWorkerError as problem:
-            raise FembearingError(
+            raise ResourceError(
                 "the processes that compute ended and none starts again; free some memory: what is done is kept, and "
                 "the same command goes on"
             ) from problem
@@ -170,8 +170,9 @@ def _workers_at(address: str) -> Iterator[Any]:
     place, here = f"--scheduler {address!r}", version("fembearing")
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)  # errors are reported here, in one line
     try:
+        run(wait_for(_greet(address), PATIENCE))
         client: Any = Client(address, timeout=PATIENCE, set_as_default=False)
-    except (OSError, ValueError) as problem:
+    except (OSError, ValueError, MemoryError) as problem:  # MemoryError: of a size that something else wrote
         raise InputError(f"{place}: no Dask cluster answers there; start one, or check it") from problem
     with client:
         try:
@@ -187,6 +188,14 @@ def _workers_at(address: str) -> Iterator[Any]:
             raise InputError(
                 f"{place}: the cluster cannot read what it is sent; its scheduler needs fembearing {here} as here"
             ) from problem
+
+
+async def _greet(address: str) -> None:
+    """Raise an error where no Dask answers; a client would take half a minute to find out, and leave a traceback."""
+    from distributed.comm.core import connect
+
+    greeted = await connect(address, timeout=PATIENCE)
+    await greeted.close()
 
 
 def _draws_dashboard() -> bool:

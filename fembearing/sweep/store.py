@@ -10,7 +10,7 @@ import json
 import os
 import zipfile
 from collections.abc import Callable, Container, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from importlib.metadata import version
 from io import BytesIO
@@ -20,6 +20,8 @@ from typing import Any
 import numpy as np
 
 from analytic.errors import InputError
+from analytic.reading import content_of, opened
+from analytic.writing import remove_leftovers, replaced_file
 from fembearing.sweep.grid import Grid
 from fembearing.sweep.parts import Part, Piece
 
@@ -31,7 +33,9 @@ except ImportError:  # Windows: the user has to ensure that no other sweep works
 GRID, DONE, RESULT = "sweep.json", "done.json", "sweep.nc"
 BYTES = "bytes"  # size of the result, which shows whether it is still complete
 PARTS, LOCK = "parts", ".lock"
+KEPT = ": what is done is kept, and the same sweep continues"
 HEIGHT_MAP = "surface.height_map.path"
+LARGEST = 400_000_000  # bytes of a height map, and of a file in the folder
 DIGITS = 32  # of a hash in a file name
 
 
@@ -54,7 +58,9 @@ class Store:
         arrays: dict[str, Any] = {f"column {name}": values for name, values in part.columns.items()}
         arrays |= {f"word {name}": values for name, values in part.words.items()}
         np.savez(content, allow_pickle=False, notes=np.array(json.dumps(notes)), **arrays)
-        _write_whole(self.path(piece), lambda file: file.write_bytes(content.getvalue()))
+        path = self.path(piece)
+        path.parent.mkdir(exist_ok=True)
+        _write(path, content.getvalue())
 
     def load(self, piece: Piece, names: Container[str] | None = None) -> Part | None:
         """The results of a piece; only the columns of `names` if given.
@@ -62,7 +68,10 @@ class Store:
         None where the piece is not finished, or its file is damaged, for example by a power failure.
         """
         try:
-            with self.path(piece).open("rb") as file, np.load(file, allow_pickle=False) as content:
+            with (
+                opened(self.path(piece), most=LARGEST, remedy="") as file,
+                np.load(file, allow_pickle=False) as content,
+            ):
                 notes = json.loads(str(content["notes"]))
                 groups: dict[str, dict[str, Any]] = {"column": {}, "word": {}}
                 for key in content.files:
@@ -81,12 +90,13 @@ class Store:
     def keep_result(self, write: Callable[[Path], Any]) -> None:
         """Write the result by a function that takes its path."""
         (self.folder / DONE).unlink(missing_ok=True)
-        _write_whole(self.folder / RESULT, write)
+        with replaced_file(self.folder / RESULT, besides=KEPT) as file:
+            write(file)
 
     def finish(self, outcome: dict[str, Any]) -> None:
         """Record the outcome of a complete sweep, so that a later run need not compute anything."""
         text = json.dumps(outcome | {BYTES: (self.folder / RESULT).stat().st_size}, indent=1)
-        _write_whole(self.folder / DONE, lambda file: file.write_text(text, "utf-8"))
+        _write(self.folder / DONE, text.encode())
 
     def finished(self) -> dict[str, Any] | None:
         """The outcome of a complete sweep; None where pieces are missing or the result has changed."""
@@ -120,29 +130,15 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
             _require_same(_read_json(description), hashes, place)
         else:
             text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
-            _write_whole(description, lambda file: file.write_text(text, "utf-8"))
+            _write(description, text.encode())
+        for place_of_files in (folder, folder / PARTS):
+            remove_leftovers(place_of_files)
         yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
 
 
-def _write_whole(path: Path, write: Callable[[Path], Any]) -> None:
-    """Write a file under a temporary name and rename it when it is complete.
-
-    The temporary name is always the same, so that a later write replaces what a killed process left. Raises InputError
-    where the file cannot be written.
-    """
-    apart = path.with_name(f".{path.name}")
-    try:
-        path.parent.mkdir(exist_ok=True)
-        write(apart)
-        apart.replace(path)
-    except (OSError, RuntimeError) as problem:  # RuntimeError: netCDF's error for a full disk
-        reason = getattr(problem, "strerror", None) or problem
-        raise InputError(
-            f"{str(path)!r} cannot be written: {reason}; free some space: what is done is kept, and the same sweep "
-            "continues"
-        ) from problem
-    finally:
-        apart.unlink(missing_ok=True)
+def _write(path: Path, content: bytes) -> None:
+    with replaced_file(path, besides=KEPT) as file:
+        file.write_bytes(content)
 
 
 def _hashes(grid: Grid) -> dict[str, str]:
@@ -166,9 +162,9 @@ def _height_maps(grid: Grid) -> Iterator[bytes]:
         node = node.get(key) if isinstance(node, dict) else None
     named = [node, *(value for axis in grid.axes if axis.key == HEIGHT_MAP for value in axis.values)]
     for name in named:
-        path = Path(grid.folder) / str(name)
-        if isinstance(name, str) and path.is_file():  # else reading the scene raises the error
-            yield path.read_bytes()
+        if isinstance(name, str):
+            with suppress(InputError):  # reading the scene raises it
+                yield content_of(Path(grid.folder) / name, most=LARGEST, remedy="")
 
 
 def _is_free(folder: Path) -> bool:
@@ -178,7 +174,7 @@ def _is_free(folder: Path) -> bool:
 def _read_json(path: Path) -> dict[str, Any] | None:
     """The table in a JSON file; None where it is missing or damaged."""
     try:
-        content = json.loads(path.read_text("utf-8"))
+        content = json.loads(content_of(path, most=LARGEST, remedy=""))
     except (OSError, ValueError):
         return None
     return content if isinstance(content, dict) else None

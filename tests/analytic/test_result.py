@@ -8,8 +8,9 @@ import pytest
 from analytic import catalog
 from analytic.effects.table import ENTRIES
 from analytic.errors import InputError
+from analytic.result import require_numbers
 from analytic.scene import Bearing, ContactAngle, Scene
-from analytic.scenefile.read import parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import DRY_PARTS, dry, part, thrust, without
 
@@ -151,3 +152,24 @@ def test_a_scene_file_names_loss_and_spin_rule() -> None:
         parse_scene(given + table + "hysteresis_loss = -0.2\n", origin="here")
     with pytest.raises(InputError, match=r"friction\.spin_rule = 'race'.*'balanced'"):
         parse_scene(given + '[friction]\ncoefficient = 0.1\nspin_rule = "race"\n', origin="here")
+
+
+@pytest.mark.parametrize("name", ["numerical_uncertainty", "contact_angle", "model_uncertainty"])
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_a_number_that_is_not_finite_never_becomes_a_result(name: str, value: float) -> None:
+    result = friction_torque(load_scene("6205-dry"))
+    assert require_numbers(result) is result
+    values = np.full(result.inner_speed.shape, 0.4)
+    values[-1] = value
+    with pytest.raises(InputError, match=rf"comes out as {value:g} at operating point {values.size} \(inner_speed"):
+        require_numbers(replace(result, **{name: values}))
+
+
+def test_an_uncertainty_may_be_infinite_for_a_reason_alone() -> None:
+    result = friction_torque(load_scene("6205-dry"))
+    unsure = replace(result, numerical_uncertainty=np.full(result.inner_speed.shape, np.inf), unknown=("nobody knows",))
+    assert require_numbers(unsure) is unsure
+    with pytest.raises(InputError, match="numerical uncertainty comes out as inf"):
+        require_numbers(replace(unsure, unknown=()))
+    with pytest.raises(InputError, match="total comes out as nan"):
+        require_numbers(replace(unsure, torque=replace(result.torque, total=result.torque.total * np.nan)))

@@ -178,7 +178,7 @@ def test_init_replaces_nothing(command, tmp_path: Path, monkeypatch: pytest.Monk
     (tmp_path / "mine.toml").write_text("mine")
     refused = command("init", "6206", "--out", "mine.toml")
     assert (refused.status, refused.out) == (2, "")
-    assert refused.err == "fembearing: mine.toml exists already; give another name with --out, or remove it\n"
+    assert refused.err == "fembearing: --out 'mine.toml' exists already: give a new name, or remove it first\n"
     assert (tmp_path / "mine.toml").read_text() == "mine"
     assert command("init", "6206", "--out", "other name.toml").out.splitlines()[-1].endswith("torque 'other name.toml'")
     assert (tmp_path / "fembearing-scene.schema.json").read_text() == "{}"
@@ -189,7 +189,7 @@ def test_init_replaces_nothing(command, tmp_path: Path, monkeypatch: pytest.Monk
     [
         (["init", "6299"], ["6299", "nearest: "]),
         (["init", "7208"], ["7208", "contact angle", "7208A5"]),
-        (["init", "6206", "--out", "no/6206.toml"], ["no/6206.toml", "folder that exists"]),
+        (["init", "6206", "--out", "no/6206.toml"], ["no/6206.toml", "cannot be made in"]),
         (["list", "bearings", "xx"], ["bearings", "'xx'", "fembearing list bearings"]),
         (["list", "balls"], ["balls", "bearings"]),
         (["torque", "6299"], ["6299", "nearest: ", "paper_6205"]),

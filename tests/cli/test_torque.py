@@ -9,6 +9,7 @@ import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import parse_scene
+from analytic.scenefile.template import Choice, scene_text
 from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.document.verdicts import Verdicts
@@ -271,3 +272,24 @@ def test_wrong_samples_give_one_line(command, options: tuple[str, ...], complain
     assert (status, out) == (INPUT_AT_FAULT, "")
     assert complaint in err
     assert err.count("\n") == 1
+
+
+def test_a_series_loses_only_its_bad_points(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The torque of the others is that of a series without the bad one."""
+    monkeypatch.chdir(tmp_path)
+    text = scene_text("6206", Choice(axial_load="700 N"))
+    for name, loads in (("bad", ["100 N", "-1.4e9 N", "300 N"]), ("good", ["100 N", "300 N"])):
+        (tmp_path / f"{name}.toml").write_text(text.replace('radial_load = "0 N"', f"radial_load = {loads}"), "utf-8")
+    refused = command("torque", "bad.toml", "--out", "none")
+    assert (refused.status, refused.err.count("\n")) == (2, 1)
+    good = json.loads(command("torque", "good.toml", "--json").out)
+    kept = command("torque", "bad.toml", "--keep-going", "--json")
+    found = json.loads(kept.out)
+    assert kept.status == 3
+    assert found["points"] == good["points"]
+    (reason,) = set(found["warnings"]) - set(good["warnings"])
+    assert reason.startswith("operating point 2 of 3 is left out: the axial load of 0.7 kN and radial load of 1.4e+06")
+    assert "lower the load" in reason
+    worse = text.replace('radial_load = "0 N"', 'radial_load = ["1e9 N", "2e9 N"]')
+    (tmp_path / "worse.toml").write_text(worse, "utf-8")
+    assert command("torque", "worse.toml", "--keep-going").status == 2

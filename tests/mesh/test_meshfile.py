@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import pyvista
 
-from analytic.errors import InputError
+from analytic.errors import InputError, StorageError
 from analytic.scene import Contact
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.meshfile import read_body, write_body
@@ -75,7 +75,7 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(meshio.vtu, "write", disk_full)
-    with pytest.raises(OSError, match="No space left"):
+    with pytest.raises(StorageError, match="No space left"):
         write_body(tmp_path / "body.vtu", body)
     assert (tmp_path / "body.vtu").read_bytes() == before
     assert [path.name for path in tmp_path.iterdir()] == ["body.vtu"]

@@ -15,12 +15,13 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
+from analytic.writing import new_folder
 from fembearing import cli
+from fembearing.cli.boundary import end
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
 from fembearing.report.document.build import report_of
 from fembearing.report.folder import validate
-from fembearing.report.new_folder import whole_folder
 from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
 
@@ -57,7 +58,7 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
 def test_the_folder_is_open_to_those_whom_the_umask_lets_in(tmp_path: Path) -> None:
     old = os.umask(0o027)
     try:
-        with whole_folder(tmp_path / "new"):
+        with new_folder(tmp_path / "new"):
             pass
     finally:
         os.umask(old)
@@ -96,7 +97,7 @@ def test_a_folder_that_cannot_be_made_is_refused_first(
     assert "\n" not in str(refusal.value)
 
 
-@pytest.mark.parametrize("where", ["check_scene", "write_page"])
+@pytest.mark.parametrize("where", ["check_scene", "page_of"])
 def test_nothing_is_left_of_a_report_that_fails(
     solved: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
 ) -> None:
@@ -114,7 +115,7 @@ def test_a_folder_made_meanwhile_is_kept(tmp_path: Path) -> None:
     out = tmp_path / "report"
 
     def race() -> None:
-        with whole_folder(out) as place:
+        with new_folder(out) as place:
             (place / "ours").write_text("ours")
             out.mkdir()
             (out / "theirs").write_text("theirs")
@@ -156,9 +157,9 @@ def test_a_second_signal_does_not_stop_the_clearing_up(tmp_path: Path, monkeypat
         remove(*given, **how)  # pyright: ignore[reportArgumentType, reportCallIssue]
 
     monkeypatch.setattr(shutil, "rmtree", signalled)
-    before = signal.signal(signal.SIGTERM, cli.end)
+    before = signal.signal(signal.SIGTERM, end)
     try:
-        with pytest.raises(SystemExit), whole_folder(tmp_path / "report"):
+        with pytest.raises(SystemExit), new_folder(tmp_path / "report"):
             os.kill(os.getpid(), signal.SIGTERM)
     finally:
         signal.signal(signal.SIGTERM, before)

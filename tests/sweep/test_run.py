@@ -11,10 +11,11 @@ import numpy as np
 import pytest
 
 from analytic import catalog
-from analytic.errors import InputError
+from analytic.errors import InputError, StorageError
 from analytic.prediction.prediction import predict
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from analytic.writing import scratch_folder
 from fembearing.sweep import parts
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.run import run_sweep
@@ -155,8 +156,10 @@ def test_missing_files_of_a_folder_are_computed_again(grid_file: Write, tmp_path
     first, second, *_ = sorted((out / "parts").iterdir())
     first.write_bytes(first.read_bytes()[:900])  # as a power failure leaves it
     second.unlink()
-    for half_written in (out / "parts" / f".{second.name}", out / ".sweep.nc"):  # as a killed process leaves them
-        half_written.write_text("half")
+    with scratch_folder(tmp_path) as own:
+        machine, process, start = own.name.split("-")[1:4]
+    for place in (out / "parts", out):  # as a process that was killed leaves them
+        (place / f".fembearing-{machine}-{process}-{int(start) - 1}-0").write_text("half")
     (out / "done.json").unlink()
     found = run_sweep(path, out=out)
     assert (found.computed, found.kept, len(in_process)) == (16, 32, 8)
@@ -180,7 +183,7 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path:
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (space, limits[1]))
     try:
-        with pytest.raises(InputError, match=r"cannot be written: .*; free some space: what is done is kept") as found:
+        with pytest.raises(StorageError, match=r"cannot be written: .*; .*: what is done is kept") as found:
             run_sweep(path, out=out)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)

@@ -1,16 +1,20 @@
 """Workers that are killed, here and on a cluster elsewhere: no result is lost, and no process remains."""
 
+import gc
 import multiprocessing
 import operator
 import os
 import re
 import signal
+import socket
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import dask.config
@@ -269,3 +273,26 @@ def test_a_scheduler_that_is_not_there_is_one_line(
     with pytest.raises(InputError, match="no Dask cluster answers there"):
         run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="nonsense")
     assert load_grid(grid_file(SERIES)).size == 7
+
+
+@pytest.mark.parametrize("says", [b"", b"HTTP/1.1 400 Bad Request\r\n\r\n"], ids=["nothing", "what no Dask says"])
+def test_what_listens_and_is_no_scheduler_is_one_line(says: bytes, capfd: pytest.CaptureFixture[str]) -> None:
+    """Dask would read sizes out of what it is answered, or wait for ever."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def answer() -> None:
+            with suppress(OSError):  # the test is over
+                while True:
+                    there, _ = server.accept()
+                    held.append(there)
+                    there.sendall(says)
+
+        held: list[socket.socket] = []
+        Thread(target=answer, daemon=True).start()
+        place = f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        with pytest.raises(InputError, match="no Dask cluster answers there"):
+            list(each_done(operator.neg, {1: (7,)}, scheduler=place))
+        for there in held:
+            there.close()
+    gc.collect()  # a client that was given up would complain here
+    assert capfd.readouterr().err == ""

@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import gettempdir
 from typing import Literal
 
 from analytic.errors import ConvergenceError, FembearingError, InputError
+from analytic.writing import scratch_folder
 
 Outcome = Literal["right", "refused", "wrong"]
 ROUND_OFF = (1e-13, "a few hundred roundings of a double")
@@ -64,8 +65,8 @@ def outcome_of(case: HardCase) -> HardOutcome:
 @contextmanager
 def temporary_file(name: str) -> Iterator[Path]:
     """A path for one case's file. Error messages omit its folder, whose name differs every time."""
-    with TemporaryDirectory() as folder:
+    with scratch_folder(Path(gettempdir())) as folder:
         try:
-            yield Path(folder) / name
+            yield folder / name
         except InputError as refusal:
             raise InputError(str(refusal).replace(f"{folder}{os.sep}", "")) from refusal

@@ -108,6 +108,11 @@ def scene_band(scene: Scene) -> CatalogueBand:
     axial, radial = np.asarray(operation.axial_load), np.abs(operation.radial_load)
     if np.any(axial < 0):
         raise InputError(f"operation.axial_load = {axial.min():g} N is below 0")
+    if np.any(axial > rating):  # their angle of the loaded contact would pass 25 deg, and turn back beyond 90 deg
+        raise InputError(
+            f"operation.axial_load = {axial.max():g} N is above the static load rating of {rating:g} N, up to which "
+            "the models are"
+        )
     case = CatalogueCase(
         series=series,
         bore_diameter=bore,

@@ -6,12 +6,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.brief import Brief, span
-from analytic.errors import FembearingError
+from analytic.errors import FembearingError, InputError
 from analytic.inputs import StatedInput, stated_inputs
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
-from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
+from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque, require_numbers
 from analytic.scene import Array, Bearing, Scene
 from analytic.torque import friction_torque
 from analytic.uncertainty import with_model_uncertainty
@@ -45,6 +46,17 @@ class SceneTorque(Brief):
         None  # with the balls that the ratings fit nearly as well, if there are any
     )
     prediction: "Prediction | None" = None  # the interval; None: not asked for
+    left_out: tuple[str, ...] = ()  # operating points of the scene that have no torque, and why; warnings say it too
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a number that is not finite, so that no face shows it: terminal, files or page."""
+        require_numbers(self.friction)
+        for name, values in self._beside():
+            if not np.isfinite(values).all():
+                raise InputError(
+                    f"the {BESIDE[name].meaning} comes out as {values[~np.isfinite(values)][0]:g} N m: the numbers of "
+                    "the scene lie beyond what can be computed; give usual ones"
+                )
 
     def _facts(self) -> Iterator[str]:
         yield self.scene.name
@@ -161,14 +173,19 @@ def _span(values: Array, form: str) -> str:
     return low if low == high else f"{low} to {high}"
 
 
-def torque_of_scene(scene: Scene, *, samples: Samples = None, progress: Progress = silent) -> SceneTorque:
+def torque_of_scene(
+    scene: Scene, *, samples: Samples = None, keep_going: bool = False, progress: Progress = silent
+) -> SceneTorque:
     """The torque of a scene.
 
     samples : of its 95 % interval, or "enough"; None: no interval
+    keep_going : leave out the operating points that have no torque, and say why
     progress : called with the share of the samples done
-    Raises InputError as friction_torque, and with samples as predict.
+    Raises InputError as friction_torque, and with samples as predict; with keep_going where no point has a torque.
     """
+    scene, left_out = _computable(scene) if keep_going else (scene, ())
     friction = with_model_uncertainty(scene, friction_torque(scene))
+    friction = replace(friction, warnings=(*friction.warnings, *left_out))
     other, friction = _with_other_balls(scene, friction)
     prediction = None
     if samples is not None:
@@ -181,7 +198,36 @@ def torque_of_scene(scene: Scene, *, samples: Samples = None, progress: Progress
         catalogue=beside_catalogue(scene),
         other_candidate=other,
         prediction=prediction,
+        left_out=left_out,
     )
+
+
+def _computable(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
+    """The scene at the operating points that have a torque, and a sentence on each of the others."""
+    operation = scene.operation.as_series()
+
+    def at(points: NDArray[np.intp]) -> Scene:
+        series = {name: values[points] for name, values in vars(operation).items()}
+        return replace(scene, operation=replace(operation, **series))
+
+    reasons: dict[int, FembearingError] = {}
+
+    def try_out(points: NDArray[np.intp]) -> None:
+        try:
+            friction_torque(at(points))
+        except FembearingError as problem:
+            if points.size == 1:
+                reasons[int(points[0])] = problem
+            else:
+                for half in np.array_split(points, 2):
+                    try_out(half)
+
+    every = np.arange(operation.inner_speed.size)
+    try_out(every)
+    if len(reasons) == every.size:
+        raise reasons[0]
+    words = (f"operating point {point + 1} of {every.size} is left out: {why}" for point, why in reasons.items())
+    return at(np.delete(every, [*reasons])), tuple(words)
 
 
 def _with_other_balls(scene: Scene, friction: FrictionTorque) -> tuple[FrictionTorque | None, FrictionTorque]:

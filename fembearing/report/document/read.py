@@ -3,12 +3,12 @@
 import json
 from importlib.metadata import version
 from pathlib import Path
-from stat import S_ISREG
 from typing import Any, NoReturn
 
 from pydantic import ValidationError
 
 from analytic.errors import InputError
+from analytic.reading import content_of
 from fembearing.report.document.report import FORMAT, KIND, Report
 
 LARGEST_FILE = 256_000_000  # bytes: ten times a series of thousand points
@@ -55,21 +55,10 @@ def read_report(path: Path) -> Report:
 
 
 def _text_of(path: Path) -> bytes:
-    """The content of a regular file. Neither a pipe, which may never end, nor a device is opened."""
     try:
-        kind = path.stat()
-        if not S_ISREG(kind.st_mode):
-            raise InputError(f"{str(path)!r} is no regular file; give the report.json of a report")
-        with path.open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-    except (OSError, ValueError) as problem:  # ValueError: a path with a null character
-        if isinstance(problem, InputError):
-            raise
-        reason = getattr(problem, "strerror", None) or "not a path"
-        raise InputError(f"{str(path)!r} cannot be read: {reason}; give the report.json of a report") from problem
-    if len(content) > LARGEST_FILE:
-        raise InputError(f"{str(path)!r} has more than {LARGEST_FILE // 10**6} MB; no report.json is that large")
-    return content
+        return content_of(path, most=LARGEST_FILE, remedy="give the report.json of a report")
+    except InputError as problem:
+        raise InputError(f"{str(path)!r}: {problem}") from problem
 
 
 def _no_number(name: str) -> NoReturn:

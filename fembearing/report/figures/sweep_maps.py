@@ -16,6 +16,7 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from analytic.scene import Array
+from analytic.writing import write
 from fembearing.quantities import Unit, unit_for
 from fembearing.report.figures.style import png
 
@@ -32,7 +33,7 @@ def write_maps(dataset: Any, folder: Path) -> list[Path]:
     for name in PLOTTED:
         if name in dataset and np.any(np.isfinite(dataset[name])) and any(size > 1 for size in dataset.sizes.values()):
             written.append(folder / f"{name}.png")
-            written[-1].write_bytes(png(map_figure(dataset, name)))
+            write(written[-1], png(map_figure(dataset, name)))
     return written
 
 

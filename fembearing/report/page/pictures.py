@@ -2,14 +2,16 @@
 
 import re
 from pathlib import Path
-from stat import S_ISREG
 from typing import NamedTuple
 
+from analytic.errors import InputError
+from analytic.reading import content_of
 from fembearing.report.document.report import PictureFile, Report
 from fembearing.report.figures.page_plots import embedded
+from fembearing.report.page.view import remade
 from fembearing.report.phrases import contact_title
 
-PNG, VIEW = b"\x89PNG\r\n\x1a\n", b"<!DOCTYPE html>"  # how such a file begins
+PNG = b"\x89PNG\r\n\x1a\n"  # how such a file begins
 LARGEST_FILE = 64_000_000  # bytes
 SENTENCE_END = re.compile(r"(?<=[.]) (?=[A-Z])")
 
@@ -43,8 +45,11 @@ def _shown(picture: PictureFile, document: Report, folder: Path) -> ShownPicture
     content = _content_of(folder / picture.file)
     if content is None:
         return shown._replace(missing=f"The picture {picture.file} does not lie beside report.json.")
-    if picture.kind == "view" and content.startswith(VIEW):
-        return shown._replace(view=content.decode("utf-8", "replace"))
+    if picture.kind == "view":
+        view = remade(content)
+        if view is None:
+            return shown._replace(missing=f"The file {picture.file} beside report.json is no view.")
+        return shown._replace(view=view)
     if not content.startswith(PNG):
         return shown._replace(missing=f"The file {picture.file} beside report.json is no picture.")
     return shown._replace(source=embedded(content))
@@ -53,7 +58,6 @@ def _shown(picture: PictureFile, document: Report, folder: Path) -> ShownPicture
 def _content_of(file: Path) -> bytes | None:
     """The content of a regular file of bounded size; None where there is none. No link is followed, no pipe opened."""
     try:
-        kind = file.lstat()
-        return file.read_bytes() if S_ISREG(kind.st_mode) and kind.st_size <= LARGEST_FILE else None
-    except OSError:
+        return content_of(file, most=LARGEST_FILE, remedy="", linked=False)
+    except InputError:
         return None

@@ -1,6 +1,7 @@
 """The page made again from report.json and the pictures beside it."""
 
 import os
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,12 +9,14 @@ from types import MappingProxyType
 from typing import Any
 
 from analytic.errors import InputError
+from analytic.reading import opened
+from analytic.writing import remove_leftovers, replaced_file
 from fembearing.report.document.read import read_report
-from fembearing.report.page.write import MARK, write_page
+from fembearing.report.page.write import MARK, page_of
 
 PAGE = "report.html"
 NO_DETAILS: Mapping[str, str] = MappingProxyType({})
-ENOUGH = 1000  # characters at the beginning of a page, with its mark
+ENOUGH = 1000  # bytes at the beginning of a page, with its mark
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,24 +45,19 @@ def rebuild_page(numbers: Path, *, out: Path | None = None, details: Mapping[str
     place = f"--out {str(target)!r}"
     if os.path.lexists(target) and not _is_page(target):
         raise InputError(f"{place} exists and is no page of fembearing: give another name, or remove it first")
-    temporary = target.with_name(f".{target.name}-{os.getpid()}")
-    try:
-        write_page(document, folder=numbers.parent, file=temporary)
-        temporary.replace(target)
-    except OSError as problem:
-        raise InputError(
-            f"{place} cannot be written: {problem.strerror}; give a file in a folder of yours"
-        ) from problem
-    finally:
-        temporary.unlink(missing_ok=True)
-    missing = (picture.file for picture in document.pictures if not (numbers.parent / picture.file).is_file())
-    return RebuiltPage(file=target, missing=tuple(missing))
+    page = page_of(document, numbers.parent)
+    remove_leftovers(target.parent)
+    with replaced_file(target) as file:
+        file.write_bytes(page.encode())
+    named = (numbers.parent / picture.file for picture in document.pictures)
+    missing = tuple(file.name for file in named if not file.is_file() or file.is_symlink())
+    return RebuiltPage(file=target, missing=missing)
 
 
 def _is_page(file: Path) -> bool:
     """Whether a file begins as a page of ours."""
     try:
-        with file.open(encoding="utf-8") as text:
-            return MARK in text.read(ENOUGH)
-    except (OSError, UnicodeDecodeError):
+        with opened(file, most=sys.maxsize, remedy="") as content:
+            return MARK.encode() in content.read(ENOUGH)
+    except InputError:
         return False

@@ -9,6 +9,17 @@ from fembearing.report.phrases import listed, shown
 
 def filled(template: str, /, **content: Any) -> str:
     """The text of a template of this folder; content : what its names stand for."""
+    return _environment().get_template(template).render(content)
+
+
+def source_of(template: str) -> str:
+    """The text of a template before it is filled."""
+    environment = _environment()
+    assert environment.loader is not None
+    return environment.loader.get_source(environment, template)[0]
+
+
+def _environment() -> Environment:
     environment = Environment(
         loader=PackageLoader("fembearing.report.page"),
         autoescape=True,
@@ -17,4 +28,4 @@ def filled(template: str, /, **content: Any) -> str:
         lstrip_blocks=True,
     )
     environment.filters |= {"shown": shown, "listed": listed}
-    return environment.get_template(template).render(content)
+    return environment

@@ -26,21 +26,23 @@ from fembearing.report.page.sections.summary import summary_of
 from fembearing.report.page.sections.torque import torque_section
 from fembearing.report.page.sections.verdicts import verdict_section
 from fembearing.report.page.template import filled
+from fembearing.report.page.view import script_hash
 
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
 
 
-def write_page(document: Report, *, folder: Path, file: Path) -> None:
-    """Write the page.
+def page_of(document: Report, folder: Path) -> str:
+    """The page.
 
     folder : where the pictures of the document lie; the page says which of them is missing
     """
     appendices = appendices_of(document)
-    page = filled(
+    return filled(
         "page.html",
         document=document,
         generator=GENERATOR,
+        script=script_hash(),
         header=header_of(document),
         tolerance=f"{100 * document.tolerance:g} %",
         summary=summary_of(document),
@@ -65,4 +67,3 @@ def write_page(document: Report, *, folder: Path, file: Path) -> None:
         hard_grid=hard_grid(document),
         next_section=next_section(document),
     )
-    file.write_text(page, "utf-8", newline="\n")

@@ -1,22 +1,27 @@
 """Pictures of the contacts, made without a screen.
 
-VTK draws them in a child process (`fembearing.report.pictures.render`), which also writes the view that turns in a
-browser. Where VTK cannot draw, a plain map of the pressure takes their place, and the page says so.
+VTK draws them in a child process (`fembearing.report.pictures.render`), which also gives the numbers of the view that
+turns in a browser. Where VTK cannot draw, a plain map of the pressure takes their place, and the page says so.
 """
 
 import json
 import subprocess
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from threading import Event, Timer
 from typing import Any, Literal
 
 from matplotlib.ticker import MaxNLocator
 
+from analytic.writing import write
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.document.build import contact_table
+from fembearing.report.document.view import View
+from fembearing.report.page.view import view_page
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.pictures.plain_map import draw_map
@@ -87,20 +92,44 @@ def draw_pictures(
 def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
     """Run the renderer on all jobs; None, or one line on why it did not draw them all."""
     try:
-        done = subprocess.run(
-            renderer, input=json.dumps(jobs), capture_output=True, text=True, timeout=PATIENCE, check=False
-        )
-    except subprocess.TimeoutExpired:
-        return f"VTK did not finish within {PATIENCE} s"
+        ended = _run(renderer, f"{json.dumps(jobs)}\n".encode())
     except OSError as problem:
         return f"the renderer could not be started: {problem.strerror}"
-    if done.returncode == 0 and all(Path(job["file"]).is_file() for job in jobs):
+    if ended is None:
+        return f"VTK did not finish within {PATIENCE} s"
+    status, said = ended
+    if status == 0 and all(Path(job["file"]).is_file() for job in jobs):
+        for file in (Path(job["file"]) for job in jobs if job["kind"] == "view"):
+            write(file, view_page(View.model_validate_json(file.read_bytes())))
         return None
     for job in jobs:
         Path(job["file"]).unlink(missing_ok=True)  # one kind of picture in a report, not a mixture
-    said = done.stderr.strip().splitlines()
-    how = f"signal {-done.returncode}" if done.returncode < 0 else f"status {done.returncode}"
+    how = f"signal {-status}" if status < 0 else f"status {status}"
     return f"VTK ended with {how}" + (f": {said[-1]}" if said else "")
+
+
+def _run(renderer: Sequence[str], jobs: bytes) -> tuple[int, list[str]] | None:
+    """Status of a renderer, and the lines that it wrote on standard error; None: it took too long.
+
+    Its standard input stays open until it ends: by its end a renderer knows that this process was killed.
+    """
+    late = Event()
+    with subprocess.Popen(
+        renderer, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, bufsize=0
+    ) as process:
+        assert process.stdin is not None
+        assert process.stderr is not None
+        limit = Timer(PATIENCE, lambda: (late.set(), process.kill()))
+        limit.start()
+        try:
+            with suppress(BrokenPipeError):  # it ended without reading them
+                process.stdin.write(jobs)
+            said = process.stderr.read().decode("utf-8", "replace")
+            status = process.wait()
+        finally:
+            limit.cancel()
+            process.kill()
+    return None if late.is_set() else (status, said.strip().splitlines())
 
 
 def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:

@@ -1,7 +1,7 @@
-"""Off-screen pictures by VTK, in a process of their own: python -m fembearing.report.pictures.render < jobs.json
+"""Off-screen pictures by VTK, in a process of their own: python -m fembearing.report.pictures.render
 
-Where a machine has no GL library VTK ends the process instead of raising, so nothing else may live in it. The jobs
-are those of `fembearing.report.pictures.draw`; each picture is one PNG, or one page to turn it in, whole or not at all.
+Where a machine has no GL library VTK ends the process instead of raising, so nothing else may live in it. The jobs,
+one line of JSON, are those of `fembearing.report.pictures.draw`; each picture is one PNG, or the numbers of a view.
 Frame of the meshes: z along the load into the ball, x along rolling, y transverse; lengths are drawn in mm.
 """
 
@@ -9,6 +9,7 @@ import json
 import os
 import sys
 from pathlib import Path
+from threading import Thread
 from typing import Any
 
 import numpy as np
@@ -26,18 +27,24 @@ AROUND = 4.0  # half widths of the lower body around the contact: what lies fart
 
 
 def main() -> None:
-    """Draw every job of standard input into its file, whole or not at all."""
+    """Draw every job of standard input into its file, in a folder that is still being made."""
     pv.OFF_SCREEN = True
-    for job in json.load(sys.stdin):
+    jobs = json.loads(sys.stdin.readline())
+    Thread(target=end_with_the_other, daemon=True).start()
+    for job in jobs:
         made = KINDS[job["kind"]](job)
         target = Path(job["file"])
-        temporary = target.with_name(f".{target.stem}-{os.getpid()}{target.suffix}")
-        if isinstance(made, str):
-            temporary.write_text(made, "utf-8")
+        if isinstance(made, dict):
+            target.write_text(json.dumps(made), "utf-8")
         else:
-            made.screenshot(temporary)
+            made.screenshot(target)
             made.close()
-        os.replace(temporary, target)
+
+
+def end_with_the_other() -> None:
+    """End where the process that wants the pictures was killed: it holds standard input open until they are drawn."""
+    os.read(sys.stdin.fileno(), 1)
+    os._exit(1)
 
 
 def pressure_map(job: dict[str, Any]) -> pv.Plotter:

@@ -1,10 +1,6 @@
-"""A contact to turn in the browser: one page with its own script and numbers, which fetches nothing.
+"""The numbers of a contact to turn in the browser, `View` of `fembearing.report.document.view`.
 
-It runs in the process of `fembearing.report.pictures.render`; the job is that of `fembearing.report.pictures.draw`. The
-page, templates/view.html, draws the loaded faces of both bodies by WebGL. Its vertices are the nodes of the finest
-mesh, not deformed, so that no value in it is interpolated.
-It has its own script because the exports that exist are five times as heavy or more, and the one of VTK asks a host for
-icons when it is opened.
+It runs in the process of `fembearing.report.pictures.render`; the job is that of `fembearing.report.pictures.draw`.
 """
 
 import base64
@@ -12,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pyvista as pv
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from matplotlib import colormaps
 from matplotlib.colors import to_rgb
 
@@ -22,13 +17,13 @@ SHADES = 256  # of the colour scale
 SHOWN = 1.3, 1.7  # from the middle to the nearer edges at first, in longer and in shorter semi-axes
 
 
-def contact_view(job: dict[str, Any]) -> str:
-    """The page; lengths in mm, pressure in the job's unit."""
+def contact_view(job: dict[str, Any]) -> dict[str, Any]:
+    """The numbers; lengths in mm, pressure in the job's unit."""
     bodies = {side: mesh.mirrored(mesh.scaled(job[side], job), (0, *mesh.across(job))) for side in mesh.BODIES}
     parts = [drawn_body(body, mesh.BODIES[side]) for side, body in bodies.items()]
     shoulders = [mesh.MM * y for y in job["shoulders"]]
     inks = (mesh.HERTZ, "hertz", 0.0), (mesh.INK, "computed", mesh.MM * job["centroid"])
-    scene = {
+    return {
         "title": job["title"],
         "unit": job["unit"],
         "peak": job["peak"],
@@ -48,10 +43,6 @@ def contact_view(job: dict[str, Any]) -> str:
         "eye": mesh.STEEP.tolist(),
         "half_size": mesh.MM * max(SHOWN[0] * max(job["computed"]), SHOWN[1] * min(job["computed"])),
     }
-    environment = Environment(
-        loader=PackageLoader("fembearing.report.page"), autoescape=True, undefined=StrictUndefined, trim_blocks=True
-    )
-    return environment.get_template("view.html").render(scene=scene)
 
 
 def drawn_body(body: pv.DataSet, colour: str) -> dict[str, Any]:

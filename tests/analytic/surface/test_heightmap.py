@@ -1,13 +1,14 @@
 """Height maps: reading, refusals, and statistics of surfaces whose moments are known exactly."""
 
 import contextlib
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from analytic.errors import InputError
-from analytic.surface.heightmap import HIGHEST, HeightMap, levelled, measure, read_height_map
+from analytic.surface.heightmap import HIGHEST, LONGEST_LINE, HeightMap, levelled, measure, read_height_map
 
 SPACING = 1.7e-6  # m
 rng = np.random.default_rng(5)
@@ -143,6 +144,8 @@ def refusal(path: Path) -> str:
         ("a.npy", b"", "not a matrix of numbers"),
         ("a.npy", b"PK\x03\x04 a zip file", "not a matrix of numbers"),
         ("a.npy", b"\x93NUMPY\x01\x00\x76\x00{'descr': '<f8', 'fortran_order': False, 'shape': (40,", "not a matrix"),
+        ("a.csv", b"1e-7,2e-7\n" * 4097, "has more than 4096 rows; give 32 to 4096 in each direction"),
+        ("a.csv", b"0" * (LONGEST_LINE + 1), "has a line of more than 409600 bytes; give 32 to 4096"),
         ("a.txt", b"1,2", "give a .npy or .csv"),
         ("a.npz", b"1,2", "give a .npy or .csv"),
     ],
@@ -166,6 +169,39 @@ def test_a_damaged_file_or_false_header_takes_no_memory(tmp_path: Path) -> None:
         short.write_bytes(whole[:cut] + b"\x00" + whole[cut + 1 :])
         with contextlib.suppress(InputError):  # no other exception; a changed letter may also do no harm
             read_height_map(short, spacing=SPACING)
+
+
+@pytest.mark.parametrize("per_number", [2, 7])
+def test_a_text_map_is_read_and_measured_within_four_times_its_size(tmp_path: Path, per_number: int) -> None:
+    """Numbers of 2 bytes, the shortest with their comma, take four times as much as the text; those of 7 bytes,
+    as in a map of 100 MB, little more than the text. Beside them some rows are in memory at a time.
+    """
+    file, size = tmp_path / "map.csv", 1200
+    digits = np.random.default_rng(9).integers(0, 10, (size, size))
+    with file.open("w") as lines:
+        lines.writelines(",".join(f"{digit}.1e-9"[: per_number - 1] for digit in row) + "\n" for row in digits)
+    if per_number == 2:  # metres: refused, once all of it was read
+        tracemalloc.start()
+        with pytest.raises(InputError, match="give them in m"):
+            read_height_map(file, spacing=SPACING)
+    else:
+        read_height_map(file, spacing=SPACING)  # what is imported on the way is not of the map
+        tracemalloc.start()
+        measure(read_height_map(file, spacing=SPACING))
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    # 5 MB: a band of rows with its spectra, the same for the largest map; a third more while the matrix grows
+    assert peak < 4 * file.stat().st_size * (4 / 3 if per_number == 2 else 1) + 5e6
+
+
+def test_text_of_short_lines_without_end_takes_no_memory(tmp_path: Path) -> None:
+    """As a list of lines this file would take thirty times its size."""
+    (tmp_path / "map.csv").write_bytes(b"1\n" * 2_000_000)
+    tracemalloc.start()
+    assert "more than 4096 rows" in refusal(tmp_path / "map.csv")
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 2e6  # half the file
 
 
 def test_a_missing_file_and_a_folder_are_refused(tmp_path: Path) -> None:

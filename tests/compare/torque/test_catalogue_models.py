@@ -1,6 +1,7 @@
 """Catalogue models: the printed formulas by hand in printed units, their jumps, and how little they agree."""
 
 import functools
+import json
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -14,7 +15,8 @@ from hypothesis import given
 from analytic.catalog.bearing_rows import bearing_names, find_bearing, series_of_size
 from analytic.errors import InputError
 from analytic.scene import Bearing, Operation, Scene
-from analytic.scenefile.read import load_scene, scene_of
+from analytic.scenefile.read import load_scene, parse_scene, scene_of
+from analytic.scenefile.template import Choice, scene_text
 from fembearing.compare.torque.catalogue_models import (
     CatalogueBand,
     CatalogueCase,
@@ -28,6 +30,7 @@ from fembearing.compare.torque.catalogue_models import (
     scene_band,
     skf_torque,
 )
+from fembearing.compare.torque.scene_torque import torque_of_scene
 
 RINGS = {"bore_diameter": 25e-3, "outside_diameter": 52e-3}
 CASE = {
@@ -366,3 +369,24 @@ def test_a_scene_without_a_band_says_why() -> None:
     ):
         with pytest.raises(InputError, match=words):
             scene_band(oiled(**change))
+
+
+@pytest.mark.parametrize(("rating", "has_band"), [("0.1 N", False), ("899 N", False), ("901 N", True)])
+def test_beyond_the_static_rating_there_is_no_band(rating: str, has_band: bool) -> None:
+    """The loaded contact angle of the models would pass 90 deg, and their forces would have no root."""
+    text = scene_text("6206", Choice(axial_load="900 N")).replace(
+        "[bearing]", f'[bearing]\nstatic_load_rating = "{rating}"', 1
+    )
+    result = torque_of_scene(parse_scene(text, origin="here"))
+    assert (result.catalogue.band is not None) == has_band
+    if not has_band:
+        assert "900 N is above the static load rating" in result.catalogue.note
+    json.dumps(result.to_json(), allow_nan=False)
+
+
+def test_a_band_that_is_no_number_is_shown_nowhere() -> None:
+    result = torque_of_scene(parse_scene(scene_text("6206"), origin="here"))
+    band = result.catalogue.band
+    assert band is not None
+    with pytest.raises(InputError, match="upper end of the catalogue band comes out as nan N m"):
+        replace(result, catalogue=replace(result.catalogue, band=replace(band, high=band.high * np.nan)))

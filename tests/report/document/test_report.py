@@ -26,7 +26,7 @@ from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.torque import torque_plot
-from fembearing.report.page.write import write_page
+from fembearing.report.page.write import page_of
 from tests.report.pictures.test_cage_pictures import MOVING
 
 Document = dict[str, Any]  # what report.json holds
@@ -118,8 +118,7 @@ def test_every_plot_is_drawn_from_the_document(document: Document) -> None:
 
 def test_the_page_begins_with_the_torque_and_its_interval(document: Document, tmp_path: Path) -> None:
     read = Report.model_validate(document)
-    write_page(read, folder=tmp_path, file=tmp_path / "report.html")
-    text = (tmp_path / "report.html").read_text("utf-8")
+    text = page_of(read, tmp_path)
     totals = [point["torque"]["total"] for point in document["torque"]["points"]]
     point = document["torque"]["prediction"]["points"][totals.index(max(totals))]
     low, high = (f"{point['total'][end] * 1e3:.3g}" for end in ("low", "high"))

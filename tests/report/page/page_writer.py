@@ -30,8 +30,6 @@ def written_page(
 
     plots : in place of all of them, which take seconds
     """
-    file = folder / "page.html"
     place = pictures[0].file.parent if pictures else folder
     with patch.object(page, "PLOTS", plots):
-        page.write_page(document_of(result, pictures, trouble), folder=place, file=file)
-    return file.read_text("utf-8")
+        return page.page_of(document_of(result, pictures, trouble), place)

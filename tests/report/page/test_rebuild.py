@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from analytic.errors import InputError
+from analytic.errors import InputError, StorageError
 from fembearing import cli
 from fembearing.compare.validation import Validation
 from fembearing.report.document import read as reading
@@ -20,7 +20,7 @@ from fembearing.report.document.report import Report
 from fembearing.report.folder import write_report
 from fembearing.report.page import write as page_module
 from fembearing.report.page.rebuild import rebuild_page
-from fembearing.report.page.write import write_page
+from fembearing.report.page.write import page_of
 from fembearing.report.pictures.draw import Picture
 from tests.report.page.page_writer import document_of
 
@@ -73,8 +73,7 @@ def test_the_page_of_a_file_is_that_of_its_result(made: Validation, tmp_path: Pa
     told = out.read_text("utf-8")
     assert "+10.00%" in told
     assert "No pictures were drawn with these numbers" in told
-    write_page(Report.model_validate(document), folder=tmp_path, file=tmp_path / "by-hand.html")
-    assert told == (tmp_path / "by-hand.html").read_text("utf-8")
+    assert told == page_of(Report.model_validate(document), tmp_path)
 
 
 @pytest.mark.usefixtures("without_plots")
@@ -127,7 +126,7 @@ def test_nothing_is_left_of_a_page_that_fails(
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Path, "replace", full)
-    with pytest.raises(InputError, match="cannot be written: No space left"):
+    with pytest.raises(StorageError, match=r"report\.html' cannot be written: No space left on device; free some"):
         rebuild_page(numbers)
     assert (tmp_path / "report.html").read_bytes() == before
     assert {file.name for file in tmp_path.iterdir()} == {"report.json", "report.html"}
@@ -216,7 +215,7 @@ def test_a_missing_key_is_named_with_both_versions_where_they_differ(document: d
         (b'"text"', "no report of"),
         (b"{}", "no report of"),
         (b'{"kind": "fembearing validation", "format": 3, "tolerance": 1e999}', "is missing"),
-        (None, "cannot be read: No such file"),
+        (None, "No such file or directory; give the report.json"),
     ],
 )
 def test_a_file_that_is_no_report_gets_one_line_and_status_2(
@@ -251,7 +250,7 @@ def test_a_huge_file_is_not_read_to_its_end(tmp_path: Path, monkeypatch: pytest.
     file = tmp_path / "report.json"
     with file.open("wb") as sparse:
         sparse.truncate(5_000_001)
-    with pytest.raises(InputError, match="has more than 5 MB; no report"):
+    with pytest.raises(InputError, match="has more than 5 MB; give the report"):
         rebuild_page(file)
     with file.open("wb") as sparse:
         sparse.truncate(5_000_000)

@@ -16,7 +16,7 @@ from fembearing.report.document.report import Report
 from fembearing.report.page import write as page
 from fembearing.report.page.running_header import css_string
 from fembearing.report.page.sections.points import points_of_summary
-from fembearing.report.page.write import write_page
+from fembearing.report.page.write import page_of
 from tests.report.page.test_page_numbers import Tables
 
 SUMMARY, ALL = "Friction torque by effect, N mm", "Torque at every operating point"
@@ -56,9 +56,7 @@ def with_points(document: Document, count: int) -> Document:
 
 
 def written(document: Document, folder: Path) -> str:
-    file = folder / "report.html"
-    write_page(Report.model_validate(document), folder=folder, file=file)
-    return file.read_text("utf-8")
+    return page_of(Report.model_validate(document), folder)
 
 
 def summary_of(text: str) -> str:

@@ -1,6 +1,8 @@
 """Each picture is read back: is the contact in it, where it should be and as large as it should be?"""
 
+import subprocess
 import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -276,3 +278,31 @@ def test_a_frame_holds_its_contact(rolling: float, transverse: float) -> None:
     assert max(width / frame.width, height / frame.height) > 0.2  # and fills it
     assert f"{frame.bar:.0e}"[0] in "125"
     assert 100 < frame.bar * frame.scale <= 260
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="only Linux says whether a process is there")
+def test_a_renderer_ends_with_the_process_that_was_killed(tmp_path: Path) -> None:
+    slow = (
+        "import os, time\nfrom pathlib import Path\nfrom fembearing.report.pictures import render\n"
+        f"def draw(job): Path({str(tmp_path / 'number')!r}).write_text(str(os.getpid())); time.sleep(100)\n"
+        "render.KINDS['slow'] = draw\nrender.main()"
+    )
+    asks = (
+        "import sys\nfrom fembearing.report.pictures.draw import rendered\n"
+        f"rendered([{{'kind': 'slow', 'file': 'none.png'}}], (sys.executable, '-c', {slow!r}))"
+    )
+    asking = subprocess.Popen([sys.executable, "-c", asks])
+    try:
+        while not (tmp_path / "number").exists() or not (tmp_path / "number").read_text():
+            assert asking.poll() is None
+            time.sleep(0.05)
+    finally:
+        asking.kill()
+        asking.wait()
+    renderer = Path("/proc", (tmp_path / "number").read_text(), "stat")
+    for _ in range(600):  # it dies at once; the machine may be busy
+        if not renderer.exists() or renderer.read_text().rpartition(")")[2].split()[0] == "Z":
+            break
+        time.sleep(0.1)
+    else:
+        pytest.fail("the renderer goes on")

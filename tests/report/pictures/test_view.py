@@ -1,12 +1,14 @@
 """The view that turns: its numbers are those of the mesh, it fetches nothing, and a browser draws it to scale."""
 
 import base64
+import hashlib
 import html
 import json
 import re
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -17,6 +19,7 @@ from numpy.typing import NDArray
 
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.validation import Validation
+from fembearing.report.page.view import script_hash
 from fembearing.report.pictures import draw as module
 from fembearing.report.pictures.draw import RENDERER, Picture, draw_pictures
 from fembearing.report.pictures.render_mesh import cell_edges, loaded_face, mirrored
@@ -155,6 +158,47 @@ def test_the_page_holds_each_view_and_prints_without(
     assert "no view to turn" not in content
 
 
+def test_of_a_strangers_view_only_the_numbers_are_taken(
+    checked: Validation, pictures: list[Picture], views: dict[str, Picture], tmp_path: Path
+) -> None:
+    """A script, a handler or a link that somebody put into the file of a view does not reach the page."""
+    own = views["inner-real"]
+    before = own.file.read_text("utf-8")
+    strange = before.replace("<canvas", '<img src="https://example.org/a" onerror="steal()"><canvas').replace(
+        '"use strict";', '"use strict"; steal();'
+    )
+    assert strange.count("steal()") == 2
+    for picture in pictures:
+        (tmp_path / picture.file.name).write_bytes(picture.file.read_bytes())
+    moved = [replace(picture, file=tmp_path / picture.file.name) for picture in pictures]
+    (tmp_path / own.file.name).write_text(strange, "utf-8")
+    content = html.unescape(written_page(checked, tmp_path, pictures=moved))
+    assert "steal" not in content
+    assert "example.org" not in content
+    assert before in content
+    for damage in (
+        before.replace('"peak": ', '"peak": "</script><script>steal()</script>", "p": '),
+        before.replace('"shades": "', '"shades": "*'),
+        before.replace('"triangles": "', '"triangles": "////'),  # a corner without a vertex
+        "<!DOCTYPE html><script>steal()</script>",
+    ):
+        assert damage != before
+        (tmp_path / own.file.name).write_text(damage, "utf-8")
+        content = written_page(checked, tmp_path, pictures=moved)
+        assert f"The file {own.file.name} beside report.json is no view." in content
+        assert "steal" not in content
+
+
+def test_pages_run_our_script_and_no_other(checked: Validation, views: dict[str, Picture], tmp_path: Path) -> None:
+    page = views["inner-real"].file.read_text("utf-8")
+    script = page.rpartition("<script>")[2].partition("</script>")[0]
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    for content in (page, written_page(checked, tmp_path)):
+        (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="([^"]+)"', content)
+        assert "default-src 'none'" in policy
+        assert f"script-src 'sha256-{digest}'" in policy
+
+
 def test_without_vtk_the_page_says_that_there_is_no_view(checked: Validation, tmp_path: Path) -> None:
     found, trouble = draw_pictures(checked.contacts[:1], tmp_path, renderer=("/nowhere/python",))
     assert {picture.kind for picture in found} == {"pressure"}
@@ -186,7 +230,8 @@ def seen(views: dict[str, Picture], cut_view: Path, tmp_path_factory: pytest.Tem
     page = "<!DOCTYPE html><body style='margin: 0'>"
     for file, up in wanted.values():
         turned = f"Object.assign(view, {{ azimuth: 0, elevation: {up} * Math.PI / 2 }}); draw();"
-        source = html.escape(file.read_text("utf-8").replace("</body>", f"<script>{turned}</script></body>"))
+        open_to_scripts = file.read_text("utf-8").replace(script_hash(), "'unsafe-inline'")
+        source = html.escape(open_to_scripts.replace("</body>", f"<script>{turned}</script></body>"))
         style = f"float: left; border: 0; width: {WIDTH}px; height: {HEIGHT}px"
         page += f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{source}"></iframe>'
     (folder / "page.html").write_text(page, "utf-8")

@@ -1,0 +1,60 @@
+"""Files that a user names: regular files of bounded size, and nothing that waits, never ends or lies elsewhere.
+
+A pipe may never end and a device has no size; both are refused before a byte is read. The size is known before memory
+is taken.
+"""
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from stat import S_ISREG
+from typing import BinaryIO
+
+from analytic.errors import InputError
+
+MILLION = 1_000_000
+AT_ONCE = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)  # does not wait for a pipe's writer
+NO_LINK = getattr(os, "O_NOFOLLOW", 0)
+
+
+@contextmanager
+def opened(path: str | os.PathLike[str], *, most: int, remedy: str, linked: bool = True) -> Iterator[BinaryIO]:
+    """A regular file of at most `most` bytes, to be read.
+
+    remedy : what to do about a file that cannot be read
+    linked : whether a symbolic link is followed
+    Raises InputError, which does not name the file, for what is no such file.
+    """
+    descriptor = _open(path, linked=linked, remedy=remedy)
+    try:
+        found = os.fstat(descriptor)
+        if not S_ISREG(found.st_mode):
+            raise InputError(f"is no regular file; {remedy}")
+        if found.st_size > most:
+            size = f"{most} bytes" if most < MILLION else f"{most // MILLION} MB"
+            raise InputError(f"has more than {size}; {remedy}")
+        with os.fdopen(descriptor, "rb", closefd=False) as file:
+            yield file
+    finally:
+        os.close(descriptor)
+
+
+def content_of(path: str | os.PathLike[str], *, most: int, remedy: str, linked: bool = True) -> bytes:
+    """The content of a regular file of at most `most` bytes; arguments and errors of `opened`."""
+    with opened(path, most=most, remedy=remedy, linked=linked) as file:
+        return file.read(most)  # no more, should it grow meanwhile
+
+
+def require_regular(path: str | os.PathLike[str], *, most: int, remedy: str) -> None:
+    """Raise the errors of `opened` for a file that a library will open by its name."""
+    with opened(path, most=most, remedy=remedy):
+        pass
+
+
+def _open(path: str | os.PathLike[str], *, linked: bool, remedy: str) -> int:
+    try:
+        return os.open(path, AT_ONCE | (0 if linked else NO_LINK))
+    except OSError as problem:
+        raise InputError(f"{problem.strerror or 'cannot be read'}; {remedy}") from problem
+    except ValueError as problem:  # a null character
+        raise InputError(f"is not a path; {remedy}") from problem

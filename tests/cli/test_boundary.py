@@ -1,0 +1,160 @@
+"""The outer boundary: whatever fails in a command, there is one line on standard error and a status that says what."""
+
+import errno
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from analytic.errors import ResourceError, StorageError
+from fembearing import cli
+
+POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, limits and devices of POSIX")
+RUN = f'"{sys.executable}" -m fembearing.cli'
+
+
+def in_shell(line: str, *, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        ["bash", "-c", line],
+        cwd=cwd,
+        env={**os.environ, "PYTHONPATH": str(Path(cli.__file__).parents[2]), **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.parametrize(
+    ("problem", "status", "words"),
+    [
+        (KeyError("left"), 70, ["a defect of fembearing", "KeyError: 'left'", "fembearing/cli/", "docs/commands.md"]),
+        (AssertionError(), 70, ["AssertionError"]),
+        (RecursionError("maximum recursion depth exceeded"), 70, ["RecursionError"]),
+        (RuntimeError("dictionary changed size"), 70, ["dictionary changed size"]),
+        (MemoryError("Unable to allocate 3.1 GiB"), 71, ["3.1 GiB", "free some"]),
+        (OSError(errno.ENOMEM, "Cannot allocate memory"), 71, ["Cannot allocate memory"]),
+        (RuntimeError("can't start new thread"), 71, ["can't start new thread"]),
+        (ImportError("libx.so: failed to map segment from shared object"), 71, ["libx.so", "ulimit -v"]),
+        (ResourceError("a process ended; free some memory"), 71, ["a process ended"]),
+        (StorageError("'a.csv' cannot be written"), 74, ["'a.csv'"]),
+        (OSError(errno.EIO, "Input/output error", "/disk/a"), 74, ["'/disk/a'", "Input/output error", "check"]),
+        (PermissionError(errno.EACCES, "Permission denied", "a"), 74, ["'a'", "permissions"]),
+        (OSError(errno.ENOSPC, "No space left on device"), 74, ["cannot write the result", "check where it goes"]),
+        (KeyboardInterrupt(), 130, []),
+        (BrokenPipeError(errno.EPIPE, "Broken pipe"), 141, []),
+    ],
+)
+@pytest.mark.parametrize("debug", [False, True])
+def test_every_failure_has_its_status_and_one_line(
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+    problem: BaseException,
+    status: int,
+    words: list[str],
+    debug: bool,
+) -> None:
+    def fail(*_: object) -> None:
+        raise problem
+
+    monkeypatch.setattr("fembearing.cli.listing._materials", fail)
+    monkeypatch.setattr("sys.argv", ["fembearing", *(["--debug"] if debug else []), "list", "materials"])
+    saved = os.dup(1)  # a closed pipe is taken away
+    try:
+        with pytest.raises(SystemExit) as stop:
+            cli.main()
+    finally:
+        os.dup2(saved, 1)
+        os.close(saved)
+    told = capfd.readouterr().err
+    assert stop.value.code == status
+    assert all(word in told for word in words), told
+    assert ("Traceback" in told) == (debug and status not in (130, 141))  # nothing failed there
+    if not debug:
+        assert told.count("\n") == (1 if words else 0)
+
+
+def test_the_statuses_are_in_help_and_page(command) -> None:
+    page = (Path(__file__).parents[2] / "docs/commands.md").read_text("utf-8")
+    told = " ".join(command("--help").out.split())
+    for status in (0, 1, 2, 3, 70, 71, 74, 130, 141, 143):
+        assert f"\n| {status} | " in page
+        assert f" {status}" in told.partition("Exit status")[2]
+    assert "\n## A defect of fembearing\n" in page  # which the line of status 70 names
+
+
+@POSIX
+@pytest.mark.parametrize(
+    ("line", "status", "lines"),
+    [
+        ("list oils > /dev/full", 74, 1),
+        ("list oils >&-", 74, 1),
+        ("list oils 0<&- 2>&-", 0, 0),
+        ("list nothing 2>/dev/full", 2, 0),
+        ("list nothing 2>&-", 2, 0),
+        ("--help > /dev/full", 74, 1),
+        ("--help | true; exit ${PIPESTATUS[0]}", 141, 0),
+        ("list bearings | true; exit ${PIPESTATUS[0]}", 141, 0),
+        ("torque 6205-dry 2>/dev/full", 0, 0),  # its warnings are lost, its result is not
+        ("torque 6205-dry --out t.csv 2>&- && grep -q torque_total t.csv", 0, 0),
+    ],
+)
+def test_streams_that_are_closed_or_full(tmp_path: Path, line: str, status: int, lines: int) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("this system has no /dev/full")
+    done = in_shell(f"{RUN} {line}", cwd=tmp_path)
+    assert (done.returncode, done.stderr.count("\n")) == (status, lines), done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@POSIX
+def test_a_working_folder_that_is_gone(tmp_path: Path) -> None:
+    lines = [f"{RUN} {rest}; echo $?" for rest in ("list oils >&2", "init 6206 >&2", "torque 6205-dry --out new >&2")]
+    done = in_shell(f"mkdir here; cd here; rmdir ../here; {'; '.join(lines)}", cwd=tmp_path)
+    assert done.stdout.split() == ["0", "2", "2"]
+    assert "Traceback" not in done.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+@POSIX
+@pytest.mark.parametrize("locale", [{"LC_ALL": "C"}, {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}])
+def test_a_locale_without_letters_loses_letters_and_nothing_else(tmp_path: Path, locale: dict[str, str]) -> None:
+    scene = (tmp_path / "\u00e9.toml").write_text('name = "\u00b5"\nbad = 1\n', "utf-8") and "\u00e9.toml"
+    for rest, status in (("list effects", 0), ("torque 6205-dry", 0), (f"torque {scene}", 2)):
+        done = in_shell(f"{RUN} {rest}", cwd=tmp_path, **locale)
+        assert done.returncode == status, done.stderr
+        assert "Traceback" not in done.stderr
+
+
+@POSIX
+@pytest.mark.parametrize(
+    "rest",
+    ["torque 6205-dry --out t", "torque 6205-dry --out t.png", "mesh --level 1 --out m", "init 6206 --out s.toml"],
+)
+def test_a_limit_of_file_sizes_leaves_nothing(tmp_path: Path, rest: str) -> None:
+    done = in_shell(f"ulimit -f 1; {RUN} {rest}", cwd=tmp_path, FEMBEARING_CACHE=os.environ.get("FEMBEARING_CACHE", ""))
+    assert done.returncode == 74, done.stderr
+    assert "cannot be written: File too large; raise the limit of file sizes (ulimit -f)" in done.stderr
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
+
+
+@POSIX
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
+def test_a_process_that_is_asked_to_end_cleans_up(tmp_path: Path, number: signal.Signals, status: int) -> None:
+    held = (
+        "import sys, time\nfrom analytic import writing\nfrom fembearing import cli\n"
+        "writing.at_step = lambda step, path: (print(step, flush=True), time.sleep(60)) if step == 'write' else None\n"
+        "sys.argv = ['fembearing', 'init', '6206']\ncli.main()"
+    )
+    running = subprocess.Popen([sys.executable, "-c", held], cwd=tmp_path, stdout=subprocess.PIPE, text=True)
+    try:
+        assert running.stdout is not None
+        assert running.stdout.readline() == "write\n"
+        running.send_signal(number)
+        assert running.wait(timeout=30) == status
+    finally:
+        running.kill()
+        running.communicate()
+    assert list(tmp_path.iterdir()) == []
