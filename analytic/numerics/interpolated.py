@@ -53,7 +53,7 @@ def sampled_series(
     points = _principal(coordinates)
     if len(np.unique(points, axis=0)) < FIRST + MORE:
         return None  # a sample of so few different points is all of them
-    at = _spread(points, FIRST, known=np.array([], dtype=np.intp), weight=np.ones(len(points)))
+    at = far_points(coordinates, FIRST)
     known = evaluate(at)
 
     def interpolated(count: int) -> Array:
@@ -74,7 +74,18 @@ def sampled_series(
         if max(errors[-IN_A_ROW:]) <= allowed():
             last[at] = known
             return SampledSeries(values=last, at=at, error=max(errors[-IN_A_ROW:]))
+        if allowed() <= 0:
+            break  # what is computed is not accurate enough, wherever the others lie
     return None
+
+
+def far_points(coordinates: Array, count: int) -> NDArray[np.intp]:
+    """Indices of `count` points or fewer: none of the others is farther from all of them than they are from each other.
+
+    coordinates : (n, d)
+    """
+    points = _principal(coordinates) if np.any(np.ptp(coordinates, axis=0)) else coordinates
+    return _spread(points, count, known=np.array([], dtype=np.intp), weight=np.ones(len(points)))
 
 
 def _principal(coordinates: Array) -> Array:

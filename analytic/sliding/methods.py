@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from analytic.contact.rolling_contact import Pair
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
-from analytic.numerics.interpolated import sampled_series
+from analytic.numerics.interpolated import far_points, sampled_series
 from analytic.oil.traction import CoulombTraction
 from analytic.scene import Array, Microslip, SpinRule
 from analytic.sliding.as_printed import as_printed_torque
@@ -132,6 +132,8 @@ def race_sliding(
         # Every method spreads the power over contacts and effects in nearly the same way.
         if np.any(foretold(quadrature) > expected[some]):
             continue
+        if sliders.is_sampled and BETWEEN * np.max(sliders.own_error(quadrature)) > np.min(expected):
+            continue  # a sample would not do, and all points take long
         result = sliders.result(quadrature, cheap, expected)
         if np.all(result.error <= allowed_of(result.spin, result.conformity)):
             return result
@@ -190,6 +192,21 @@ class Sliders:
 
         return error
 
+    @property
+    def is_sampled(self) -> bool:
+        """Whether the series is so long that a sample stands for it, as its balls are alike."""
+        return bool(self.balls.load.shape[2] == 1 and np.count_nonzero(self.ring_speed) >= SERIES)
+
+    def own_error(self, quadrature: Quadrature) -> Array:
+        """(k,) estimate of the error of a method at its own sliding at some far points, relative to its power."""
+        moving = np.flatnonzero(self.ring_speed)
+        points = moving[far_points(self._coordinates(moving), FORETOLD)]
+        return self.errors_at(self.slide(quadrature, points), points)(quadrature)
+
+    def _coordinates(self, points: NDArray[np.intp]) -> Array:
+        """(k, 2) what the torque of balls that are alike depends on."""
+        return np.log(np.stack([self.balls.load[0, points, 0], np.abs(self.ring_speed[points])], axis=1))
+
     def _has_closed_form(self, quadrature: Quadrature) -> bool:
         by_coulomb = all(isinstance(law, CoulombTraction) for law in self.traction)
         return by_coulomb and quadrature.rule.method == "single_coefficient"
@@ -214,16 +231,11 @@ class Sliders:
         """The torque by a quadrature, at all points or at a sample of them."""
         if quadrature is QUADRATURES[0]:
             return self._all_points(quadrature, cheap, allowed)
-        moving = self.ring_speed != 0
-        if self._are_alike and np.count_nonzero(moving) >= SERIES:
-            sampled = self._sampled(quadrature, cheap, np.flatnonzero(moving), allowed)
+        if self.is_sampled:
+            sampled = self._sampled(quadrature, cheap, np.flatnonzero(self.ring_speed), allowed)
             if sampled is not None:
                 return sampled
         return self._all_points(quadrature, self.slide(quadrature), allowed)
-
-    @property
-    def _are_alike(self) -> bool:
-        return self.balls.load.shape[2] == 1
 
     def _all_points(self, quadrature: Quadrature, result: SlipFriction, allowed: Array) -> Sliding:
         """At all points; the error of a long series is the largest of a sample, where that is small enough."""
@@ -232,7 +244,7 @@ class Sliders:
         if is_sampled:
             some = _some(points, JUDGED)
             error[:] = BETWEEN * np.max(self.errors_at(_rows(result, some), some)(quadrature))
-        if not is_sampled or (np.any(error > allowed) and not self._are_alike):
+        if not is_sampled or (np.any(error > allowed) and self.balls.load.shape[2] > 1):
             error = self.errors_at(result)(quadrature)
         return Sliding(
             spin=self.balls.total(result.torque.spin),
@@ -270,7 +282,7 @@ class Sliders:
 
         series = sampled_series(
             evaluate,
-            np.log(np.stack([self.balls.load[0, moving, 0], np.abs(self.ring_speed[moving])], axis=1)),
+            self._coordinates(moving),
             missed=relative_error,
             allowed=lambda: float(np.min(allowed)) - worst,
         )

@@ -28,7 +28,7 @@ from fembearing.sweep.grid import Grid
 LONGEST = 25_000  # points of a series in one piece: about 3 s
 MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: about 5 s
 MOST_SCENES = 50  # in one piece: about 3 s
-MOST_RADIAL = 32  # points in one piece, where each ball carries another load: 20 s with a film
+MOST_RADIAL = 16  # points in one piece, where each ball carries another load: 10 s with free balls and a film
 RADIAL = ("operation.radial_load", "operation.moment")
 MOST_WARNINGS = 20  # kept for a piece
 INTERVAL = {  # what a grid with samples has besides

@@ -90,10 +90,10 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
 @pytest.mark.parametrize(
     ("axes", "counts"),
     [
-        ('operation.radial_load = { from = "10 N", to = "1 kN", count = 75 }', [25, 25, 25]),
+        ('operation.radial_load = { from = "10 N", to = "1 kN", count = 75 }', [15, 15, 15, 15, 15]),
         (
             'operation.moment = ["0 N m", "1 N m"]\nfriction.coefficient = { from = 0.02, to = 0.1, count = 20 }',
-            [32, 8],
+            [16, 16, 8],
         ),
     ],
 )

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from analytic.numerics.interpolated import FIRST, MOST, SampledSeries, sampled_series
+from analytic.numerics.interpolated import FIRST, MORE, MOST, SampledSeries, far_points, sampled_series
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
@@ -46,6 +46,21 @@ def test_the_error_is_within_the_bound_everywhere(allowed: float) -> None:
     assert missed <= sample.error <= allowed
     assert FIRST < len(evaluated) == sample.at.size <= MOST + 40  # no point twice
     np.testing.assert_array_equal(sample.values[sample.at], smooth(PLANE[sample.at]))
+
+
+def test_a_bound_that_no_sample_meets_ends_the_search() -> None:
+    sample, evaluated = sampled(smooth, PLANE, -0.01)
+    assert sample is None
+    assert len(evaluated) <= FIRST + 2 * MORE
+
+
+def test_far_points_leave_no_larger_gap_than_between_them() -> None:
+    """What defines them: no point of the cloud is farther from all of them than they are from each other."""
+    cloud = np.random.default_rng(7).uniform([0.0, -2.0], [3.0, 2.5], (700, 2))
+    far = cloud[far_points(cloud, 9)]
+    apart = np.linalg.norm(far[:, None] - far[None], axis=-1)[np.triu_indices(9, 1)].min()
+    gap = np.linalg.norm(cloud[:, None] - far[None], axis=-1).min(axis=1).max()
+    assert 0.5 < gap <= apart
 
 
 def test_few_different_points_are_no_sample() -> None:
