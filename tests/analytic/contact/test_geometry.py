@@ -9,6 +9,7 @@ from analytic.contact.geometry import (
     USUAL_SHOULDERS,
     Race,
     known_half_widths,
+    pocket_contact,
     race_contact,
     race_curvatures,
     shoulder_distances,
@@ -17,6 +18,7 @@ from analytic.contact.geometry import (
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.errors import InputError
 from analytic.scene import Bearing, Ring
+from tests.analytic.specimens import STAMPED_CAGE
 
 RACES: list[Race] = ["inner", "outer"]
 ANGLE, LOAD = 0.31, 372.0  # rad, N
@@ -199,3 +201,12 @@ def test_unknown_shoulders_are_asked_for_in_one_line(bearing_6205: Bearing) -> N
     assert rise == pytest.approx(0.19 * 7.94e-3, rel=1e-12)
     assert near == far
     assert with_shoulders(bearing_6205, 0.19) == bearing_6205
+
+
+@pytest.mark.parametrize("depth", [3.1e-3, 4.07e-3])
+def test_the_rim_of_a_pocket_is_a_circle_of_its_sphere(bearing_6205: Bearing, depth: float) -> None:
+    """Its plane lies `depth` above the pole: one of half the sphere's diameter has the widest rim."""
+    found = pocket_contact(bearing_6205, replace(STAMPED_CAGE, pocket_diameter=8.14e-3, pocket_depth=depth), load=28.0)
+    above_centre = depth - 4.07e-3
+    assert np.hypot(found.shoulder, above_centre) == pytest.approx(4.07e-3, rel=1e-12)  # round-off
+    assert found.far_shoulder == found.shoulder

@@ -35,6 +35,15 @@ def at(scene: Scene, **changed: float) -> Scene:
     return replace(scene, operation=Operation(**{name: np.array([value]) for name, value in values.items()}))
 
 
+@pytest.mark.parametrize("method", ["free_ball", "closed_creep", "marched_creep"])
+def test_the_coefficient_of_plain_friction_is_the_given_one(scene: Scene, method: SlidingMethod) -> None:
+    """Power lost over the power at a coefficient of 1; creep spares slip and no power of the stress that acts."""
+    effects = {**scene.effects, "creep": "off" if method == "free_ball" else "on"}
+    found = friction_torque(replace(scene, sliding=method, effects=effects)).friction_coefficient
+    for race in (found.inner, found.outer):
+        np.testing.assert_allclose(present(race), 0.07, rtol=0.02)  # of a stress that is round near the slip of 0
+
+
 def test_creep_has_its_share_and_the_methods_are_ordered(scene: Scene) -> None:
     """The closed law takes slip away; the push across the groove that it misses adds far more."""
     free, closed, marched = (

@@ -39,6 +39,15 @@ def test_moments_of_waves_are_exact() -> None:
     assert computed.warnings == ()
 
 
+@pytest.mark.parametrize("shape", [(40, 210), (210, 40)])
+def test_a_correlation_beyond_half_the_narrow_side_is_not_known(shape: tuple[int, int]) -> None:
+    """Waves of 120 and 140 points, whose autocorrelation is above 1/e at 20 points, half of the narrow side."""
+    k, q = 2 * np.pi / (120 * SPACING), 2 * np.pi / (140 * SPACING)
+    narrow = measure(waves(*shape, amplitude=0.2e-6, along_rows=k, along_columns=q))
+    assert narrow.correlation_length == np.inf
+    assert any("below ten lengths" in warning for warning in narrow.warnings)
+
+
 def test_correlation_length_of_waves() -> None:
     """cos(k r) falls to 1/e at acos(1/e)/k."""
     size = 1200

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -126,6 +127,7 @@ def test_ways_to_turn_become_more_accurate(scene: Scene) -> None:
     assert present(few.error) < present(closed.error)
     assert marched.error is None
     assert few.chosen
+    assert present(rule.bound) < 1  # balls this slow have no inertia, so that what the rule misses is bounded
     check_bounds(ladder)
 
 
@@ -141,6 +143,7 @@ def test_no_bound_is_known_for_a_rule_at_speed(scene: Scene) -> None:
         turning_methods(replace(scene, operation=fast, friction_coefficient=0.05)), tolerance=0.03
     ).methods
     assert not np.isfinite(np.inf if rule.bound is None else rule.bound)
+    assert present(rigid.bound) < 1  # free balls miss nothing by their inertia
     assert present(rule.error) > present(rigid.error) + 0.05
 
 
@@ -162,6 +165,20 @@ def test_a_generated_surface_has_the_moments_of_its_ensemble(oiled: Scene, monke
         bounds = [method.bound for method in generated if method.bound is not None]
         assert len(bounds) == len(generated)
         assert bounds == sorted(bounds, reverse=True)
+
+
+def test_differences_of_heights_miss_slopes_of_a_smooth_surface_only(
+    oiled: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By the square of spacing over length, 0.01 here; an exponential surface has no slope of its own to miss."""
+    monkeypatch.setattr(formula_ladders, "LARGEST_MAP", 512)
+
+    def bound(kind: Literal["gaussian", "exponential"]) -> float:
+        rough = Surface(rms_roughness=0.4e-6, autocorrelation=Autocorrelation(kind=kind, length=30e-6, spacing=3e-6))
+        _, generated, *_ = measured(roughness_methods(replace(oiled, surface=rough)), tolerance=0.1).methods
+        return present(generated.bound)
+
+    assert bound("gaussian") > bound("exponential") + 0.005
 
 
 def without_friction(scene: Scene) -> Scene:

@@ -12,6 +12,7 @@ from fembearing.compare.torque import sensitivity
 from fembearing.compare.torque.sensitivity import Input, Sensitivity, sensitivity_of, variations, with_clearance
 from fembearing.plain_types import plain
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
+from tests.analytic.specimens import present
 
 LOSSES = '[friction]\nhysteresis_loss = 0.006\n[losses]\nseals = "3 N mm"\n'
 
@@ -105,6 +106,14 @@ def test_every_input_is_moved_alone_to_both_ends_of_its_range(oiled: Scene) -> N
             moved = variation.scene_at(value)
             differing = {name for name, part in vars(oiled).items() if getattr(moved, name) != part}
             assert len(differing) == 1, variation.name
+
+
+def test_a_longer_correlation_is_sampled_as_densely(oiled: Scene) -> None:
+    """Else the curvature of the summits would change with the spacing and not with the surface."""
+    (longer,) = (each for each in variations(oiled) if "correlation" in each.name)
+    given, moved = (present(present(each.surface).autocorrelation) for each in (oiled, longer.scene_at(longer.high)))
+    assert moved.length == longer.high
+    assert moved.spacing / moved.length == pytest.approx(given.spacing / given.length, rel=1e-12)  # round-off
 
 
 def test_inputs_stand_in_the_order_of_their_swing(torques: Sensitivity) -> None:

@@ -13,6 +13,7 @@ from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.pressure import pressure_plot
+from fembearing.report.figures.style import BLACK
 from tests.analytic.specimens import present
 from tests.report.conftest import INNER
 from tests.report.figures.figure_reader import labels_of, line_of, points_of
@@ -134,6 +135,9 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(
     semi_axis = cut_contact.hertz.semi_axis_transverse
     across = points_of(line_of(above, "transverse"))
     assert across[0, 0] < -0.9
+    hertz = [points_of(line) for line in above.get_lines() if line.get_color() == BLACK]
+    ends = [(line[:, 0].min(), line[:, 0].max()) for line in hertz]
+    np.testing.assert_allclose(sorted(ends), [(-ends[1][1], 0), (0, ends[1][1])], atol=1e-12)  # one half mirrored
     assert np.all(across[across[:, 0] > 1.001 * 0.8e-3 / semi_axis, 1] == 0)  # nothing touches beyond
     (shoulder,) = (line for line in above.get_lines() if line.get_linestyle() == ":")
     np.testing.assert_allclose(np.asarray(shoulder.get_xdata(), dtype=float), 0.8e-3 / semi_axis, rtol=1e-12)

@@ -230,6 +230,16 @@ def test_each_force_is_an_arrow_from_its_ball(known: CageRecord, drawn: tuple[di
     np.testing.assert_allclose(height, y, atol=3)
 
 
+def test_the_outer_groove_is_a_circle_around_the_balls(known: CageRecord, drawn: tuple[dict, Pixels]) -> None:
+    """A grey line, one ball radius outside the circle of the ball centres; looked for between balls."""
+    job, pixels = drawn
+    for angle in known.series.ball_angle[-7] + 2 * np.pi * (np.array([2, 3, 4, 8]) + 0.5) / 9:
+        x, y = (round(each) for each in place_in(job, *(23.475e-3 * np.array([np.cos(angle), np.sin(angle)]))))
+        near = pixels[y - 4 : y + 5, x - 4 : x + 5]  # pixels: the line is 3 wide
+        grey = (np.abs(near.mean(axis=-1) - 0.75) < 0.1) & (np.ptp(near, axis=-1) < 0.05)
+        assert np.count_nonzero(grey) >= 6, angle
+
+
 def test_the_scale_of_forces_is_that_of_the_arrows(drawn: tuple[dict, Pixels]) -> None:
     """2 N where the longest arrow, 1.8 ball radii, is 3 N; 10 mm as long as balls are wide."""
     job, pixels = drawn

@@ -1,0 +1,251 @@
+"""Does anything get through? python validation/robustness/run.py [--short] [PARTS]
+
+    scenes    extreme but valid scenes: their torque in this process, and through every face of the command
+    damaged   damaged scenes, grids, height maps, meshes, reports and pictures, in this process and through commands
+    kills     torque, validate, sweep and report killed at named steps of their writing, and started again
+    limits    memory, file size, full disk, permissions, home, locale, streams, files that are none
+    growth    memory of a process after many calls
+    mutation  one operator of the source changed at a time: do the tests of its folder see it?
+
+Without PARTS all run, for hours; with --short all but mutation, in two minutes. Prints a table, and writes it with date
+and commit to robustness.md in the folder --out, beside mutation.csv. Faults are printed with the seed that makes them
+again, and inputs that led to one are kept in the folder --keep. Exit status: 0 no fault, 1 a fault.
+"""
+
+import os
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before NumPy loads its threads
+
+import argparse
+import pickle
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from functools import cached_property
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # for adversary
+
+from commands import run
+from damage import Files, solved_contacts
+from extreme import scene_input
+from faces import damaged_through_commands, scenes_through_faces
+from growth import MOST, growth_of
+from kills import kills
+from limits import ended
+from mutation import failing_without, tested
+from watched import Tried, tried
+
+from fembearing.report.folder import write_report
+
+ROOT = Path(__file__).resolve().parents[2]
+RECORD = "robustness.md"
+
+
+@dataclass(frozen=True)
+class Budget:
+    """How much each part does."""
+
+    inputs: int  # in one process, of each of scenes and damaged
+    commands: int  # runs of a command, likewise
+    kills: int
+    every: int  # of the combinations of situation and command, one of so many
+    calls: tuple[int, int]  # of friction_torque and solve_contact
+    mutants: int
+
+
+LONG = Budget(inputs=20_000, commands=500, kills=200, every=1, calls=(10_000, 300), mutants=330)
+SHORT = Budget(inputs=250, commands=10, kills=4, every=20, calls=(200, 3), mutants=0)
+
+
+@dataclass
+class Row:
+    """One line of the table."""
+
+    part: str
+    outcomes: Counter[str] = field(default_factory=Counter)
+    faults: list[str] = field(default_factory=list)
+    slowest: float = 0.0  # s of the processor
+    largest: float = 0.0  # bytes above the base
+
+    @property
+    def cells(self) -> tuple[str, ...]:
+        told = ", ".join(f"{count} {outcome}" for outcome, count in sorted(self.outcomes.items()))
+        worst = (f"{self.slowest:.1f}" if self.slowest else "", f"{self.largest / 1e6:.0f}" if self.largest else "")
+        return self.part, str(self.outcomes.total()), told, *worst, str(len(self.faults))
+
+
+HEAD = ("part", "tries", "outcomes", "slowest, s", "largest, MB", "faults")
+
+
+def main(argv: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", choices=[*PARTS, []], metavar="PARTS", help=", ".join(PARTS))
+    parser.add_argument("--short", action="store_true", help="a part of everything, in two minutes")
+    parser.add_argument("--seed", type=int, default=0, help="of the first input; each has its own")
+    parser.add_argument("--jobs", type=int, default=1, help="processes for inputs and mutants")
+    for name in ("inputs", "commands", "kills", "mutants"):
+        parser.add_argument(
+            f"--{name}", type=int, help=f"in place of {getattr(LONG, name)}, {getattr(SHORT, name)} short"
+        )
+    parser.add_argument("--before", default="", help="what the tests of a mutant are started by, as 'nice -n 15'")
+    parser.add_argument("--out", type=Path, help=f"folder for {RECORD} and mutation.csv; nothing is written without it")
+    parser.add_argument("--keep", type=Path, default=Path("robustness-faults"), help="folder for inputs with a fault")
+    options = parser.parse_args(argv)
+    size = SHORT if options.short else LONG
+    given = {name: getattr(options, name) for name in ("inputs", "commands", "kills", "mutants")}
+    budget = Budget(**vars(size) | {name: value for name, value in given.items() if value is not None})
+    parts = options.parts or [part for part in PARTS if part != "mutation" or budget.mutants]
+    begun, rows = time.perf_counter(), []
+    with tempfile.TemporaryDirectory() as folder:
+        place = Place(Path(folder), options, budget)
+        for part in parts:
+            for row in PARTS[part](place):
+                rows.append(row)
+                say(" | ".join(row.cells), *(f"  {fault}" for fault in row.faults))
+    seconds = time.perf_counter() - begun
+    say(f"{sum(len(row.faults) for row in rows)} faults, {seconds:.0f} s")
+    if options.out is not None:
+        options.out.mkdir(parents=True, exist_ok=True)
+        (options.out / RECORD).write_text(record(rows, seconds), "utf-8")
+    return int(any(row.faults for row in rows))
+
+
+def say(*lines: str) -> None:
+    sys.stdout.writelines(f"{line}\n" for line in lines)
+    sys.stdout.flush()
+
+
+@dataclass
+class Place:
+    """Where and how much."""
+
+    folder: Path
+    options: argparse.Namespace
+    budget: Budget
+
+    @property
+    def seeds(self) -> range:
+        return range(self.options.seed, self.options.seed + self.budget.inputs)
+
+    @property
+    def solved(self) -> Path:
+        """A file with solved contacts, pickled."""
+        return self.report.with_name("solved")
+
+    @cached_property
+    def report(self) -> Path:
+        """A folder with a report, made once."""
+        made, contacts = self.folder / "report", solved_contacts()
+        made.mkdir()
+        write_report(contacts, made)
+        made.with_name("solved").write_bytes(pickle.dumps(contacts))
+        return made
+
+    @cached_property
+    def base(self) -> float:
+        """Memory of a command that does little, bytes."""
+        return run(("torque", "6205-dry"), self.folder).memory
+
+    def keep(self, name: str, content: bytes) -> None:
+        self.options.keep.mkdir(parents=True, exist_ok=True)
+        (self.options.keep / name).write_bytes(content)
+
+
+def scenes(place: Place) -> Iterator[Row]:
+    yield gathered("scenes, one process", tried(scene_input, place.seeds, jobs=place.options.jobs), place)
+    seeds = range(place.options.seed, place.options.seed + place.budget.commands)
+    yield gathered("scenes, every face", scenes_through_faces(seeds, place.folder, place.base), place)
+
+
+def damaged(place: Place) -> Iterator[Row]:
+    files = Files(place.folder, place.report)
+    yield gathered("damaged, one process", tried(files.input, place.seeds, jobs=place.options.jobs), place)
+    seeds = range(place.options.seed, place.options.seed + place.budget.commands)
+    yield gathered("damaged, commands", damaged_through_commands(seeds, files, place.base), place)
+
+
+def gathered(part: str, results: Iterator[Tried], place: Place) -> Row:
+    row = Row(part)
+    for each in results:
+        row.outcomes["faults" if each.is_fault else each.outcome] += 1
+        row.slowest, row.largest = max(row.slowest, each.seconds), max(row.largest, each.memory)
+        if each.is_fault:
+            row.faults.append(f"seed {each.seed}, {each.kind}: {each.outcome}")
+            place.keep(f"{each.seed}-{each.kind.replace(' ', '-')}", each.content)
+    return row
+
+
+def killed(place: Place) -> Iterator[Row]:
+    rows: dict[str, Row] = {}
+    for each in kills(place.budget.kills, place.options.seed, place.report, place.solved):
+        row = rows.setdefault(each.command, Row(f"kills, {each.command}"))
+        row.outcomes[f"{each.what} at {each.step.split()[0]}"] += 1
+        row.faults += [f"{each.what} at {each.step}: {each.fault}"] if each.fault else []
+    yield from rows.values()
+
+
+def limited(place: Place) -> Iterator[Row]:
+    row = Row("limits")
+    for each in ended(place.report, every=place.budget.every):
+        row.outcomes[each.outcome] += 1
+        row.faults += [f"{each.situation}, {each.command}: {each.fault}"] if each.fault else []
+    yield row
+
+
+def growing(place: Place) -> Iterator[Row]:
+    for function, calls in zip(MOST, place.budget.calls, strict=True):
+        found = growth_of(function, calls)
+        row = Row(f"growth, {function}", Counter(calls=calls), [found.fault] if found.fault else [])
+        row.largest = max(found.gained, 0.0)
+        yield row
+
+
+def mutated(place: Place) -> Iterator[Row]:
+    options, before = place.options, shlex.split(place.options.before)
+    place_of_rows = place.folder if options.out is None else options.out
+    place_of_rows.mkdir(parents=True, exist_ok=True)
+    rows = place_of_rows / "mutation.csv"
+    row = Row("mutation")
+    for each in tested(place.budget.mutants, options.seed, jobs=options.jobs, before=before, record=rows):
+        row.outcomes[each.outcome] += 1
+        row.faults += [str(each.mutant)] if each.outcome == "survived" else []
+    without = failing_without(rows, before)
+    row.faults += [f"without a mutant {without}"] if without else []
+    yield row
+
+
+PARTS = {
+    "scenes": scenes,
+    "damaged": damaged,
+    "kills": killed,
+    "limits": limited,
+    "growth": growing,
+    "mutation": mutated,
+}
+
+
+def record(rows: list[Row], seconds: float) -> str:
+    """The table as a page, with date and commit."""
+    commit = subprocess.run(
+        ["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True, check=False
+    ).stdout.strip()
+    lines = ["# Robustness", ""]
+    lines += [
+        f"`python validation/robustness/run.py`, {datetime.now(UTC):%Y-%m-%d}, commit {commit}, {seconds:.0f} s.",
+        "",
+    ]
+    lines += [f"| {' | '.join(HEAD)} |", f"|{' --- |' * len(HEAD)}"]
+    lines += [f"| {' | '.join(row.cells)} |" for row in rows]
+    faults = [f"- {row.part}: {fault}" for row in rows for fault in row.faults]
+    return "\n".join([*lines, "", *(["Faults:", "", *faults] if faults else ["No faults."]), ""])
+
+
+if __name__ == "__main__":
+    sys.exit(main())
