@@ -40,6 +40,7 @@ myst_heading_anchors = 4
 suppress_warnings = ["config.cache"]  # the gallery's settings hold functions
 
 autosummary_generate = True
+default_role = "code"
 autodoc_typehints = "none"  # the signature has them
 autodoc_member_order = "bysource"
 numpydoc_show_class_members = False
@@ -50,7 +51,7 @@ sphinx_gallery_conf = {
     "gallery_dirs": "gallery",
     "filename_pattern": "/plot_",
     "ignore_pattern": r"__init__\.py",
-    "within_subsection_order": "FileNameSortKey",
+    "within_subsection_order": "docs.extensions.gallery.place",
     "download_all_examples": False,
     "show_memory": False,
     "write_computation_times": False,
