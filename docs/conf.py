@@ -28,6 +28,7 @@ extensions = [
     "docs.extensions.mathml",
     "docs.extensions.citations",
     "docs.extensions.docstrings",
+    "docs.extensions.pictures",
     "docs.extensions.links",
     "docs.extensions.from_tree",
 ]

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import analytic
 
 # %%
-# 256 torques with inputs drawn from their distributions. The seed makes the result repeatable. `workers=1` keeps all in
+# 128 torques with inputs drawn from their distributions. The seed makes the result repeatable. `workers=1` keeps all in
 # this process; without it every core takes part.
 
 scene = analytic.Scene(
@@ -21,7 +21,7 @@ scene = analytic.Scene(
     surface=analytic.surfaces(finish="ground and honed"),
     tolerance=0.05,
 )
-found = analytic.predict(scene, samples=256, seed=1, workers=1)
+found = analytic.predict(scene, samples=128, seed=1, workers=1)
 print(found)
 print(f"lower end {1e3 * found.total.low[0]:.2f} +- {1e3 * found.total.low_error[0]:.2f} N mm")
 print(f"upper end {1e3 * found.total.high[0]:.2f} +- {1e3 * found.total.high_error[0]:.2f} N mm")

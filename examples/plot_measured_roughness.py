@@ -58,6 +58,8 @@ with TemporaryDirectory() as folder:
 # Short waves are steep: they carry more of the load at the same film.
 
 axes[2].set(xlabel="speed, rpm", ylabel="load on asperities, %")
+axes[2].set_xticks(rpm, [f"{speed:.0f}" for speed in rpm])
+axes[2].minorticks_off()
 axes[2].grid(alpha=0.3)
 axes[2].legend()
 plt.show()

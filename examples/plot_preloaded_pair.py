@@ -44,6 +44,8 @@ axes[0].set(xlabel="preload, N", ylabel="axial stiffness, N/um")
 axes[1].semilogx(preloads, torques, "o-", color="tab:red")
 axes[1].set(xlabel="preload, N", ylabel="friction torque of both, N mm")
 for axis in axes:
+    axis.set_xticks(preloads, [f"{preload:.0f}" for preload in preloads])
+    axis.minorticks_off()
     axis.grid(alpha=0.3)
 figure.suptitle("Two 7205 BEP back to back, 400 N of thrust, 3000 rpm")
 plt.show()
