@@ -4,7 +4,7 @@ In a page a comment before a block says what the block is for:
 
     <!-- file: my.toml -->    the block is this file
     <!-- run -->              the block is run: `fembearing` commands, or Python
-    <!-- output -->           the block is what the block before it printed; a line "..." stands for any lines
+    <!-- output -->           the block is what the last command before it printed; a line "..." stands for any lines
 
     python -m tests.executed_pages PAGE ...
 
@@ -53,7 +53,7 @@ def outputs(page: str) -> Iterator[Output]:
         elif block["kind"] == "python":
             printed = printed_by_python(text, names)
         else:
-            printed = "".join(map(printed_by_command, commands_in(text)))
+            printed = [printed_by_command(command) for command in commands_in(text)][-1]
 
 
 def commands_in(text: str) -> Iterator[str]:
