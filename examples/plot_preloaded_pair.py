@@ -15,10 +15,10 @@ import analytic
 from analytic.scene import Arrangement
 
 # %%
-# Two 7205 with a contact angle of 40 degrees carry 400 N of thrust together.
+# Two 7205 with a contact angle of 30 degrees carry 400 N of thrust together.
 
 scene = analytic.Scene(
-    bearing=analytic.bearing("7205 BEP"),
+    bearing=analytic.bearing("7205A"),
     operation=analytic.operation(axial_load="400 N", inner_speed="3000 rpm"),
     lubricant=analytic.lubricant("ISO VG 32", temperature="60 degC"),
     surface=analytic.surfaces(finish="ground and honed"),
@@ -47,5 +47,5 @@ for axis in axes:
     axis.set_xticks(preloads, [f"{preload:.0f}" for preload in preloads])
     axis.minorticks_off()
     axis.grid(alpha=0.3)
-figure.suptitle("Two 7205 BEP back to back, 400 N of thrust, 3000 rpm")
+figure.suptitle("Two 7205A back to back, 400 N of thrust, 3000 rpm")
 plt.show()

@@ -38,6 +38,6 @@ figure, axis = plt.subplots(figsize=(5.4, 4.6), layout="constrained", subplot_kw
 width = 2 * np.pi / len(loads["CN"][0]) / 2.6
 for place, (clearance, (azimuth, load)) in enumerate(loads.items()):
     axis.bar(azimuth.ravel() + (place - 0.5) * width, load, width=width, label=f"clearance {clearance}")
-axis.set_title("Load of each ball of a 6310, N; the radial load points to 0 degrees")
+axis.set_title("Load of each ball, N; radial load at 0 degrees")
 axis.legend(loc="lower left")
 plt.show()

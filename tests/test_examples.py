@@ -40,7 +40,6 @@ def test_a_notebook_runs(notebook: Path, tmp_path: Path, monkeypatch: pytest.Mon
 
 @pytest.mark.slow
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
-@pytest.mark.filterwarnings("ignore:.*follow from the ratings weakly")  # it is what the catalogue says of a bearing
 def test_a_program_runs_and_draws_a_picture(program: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(plt, "show", lambda: None)
     runpy.run_path(str(program), run_name="__main__")
