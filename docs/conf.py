@@ -32,7 +32,7 @@ extensions = [
     "docs.extensions.links",
     "docs.extensions.from_tree",
 ]
-exclude_patterns = ["extensions", "**/*.py.md5"]
+exclude_patterns = ["_templates", "extensions", "**/*.py.md5"]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 nitpicky = False  # annotations name types of NumPy and the standard library, whose inventories would have to be fetched
 
@@ -63,6 +63,7 @@ sphinx_gallery_conf = {
     "default_thumb_file": str(ROOT / "validation/reports/6205-inner-pressure.png"),
 }
 
+templates_path = ["_templates"]
 html_theme = "pydata_sphinx_theme"
 html_static_path = ["_static"]
 html_css_files = ["fembearing.css"]

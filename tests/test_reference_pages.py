@@ -70,4 +70,6 @@ def test_the_keys_of_a_torque_in_json_are_there() -> None:
 def test_every_exported_name_is_there() -> None:
     page = api_page()
     for package in (analytic, fembearing):
-        assert [name for name in package.__all__ if f"\n   {name}\n" not in page] == []
+        assert [name for name in package.__all__ if f"\n   {package.__name__}.{name}\n" not in page] == []
+    assert "\n   analytic.result.FrictionTorque\n" in page
+    assert "\n   analytic.errors.InputError\n" in page

@@ -8,21 +8,21 @@ import tokenize
 
 
 def field_comments(of: type) -> dict[str, str]:
-    """The comment on the line of each field of a class, by the name of the field."""
+    """What stands beside each field of a class; where nothing does, the comment above it."""
     source = textwrap.dedent(inspect.getsource(of))
-    comments = {
-        token.start[0]: token.string.lstrip("# ")
-        for token in tokenize.generate_tokens(io.StringIO(source).readline)
-        if token.type == tokenize.COMMENT
-    }
+    comments, alone = {}, {}
+    for token in tokenize.generate_tokens(io.StringIO(source).readline):
+        if token.type == tokenize.COMMENT:
+            place = alone if token.line.strip().startswith("#") else comments
+            place[token.start[0]] = token.string.lstrip("# ")
     body = ast.parse(source).body[0]
     assert isinstance(body, ast.ClassDef)
-    fields = [node for node in body.body if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name)]
     said = {}
-    for node in fields:
-        assert isinstance(node.target, ast.Name)
-        last = node.end_lineno or node.lineno
-        above = node.lineno - 1 if source.splitlines()[node.lineno - 2].strip().startswith("#") else 0
-        lines = (comments.get(line, "") for line in (above, *range(node.lineno, last + 1)))
-        said[node.target.id] = " ".join(filter(None, lines))
+    for node in body.body:
+        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+            beside = [comments[line] for line in range(node.lineno, (node.end_lineno or 0) + 1) if line in comments]
+            first = node.lineno
+            while first - 1 in alone:
+                first -= 1
+            said[node.target.id] = " ".join(beside or [alone[line] for line in range(first, node.lineno)])
     return said
