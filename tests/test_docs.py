@@ -1,16 +1,24 @@
-"""The pages: sources are cited by keys that exist, links lead somewhere, README stays short."""
+"""The pages: what they run prints what they say, sources are cited by keys that exist, links lead somewhere."""
 
 import re
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
 from pydantic import BaseModel
 
+from analytic.catalog.bearing_rows import bearing_names
 from analytic.scenefile.read import load_scene
 from analytic.scenefile.tables import EffectsTable, SceneTable
+from tests.executed_pages import BLOCK, Output, differences, renewed, run_in, same
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+MADE = {ROOT / "docs/reference" / f"{name}.md" for name in ("api", "json", "keys", "options")}  # from the tree
+WRITTEN = sorted(page for page in (ROOT / "docs").rglob("*.md") if page not in MADE and "gallery" not in page.parts)
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *WRITTEN]
+EXECUTED = [page for page in PAGES if BLOCK.search(page.read_text("utf-8"))]
+LONG = {"report.md", "contact.md", "map.md", "contacts.md"}  # minutes of processor time together
 TEXTS = [
     *(page for page in PAGES if page.name != "references.md"),
     *(p for top in ("analytic", "fembearing", "tests", "validation") for p in sorted((ROOT / top).rglob("*.*"))),
@@ -68,11 +76,61 @@ def test_every_link_leads_somewhere() -> None:
         assert not anchor or anchor in anchors(place), f"{page.name}: {target}#{anchor}"
 
 
-def test_readme_is_short_and_leads_to_every_page() -> None:
+def test_every_picture_says_what_it_shows() -> None:
+    pictures = [(page.name, words) for page in PAGES for words in re.findall(r"!\[(.*?)\]\(", page.read_text("utf-8"))]
+    assert len(pictures) > 8
+    assert [page for page, words in pictures if len(words.split()) < 4] == []
+
+
+def test_readme_is_short_and_begins_with_a_bearing_and_its_interval() -> None:
+    lines = (ROOT / "README.md").read_text("utf-8").splitlines()
+    assert len(lines) <= 150
+    first = "\n".join(lines[:60])
+    assert "fembearing init 6206" in first
+    assert "95 % interval" in first
+
+
+def test_every_number_of_readme_is_run_or_stands_on_a_page() -> None:
+    """Those of the pages have the command that measures them beside them."""
     readme = (ROOT / "README.md").read_text("utf-8")
-    assert len(readme.splitlines()) <= 150
-    assert "[bearing]" in "\n".join(readme.splitlines()[:60])  # a scene of one's own
-    assert [page.name for page in PAGES[2:] if f"(docs/{page.name})" not in readme] == []
+    prose = re.sub(r"```.*?```", "", readme, flags=re.DOTALL)
+    prose = re.sub(r"\]\([^)]*\)", "]", prose)
+    pages = "\n".join(page.read_text("utf-8") for page in WRITTEN)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    known = set(re.findall(r"\d+(?:\.\d+)?", pages + project["requires-python"]))
+    stated = set(re.findall(r"\d+(?:\.\d+)?", prose))
+    assert len(stated) > 20
+    assert sorted(stated - known) == []
+    assert f"[{len(bearing_names())} bearings]" in prose
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param(page, marks=pytest.mark.nightly if page.name in LONG else pytest.mark.slow, id=page.stem)
+        for page in EXECUTED
+    ],
+)
+def test_a_page_prints_what_it_says(page: Path, tmp_path: Path) -> None:
+    found = {output.place[0]: differences(output) for output in run_in(tmp_path, page)}
+    assert {place: lines for place, lines in found.items() if lines} == {}, "python -m tests.executed_pages PAGE"
+
+
+def test_some_pages_are_run() -> None:
+    assert {"README.md", "report.md", "shaft.md", "bearing.md"} <= {page.name for page in EXECUTED}
+
+
+def test_an_output_is_compared_line_by_line_and_number_by_number() -> None:
+    printed = "torque of 6206\n  rpm  total\n 1500  18.72\nmore\nseconds 1.9 s\n"
+    assert differences(Output((0, 0), "torque of 6206\n...\n 1500  18.73\n...\nseconds 2.4 s\n", printed)) == []
+    assert differences(Output((0, 0), "torque of 6206\n...\n 1500  18.75\n", printed)) == [" 1500  18.75"]
+    assert differences(Output((0, 0), "torque of 6206\n 1500  18.72\n", printed)) == [" 1500  18.72"]  # no line between
+    assert differences(Output((0, 0), "...\nmore\ntorque of 6206\n", printed)) == ["torque of 6206"]  # out of order
+    assert same("4.1e-3 N", "4.2e-3 N", numbers=True)
+    assert not same("4.1e-3 N", "4.4e-3 N", numbers=True)
+    assert renewed(Output((0, 0), "torque of 6206\n...\n 1500  17.11\n", printed)) == (
+        "torque of 6206\n...\n 1500  18.72\n"
+    )
 
 
 def test_every_scene_in_the_pages_is_read(tmp_path: Path) -> None:
@@ -81,7 +139,7 @@ def test_every_scene_in_the_pages_is_read(tmp_path: Path) -> None:
     assert len(scenes) > 1
     for number, scene in enumerate(scenes):
         (tmp_path / f"{number}.toml").write_text(scene, "utf-8")
-        assert load_scene(tmp_path / f"{number}.toml").name == "my 6205"
+        assert load_scene(tmp_path / f"{number}.toml").name.startswith("my ")
 
 
 def keys_of(table: type[BaseModel]) -> Iterator[str]:

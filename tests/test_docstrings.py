@@ -8,15 +8,10 @@ also where a page names them.
 import ast
 import dataclasses
 import inspect
-import io
 import re
 import textwrap
-import tokenize
-import typing
-from collections.abc import Callable, Iterator
-from functools import cache
+from collections.abc import Iterator
 from types import FunctionType
-from typing import Any
 
 import pytest
 from docutils.core import publish_doctree
@@ -26,12 +21,10 @@ from numpydoc.docscrape_sphinx import SphinxDocString
 from numpydoc.validate import validate
 
 import analytic
-import fembearing
-import fembearing.compare.torque.scene_torque as scene_torque
 from analytic import errors
-from analytic.prediction.prediction import Prediction
+from docs.extensions.public import classes_in, exported, hints, public_classes
+from docs.extensions.source import field_comments
 
-PACKAGES = (analytic, fembearing)
 STRUCTURE = {  # of numpydoc: what it finds wrong with a docstring
     "GL06": "unknown section",
     "GL07": "sections in another order",
@@ -64,46 +57,6 @@ WITHOUT = re.compile(
 )
 
 
-def is_ours(one: object) -> bool:
-    return inspect.isclass(one) and one.__module__.partition(".")[0] in ("analytic", "fembearing")
-
-
-def classes_in(annotation: object) -> Iterator[type]:
-    if is_ours(annotation):
-        yield annotation  # type: ignore[misc]
-    for part in typing.get_args(annotation):
-        if part is not Ellipsis:
-            yield from classes_in(part)
-
-
-@cache
-def hints(of: Callable[..., Any]) -> dict[str, Any]:
-    late = {"Prediction": Prediction} if of is scene_torque.SceneTorque else None  # imported for its type alone
-    return typing.get_type_hints(of, localns=late)
-
-
-def exported() -> Iterator[Callable[..., Any]]:
-    for package in PACKAGES:
-        yield from (getattr(package, name) for name in package.__all__)
-
-
-@cache
-def public_classes() -> tuple[type, ...]:
-    found: dict[type, None] = {}
-    waiting: list[Callable[..., Any]] = list(exported())
-    while waiting:
-        one = waiting.pop()
-        if inspect.isclass(one):
-            if one in found or not dataclasses.is_dataclass(one):
-                continue
-            found[one] = None
-        for name, annotation in hints(one).items():
-            if not name.startswith("_"):
-                waiting += classes_in(annotation)
-    raised = (one for one in vars(errors).values() if is_ours(one) and one.__module__ == errors.__name__)
-    return *found, *raised
-
-
 def functions() -> Iterator[tuple[str, FunctionType]]:
     """Exported functions, and public methods that take something."""
     for one in exported():
@@ -125,27 +78,6 @@ def plain_members() -> Iterator[tuple[str, FunctionType]]:
             takes = isinstance(getter, FunctionType) and set(inspect.signature(getter).parameters) - {"self"}
             if not name.startswith("_") and isinstance(getter, FunctionType) and not takes:
                 yield f"{kind.__module__}.{kind.__qualname__}.{name}", getter
-
-
-def field_comments(of: type) -> dict[str, str]:
-    """What stands beside each field of a class; where nothing does, the comment above it."""
-    source = textwrap.dedent(inspect.getsource(of))
-    comments, alone = {}, {}
-    for token in tokenize.generate_tokens(io.StringIO(source).readline):
-        if token.type == tokenize.COMMENT:
-            place = alone if token.line.strip().startswith("#") else comments
-            place[token.start[0]] = token.string.lstrip("# ")
-    body = ast.parse(source).body[0]
-    assert isinstance(body, ast.ClassDef)
-    said = {}
-    for node in body.body:
-        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
-            beside = [comments[line] for line in range(node.lineno, (node.end_lineno or 0) + 1) if line in comments]
-            first = node.lineno
-            while first - 1 in alone:
-                first -= 1
-            said[node.target.id] = " ".join(beside or [alone[line] for line in range(first, node.lineno)])
-    return said
 
 
 def is_number(annotation: object) -> bool:

@@ -13,7 +13,7 @@ from packaging.utils import canonicalize_name
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 EXTRAS = PROJECT["optional-dependencies"]
-DECLARED = [Requirement(line) for line in [*PROJECT["dependencies"], *EXTRAS["dev"], *EXTRAS["peers"]]]
+DECLARED = [Requirement(line) for lines in (PROJECT["dependencies"], *EXTRAS.values()) for line in lines]
 PINNED = {
     canonicalize_name(pin.name): pin
     for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines()
@@ -75,7 +75,7 @@ def test_every_installed_package_is_pinned() -> None:
     assert closure(DECLARED) <= set(PINNED)
 
 
-@pytest.mark.parametrize("purpose", ["main", "tests"])
+@pytest.mark.parametrize("purpose", ["main", "docs", "tests"])
 def test_the_readme_marks_its_commands(purpose: str) -> None:
     readme = (ROOT / "README.md").read_text("utf-8")
     command = re.search(rf"^<!-- command: {purpose} -->\n```bash\n(.+)\n```$", readme, re.MULTILINE)

@@ -106,12 +106,12 @@ def main() -> None:
     options = parser.parse_args()
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None:
-        _leave(f"no browser on PATH: looked for {', '.join(BROWSERS)}", 2)
+        leave(f"no browser on PATH: looked for {', '.join(BROWSERS)}", 2)
     try:
         text = options.page.read_text("utf-8")
         axe = "" if options.axe is None else options.axe.read_text("utf-8")
     except (OSError, UnicodeDecodeError) as problem:
-        _leave(f"cannot be read: {problem}", 2)
+        leave(f"cannot be read: {problem}", 2)
     looks = [look(browser, text, width, axe=axe) for width in WIDTHS]
     faults = [fault for one in looks for fault in one.faults(desk=one.width == WIDTHS[0])]
     faults += [f"names the address {address}" for address in addresses(text)]
@@ -133,10 +133,10 @@ def look(browser: str, text: str, width: int, *, axe: str) -> Look:
         (Path(folder) / "page.html").write_text(text.replace("</body>", scripts), "utf-8")
         frame = Path(folder) / "frame.html"
         frame.write_text(FRAME.format(width=width, height=HEIGHT), "utf-8")
-        done = _run(browser, folder, f"--window-size={max(WIDTHS)},{HEIGHT}", "--dump-dom", frame.as_uri())
+        done = run_browser(browser, folder, f"--window-size={max(WIDTHS)},{HEIGHT}", "--dump-dom", frame.as_uri())
     note = re.search(r'<pre id="probe">(.*?)</pre>', done.stdout, re.DOTALL)
     if note is None:
-        _leave(f"the page did not load within {PATIENCE} s: {done.stderr.strip()[-200:]}", 1)
+        leave(f"the page did not load within {PATIENCE} s: {done.stderr.strip()[-200:]}", 1)
     return Look(width=width, result=json.loads(unescape(note[1])), complaints=tuple(COMPLAINT.findall(done.stderr)))
 
 
@@ -151,21 +151,21 @@ def shoot(browser: str, page: Path, folder: Path) -> None:
     with tempfile.TemporaryDirectory() as profile:
         for width in WIDTHS:
             target = f"--screenshot={(folder / f'{width}.png').absolute()}"
-            _run(browser, profile, f"--window-size={width},12000", target, page.absolute().as_uri())
+            run_browser(browser, profile, f"--window-size={width},12000", target, page.absolute().as_uri())
         target = f"--print-to-pdf={(folder / 'printed.pdf').absolute()}"
-        _run(browser, profile, "--no-pdf-header-footer", target, page.absolute().as_uri())
+        run_browser(browser, profile, "--no-pdf-header-footer", target, page.absolute().as_uri())
 
 
-def _run(browser: str, profile: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+def run_browser(browser: str, profile: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     command = (browser, *SILENT, f"--user-data-dir={profile}/browser", *arguments)
     try:
         return subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=False)
     except subprocess.TimeoutExpired:
-        _leave(f"the browser did not finish within {PATIENCE} s", 1)
+        leave(f"the browser did not finish within {PATIENCE} s", 1)
 
 
-def _leave(words: str, status: int) -> NoReturn:
-    Console(stderr=True, highlight=False, markup=False, soft_wrap=True).print(f"report_check: {words}")
+def leave(words: str, status: int) -> NoReturn:
+    Console(stderr=True, highlight=False, markup=False, soft_wrap=True).print(f"{Path(sys.argv[0]).stem}: {words}")
     sys.exit(status)
 
 

@@ -102,11 +102,19 @@ class Dimension:
     @property
     def accepted(self) -> str:
         """The end of every message: range, in the unit of the example, and example."""
+        return f"give {self.span}, for example {self.example}"
+
+    @property
+    def span(self) -> str:
+        """The range, in the unit of the example: "0 to 10000 mm"."""
+        low, high = (self.written(bound) for bound in (self.low, self.high))
+        return f"{low} to {high} {self.shown_unit}".strip()
+
+    def written(self, value: float) -> str:
+        """The number that stands before the unit of the example; value : SI."""
         unit = self._unit(self.shown_unit)
         assert unit is not None
-        roots = (Decimal(repr(bound)) * self._si.factor for bound in (self.low, self.high))
-        shown = " to ".join(f"{float((root - unit.zero) / unit.factor):g}" for root in roots)
-        return f"give {shown} {self.shown_unit}".strip() + f", for example {self.example}"
+        return f"{float((Decimal(repr(value)) * self._si.factor - unit.zero) / unit.factor):g}"
 
     @property
     def shown_unit(self) -> str:

@@ -1,6 +1,7 @@
 """`fembearing torque` as a user sees it: tables of 80 characters, JSON, exit status, one line for each mistake."""
 
 import json
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 
@@ -34,6 +35,19 @@ def printed(text: str) -> str:
     out = StringIO()
     print_torque(Console(file=out, width=80), torque_of_scene(parse_scene(text, origin="here")))
     return out.getvalue()
+
+
+def test_what_is_left_of_a_balance_is_shown_as_nothing() -> None:
+    """Free balls under a radial load alone spin with some 1e-10 of the torque: where the iteration stopped."""
+    found = torque_of_scene(parse_scene(SERIES, origin="here"))
+    parts = found.friction.torque
+    residue = replace(parts, spin=parts.total * np.array([3.1e-10, 2.3e-3]))
+    out = StringIO()
+    print_torque(Console(file=out, width=80), replace(found, friction=replace(found.friction, torque=residue)))
+    first, second = (line.split() for line in out.getvalue().splitlines()[3:5])
+    assert "0" in first
+    assert f"{2.3 * parts.total[1]:.3g}" in second  # N mm
+    assert "0" not in second
 
 
 def test_the_tables_hold_the_numbers_of_the_result() -> None:

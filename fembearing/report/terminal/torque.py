@@ -29,6 +29,7 @@ from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.verdicts import print_notes, print_numerical, print_physical
 
 NM = NEWTON_MILLIMETRE.factor
+RESIDUE = 1e-6  # of the total: a smaller part is what is left of a balance of the balls, not a torque
 MOST_POINTS = 12  # shown; the JSON has all
 HEADS = {
     "spin": "spin",
@@ -116,11 +117,13 @@ def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> No
     totals = ("total", "+-", *(("catalogue",) if band is not None else ()))
     table = table_of(("#", *columns, *(HEADS[name] for name in parts), *totals), fixed=totals)
     for point in points:
+        total = friction.torque.total[point]
+        shown = (part[point] if part[point] > RESIDUE * total else 0.0 for part in parts.values())
         table.add_row(
             str(point + 1),
             *(values[point] for values in columns.values()),
-            *(f"{values[point] * NM:.3g}" for values in parts.values()),
-            f"{friction.torque.total[point] * NM:.4g}",
+            *(f"{part * NM:.3g}" for part in shown),
+            f"{total * NM:.4g}",
             percent(float(friction.numerical_uncertainty[point])),
             *(() if band is None else (f"{band.low[point] * NM:.3g}-{band.high[point] * NM:.3g}",)),
         )

@@ -1,10 +1,10 @@
-"""A shaft on two bearings spins down: the friction torque inside a SciPy integration over time.
+"""
+A shaft that spins down
+=======================
 
-    python examples/spinning_down_shaft.py
-
-A rotor of 0.02 kg m^2 turns at 6000 1/min on two bearings 6206, each under 150 N along and 400 N across the axis. The
-motor is switched off. Friction alone brakes the rotor and heats the oil, which cools to its surroundings. The picture
-spinning_down_shaft.png has the speed, the torque of one bearing and the temperature over the time.
+A rotor of 0.02 kg m² turns at 6000 rpm on two bearings 6206, each under 150 N along and 400 N across the axis. The
+motor is switched off. Friction alone brakes the rotor and heats the oil, which cools to its surroundings. The friction
+torque is a function inside a SciPy integration over time.
 """
 
 from dataclasses import replace
@@ -15,10 +15,19 @@ from scipy.integrate import solve_ivp
 
 import analytic
 
+# %%
+# The rotor and its surroundings
+# ------------------------------
+
 INERTIA = 0.02  # kg m^2
 AXIAL, RADIAL = 150.0, 400.0  # N, on each of two bearings
 SURROUNDINGS, HEAT_CAPACITY, COOLING = 313.15, 180.0, 0.9  # K, J/K, W/K of one bearing with its seats, assumed
 FASTEST, SLOWEST = 6000 * np.pi / 30, 1.0  # rad/s
+
+# %%
+# The torque as a function
+# ------------------------
+# Everything is settled when the function is made; a call takes less than a tenth of a millisecond.
 
 scene = replace(
     analytic.load_scene("6206"),
@@ -28,6 +37,11 @@ scene = replace(
     spin_rule="balanced",  # balls by closed kinematics, which are compiled
 )
 torque_of = analytic.torque_function(scene)
+
+
+# %%
+# Speed and temperature over time
+# -------------------------------
 
 
 def brake(_time: float, state: np.ndarray) -> tuple[float, float]:
@@ -47,9 +61,12 @@ speed, temperature = run.y
 torque = torque_of.series(axial_load=AXIAL, radial_load=RADIAL, inner_speed=speed, temperature=temperature)
 print(f"stands after {run.t[-1]:.0f} s, {run.nfev} torques; the oil reaches {temperature.max() - 273.15:.1f} degC")
 
+# %%
+# The torque falls while the film thins, and rises again where the surfaces touch.
+
 figure, axes = plt.subplots(3, 1, sharex=True, figsize=(7.2, 7.0), layout="constrained")
 rows = (
-    (speed * 30 / np.pi, "speed, 1/min"),
+    (speed * 30 / np.pi, "speed, rpm"),
     (torque * 1e3, "torque of one bearing, N mm"),
     (temperature - 273.15, "oil, degC"),
 )
@@ -59,4 +76,4 @@ for axis, (values, label) in zip(axes, rows, strict=True):
     axis.grid(alpha=0.3)
 axes[-1].set_xlabel("time, s")
 axes[0].set_title("A shaft on two bearings 6206 spins down by their friction")
-figure.savefig("spinning_down_shaft.png", dpi=150)
+plt.show()

@@ -1,0 +1,56 @@
+"""What is public: what the packages export, the classes of data that it takes or returns, and what these hold."""
+
+import dataclasses
+import inspect
+import typing
+from collections.abc import Callable, Iterator
+from functools import cache
+from typing import Any
+
+import analytic
+import fembearing
+import fembearing.compare.torque.scene_torque as scene_torque
+from analytic import errors
+from analytic.prediction.prediction import Prediction
+
+PACKAGES = (analytic, fembearing)
+
+
+def is_ours(one: object) -> bool:
+    return inspect.isclass(one) and one.__module__.partition(".")[0] in ("analytic", "fembearing")
+
+
+def classes_in(annotation: object) -> Iterator[type]:
+    if is_ours(annotation):
+        yield annotation  # type: ignore[misc]
+    for part in typing.get_args(annotation):
+        if part is not Ellipsis:
+            yield from classes_in(part)
+
+
+@cache
+def hints(of: Callable[..., Any]) -> dict[str, Any]:
+    late = {"Prediction": Prediction} if of is scene_torque.SceneTorque else None  # imported for its type alone
+    return typing.get_type_hints(of, localns=late)
+
+
+def exported() -> Iterator[Callable[..., Any]]:
+    for package in PACKAGES:
+        yield from (getattr(package, name) for name in package.__all__)
+
+
+@cache
+def public_classes() -> tuple[type, ...]:
+    found: dict[type, None] = {}
+    waiting: list[Callable[..., Any]] = list(exported())
+    while waiting:
+        one = waiting.pop()
+        if inspect.isclass(one):
+            if one in found or not dataclasses.is_dataclass(one):
+                continue
+            found[one] = None
+        for name, annotation in hints(one).items():
+            if not name.startswith("_"):
+                waiting += classes_in(annotation)
+    raised = (one for one in vars(errors).values() if is_ours(one) and one.__module__ == errors.__name__)
+    return *found, *raised

@@ -1,0 +1,43 @@
+"""
+A contact by finite elements
+============================
+
+Hertz's formulas take two half spaces. A ball in a groove is no half space: the groove closes in on the ball. Finite
+elements on the true shapes tell how much that matters, and how uncertain they are themselves.
+"""
+
+import matplotlib.pyplot as plt
+
+import analytic
+import fembearing
+
+# %%
+# One contact, on several meshes
+# ------------------------------
+# The ball on the inner race of the built-in 6205 under 500 N. The solver refines its meshes until the required accuracy
+# is reached. Two half spaces on the same cells, whose exact answer is known, correct the error of the mesh.
+
+scene = analytic.load_scene("6205-dry")
+contact = fembearing.solve_contact(scene, pair="inner", load=500.0, accuracy=0.005)
+for mesh in contact.meshes:
+    print(f"{mesh.unknowns} unknowns")
+for name, estimate in contact.estimates.items():
+    discrepancy = 100 * contact.discrepancy[name]
+    print(f"{name:22} {estimate.value:11.5g} +- {100 * estimate.total:.2f} %, Hertz {discrepancy:+.2f} %")
+
+# %%
+# The pressure along both axes
+# ----------------------------
+# Along rolling, and across it. The dots are nodes of the finest mesh.
+
+profiles = contact.pressure_profile
+figure, axes = plt.subplots(1, 2, sharey=True, figsize=(7.2, 3.6), layout="constrained")
+for axis, (direction, profile) in zip(axes, profiles.items(), strict=True):
+    axis.plot(1e3 * profile["hertz"].position, 1e-9 * profile["hertz"].pressure, "k", label="Hertz")
+    axis.plot(1e3 * profile["fe"].position, 1e-9 * profile["fe"].pressure, "o", markersize=3, label="finite elements")
+    axis.set(xlabel=f"position, {direction}, mm")
+    axis.grid(alpha=0.3)
+axes[0].set_ylabel("pressure, GPa")
+axes[0].legend()
+figure.suptitle("Ball on the inner race of a 6205, 500 N")
+plt.show()

@@ -1,0 +1,75 @@
+"""The pages of the reference that are made from the tree: every command, key and exported name, with range and unit."""
+
+import re
+
+import analytic
+import fembearing
+from analytic.scenefile.keys import paths
+from docs.extensions.api_page import api_page
+from docs.extensions.commands_page import commands_page
+from docs.extensions.json_page import json_page
+from docs.extensions.keys_page import keys_page
+from fembearing.cli import COMMANDS
+from fembearing.compare.torque.scene_torque import torque_of_scene
+from fembearing.report.document.torque import Torque
+
+
+def cells(page: str, heading: str) -> dict[str, list[str]]:
+    """The rows of the table below a heading, by their first cell."""
+    section = page.split(f"\n## {heading}\n", 1)[1].split("\n## ", 1)[0]
+    rows = [re.split(r" (?<!\\)\| ", line[2:-2]) for line in section.splitlines() if line.startswith("| ")]
+    return {row[0]: row[1:] for row in rows[2:]}
+
+
+def test_every_command_is_there_with_its_options() -> None:
+    page = commands_page()
+    assert set(COMMANDS) == set(re.findall(r"^## `(\w+)`$", page, re.MULTILINE))
+    contact = cells(page, "`contact`")
+    assert contact["`--pair` `inner` or `outer` or `pocket`"][0] == "`inner`"
+    assert "`--load` text, more than once" in contact
+    assert "`DESIGNATION`" in cells(page, "`init`")
+    assert "`--out` path" in cells(page, "`init`")
+
+
+def test_every_key_of_a_scene_is_there() -> None:
+    page = keys_page()
+    shown = set()
+    for path in paths():
+        table, _, key = path.rpartition(".")
+        inside = "bearing.ball_material" if table.endswith("material") else table  # one table for all materials
+        assert f"`{key}`" in cells(page, f"`[{inside}]`" if inside else "Top of the file"), path
+        shown.add(path)
+    assert len(shown) > 150
+
+
+def test_a_key_has_its_unit_range_and_default() -> None:
+    page = keys_page()
+    assert cells(page, "`[cage]`")["`duration`"] == ["s", "0.0001 to 1000", "`0.2 s`", '`"0.2 s"`']
+    assert cells(page, "`[mounting]`")["`mounting_temperature`"][:3] == ["degC", "-73.15 to 326.85", "`20 degC`"]
+    assert cells(page, "`[operation]`")["`inner_speed`"][:3] == ["rpm, or a list", "-1e+07 to 1e+07", "required"]
+    assert cells(page, "`[operation]`")["`down`"][0] == "three numbers"
+    assert cells(page, "`[lubricant]`")["`supply`"][::2] == ["`oil_bath` or `oil_spot` or `grease`", "`oil_bath`"]
+    assert cells(page, "`[lubricant]`")["`compressible`"][0] == "`true` or `false`"
+    assert cells(page, "`[bearing]`")["`clearance`"][1].endswith("or `C2`, `CN`, `C3`, `C4`, `C5`")
+
+
+def test_the_keys_of_a_torque_in_json_are_there() -> None:
+    page = json_page()
+    torque = torque_of_scene(analytic.load_scene("6205-dry")).to_json()
+    assert Torque.model_validate(torque)
+    assert set(torque) <= {name.strip("`") for name in cells(page, "Torque")}
+    assert cells(page, "OperatingPoint" if "## OperatingPoint" in page else "Point")["`axial_load`"][:2] == [
+        "number",
+        "N",
+    ]
+    links = re.findall(r"\]\(#([\w-]+)\)", page)
+    headings = {heading.lower().replace(" ", "-") for heading in re.findall(r"^## (.+)$", page, re.MULTILINE)}
+    assert set(links) <= headings
+
+
+def test_every_exported_name_is_there() -> None:
+    page = api_page()
+    for package in (analytic, fembearing):
+        assert [name for name in package.__all__ if f"\n   {package.__name__}.{name}\n" not in page] == []
+    assert "\n   analytic.result.FrictionTorque\n" in page
+    assert "\n   analytic.errors.InputError\n" in page
