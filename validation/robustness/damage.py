@@ -154,7 +154,7 @@ def change_at_random_place(node: Any, rng: np.random.Generator) -> None:
         match rng.integers(4):
             case 0:
                 del node[name]
-            case 1 if isinstance(inside, int | float) and not isinstance(inside, bool):
+            case 1 if type(inside) in (int, float) and abs(inside) < 1e300:  # a larger integer is no float
                 node[name] = -inside if rng.random() < 0.5 else inside * 10 ** rng.uniform(-300, 300)
             case 2 if isinstance(node, list):
                 node.insert(name, inside)
