@@ -144,7 +144,8 @@ def test_a_limit_of_file_sizes_leaves_nothing(tmp_path: Path, rest: str) -> None
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
 def test_a_process_that_is_asked_to_end_cleans_up(tmp_path: Path, number: signal.Signals, status: int) -> None:
     held = (
-        "import sys, time\nfrom analytic import writing\nfrom fembearing import cli\n"
+        "import signal, sys, time\nfrom analytic import writing\nfrom fembearing import cli\n"
+        f"signal.signal({int(number)}, signal.SIG_DFL)\n"  # nohup ignores it, and so would we
         "writing.at_step = lambda step, path: (print(step, flush=True), time.sleep(60)) if step == 'write' else None\n"
         "sys.argv = ['fembearing', 'init', '6206']\ncli.main()"
     )

@@ -36,8 +36,8 @@ print(*sorted(name for name in sys.modules if name.startswith(("analytic.", "fem
 def test_solver_and_meshes_load_only_the_nouns() -> None:
     *parts, loaded = run(IMPORTS)
     assert {"fembearing.fem.solution", "fembearing.fem.guess", "fembearing.mesh.bodies"} <= set(parts)
-    # The nouns with their units, and words; none of them has a formula.
-    nouns = ("brief", "errors", "noun", "report_details", "scene", "units", "words")
+    # The nouns with their units, words, and how files are read and written; none of them has a formula.
+    nouns = ("brief", "errors", "noun", "reading", "report_details", "scene", "units", "words", "writing")
     assert loaded.split() == [f"analytic.{name}" for name in nouns]
 
 

@@ -158,7 +158,7 @@ def test_points_of_a_worker_that_dies_are_tried_again_next_time(
 # It waits in short sleeps, since a signal that arrives just before a long one would not end it.
 HELD = 2
 HOLDING = f"""
-import time
+import signal, time
 from fembearing import cli
 from fembearing.sweep import parts
 from fembearing.sweep.store import Store
@@ -175,6 +175,7 @@ def save_and_hold(store, piece, part):
             time.sleep(0.01)
 
 Store.save = save_and_hold
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's command in the background ignores it
 cli.main()
 """
 
