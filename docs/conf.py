@@ -44,6 +44,7 @@ autosummary_generate = True
 default_role = "code"
 autodoc_typehints = "none"  # the signature has them
 autodoc_member_order = "bysource"
+toc_object_entries_show_parents = "hide"
 numpydoc_show_class_members = False
 numpydoc_class_members_toctree = False
 
