@@ -14,6 +14,7 @@ from docs.extensions.gallery import ORDER
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 NOTEBOOKS = sorted(EXAMPLES.glob("*.ipynb"))
 PROGRAMS = sorted(EXAMPLES.glob("*.py"))
+LONG = {"plot_interval", "plot_measured_roughness", "plot_stiffness_law"}  # 5 s and more
 plt.switch_backend("agg")  # no window
 
 
@@ -38,8 +39,13 @@ def test_a_notebook_runs(notebook: Path, tmp_path: Path, monkeypatch: pytest.Mon
     assert ((power > 0.9) & (power < 1.8)).all()
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "program",
+    [
+        pytest.param(path, marks=pytest.mark.nightly if path.stem in LONG else pytest.mark.slow, id=path.stem)
+        for path in PROGRAMS
+    ],
+)
 def test_a_program_runs_and_draws_a_picture(program: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(plt, "show", lambda: None)
     runpy.run_path(str(program), run_name="__main__")
