@@ -58,6 +58,18 @@ def test_the_other_parts_are_the_changes_by_other_formulas() -> None:
     assert np.all(np.abs(present(houpert.rolling) / rolling - 1) > 0.01)
 
 
+def test_oil_that_pressure_does_not_thicken_has_one_formula_of_rolling() -> None:
+    """Houpert's takes the pressure-viscosity coefficient as a factor: at 0 it has no resistance."""
+    scene = load_scene(SCENES / "6205_physical.toml")
+    thin = replace(
+        scene, lubricant=replace(present(scene.lubricant), pressure_viscosity=0.0, traction="eyring_constant")
+    )
+    plain = friction_torque(thin)
+    parts = present(with_model_uncertainty(thin, plain).model_parts)
+    share = present(plain.torque.rolling) / plain.torque.total
+    np.testing.assert_allclose(parts["rolling"], np.expm1(0.5) * share, rtol=1e-6)  # round-off of the sliding
+
+
 def test_without_a_hardness_the_other_gap_has_summits_that_never_yield() -> None:
     """The elastic gap needs no hardness, so its uncertainty must not ask for one."""
     scene = load_scene(SCENES / "6205_physical.toml")

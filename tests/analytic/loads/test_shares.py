@@ -54,6 +54,10 @@ def test_without_thrust_nothing_bounds_how_unequal_the_balls_are(bearing_6205: B
     assert found.thrust is None
     np.testing.assert_array_equal(np.isinf(found.unequal), [True, False])
     assert np.all(found.centrifugal > 0)
+    alone = Operation(axial_load=np.array([30.0]), inner_speed=np.array([10.0]), radial_load=90.0).as_series()
+    exact = load_shares(bearing_6205, ContactAngle(rule="solved", free=0.18), alone)
+    # Without the equilibrium of the thrust its load counts without its angle: 1/sin(0.18) = 5.6 times too little.
+    assert 1 < found.centrifugal[1] / exact.centrifugal[0] < 5.6
 
 
 STEEP = ContactAngle(rule="solved", free=0.7)

@@ -39,6 +39,7 @@ def test_the_pressure_on_either_axis_carries_the_load(solution: ContactSolution,
     np.testing.assert_allclose(profile.pressure[0], measured.peak_pressure, rtol=5e-3)  # a node, and a fit to many
     assert np.all(np.diff(profile.position) > 0)
     assert np.all(profile.pressure[profile.position > 1.05 * along] == 0)
+    assert along < profile.position[-1] <= 1.2 * solution.meshes[-1].pair.semi_axes[AXES.index(axis)] * 1.01
 
 
 @pytest.mark.parametrize("axis", AXES)
@@ -51,6 +52,15 @@ def test_hertz_carries_the_load_and_ends_at_its_edge(solution: ContactSolution, 
     np.testing.assert_allclose(load, solution.contact.load, rtol=1e-9)  # exact for an ellipse
     assert (profile.pressure[0], profile.pressure[-1]) == (hertz.peak_pressure, 0)
     np.testing.assert_allclose(profile.position[-1], along, rtol=1e-12)
+
+
+def test_the_error_of_the_correction_is_relative_to_the_reference(solution: ContactSolution) -> None:
+    assert solution.corrected is not None
+    for name, error in solution.interpolation_error.items():
+        corrected, reference = (getattr(part, name) for part in (solution.corrected.quantities, solution.reference))
+        assert reference * (1 + error) == pytest.approx(corrected, rel=1e-12), name  # round-off
+    assert set(solution.interpolation_error) == set(vars(solution.reference))
+    assert replace(solution, corrected=None).interpolation_error == {}
 
 
 def test_the_axes_are_not_exchanged(solution: ContactSolution) -> None:
