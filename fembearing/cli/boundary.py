@@ -9,6 +9,7 @@ import os
 import signal
 import sys
 import traceback
+import warnings
 from collections.abc import Callable
 from contextvars import ContextVar
 from io import TextIOWrapper
@@ -39,6 +40,8 @@ def guarded(run: Callable[[], int | None]) -> int:
     """The exit status of a command. Whatever happens in it, standard error gets one line at most."""
     if not _streams_are_open():
         return complain("standard output is closed; give the result somewhere to go", NO_STORAGE)
+    if not sys.warnoptions:
+        warnings.simplefilter("ignore")  # of libraries, about what nobody but us can mend; ours are lines of the result
     for name in ENDED:
         if hasattr(signal, name) and signal.getsignal(getattr(signal, name)) != signal.SIG_IGN:  # as nohup leaves it
             signal.signal(getattr(signal, name), end)

@@ -1,8 +1,8 @@
 """What all tables of the document share: strict types, numbers that are finite, and lists that belong together."""
 
-from typing import Annotated, Generic, Literal, Self, TypeVar
+from typing import Annotated, Any, Generic, Literal, Self, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
 T = TypeVar("T")
 Pair = Literal["inner", "outer", "pocket"]
@@ -13,12 +13,21 @@ Two = Annotated[list[float], Field(min_length=2, max_length=2)]  # JSON has no t
 Numbers = Annotated[list[float], Field(min_length=1)]
 Count = Annotated[int, Field(gt=0, lt=2**63)]
 Label = Annotated[str, Field(pattern=r"^[^$]*$")]  # in a figure, where dollars would begin a formula
+LARGEST = 1e200  # SI; a larger number is damage, and may be too large in the unit in which it is shown
 
 
 class Table(BaseModel):
     """A table of the document; a key that it does not name is refused, so that none gets lost. Numbers are SI."""
 
     model_config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, frozen=True)
+
+    @field_validator("*")
+    @classmethod
+    def numbers_can_be_shown(cls, value: Any) -> Any:
+        for number in value if isinstance(value, list) else (value,):
+            if isinstance(number, float) and abs(number) > LARGEST:
+                raise ValueError(f"{number:g} is larger than {LARGEST:g}")
+        return value
 
 
 class OfQuantities(Table, Generic[T]):

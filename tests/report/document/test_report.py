@@ -152,6 +152,8 @@ def test_no_damage_is_answered_by_a_traceback(document: Document) -> None:
         (("sensitivity", "inputs", 0, "change_low"), [0.1, 0.2, 0.3], "lists of 1 and 3 values"),
         (("cage_records", 0, "forces", "sum"), [1.0], "values that belong together"),
         (("cage_records", 0, "exceedance", "share"), [1.0], "values that belong together"),
+        (("verdicts", 1, "production"), -1e308, "-1e.308 is larger than 1e.200"),
+        (("cage_records", 0, "forces", "sum"), [-1e201], "is larger than"),
     ],
 )
 def test_lists_that_belong_together_are_of_one_length(
