@@ -45,8 +45,8 @@ class Topology:
         low, high = np.divmod(keys, nodes)
         before = np.cumsum(each[high]) - each[high]  # free ones of the pairs before, of all rows
         starts = np.searchsorted(low, np.arange(nodes))
-        length = np.add.reduceat(each[high], starts)
-        before = (before - before[starts][low]).astype(np.int32)[pair].reshape(count, -1)  # in this row
+        length = np.bincount(low, weights=each[high], minlength=nodes).astype(np.int64)  # 0 for a node without cells
+        before = (before - before[starts[low]]).astype(np.int32)[pair].reshape(count, -1)  # in this row
         # Each free one of a node has a row of its own, without those of the node that come before it.
         self._starts = np.append(0, np.cumsum(length[node] - rank)).astype(np.int32)
 

@@ -7,7 +7,7 @@ each quantity of the contact.
 
 A half space has the surface of its body in the plane tangent to it, and the same reach; its far boundary is held by the
 exact displacement. What stays is the error that the shape of the bodies adds: it falls with the cells like that of the
-mesh, and is a tenth of it (validation/twin_coverage.py).
+mesh, and is about a tenth of it.
 The twin counts lengths in rolling semi-axes of the mesh, and forces in E* times their square. Meshes of one axis ratio
 and one reach share it.
 """

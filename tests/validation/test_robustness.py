@@ -132,6 +132,8 @@ def test_damaged_texts_are_partly_still_good(part: Any) -> None:
         (2, "", "fembearing: warning: dry\nfembearing: too much\n", ""),
         (1, "", "Traceback (most recent call last):\nKeyError: 'a'", "traceback: KeyError"),
         (70, "", "fembearing: a defect", "status 70"),
+        (1, "", "", "status 1 without a result"),
+        (1, "torque 3 N mm, fail", "", ""),
         (-9, "", "", "status -9"),
         (2, "", "fembearing: one\nfembearing: another\n", "2 lines for one failure"),
         (3, "", "", "0 lines for one failure"),

@@ -61,7 +61,7 @@ class Budget:
 
 
 LONG = Budget(inputs=20_000, commands=500, kills=200, every=1, calls=(10_000, 300), mutants=330)
-SHORT = Budget(inputs=150, commands=6, kills=4, every=30, calls=(200, 3), mutants=0)
+SHORT = Budget(inputs=60, commands=3, kills=4, every=60, calls=(100, 2), mutants=0)
 
 
 @dataclass

@@ -71,7 +71,7 @@ def with_sides(
     """The same with the effect of the true sides, from a quarter with each of them on the cells of `mesh`.
 
     Shoulders and lands of both sides change the contact by less than 0.3 %, and to first order each by itself: half of
-    the contact gives the mean of the two quarters to 0.0015 % (validation/twin_coverage.py).
+    the contact gives the mean of the two quarters to 0.0015 % (validation/correction/sides.py).
     """
     even, *both = (measured(part) for part in (mesh, above, below))
     sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
