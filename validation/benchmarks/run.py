@@ -172,7 +172,8 @@ def cells(each: Compared) -> tuple[str, ...]:
     """What, before, now, ratio, goal, difference of the results, notes."""
     row, now = each.row, each.now.figure(each.row)
     met = now is not None and row.goal is not None and (now <= row.goal if row.unit == "s" else now >= row.goal)
-    notes = {"now": each.now, "then": each.recorded}
+    notes = {"now": each.now.failed or note_of(each.now)}
+    notes["then"] = "that tree cannot" if each.recorded.failed else note_of(each.recorded)
     return (
         f"{row.title}{', wall' if row.clock == 'wall' and row.unit == 's' else ''}",
         shown(each.recorded.figure(row), row),
@@ -180,7 +181,7 @@ def cells(each: Compared) -> tuple[str, ...]:
         "-" if each.ratio is None else f"{each.ratio:.3g}",
         "" if row.goal is None else shown(row.goal, row) + (", met" if met else ""),
         "" if each.difference is None else f"{100 * each.difference:+.2g} %",
-        "; ".join(f"{when}: {text}" for when, part in notes.items() if (text := part.failed or note_of(part))),
+        "; ".join(f"{when}: {text}" for when, text in notes.items() if text),
     )
 
 
