@@ -40,7 +40,8 @@ class Topology:
         each = np.bincount(node, minlength=nodes)  # free ones of each node
 
         # The row of a node in the upper triangle of a matrix over nodes holds it and those of larger number.
-        first, second = (cells.T[:, number] for number in np.tril_indices(functions))
+        whole = cells.T.astype(np.int64)  # products of 32-bit numbers overflow from 46 341 nodes on
+        first, second = (whole[:, number] for number in np.tril_indices(functions))
         keys, pair = np.unique(np.minimum(first, second) * nodes + np.maximum(first, second), return_inverse=True)
         low, high = np.divmod(keys, nodes)
         before = np.cumsum(each[high]) - each[high]  # free ones of the pairs before, of all rows

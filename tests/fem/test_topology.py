@@ -80,15 +80,17 @@ def test_assembled_entries_are_those_of_the_cells_added_one_by_one(pairs: list[P
     np.testing.assert_allclose(held.far_force, far, atol=1e-14 * np.abs(far).max() * 1e3, rtol=0)  # cancelling entries
 
 
-def test_a_node_without_cells_changes_nothing() -> None:
-    """Wherever it stands among the others, if it is held: a refined mesh may keep one."""
-    cells = np.random.default_rng(5).permutation(27)[:, None]
+def test_numbers_of_nodes_change_nothing() -> None:
+    """One cell among held nodes without cells: few, and so many that the product of two numbers needs 64 bits."""
+    cells = np.random.default_rng(5).permutation(27)[:, None].astype(np.int32)
     held = np.zeros((3, 27), dtype=bool)
     held[:, [3, 8]] = True
     entries = np.random.default_rng(6).uniform(-2.0, 3.0, (topology.Topology(cells, held)._place.size,))
     plain = topology.Topology(cells, held).assembled(entries).toarray()
-    for lonely in (0, 11, 27):
-        moved = topology.Topology(cells + (cells >= lonely), np.insert(held, lonely, True, axis=1))
+    for number, nodes in ((np.arange(27) + 1, 29), (np.arange(27) * 2600 + 4, 70_000)):
+        spread = np.ones((3, nodes), dtype=bool)
+        spread[:, number] = held
+        moved = topology.Topology(number.astype(np.int32)[cells], spread)
         np.testing.assert_array_equal(moved.assembled(entries).toarray(), plain)
 
 
