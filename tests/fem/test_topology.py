@@ -3,6 +3,7 @@
 from collections import OrderedDict
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -82,7 +83,7 @@ def test_assembled_entries_are_those_of_the_cells_added_one_by_one(pairs: list[P
 
 def test_numbers_of_nodes_change_nothing() -> None:
     """One cell among held nodes without cells: few, and so many that the product of two numbers needs 64 bits."""
-    cells = np.random.default_rng(5).permutation(27)[:, None].astype(np.int32)
+    cells: Any = np.random.default_rng(5).permutation(27)[:, None].astype(np.int32)  # as scikit-fem has them
     held = np.zeros((3, 27), dtype=bool)
     held[:, [3, 8]] = True
     entries = np.random.default_rng(6).uniform(-2.0, 3.0, (topology.Topology(cells, held)._place.size,))
@@ -90,7 +91,8 @@ def test_numbers_of_nodes_change_nothing() -> None:
     for number, nodes in ((np.arange(27) + 1, 29), (np.arange(27) * 2600 + 4, 70_000)):
         spread = np.ones((3, nodes), dtype=bool)
         spread[:, number] = held
-        moved = topology.Topology(number.astype(np.int32)[cells], spread)
+        far: Any = number.astype(np.int32)[cells]
+        moved = topology.Topology(far, spread)
         np.testing.assert_array_equal(moved.assembled(entries).toarray(), plain)
 
 
