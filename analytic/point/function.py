@@ -171,6 +171,7 @@ def torque_function(scene: Scene, *, invalid: Invalid = "raise") -> TorqueFuncti
     -----
     Every effect counts that the scene has the input for and does not rule out, whatever the load: nothing is decided
     from call to call. The cage rests on its balls.
+    A thrust load of 0 or less and an oil outside 200 to 600 K, which scenes refuse, may get a torque: do not give them.
     Calls take some hundredths to tenths of a millisecond. They are compiled where closed kinematics turn the balls: by
     friction.spin_rule, or under "free" where the scene's points need no creep. Else each call is a `friction_torque`
     (`is_compiled`).

@@ -33,11 +33,11 @@ DEBUG = ContextVar("DEBUG", default=False)  # whether a failure shows where in t
 ENDED = ("SIGTERM", "SIGHUP")  # signals by which a process is asked to end
 PYDANTICS = "Value error, "  # how typer's message about a word begins where pydantic reads it
 OURS = ("analytic", "fembearing")
-REPORT = "docs/commands.md#a-defect-of-fembearing says where to report it and with what"
+REPORT = "fembearing --debug shows where it is; please report that, as docs/commands.md says"
 
 
 def guarded(run: Callable[[], int | None]) -> int:
-    """The exit status of a command. Whatever happens in it, standard error gets one line at most."""
+    """The exit status of a command. Whatever fails in it, standard error gets one line for it."""
     if not _streams_are_open():
         return complain("standard output is closed; give the result somewhere to go", NO_STORAGE)
     if not sys.warnoptions:
