@@ -142,12 +142,11 @@ def test_a_contact_within_its_accuracy_is_a_success_whatever_the_error_of_hertz(
 @pytest.mark.usefixtures("coarse")
 @pytest.mark.parametrize("loads", [("28 N",), pytest.param(("28 N", "9 N"), marks=pytest.mark.slow)])
 def test_a_contact_beyond_its_accuracy_ends_with_status_3_and_its_uncertainty(command, loads: tuple[str, ...]) -> None:
-    """The seat of a pocket is a cavity: no mesh removes the effect of the far boundary on its approach."""
     given = [part for load in loads for part in ("--load", load)]
-    result = command("contact", "--pair", "pocket", *given, "--tolerance", "0.2 %", "--json")
+    result = command("contact", "--pair", "pocket", *given, "--tolerance", "0.005 %", "--json")
     assert json.loads(result.out)["pair"] == "pocket"  # the answer is there, as uncertain as it is
     assert result.status == 3
-    assert "not solved to 0.2 %: approach" in result.err
+    assert "not solved to 0.005 %: " in result.err
 
 
 @pytest.mark.usefixtures("coarse")

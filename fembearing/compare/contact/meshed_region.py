@@ -3,19 +3,25 @@
 What the true contact differs in is computed once, on one level, and corrects every quantity.
 """
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, replace
 
 from fembearing.compare.contact.grid_convergence import FINEST
+from fembearing.fem.factor import solver_threads
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors
 from fembearing.mesh.footprint import is_symmetric
 from fembearing.mesh.recipe import Recipe
 
-# The effect of the far boundary falls with this power of the block's size: tests/compare/contact/test_discrepancy.py
-# predicts a block 2.5 times as large from one 1.5 times as large. A pocket's seat is a cavity, not a half space: its
-# approach grows with the logarithm of the size, without a limit.
-FADING = 2.0
-UNLIMITED_IN_A_SEAT = ("approach", "stiffness")
+# The effect of the far boundary on the pressure falls with this power of the block's size: a block twice as large shows
+# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/far_boundary.py). Half of it stays
+# as uncertainty.
+FADING, UNCERTAIN = 1.6, 0.5
+# The approach has no limit: it changes with the logarithm of the size, in a seat too. It is that of the larger block,
+# about 8 major semi-axes wide. The meshes leave this share of the change between the blocks open, with twins on them
+# and without.
+UP_TO_LARGER = ("approach", "stiffness")
+LEFT_WITH_TWIN, LEFT_BY_MESHES = 0.15, 0.5
 # The effect of the true sides, on the second level, differs from that on the third by at most this share of the largest
 # effect of all quantities: 0.28 and less on 17 contacts with shoulders 1.13 to 2.3 semi-axes away.
 SIDES_LEFT = 0.3
@@ -87,19 +93,24 @@ def has_boundary(mesh: MeshSolution, *, recipe: Recipe) -> bool:
 def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Boundary]:
     """The effect of the far boundary on each quantity, from a larger block with more cells all round.
 
-    The larger block shows a part of the effect. The rest follows from the power with which it falls, and half of the
-    whole stays as uncertainty. The approach into a seat is not corrected; its uncertainty assumes an effect that falls
-    as one over the size.
+    The larger block shows a part of the effect on the pressure; the rest follows from the power with which it falls.
+    The approach is defined as that of the larger block.
     """
-    return _effects(mesh, larger, before=measured(mesh), after=measured(larger))
+    return _effects(mesh, larger, before=measured(mesh), after=measured(larger), left=LEFT_BY_MESHES)
 
 
-def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
-    """The same on the first level, where the added cells change the error of the mesh: both blocks have a twin."""
+def region_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
+    """The effects of the far boundary and of the true sides, from meshes that are solved side by side.
+
+    The larger block has its own twin, as the added cells change the error of the mesh.
+    """
     mesh = solution.mesh
-    larger = _larger(mesh, recipe=recipe)
-    after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True))
-    return _effects(mesh, larger, before=solution.corrected, after=after.corrected)
+    with ThreadPoolExecutor(solver_threads()) as pool:
+        both = pool.submit(each_side, mesh, recipe=recipe) if has_sides(mesh, recipe=recipe) else None
+        larger = _larger(mesh, recipe=recipe)
+        after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True))
+        boundary = _effects(mesh, larger, before=solution.corrected, after=after.corrected, left=LEFT_WITH_TWIN)
+        return boundary if both is None else with_sides(boundary, mesh, *both.result())
 
 
 def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
@@ -109,17 +120,17 @@ def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
 
 
 def _effects(
-    mesh: MeshSolution, larger: MeshSolution, *, before: dict[str, float], after: dict[str, float]
+    mesh: MeshSolution, larger: MeshSolution, *, before: dict[str, float], after: dict[str, float], left: float
 ) -> dict[str, Boundary]:
     size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
     effects = {}
     for name, value in before.items():
         change = after[name] / value - 1 if value else 0.0
-        if mesh.contact.pair == "pocket" and name in UNLIMITED_IN_A_SEAT:
-            effects[name] = Boundary(domain=abs(change) / (1 - size / further))
+        if name in UP_TO_LARGER:
+            effects[name] = Boundary(beyond=change, domain=left * abs(change))
         else:
             whole = change / (1 - (size / further) ** FADING)
-            effects[name] = Boundary(beyond=whole, domain=abs(whole) / 2)
+            effects[name] = Boundary(beyond=whole, domain=UNCERTAIN * abs(whole))
     return effects
 
 

@@ -11,7 +11,7 @@ from analytic.scene import Contact
 from fembearing.compare.contact.grid_convergence import Estimate, observed_order
 from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
-from fembearing.compare.contact.meshed_region import boundary_effect_with_twin, each_side, has_sides, with_sides
+from fembearing.compare.contact.meshed_region import region_with_twin
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.mesh.recipe import Recipe
@@ -48,18 +48,17 @@ def solve_by_twin(
     )
     if coarse is None:
         return None
-    progress(0.1, f"{contact.pair}: far boundary")
-    boundary = boundary_effect_with_twin(coarse, recipe=recipe)
-    solutions, estimates = [coarse], {}
+    solutions, boundary, estimates = [coarse], {}, {}
     finer = recipe.levels[1:]
     for number, level in enumerate(finer):
         expected = about(predicted_seconds(level, known=solutions[-1].mesh))
-        progress(0.2 + 0.8 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
+        progress(0.1 + 0.9 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
         solution = twin_on_level(contact, recipe=recipe, level=level, start=solutions[-1].ellipse)
         if solution is None:
             return None
-        if solutions == [coarse] and has_sides(solution.mesh, recipe=recipe):
-            boundary = with_sides(boundary, solution.mesh, *each_side(solution.mesh, recipe=recipe))
+        if not boundary:
+            progress(0.1 + 0.5 / len(finer), f"{contact.pair}: far boundary")
+            boundary = region_with_twin(solution, recipe=recipe)
         solutions.append(solution)
         estimates = {
             name: replace(part, **vars(boundary[name])) for name, part in estimates_with_twin(solutions).items()
