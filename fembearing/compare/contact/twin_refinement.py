@@ -11,7 +11,7 @@ from analytic.scene import Contact
 from fembearing.compare.contact.grid_convergence import Estimate, observed_order
 from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
-from fembearing.compare.contact.meshed_region import region_with_twin
+from fembearing.compare.contact.meshed_region import STIFFNESS, region_with_twin
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.mesh.recipe import Recipe
@@ -26,7 +26,6 @@ SHAPED = 0.8
 # The uncertainty: LEAST_WITH_TWIN, CURVED times (c/r)^2 and the largest error that the twin shows, and LEFT times the
 # largest extrapolation of a quantity; UNSTEADY_PRESSURE is added for the peak pressure, which has no steady order.
 LEAST_WITH_TWIN, CURVED, LEFT, UNSTEADY_PRESSURE = 1e-4, 0.6, 0.55, 1e-4
-STIFFNESS = 1.5  # relative uncertainty of load/approach^1.5 over that of the approach
 
 
 def solve_by_twin(

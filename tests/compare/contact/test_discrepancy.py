@@ -55,9 +55,9 @@ def test_the_effect_of_the_far_boundary_falls_as_assumed(
     part = estimates["approach"]
     assert part.beyond == pytest.approx(near["approach"] / block["approach"] - 1, rel=1e-6)  # round-off over 1e-4
     assert pair == "inner" or abs(far["approach"] / near["approach"] - 1) > abs(part.beyond) / 4
-    sides = max(abs(each.sides) for each in estimates.values())
-    assert sides > 1e-5
-    assert part.domain == pytest.approx(LEFT_WITH_TWIN * abs(part.beyond) + SIDES_LEFT * sides, rel=1e-9)  # round-off
+    left = SIDES_LEFT["approach"] * max(abs(estimates[name].sides) for name in SIDES_LEFT)
+    assert left > 1e-6
+    assert part.domain == pytest.approx(LEFT_WITH_TWIN * abs(part.beyond) + left, rel=1e-9)  # round-off
     assert part.value / part.limit / (1 + part.sides) - 1 == pytest.approx(part.beyond, rel=1e-9)
 
 

@@ -10,6 +10,7 @@ import pytest
 from analytic.scene import Contact
 from fembearing.compare.contact.discrepancy import compare_contact
 from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS
+from fembearing.compare.contact.meshed_region import STIFFNESS
 from fembearing.compare.contact.reference import solve_reference
 from fembearing.compare.contact.twin_refinement import (
     CURVED,
@@ -18,7 +19,6 @@ from fembearing.compare.contact.twin_refinement import (
     ORDER,
     ORDERS,
     SHAPED,
-    STIFFNESS,
     UNSTEADY_PRESSURE,
     estimates_with_twin,
 )
