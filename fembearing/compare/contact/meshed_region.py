@@ -23,8 +23,9 @@ FADING, UNCERTAIN = 1.6, 0.5
 UP_TO_LARGER = ("approach", "stiffness")
 LEFT_WITH_TWIN, LEFT_BY_MESHES = 0.15, 0.5
 # The effect of the true sides, on the second level, differs from that on the third by at most these shares of the
-# largest effect, which is that on the approach: 0.23 and 0.12 and less on 31 contacts with shoulders 1.13 to 2.3
+# largest effect, which is that on the approach, and SIDES_COARSE (b/r)^2: on 26 contacts with shoulders 1.13 to 2
 # semi-axes away.
+SIDES_COARSE = 1e-3
 SIDES_LEFT = {"semi_axis_rolling": 0.15, "semi_axis_transverse": 0.15, "peak_pressure": 0.15, "approach": 0.3}
 STIFFNESS = 1.5  # relative change of load/approach^1.5 over that of the approach
 # Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
@@ -84,7 +85,8 @@ def with_sides(
     even, *both = (measured(part) for part in (mesh, above, below))
     sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
     largest = max(abs(sides[name]) for name in SIDES_LEFT)
-    left = {name: share * largest for name, share in SIDES_LEFT.items()}
+    coarse = SIDES_COARSE * (mesh.pair.semi_axes[1] / mesh.contact.ball_radius) ** 2
+    left = {name: share * largest + coarse for name, share in SIDES_LEFT.items()}
     left["stiffness"] = STIFFNESS * left["approach"]
     return {name: replace(part, sides=sides[name], domain=part.domain + left[name]) for name, part in boundary.items()}
 
