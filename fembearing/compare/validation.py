@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Any
@@ -153,19 +154,22 @@ def check_scene(
     extra = np.cumsum([0.0, HARD_SECONDS * hard, COST_SECONDS * cost])
     whole = shares[-1] + extra[-1]
     shares, extra = shares / whole, (shares[-1] + extra) / whole
-    contacts = []
-    for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
-        contacts.append(
-            solve_contact(
-                scene,
-                pair=pair,
-                geometry=geometry,
-                tolerance=scene.tolerance,
-                accuracy=ENOUGH * scene.tolerance,
-                progress=part_of(progress, begin, end),
+    contacts, rings = [], []
+    with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
+        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
+            contacts.append(
+                solve_contact(
+                    scene,
+                    pair=pair,
+                    geometry=geometry,
+                    tolerance=scene.tolerance,
+                    accuracy=ENOUGH * scene.tolerance,
+                    progress=part_of(progress, begin, end),
+                )
             )
-        )
-    inner, outer = (_with_ring_if_known(contact) for contact in contacts[:2])
+            if len(contacts) <= len(RACES):
+                rings.append(beside.submit(_with_ring_if_known, contacts[-1]))
+    inner, outer = (ring.result() for ring in rings)
     friction = None if torque is None else torque.friction
     return Validation(
         scene=scene,

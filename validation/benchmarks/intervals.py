@@ -93,7 +93,8 @@ def trial(seed: int, *, kind: Kind) -> Trial | str:
     """One random contact, or the reason why it cannot be solved."""
     recipe = load_recipe(kind)
     contact = random_contact(np.random.default_rng(seed), pockets=SHARE_OF_POCKETS if kind == "hertzian" else 0.0)
-    references, seconds, correction = {}, {}, dict.fromkeys(COMPARED, 0.0)
+    references, seconds = {}, {}
+    correction: dict[str, float] = dict.fromkeys(COMPARED, 0.0)
     try:
         for accuracy in ACCURACIES:
             start = time.process_time()

@@ -3,31 +3,32 @@
 What the true contact differs in is computed once, on one level, and corrects every quantity.
 """
 
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, replace
 
 from fembearing.compare.contact.grid_convergence import FINEST
-from fembearing.fem.factor import solver_threads
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors
 from fembearing.mesh.footprint import is_symmetric
 from fembearing.mesh.recipe import Recipe
 
 # The effect of the far boundary on the pressure falls with this power of the block's size: a block twice as large shows
-# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/far_boundary.py). Half of it stays
-# as uncertainty.
+# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/far_boundary.py). Half of it stays as
+# uncertainty.
 FADING, UNCERTAIN = 1.6, 0.5
 # The approach has no limit: it changes with the logarithm of the size, in a seat too. It is that of the larger block,
-# about 8 major semi-axes wide. The meshes leave this share of the change between the blocks open, with twins on them
-# and without.
+# about 8 major semi-axes wide. The cells outside leave this share of the change between the blocks open; without twins
+# all cells do.
 UP_TO_LARGER = ("approach", "stiffness")
-LEFT_WITH_TWIN, LEFT_BY_MESHES = 0.15, 0.5
+LEFT_WITH_TWIN, LEFT_BY_MESHES = 0.25, 0.5
+# Share of what the twins correct in the change between the blocks that stays as uncertainty.
+LEFT_BY_TWIN = 0.1
 # The effect of the true sides, on the second level, differs from that on the third by at most these shares of the
 # largest effect, which is that on the approach, and SIDES_COARSE (b/r)^2: on 26 contacts with shoulders 1.13 to 2
 # semi-axes away.
 SIDES_COARSE = 1e-3
 SIDES_LEFT = {"semi_axis_rolling": 0.15, "semi_axis_transverse": 0.15, "peak_pressure": 0.15, "approach": 0.3}
 STIFFNESS = 1.5  # relative change of load/approach^1.5 over that of the approach
+SIDES_LEFT_IN_OTHERS = STIFFNESS * SIDES_LEFT["approach"]
 # Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
 # uncertainty claimed it is not computed.
 SIDES_BOUND, SIDES_LEAST = 0.1, 0.1 * FINEST
@@ -86,8 +87,7 @@ def with_sides(
     sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
     largest = max(abs(sides[name]) for name in SIDES_LEFT)
     coarse = SIDES_COARSE * (mesh.pair.semi_axes[1] / mesh.contact.ball_radius) ** 2
-    left = {name: share * largest + coarse for name, share in SIDES_LEFT.items()}
-    left["stiffness"] = STIFFNESS * left["approach"]
+    left = {name: SIDES_LEFT.get(name, SIDES_LEFT_IN_OTHERS) * largest + coarse for name in boundary}
     return {name: replace(part, sides=sides[name], domain=part.domain + left[name]) for name, part in boundary.items()}
 
 
@@ -102,21 +102,20 @@ def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Bound
     The larger block shows a part of the effect on the pressure; the rest follows from the power with which it falls.
     The approach is defined as that of the larger block.
     """
-    return _effects(mesh, larger, before=measured(mesh), after=measured(larger), left=LEFT_BY_MESHES)
+    return _effects(_changes(measured(mesh), measured(larger)), growth=_growth(mesh, larger), left=LEFT_BY_MESHES)
 
 
-def region_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
-    """The effects of the far boundary and of the true sides, from meshes that are solved side by side.
-
-    The larger block has its own twin, as the added cells change the error of the mesh.
-    """
-    mesh = solution.mesh
-    with ThreadPoolExecutor(solver_threads()) as pool:
-        both = pool.submit(each_side, mesh, recipe=recipe) if has_sides(mesh, recipe=recipe) else None
-        larger = _larger(mesh, recipe=recipe)
-        after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True))
-        boundary = _effects(mesh, larger, before=solution.corrected, after=after.corrected, left=LEFT_WITH_TWIN)
-        return boundary if both is None else with_sides(boundary, mesh, *both.result())
+def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
+    """The same with twins of both blocks: the added cells change the error of the mesh."""
+    mesh, larger = solution.mesh, _larger(solution.mesh, recipe=recipe)
+    after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True)).corrected
+    growth = _growth(mesh, larger)
+    effects = _effects(_changes(solution.corrected, after), growth=growth, left=LEFT_WITH_TWIN)
+    plain = _effects(_changes(measured(mesh), measured(larger)), growth=growth, left=LEFT_WITH_TWIN)
+    return {
+        name: replace(part, domain=part.domain + LEFT_BY_TWIN * abs(part.beyond - plain[name].beyond))
+        for name, part in effects.items()
+    }
 
 
 def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
@@ -125,17 +124,24 @@ def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
     )
 
 
-def _effects(
-    mesh: MeshSolution, larger: MeshSolution, *, before: dict[str, float], after: dict[str, float], left: float
-) -> dict[str, Boundary]:
+def _changes(before: dict[str, float], after: dict[str, float]) -> dict[str, float]:
+    """Relative."""
+    return {name: after[name] / value - 1 if value else 0.0 for name, value in before.items()}
+
+
+def _growth(mesh: MeshSolution, larger: MeshSolution) -> float:
+    """Size of the larger block over that of the other."""
     size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
+    return further / size
+
+
+def _effects(changes: dict[str, float], *, growth: float, left: float) -> dict[str, Boundary]:
     effects = {}
-    for name, value in before.items():
-        change = after[name] / value - 1 if value else 0.0
+    for name, change in changes.items():
         if name in UP_TO_LARGER:
             effects[name] = Boundary(beyond=change, domain=left * abs(change))
         else:
-            whole = change / (1 - (size / further) ** FADING)
+            whole = change / (1 - growth**-FADING)
             effects[name] = Boundary(beyond=whole, domain=UNCERTAIN * abs(whole))
     return effects
 

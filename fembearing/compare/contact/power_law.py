@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from fembearing.compare.contact.grid_convergence import Estimate
 
@@ -132,7 +132,7 @@ def _fitted(data: LawData, basis: Array, *, of: Array) -> tuple[Array, Array, fl
     deviation = 0.0
     if left > 0:
         scatter = np.sqrt(np.sum((values - basis @ coefficients) ** 2) / left)
-        deviation = float(student.ppf((1 + CONFIDENCE) / 2, left) * scatter)
+        deviation = float(stdtrit(left, (1 + CONFIDENCE) / 2) * scatter)  # Student's t
     cell = np.floor(np.log(data.load) / ALIKE)
     alike = (cell[:, None] == np.unique(cell)).astype(float)
     crossing = np.sqrt(np.sum(((weights * data.crossing) @ alike) ** 2, axis=1))

@@ -11,7 +11,13 @@ from analytic.scene import Contact
 from fembearing.compare.contact.grid_convergence import Estimate, observed_order
 from fembearing.compare.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
 from fembearing.compare.contact.mesh_seconds import about, predicted_seconds
-from fembearing.compare.contact.meshed_region import STIFFNESS, region_with_twin
+from fembearing.compare.contact.meshed_region import (
+    STIFFNESS,
+    boundary_effect_with_twin,
+    each_side,
+    has_sides,
+    with_sides,
+)
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.mesh.recipe import Recipe
@@ -39,6 +45,7 @@ def solve_by_twin(
 ) -> Reference | None:
     """Solve `contact` on two levels of `recipe` or more, each with its twin; arguments as those of `solve_reference`.
 
+    The effect of the far boundary comes from the first level, and from the second where that is not certain enough.
     None where a twin says nothing: the contact is cut off by a shoulder, or far from the ellipse expected.
     """
     progress(0.0, f"{contact.pair}: size of the contact")
@@ -47,23 +54,30 @@ def solve_by_twin(
     )
     if coarse is None:
         return None
-    solutions, boundary, estimates = [coarse], {}, {}
+    progress(0.1, f"{contact.pair}: far boundary")
+    far, on_first = boundary_effect_with_twin(coarse, recipe=recipe), True
+    solutions, both, estimates = [coarse], (), {}
+
+    def estimated() -> Estimates:
+        boundary = with_sides(far, solutions[1].mesh, *both) if both else far
+        return {name: replace(part, **vars(boundary[name])) for name, part in estimates_with_twin(solutions).items()}
+
     finer = recipe.levels[1:]
     for number, level in enumerate(finer):
         expected = about(predicted_seconds(level, known=solutions[-1].mesh))
-        progress(0.1 + 0.9 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
+        progress(0.2 + 0.8 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
         solution = twin_on_level(contact, recipe=recipe, level=level, start=solutions[-1].ellipse)
         if solution is None:
             return None
-        if not boundary:
-            progress(0.1 + 0.5 / len(finer), f"{contact.pair}: far boundary")
-            boundary = region_with_twin(solution, recipe=recipe)
+        if solutions == [coarse] and has_sides(solution.mesh, recipe=recipe):
+            both = each_side(solution.mesh, recipe=recipe)
         solutions.append(solution)
-        estimates = {
-            name: replace(part, **vars(boundary[name])) for name, part in estimates_with_twin(solutions).items()
-        }
+        estimates = estimated()
+        if on_first and (any(estimates[name].total > accuracy for name in quantities) or undecided(estimates)):
+            far, on_first = boundary_effect_with_twin(solutions[1], recipe=recipe), False
+            estimates = estimated()
         accurate = all(
-            estimates[name].mesh <= max(accuracy - boundary[name].domain, boundary[name].domain / 2)
+            estimates[name].mesh <= max(accuracy - estimates[name].domain, estimates[name].domain / 2)
             for name in quantities
         )
         if accurate and not undecided(estimates):

@@ -14,12 +14,8 @@ from fembearing.compare.contact.discrepancy import ContactSolution, compare_cont
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.contact.mesh_refinement import COMPARED, Reference
-from fembearing.compare.contact.meshed_region import LEFT_WITH_TWIN, SIDES_COARSE, SIDES_LEFT
 from fembearing.compare.contact.reference import solve_reference
 from fembearing.compare.contact.warnings import shoulder_warning
-from fembearing.fem.solution import solve_on_mesh
-from fembearing.fem.twin import TwinSolution, twin_factors
-from fembearing.mesh import race
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.progress import silent
 from fembearing.report.document.build import contact_table
@@ -27,39 +23,6 @@ from fembearing.report.phrases import shoulder_lines
 from fembearing.report.terminal.contacts import print_contact
 
 PARTS = ("meshes", "estimates", "shoulder", "refinement")  # fields that a solution and its reference share
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("pair", ["inner", "outer"])
-def test_the_effect_of_the_far_boundary_falls_as_assumed(
-    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, pair: str
-) -> None:
-    """A block twice as large predicts one 2.9 times as large, to the half of the effect that stays uncertain.
-
-    The approach is that of the block twice as large; on the outer race the next one changes it again.
-    """
-    contact, recipe = contacts[pair], load_recipe("race")
-    reference = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent)
-    base, estimates = reference.meshes[1], reference.estimates
-
-    def corrected(further: float) -> dict[str, float]:
-        monkeypatch.setattr(race, "FURTHER", further)
-        extended = further > 1
-        mesh = solve_on_mesh(contact, recipe=recipe, level=2, semi_axes=base.pair.semi_axes, extended=extended)
-        return TwinSolution(mesh=mesh, factors=twin_factors(mesh, recipe=recipe, extended=extended)).corrected
-
-    block, near, far = (corrected(further) for further in (1.0, 2.0, 2.9))
-    for name in ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure"):
-        whole, beyond = estimates[name].beyond, far[name] / block[name] - 1
-        assert abs(beyond - whole * (1 - 2.9**-1.6)) < abs(whole) / 2, name
-    part = estimates["approach"]
-    assert part.beyond == pytest.approx(near["approach"] / block["approach"] - 1, rel=1e-6)  # round-off over 1e-4
-    assert pair == "inner" or abs(far["approach"] / near["approach"] - 1) > abs(part.beyond) / 4
-    shape = (base.pair.semi_axes[1] / contact.ball_radius) ** 2
-    left = SIDES_LEFT["approach"] * max(abs(estimates[name].sides) for name in SIDES_LEFT) + SIDES_COARSE * shape
-    assert left > 1e-6
-    assert part.domain == pytest.approx(LEFT_WITH_TWIN * abs(part.beyond) + left, rel=1e-9)  # round-off
-    assert part.value / part.limit / (1 + part.sides) - 1 == pytest.approx(part.beyond, rel=1e-9)
 
 
 def cut_at(solution: ContactSolution, *, below: float, half: bool) -> ContactSolution:

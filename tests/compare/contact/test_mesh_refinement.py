@@ -10,7 +10,7 @@ import pytest
 from analytic.scene import Contact
 from fembearing.compare.contact.grid_convergence import FINEST
 from fembearing.compare.contact.mesh_refinement import _predicted_level
-from fembearing.compare.contact.meshed_region import SIDES_LEFT, STIFFNESS, has_sides
+from fembearing.compare.contact.meshed_region import SIDES_LEFT, SIDES_LEFT_IN_OTHERS, has_sides
 from fembearing.compare.contact.reference import solve_reference
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
@@ -74,7 +74,7 @@ def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[s
         for sides in ("even", "both")
     ]
     largest = max(abs(found.estimates[name].sides) for name in SIDES_LEFT)
-    left = SIDES_LEFT | {"stiffness": STIFFNESS * SIDES_LEFT["approach"]}
+    left = SIDES_LEFT | {"stiffness": SIDES_LEFT_IN_OTHERS}
     assert largest > 1e-5
     for name, part in found.estimates.items():
         quarter, half = (getattr(third, name) for third in thirds)

@@ -1,4 +1,4 @@
-"""What a larger block says of the far boundary, on quantities whose dependence on the size is known."""
+"""What a larger block says of the far boundary: where the effect of its size is known, and on still larger blocks."""
 
 from types import SimpleNamespace
 from typing import Any
@@ -6,8 +6,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from fembearing.compare.contact.meshed_region import FADING, LEFT_BY_MESHES, UNCERTAIN, boundary_effect
+from analytic.scene import Contact
+from fembearing.compare.contact.meshed_region import (
+    FADING,
+    LEFT_BY_MESHES,
+    UNCERTAIN,
+    boundary_effect,
+    boundary_effect_with_twin,
+)
+from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities
+from fembearing.fem.solution import solve_on_mesh
+from fembearing.fem.twin import TwinSolution, twin_factors, twin_on_level
+from fembearing.mesh import race
+from fembearing.mesh.recipe import load_recipe
 
 ENDLESS = Quantities(
     semi_axis_rolling=0.12e-3, semi_axis_transverse=0.7e-3, peak_pressure=2.1e9, approach=6.2e-6, stiffness=2.4e10
@@ -46,3 +58,32 @@ def test_the_approach_is_that_of_the_larger_block(size: float, further: float) -
         value = getattr(near.quantities, name) * (1 + effects[name].beyond)
         assert value == pytest.approx(getattr(far.quantities, name), rel=1e-12)  # round-off
         assert effects[name].domain == pytest.approx(LEFT_BY_MESHES * abs(effects[name].beyond), rel=1e-12)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+def test_the_first_level_predicts_larger_blocks_on_the_second(
+    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, pair: str
+) -> None:
+    """A block 2.9 times as large for semi-axes and pressure, to their limit; the one twice as large for the approach.
+
+    On the outer race the approach has no limit: the largest block changes it again.
+    """
+    contact, recipe = contacts[pair], load_recipe("race")
+    coarse = twin_on_level(contact, recipe=recipe, level=1, start=expected_semi_axes(contact, geometry="real"))
+    assert coarse is not None
+    stated = boundary_effect_with_twin(coarse, recipe=recipe)
+
+    def corrected(further: float) -> dict[str, float]:
+        monkeypatch.setattr(race, "FURTHER", further)
+        extended = further > 1
+        mesh = solve_on_mesh(contact, recipe=recipe, level=2, semi_axes=coarse.ellipse, extended=extended)
+        return TwinSolution(mesh=mesh, factors=twin_factors(mesh, recipe=recipe, extended=extended)).corrected
+
+    block, near, far = (corrected(further) for further in (1.0, 2.0, 2.9))
+    for name in ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure"):
+        beyond = (far[name] / block[name] - 1) / (1 - 2.9**-FADING)
+        assert abs(beyond - stated[name].beyond) < stated[name].domain < 4e-4, name
+    approach = stated["approach"]
+    assert abs(near["approach"] / block["approach"] - 1 - approach.beyond) < approach.domain < 4e-4
+    assert pair == "inner" or abs(far["approach"] / near["approach"] - 1) > abs(approach.beyond) / 4
