@@ -14,6 +14,7 @@ and one reach share it.
 
 import math
 import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
@@ -72,10 +73,13 @@ def twin_on_level(contact: Contact, *, recipe: Recipe, level: int, start: tuple[
     """
     semi_axes, good = shared_axes(start), GOOD[level > recipe.levels[0]]
     for _ in range(MOST_GUESSES):
-        mesh = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes)
+        with ThreadPoolExecutor(1) as beside:  # half spaces are condensed while the contact is solved
+            half_spaces = beside.submit(_half_spaces, contact, recipe, level, Footprint(semi_axes=semi_axes))
+            mesh = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes)
+        begun = time.perf_counter()
+        half_spaces.result()
         if mesh.pair.footprint.cut or _deviation(mesh.semi_axes, semi_axes) > FARTHEST:
             return None
-        begun = time.perf_counter()
         factors = twin_factors(mesh, recipe=recipe)
         mesh = replace(mesh, seconds=mesh.seconds + time.perf_counter() - begun)
         solution = TwinSolution(mesh=mesh, factors=factors)
@@ -101,15 +105,8 @@ def twin_factors(solution: MeshSolution, *, recipe: Recipe, extended: bool = Fal
     """
     rolling, _ = solution.pair.semi_axes
     contact, footprint, level = solution.contact, solution.pair.footprint, solution.level
-    ball = Block(recipe=recipe, level=level, semi_axes=footprint.semi_axes, reach=contact.ball_radius)
-    race = block_of_race(contact, recipe, level, footprint, extended)
-    surface = _surface(_in_units(race, of=rolling))
-    materials = contact.ball_material, contact.race_material
-    yields = [1 / plane_strain_modulus(material) for material in materials]
-    bodies = [
-        _condensed(_in_units(block, of=rolling), material.poisson_ratio)
-        for block, material in zip((ball, race), materials, strict=True)
-    ]
+    surface, *bodies = _half_spaces(contact, recipe, level, footprint, extended=extended)
+    yields = [1 / plane_strain_modulus(material) for material in (contact.ball_material, contact.race_material)]
     parts = [(each / sum(yields), body) for each, body in zip(yields, bodies, strict=True)]
     compliance = np.sum([share * body.compliance for share, body in parts], axis=0)
     drift = np.sum([share * body.drift for share, body in parts], axis=0)
@@ -119,6 +116,20 @@ def twin_factors(solution: MeshSolution, *, recipe: Recipe, extended: bool = Fal
         corrected = measured[0] * factors.semi_axis_rolling, measured[1] * factors.semi_axis_transverse
         factors = _factors(surface, compliance, drift, corrected)
     return factors
+
+
+def _half_spaces(
+    contact: Contact, recipe: Recipe, level: int, footprint: Footprint, *, extended: bool = False
+) -> tuple["Surface", CondensedBody, CondensedBody]:
+    """The surface of both, and the half spaces in place of ball and race."""
+    rolling, _ = footprint.semi_axes
+    ball = Block(recipe=recipe, level=level, semi_axes=footprint.semi_axes, reach=contact.ball_radius)
+    race = _in_units(block_of_race(contact, recipe, level, footprint, extended), of=rolling)
+    return (
+        _surface(race),
+        _condensed(_in_units(ball, of=rolling), contact.ball_material.poisson_ratio),
+        _condensed(race, contact.race_material.poisson_ratio),
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
