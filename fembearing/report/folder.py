@@ -75,16 +75,22 @@ def write_report(result: Validation, folder: Path) -> Validation:
     """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
     from fembearing.report.document.build import report_of
     from fembearing.report.figures.cost import cost_table
+    from fembearing.report.figures.page_plots import PLOTS, plots_of
     from fembearing.report.page.write import page_of  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures.draw import draw_pictures
 
-    pictures, trouble = draw_pictures(result.contacts, folder)
+    plots = {}
+
+    def draw_plots() -> None:
+        plots.update(plots_of(report_of(result), PLOTS))
+
+    pictures, trouble = draw_pictures(result.contacts, folder, meanwhile=draw_plots)
     if trouble:
         result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
     document = report_of(result, pictures=[picture.to_json() for picture in pictures], renderer=trouble)
     numbers = json.dumps(document.to_json(), indent=1, allow_nan=False)
     write(folder / "report.json", numbers)
-    write(folder / "report.html", page_of(document, folder))
+    write(folder / "report.html", page_of(document, folder, plots=plots))
     write(folder / "cost.csv", cost_table(document.cost.ladders))
     return result
 

@@ -10,7 +10,7 @@ from analytic.oil.film import FILM_FACTORS
 from fembearing.quantities import RPM
 from fembearing.report import phrases
 from fembearing.report.document.report import Report
-from fembearing.report.figures.page_plots import PLOTS, plots_of
+from fembearing.report.figures.page_plots import PLOTS, ShownPlot, plots_of
 from fembearing.report.page.pictures import shown_pictures
 from fembearing.report.page.running_header import header_of
 from fembearing.report.page.sections.appendices import appendices_of, letters_of
@@ -32,10 +32,11 @@ GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
 
 
-def page_of(document: Report, folder: Path) -> str:
+def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]] | None = None) -> str:
     """The page.
 
     folder : where the pictures of the document lie; the page says which of them is missing
+    plots : of the document, by section, where they are drawn already
     """
     appendices = appendices_of(document)
     return filled(
@@ -48,7 +49,7 @@ def page_of(document: Report, folder: Path) -> str:
         summary=summary_of(document),
         appendices=appendices,
         letters=letters_of(appendices),
-        plots=plots_of(document, PLOTS),
+        plots=plots_of(document, PLOTS) if plots is None else plots,
         pictures=shown_pictures(document, folder),
         trouble=None if document.renderer == "VTK" else document.renderer,
         scene=document.provenance.scene_content,

@@ -7,7 +7,8 @@ turns in a browser. Where VTK cannot draw, a plain map of the pressure takes the
 import json
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -55,16 +56,24 @@ class Picture:
 
 
 def draw_pictures(
-    contacts: Sequence[ContactSolution], folder: Path, *, renderer: Sequence[str] = RENDERER
+    contacts: Sequence[ContactSolution],
+    folder: Path,
+    *,
+    renderer: Sequence[str] = RENDERER,
+    meanwhile: Callable[[], None] = lambda: None,
 ) -> tuple[list[Picture], str | None]:
     """Draw each contact's pressure, section and view into `folder`, its meshes into .vtu beside them.
 
     renderer : the command that draws; it reads the jobs from standard input
+    meanwhile : called while the renderer draws in a process of its own
     Gives the pictures, and why VTK could not draw them where it could not: then there are maps in place of its
     pressure pictures, no sections and no views.
     """
     jobs = [job for contact in contacts for job in _jobs(contact, folder)]
-    trouble = rendered(jobs, renderer)
+    with ThreadPoolExecutor(1) as beside:
+        drawn = beside.submit(rendered, jobs, renderer)
+        meanwhile()
+        trouble = drawn.result()
     pictures = []
     for contact in contacts:
         frame = _frame(contact)
