@@ -1,5 +1,6 @@
 """What a larger block says of the far boundary: where the effect of its size is known, and on still larger blocks."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -61,15 +62,18 @@ def test_the_approach_is_that_of_the_larger_block(size: float, further: float) -
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("pair", ["inner", "outer"])
+@pytest.mark.parametrize("pair", ["inner", "outer", "long"])
 def test_the_first_level_predicts_larger_blocks_on_the_second(
     contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, pair: str
 ) -> None:
     """A block 2.9 times as large for semi-axes and pressure, to their limit; the one twice as large for the approach.
 
-    On the outer race the approach has no limit: the largest block changes it again.
+    On the outer race the approach has no limit: the largest block changes it again. The long ellipse has 33 times its
+    width, where the first level is off by what the twins do not correct.
     """
-    contact, recipe = contacts[pair], load_recipe("race")
+    recipe = load_recipe("race")
+    long = replace(contacts["inner"], groove_radius=0.5026 * 2 * contacts["inner"].ball_radius, load=7.3)
+    contact = long if pair == "long" else contacts[pair]
     coarse = twin_on_level(contact, recipe=recipe, level=1, start=expected_semi_axes(contact, geometry="real"))
     assert coarse is not None
     stated = boundary_effect_with_twin(coarse, recipe=recipe)
@@ -83,7 +87,7 @@ def test_the_first_level_predicts_larger_blocks_on_the_second(
     block, near, far = (corrected(further) for further in (1.0, 2.0, 2.9))
     for name in ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure"):
         beyond = (far[name] / block[name] - 1) / (1 - 2.9**-FADING)
-        assert abs(beyond - stated[name].beyond) < stated[name].domain < 4e-4, name
+        assert abs(beyond - stated[name].beyond) < stated[name].domain < 5e-4, name
     approach = stated["approach"]
-    assert abs(near["approach"] / block["approach"] - 1 - approach.beyond) < approach.domain < 4e-4
-    assert pair == "inner" or abs(far["approach"] / near["approach"] - 1) > abs(approach.beyond) / 4
+    assert abs(near["approach"] / block["approach"] - 1 - approach.beyond) < approach.domain < 5e-4
+    assert pair != "outer" or abs(far["approach"] / near["approach"] - 1) > abs(approach.beyond) / 4
