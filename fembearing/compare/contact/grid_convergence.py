@@ -34,7 +34,7 @@ class Estimate:
     mesh: float  # relative, from the meshes
     settled: bool = True  # whether the meshes converge
     index: float | None = None  # Roache's grid-convergence index, relative: shown with `mesh`, part of no interval
-    beyond: float = 0.0  # share by which an infinite meshed region would raise the value
+    beyond: float = 0.0  # share by which what lies outside the meshed block raises the value
     sides: float = 0.0  # share by which the true shoulders and lands raise the value, where a symmetric part is meshed
     domain: float = 0.0  # relative, from the size of the meshed region and from the sides
     corrected: tuple[float, ...] = ()  # `values` without the error that a twin shows, in their unit; empty without twin
@@ -46,7 +46,7 @@ class Estimate:
 
     @property
     def value(self) -> float:
-        """The value for vanishing cells, an infinite region and the true sides, in the unit of the quantity."""
+        """The value for vanishing cells, with what lies outside the block, and the true sides; unit of the quantity."""
         return self.limit * (1 + self.beyond) * (1 + self.sides)
 
     @property

@@ -47,7 +47,7 @@ def structure_of_ring(meshes: Sequence[MeshSolution], approach: Estimate, *, rec
     coarse, fine = meshes[:2]
     rough, soft = (ring_compression(mesh, recipe=recipe) - block_compression(mesh) for mesh in (coarse, fine))
     stiff = ring_compression(coarse, recipe=recipe, end="held") - block_compression(coarse)
-    added = soft - approach.beyond * approach.limit  # the infinite half space in place of the block
+    added = soft - approach.beyond * approach.limit  # the larger block, which the approach counts
     return RingStructure(
         approach=added,
         share=added / approach.value,
