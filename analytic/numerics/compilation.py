@@ -15,6 +15,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cached_property, update_wrapper
+from threading import RLock
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, TypeVar, cast, overload
 
@@ -33,6 +34,7 @@ CONSTANT_MODULES = ("numpy", "math")  # others may change without a change of th
 
 FIRST_TIME = "compiling formulas, once for this machine; this may take a minute"
 said: set[str] = set()  # lines on standard error: each once a process
+_making = RLock()  # LLVM takes code from one thread at a time; a function that is compiled may need another
 
 
 @overload
@@ -76,7 +78,9 @@ class Compiled:
             flat += pieces
         variant = self._variants.get(tuple(kinds))
         if variant is None:
-            variant = self._variants[tuple(kinds)] = self._variant(kinds)
+            with _making:
+                variant = self._variants.get(tuple(kinds)) or self._variant(kinds)
+                self._variants[tuple(kinds)] = variant
         if all(isinstance(value, float | int) for value in given):
             self._of_numbers[tuple(map(type, given))] = variant
         return variant(flat)

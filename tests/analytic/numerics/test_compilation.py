@@ -199,3 +199,35 @@ def test_without_a_folder_the_answer_is_the_same(tmp_path: Path) -> None:
     assert first == f"fembearing: {FIRST_TIME}"
     assert "cannot be kept" in second
     assert FOLDER in second
+
+
+THREADS = """
+from concurrent.futures import ThreadPoolExecutor
+from threading import Barrier
+from tests.analytic.numerics.test_compilation import arguments, fill, powers_of
+
+start = Barrier(8)
+
+def called(number):
+    start.wait()
+    return fill(*arguments())[1] if number % 2 else powers_of(0.7).sum()
+
+with ThreadPoolExecutor(8) as threads:
+    print(*sorted(set(threads.map(called, range(8)))))
+"""
+
+
+def test_threads_may_make_the_first_call_together(tmp_path: Path) -> None:
+    """LLVM takes one thread at a time: without a lock most such processes crash."""
+    expected = sorted([fill(*arguments())[1], powers_of(0.7).sum()])
+    for cache in ("empty", "filled"):
+        ended = subprocess.run(
+            [sys.executable, "-c", THREADS],
+            env=os.environ | {FOLDER: str(tmp_path)},
+            cwd=Path(__file__).parents[3],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert ended.returncode == 0, (cache, ended.stderr)
+        assert [float(word) for word in ended.stdout.split()] == expected
