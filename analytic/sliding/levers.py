@@ -5,10 +5,11 @@ For decisions before anything slides. Arrays (2, n, m): races, operating points,
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import ellipe
 
+from analytic.contact.hertz import elliptic_integrals
 from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadedBalls
+from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Lubricant
 from analytic.sliding.long_ellipse import microslip_moments
 
@@ -58,8 +59,19 @@ def largest_error(balls: LoadedBalls, lubricant: Lubricant | None) -> Array:
 def long_ellipse_error(balls: LoadedBalls) -> Array:
     """(2, n, m) error of a long ellipse relative to the true power; at most that of a circle, also where a > b."""
     a, b = balls.contact.semi_axis_x, balls.contact.semi_axis_y
-    ratio = np.divide(a, b, out=np.zeros_like(b), where=b > 0)
-    return BELOW_FULL_SPIN * (ellipe(1 - np.minimum(ratio, 1.0) ** 2) - 1)
+    (shorter,), shape = rows_of(np.minimum(np.divide(a, b, out=np.zeros_like(b), where=b > 0), 1.0))
+    return BELOW_FULL_SPIN * _over_a_line(shorter).reshape(shape)
+
+
+@compiled
+def _over_a_line(ratio: Array) -> Array:
+    """E(m) - 1 = K - m D - 1 at m = 1 - ratio^2: 0 at 0, the line."""
+    excess = np.zeros_like(ratio)
+    for i in range(ratio.size):
+        if ratio[i] > 0.0:
+            integral, share = elliptic_integrals(ratio[i] ** 2)
+            excess[i] = integral * (1 - (1 - ratio[i] ** 2) * share) - 1
+    return excess
 
 
 def creep_numbers(

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import log_ndtr
 
 from analytic.errors import InputError, require_positive
 from analytic.numerics.compilation import compiled, rows_of
@@ -77,6 +76,11 @@ def _separations(cubics: Array, table: SummitNumbers, log_pressure: Array) -> Ar
 
 
 @compiled
+def _log_upper_tails(t: Array) -> Array:
+    return np.array([log_upper_tail(each) for each in t])
+
+
+@compiled
 def _areas(cubics: Array, table: SummitNumbers, film_thickness: Array) -> Array:
     return np.array([summit_area(cubics, table, height) for height in film_thickness])
 
@@ -132,7 +136,7 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
             f"summits of radius {length_of(float(summits.radius))} whose heights deviate by {length_of(deviation)} are "
             "all but flat: give a rougher surface, or an rms_roughness of 0"
         )
-    higher, scaled = log_ndtr(-t), np.maximum(t, 0.0) ** 2 / 2
+    higher, scaled = _log_upper_tails(t), np.maximum(t, 0.0) ** 2 / 2
     log_load, log_area = np.log(load) - scaled, np.log(area) - scaled
     log_area_scale = float(np.log(np.pi * summits.radius * summits.density * deviation))
     cubics, (pressure_pieces, area_pieces, height_pieces) = together(
