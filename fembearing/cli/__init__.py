@@ -6,6 +6,7 @@ accuracy required of the finite elements, and the deviation of Hertz is shown, n
 A command's file is imported when the command runs, shows its help or is completed, so that `--help` stays quick.
 """
 
+import gc
 import sys
 from dataclasses import dataclass
 from importlib import import_module
@@ -73,6 +74,9 @@ COMMANDS = {
         "list bearings 62",
     ),
 }
+OBJECTS = (
+    100_000  # between two searches for garbage: imports make many, all of which stay; it saves a tenth of a second
+)
 PLAIN: dict[str, Any] = {
     "pretty_exceptions_enable": False,
     "rich_markup_mode": None,
@@ -134,4 +138,5 @@ def about(
 
 def main() -> None:
     """Run the command line; `boundary` has what becomes of failures."""
+    gc.set_threshold(OBJECTS)
     sys.exit(guarded(lambda: app(standalone_mode=False)))

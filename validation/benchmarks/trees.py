@@ -19,6 +19,7 @@ ROOT = HERE.parents[1]
 PACKAGES = ("analytic", "fembearing")
 LIMIT = 3600.0  # s, for one answer
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+BYTE_CODE = {"PYTHONDONTWRITEBYTECODE": ""}  # it is kept, as that of an installed package
 COMMAND = ("-c", "from fembearing.cli import main; main()")
 
 
@@ -95,7 +96,7 @@ class Tree:
         return Sample(wall=wall, cpu=after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
 
     def _environment(self, *, threads: bool = False) -> dict[str, str]:
-        return os.environ | {"PYTHONPATH": str(self.folder)} | ({} if threads else ONE_THREAD)
+        return os.environ | {"PYTHONPATH": str(self.folder)} | BYTE_CODE | ({} if threads else ONE_THREAD)
 
     def _start(self) -> subprocess.Popen[str]:
         return subprocess.Popen(
