@@ -50,12 +50,15 @@ class SingularError(ConvergenceError):
         FembearingError.__init__(self, f"{problem}. {remedy}")
 
 
-# Formulas call these often with few numbers: minimum and maximum are fast, and comparisons with NaN fail.
+# Formulas call these often with few numbers: minimum and maximum are fast, and comparisons with NaN fail. One number
+# needs no array.
 
 
 def require_finite(**values: ArrayLike) -> None:
     """Raise InputError unless every element is a finite number, of any sign."""
     for name, value in values.items():
+        if type(value) is float and -np.inf < value < np.inf:
+            continue
         array = _real(name, value)
         if array.size and not (array.min() > -np.inf and array.max() < np.inf):
             _refuse(name, array, np.isfinite(array), "finite")
@@ -64,6 +67,8 @@ def require_finite(**values: ArrayLike) -> None:
 def require_positive(**values: ArrayLike) -> None:
     """Raise InputError unless every element is finite and above 0."""
     for name, value in values.items():
+        if type(value) is float and 0.0 < value < np.inf:
+            continue
         array = _real(name, value)
         if array.size and not (array.min() > 0 and array.max() < np.inf):
             _refuse(name, array, np.isfinite(array) & (array > 0), "positive and finite")
@@ -72,6 +77,8 @@ def require_positive(**values: ArrayLike) -> None:
 def require_non_negative(**values: ArrayLike) -> None:
     """Raise InputError unless every element is finite and at least 0."""
     for name, value in values.items():
+        if type(value) is float and 0.0 <= value < np.inf:
+            continue
         array = _real(name, value)
         if array.size and not (array.min() >= 0 and array.max() < np.inf):
             _refuse(name, array, np.isfinite(array) & (array >= 0), "at least 0 and finite")

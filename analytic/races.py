@@ -81,11 +81,12 @@ def race_torque(
     ledger.decide("hysteresis")
     ledger.decide("rolling")
     slides = decide_whether_sliding(ledger)
-    resisting, _ = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
+    resisting, resistance = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
     estimate = decide_sliding(scene, resisting, ledger, slides=slides)
     creep = decide_creep(scene, estimate, ledger, slides=slides)
     turns = slides and not ledger.rules_out("gyroscopic") and ENTRIES["gyroscopic"].lacks(scene) is None
     sliding: Sliding | None = None
+    mixed = estimate.decided
     allowed = scene.tolerance - ledger.left_out
 
     def resisted(balls: LoadedBalls, points: NDArray[np.intp]) -> tuple[Tractions, Array]:
@@ -104,8 +105,8 @@ def race_torque(
         )
         free = slide_freely(problem, chosen.balls, allowed=allowed)
         chosen, sliding = chosen.turning(free.balls), free.sliding
-    resisting, resistance = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
-    mixed = mixed_contacts(ledger, resisting)
+        resisting, resistance = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
+        mixed = mixed_contacts(ledger, resisting)
     if slides and sliding is None:
         model = SlidingModel(
             spins=ledger.is_on("spin"),

@@ -6,6 +6,7 @@ Source: [Harris2007] section 2.
 """
 
 from dataclasses import replace
+from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -43,6 +44,7 @@ class RaceNumbers(NamedTuple):
     ball_share: float  # of the ball in the compliance 1/E*
 
 
+@lru_cache(maxsize=64)
 def race_numbers(bearing: Bearing, race: Race) -> RaceNumbers:
     """The numbers of a race; raises InputError if the groove is no wider than the ball."""
     groove, ball, radius = _groove(bearing, race), bearing.ball_material, bearing.ball_radius
@@ -130,7 +132,9 @@ def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike
 
 
 def with_shoulders(bearing: Bearing, height: float) -> Bearing:
-    """The same with shoulders of a height, over the ball's diameter, where they are not known."""
+    """The same with shoulders of a height, over the ball's diameter, where they are not known; itself if they are."""
+    if bearing.inner.shoulder_half_width is not None and bearing.outer.shoulder_half_width is not None:
+        return bearing
 
     def completed(groove: Groove) -> Groove:
         if groove.shoulder_half_width is not None:

@@ -95,7 +95,8 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
     Raises InputError for a contact that has left its race.
     """
     distance = _shoulder_distance(scene.bearing, balls)
-    lowest = _shoulder_distance(with_shoulders(scene.bearing, USUAL_SHOULDERS[0]), balls)
+    low = with_shoulders(scene.bearing, USUAL_SHOULDERS[0])
+    lowest = distance if low is scene.bearing else _shoulder_distance(low, balls)
     warnings = (
         *_shoulder(distance, operation, balls, ledger),
         *_plasticity(balls, ledger),

@@ -163,6 +163,12 @@ class Estimate:
         self.spin_share: Array | None = None  # bound on what spin adds, in the regime that was decided
         self.regime: Regime | None = None  # that was decided
 
+    @property
+    def decided(self) -> MixedContact | None:
+        """The load shared by oil and surfaces in the regime that was decided; None where they do not share it."""
+        assert self.regime is not None
+        return self.mixed(self.regime)
+
     def mixed(self, regime: Regime) -> MixedContact | None:
         return self._at(regime).mixed
 
@@ -273,7 +279,7 @@ class Estimate:
         speed = np.abs(oiled.ring_speed)[:, None]
         slips = (self.rolls, self.rolls + full_spin_lever(balls))[: len(self.levers)]
         boundary = oiled.surface.boundary_friction * mixed.boundary_share * balls.load
-        return _Torque(mixed, tuple(friction(speed * slip) for slip in slips), boundary, rolling)
+        return _Torque(mixed, tuple(friction(speed * np.stack(slips))), boundary, rolling)
 
 
 def _over(part: Array | float, floor: Array) -> Array:

@@ -6,6 +6,7 @@ races have an axis of two in front, inner and outer; n operating points and m ba
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from operator import itemgetter
 from typing import Literal
 
 import numpy as np
@@ -15,12 +16,13 @@ from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
-from analytic.contact.rolling_contact import RollingContact, deformed_radius
+from analytic.contact.rolling_contact import Pair, RollingContact, deformed_radius
 from analytic.loads.kinematics import BallKinematics
 from analytic.loads.race_contacts import unit_contacts
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium
 from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
+from analytic.numerics.elements import elements_of
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Operation
 
 
@@ -69,9 +71,10 @@ class LoadedBalls(Brief):
             rolling_rate=np.stack([self.motion.inner_rolling_rate, self.motion.outer_rolling_rate]),
         )
 
-    def race(self, index: int) -> RollingContact:
-        """The contacts on the inner (0) or the outer race (1), (n, m) or broadcasting to it."""
-        return RollingContact(**{name: value[index] for name, value in vars(self.contacts).items()})
+    @cached_property
+    def races(self) -> Pair:
+        """The contacts on the inner and on the outer race, each (n, m) or broadcasting to it."""
+        return elements_of(self.contacts, itemgetter(0)), elements_of(self.contacts, itemgetter(1))
 
     def total(self, of_contact: Array) -> Array:
         """(n,) sum over all balls, and over both races where there is an axis for them."""

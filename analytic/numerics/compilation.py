@@ -32,6 +32,7 @@ EXACT: Freedoms = frozenset()
 DIVISION = "numpy"  # by zero
 CONSTANT_MODULES = ("numpy", "math")  # others may change without a change of the byte code
 
+MOST_TUPLES = 16  # that a function remembers
 FIRST_TIME = "compiling formulas, once for this machine; this may take a minute"
 said: set[str] = set()  # lines on standard error: each once a process
 _making = RLock()  # LLVM takes code from one thread at a time; a function that is compiled may need another
@@ -58,7 +59,7 @@ class Compiled:
         update_wrapper(self, function)
         self._variants: dict[Any, Callable[..., Any]] = {}  # by the kinds of the arguments
         self._of_numbers: dict[tuple[type, ...], Callable[..., Any]] = {}  # which need not be looked at
-        self._last: dict[int, tuple[tuple[Any, ...], Any, list[Any]]] = {}  # tuples are taken apart once
+        self._tuples: dict[int, tuple[tuple[Any, ...], Any, list[Any]]] = {}  # taken apart once, by their identity
 
     def __call__(self, *given: Any) -> Any:
         """Raises TypeError for an argument that machine code does not take, RuntimeError where the function raises."""
@@ -68,10 +69,11 @@ class Compiled:
         kinds, flat = [], []
         for place, value in enumerate(given):
             if isinstance(value, tuple):
-                last, kind, pieces = self._last.get(place, ((), None, []))
-                if last is not value:
-                    kind, pieces = machine_code.taken(value)
-                    self._last[place] = value, kind, pieces
+                if id(value) not in self._tuples:
+                    if len(self._tuples) == MOST_TUPLES:
+                        self._tuples.clear()
+                    self._tuples[id(value)] = value, *machine_code.taken(value)
+                _, kind, pieces = self._tuples[id(value)]
             else:
                 kind, pieces = machine_code.taken(float(value) if place in self._floats else value)
             kinds.append(kind)
@@ -149,8 +151,11 @@ class Compiled:
 
 def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     """(k, n) for a loop over n elements from k values that broadcast, and the shape of the elements."""
-    together = np.array(np.broadcast_arrays(*values), dtype=np.float64)
-    return together.reshape(len(values), -1), together.shape[1:]
+    shape = np.broadcast(*values).shape
+    together = np.empty((len(values), *shape))
+    for row, value in enumerate(values):
+        together[row] = value
+    return together.reshape(len(values), -1), shape
 
 
 def _say(line: str) -> None:

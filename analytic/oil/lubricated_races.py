@@ -46,7 +46,7 @@ class LubricatedRaces:
         films = np.broadcast_arrays(*self.film, factor)[:-1]
         races = [
             mixed_contact(
-                balls.race(race),
+                balls.races[race],
                 FilmAsymptotes(*(values[race] for values in films)),
                 gap=gap,
                 film_factor=factor[race],

@@ -7,6 +7,8 @@ Source: the shared load of [Johnson1972]; that the oil fills the mean gap follow
 """
 
 from dataclasses import dataclass
+from functools import cached_property
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -15,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.elements import elements_of
 from analytic.oil.asymptotes import FilmAsymptotes, film_at, log_film_of, thinned
 from analytic.scene import Array
 from analytic.surface.gap import SMOOTH, GapLaw, GapNumbers, area_of, gap_numbers, log_gap_of, rough_log_pressure
@@ -184,14 +187,14 @@ class MixedContact:
         """Thickness of the oil beside the touching area, m: h/(1 - A_a/A_H)."""
         return self._oil_beside[1]
 
-    @property
+    @cached_property
     def _oil_beside(self) -> Array:
         rows, shape = rows_of(self.area_fraction, self.film_thickness, self.without_film)
         return _oils(rows).reshape(2, *shape)
 
     def race(self, race: int) -> "MixedContact":
         """The contacts of one race, where the first axis counts races."""
-        return MixedContact(**{name: values[race] for name, values in vars(self).items()})
+        return elements_of(self, itemgetter(race))
 
 
 def mixed_contact(

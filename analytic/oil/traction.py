@@ -9,6 +9,7 @@ Source: oil by [Eyring1936], with a limit as in [Bair1979].
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -218,6 +219,10 @@ class MixedTraction(_Law):
 
     @property
     def point_law(self) -> PointLaw:
+        return self._point_law
+
+    @cached_property
+    def _point_law(self) -> PointLaw:
         return _oiled(
             self.lubricant,
             boundary=np.asarray(self.boundary_friction) * self.boundary_share,

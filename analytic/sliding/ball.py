@@ -12,17 +12,17 @@ law of traction takes the true sliding speeds, which are |w| times as large.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any, NamedTuple, TypeVar
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, Pair, RollingContact, contact_at
+from analytic.contact.rolling_contact import ContactNumbers, Pair, contact_at
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.oil.traction import PointLaw, Traction, law_at
-from analytic.scene import Array, Lubricant, SlidingMethod, SpinRule
+from analytic.scene import Array, SlidingMethod, SpinRule
 from analytic.sliding.ellipse import (
     BALANCED,
     NODES,
@@ -286,21 +286,3 @@ def slip_power(
             )
         )
     return np.stack(powers).reshape(2, 2, 3, *powers[0].shape[1:])
-
-
-def with_numbers(contacts: Pair, traction: Tractions, change: Callable[[Any], Any]) -> tuple[Pair, Tractions]:
-    """Both contacts and both laws of traction, with `change` applied to every number in them."""
-    (inner, outer), (inner_law, outer_law) = contacts, traction
-    pair = _changed(inner, change), _changed(outer, change)
-    return pair, (_changed(inner_law, change), _changed(outer_law, change))
-
-
-ContactOrLaw = TypeVar("ContactOrLaw", RollingContact, Traction)
-
-
-def _changed(each: ContactOrLaw, change: Callable[[Any], Any]) -> ContactOrLaw:
-    return replace(each, **{name: change(value) for name, value in _numbers(each).items()})
-
-
-def _numbers(each: RollingContact | Traction) -> dict[str, Any]:
-    return {name: value for name, value in vars(each).items() if not isinstance(value, Lubricant)}

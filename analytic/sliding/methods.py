@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from analytic.contact.rolling_contact import Pair
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls
+from analytic.numerics.elements import elements_of
 from analytic.numerics.interpolated import far_points, sampled_series
 from analytic.oil.traction import CoulombTraction
 from analytic.scene import Array, Microslip, SpinRule
@@ -37,7 +38,6 @@ from analytic.sliding.ball import (
     Tractions,
     slip_friction,
     slip_power,
-    with_numbers,
 )
 from analytic.sliding.levers import long_ellipse_error
 from analytic.sliding.long_ellipse import MicroslipTorque
@@ -220,12 +220,15 @@ class Sliders:
         return slip_power(contacts, traction, result, ring_speed=speed, nodes=nodes, sideways=sideways)
 
     def _at(self, points: Points) -> tuple[Pair, Tractions]:
-        shape = self.balls.load.shape[1:]
-        return with_numbers(
-            (self.balls.race(0), self.balls.race(1)),
-            self.traction,
-            lambda value: np.broadcast_to(value, shape)[points],
-        )
+        (inner, outer), (inner_law, outer_law) = self.balls.races, self.traction
+        if isinstance(points, slice):
+            return self.balls.races, self.traction
+
+        def chosen(value: Array) -> Array:
+            return np.broadcast_to(value, self.balls.load.shape[1:])[points]
+
+        pair = elements_of(inner, chosen), elements_of(outer, chosen)
+        return pair, (elements_of(inner_law, chosen), elements_of(outer_law, chosen))
 
     def result(self, quadrature: Quadrature, cheap: SlipFriction, allowed: Array) -> Sliding:
         """The torque by a quadrature, at all points or at a sample of them."""
@@ -314,7 +317,7 @@ def _as_printed(sliders: Sliders, derived: SlipFriction) -> Sliding:
     """By the printed moments, at the spin and the coefficients of the derived ones; their error is unknown."""
     balls = sliders.balls
     coefficients = derived.inner_coefficient, derived.outer_coefficient
-    inner, outer = balls.race(0), balls.race(1)
+    inner, outer = balls.races
     torque = as_printed_torque(
         (inner, outer),
         friction_force=(coefficients[0] * inner.load, coefficients[1] * outer.load),

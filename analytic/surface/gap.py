@@ -1,5 +1,6 @@
 """The gap law of a scene's surfaces: how much room they leave for the oil while asperities carry a pressure."""
 
+from functools import lru_cache
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -18,7 +19,7 @@ from analytic.surface.elastic_gap import (
     measured_gap_curve,
 )
 from analytic.surface.roughness import GapRoughness
-from analytic.surface.truncated_gap import TruncatedGap, TruncatedNumbers, truncated_area, truncated_log_gap
+from analytic.surface.truncated_gap import TruncatedNumbers, truncated_area, truncated_law, truncated_log_gap
 
 NEVER_YIELDS = 400.0  # standard deviations of height that a summit of [Greenwood1966] can be pressed in
 
@@ -112,12 +113,12 @@ def gap_law(
         hardness = float(np.sqrt(depth / first_yield(summits.radius, modulus, 1.0)))  # first yield grows as H^2
     else:
         hardness = softer_hardness(surface, *bodies)
-    return TruncatedGap(
-        asperities=tabulated_asperities(summits=summits, modulus=modulus, hardness=hardness),
-        deviation=roughness.rms_roughness,
+    return truncated_law(
+        tabulated_asperities(summits=summits, modulus=modulus, hardness=hardness), roughness.rms_roughness
     )
 
 
+@lru_cache(maxsize=64)
 def gap_numbers(law: GapLaw | None) -> GapNumbers:
     """A law in numbers; None: smooth."""
     if law is None:

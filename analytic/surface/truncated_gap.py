@@ -7,7 +7,7 @@ Source: the average gap of [Patir1978].
 """
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -112,6 +112,12 @@ class TruncatedGap:
         """Real over nominal area, 0 to 1."""
         (given,), shape = rows_of(log_pressure)
         return _areas(self.cubics, self.numbers, given).reshape(shape)
+
+
+@lru_cache(maxsize=64)
+def truncated_law(asperities: AsperityTable, deviation: float) -> TruncatedGap:
+    """The law of a surface, whose splines are made once; arguments as the fields."""
+    return TruncatedGap(asperities=asperities, deviation=deviation)
 
 
 def log_mean_gap(separation: ArrayLike) -> tuple[Array, Array]:

@@ -133,7 +133,7 @@ def race_torque(method: SlidingMethod, traction: Law, roughness: float, rpm: flo
 
     def slip() -> MicroslipTorque:
         return slip_friction(
-            (balls.race(0), balls.race(1)),
+            balls.races,
             (races.traction(shared.race(0)), races.traction(shared.race(1))),
             ring_speed=speed[:, None],
             spin_difference=np.sin(ANGLE),

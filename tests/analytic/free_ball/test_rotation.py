@@ -78,7 +78,7 @@ def test_without_creep_a_slow_ball_balances_its_spin() -> None:
     balls, turning = under_thrust(*DEEP, load=1000.0, speed=1e-6, friction=0.1, creep="none")
     law = CoulombTraction(friction_coefficient=0.1)
     ruled = slip_friction(
-        (balls.race(0), balls.race(1)),
+        balls.races,
         (law, law),
         ring_speed=np.array([[1e-6]]),
         spin_difference=balls.motion.spin_difference,

@@ -99,7 +99,7 @@ def test_one_point_in_numbers_gives_the_contacts_of_the_arrays(bearing_6205: Bea
     motion = ruled_motion(numbers, 1.0, *angles)
     contacts = contacts_of_ball(numbers, angles, loads, (point.inner, point.outer), motion)
     for race, found in enumerate(contacts):
-        expected = balls.race(race)
+        expected = balls.races[race]
         for name in vars(expected):
             np.testing.assert_allclose(
                 getattr(found, name), np.ravel(getattr(expected, name))[0], rtol=1e-13

@@ -149,7 +149,7 @@ def both_contacts(bearing: Bearing, *, angle: float) -> tuple[RollingContact, Ro
     still = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
     balls = thrust_balls(bearing, ContactAngle(rule="given", value=angle), thrust(1000.0), still)
     return tuple(  # pyright: ignore[reportReturnType]
-        RollingContact(**{name: np.asarray(value).item() for name, value in vars(balls.race(race)).items()})
+        RollingContact(**{name: np.asarray(value).item() for name, value in vars(balls.races[race]).items()})
         for race in (0, 1)
     )
 

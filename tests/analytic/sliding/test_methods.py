@@ -52,7 +52,7 @@ def run(bearing: Bearing, oil: Lubricant, *, groove: float, load: Any, speed: An
     races = lubricate_races(bearing, balls, lubricant=oil, surface=SMOOTH, ring_speed=speeds, variation=Variation())
     mixed = races.mixed(asperities=False, film_factor=1.0)
     found = slip_friction(
-        (balls.race(0), balls.race(1)),
+        balls.races,
         (races.traction(mixed.race(0)), races.traction(mixed.race(1))),
         ring_speed=speeds[:, None],
         spin_difference=np.zeros_like(balls.motion.spin_difference),
