@@ -190,7 +190,9 @@ def _inner_reader(kind: Kind) -> Callable[[Any], Any]:
     """The same in a tuple; arrays are copied out of the memory that machine code gave them."""
     match kind:
         case ["array", letter, dimension, _]:
-            return lambda result: _array(result, letter, dimension)
+            of_array = attrgetter(*(f"_{index}" for index in (0, 2, 4, *range(5, 5 + dimension))))
+            itemsize = np.dtype(letter).itemsize
+            return lambda result: _array(letter, itemsize, *of_array(result))
         case ["tuple", name, *inside]:
             readers = [(f"_{index}", _inner_reader(each)) for index, each in enumerate(inside)]
             make = _class(name)._make if name else tuple
@@ -198,10 +200,9 @@ def _inner_reader(kind: Kind) -> Callable[[Any], Any]:
     return lambda number: number
 
 
-def _array(result: Any, letter: str, dimension: int) -> NDArray[Any]:
-    owner, _, size, itemsize, address, *shape = (getattr(result, name) for name, *_ in result._fields_)
-    memory = (ctypes.c_char * (size * itemsize)).from_address(address) if size else b""
-    array = np.frombuffer(memory, dtype=letter, count=size).reshape(shape[:dimension]).copy()
+def _array(letter: str, itemsize: int, owner: int, size: int, address: int, *shape: int) -> NDArray[Any]:
+    memory: Any = (ctypes.c_char * (size * itemsize)).from_address(address) if size else b""
+    array = np.frombuffer(memory, dtype=letter, count=size).reshape(shape).copy()
     if owner:
         _release()(owner)
     return array

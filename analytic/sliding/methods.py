@@ -17,7 +17,7 @@ spin-to-roll ratio of 0.43.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from typing import Literal
 
 import numpy as np
@@ -192,6 +192,10 @@ class Sliders:
 
         return error
 
+    def _error_at(self, points: NDArray[np.intp], result: SlipFriction, quadrature: Quadrature) -> Array:
+        """(k,) estimate of the error of a method at some points; result : at all of them."""
+        return self.errors_at(_rows(result, points), points)(quadrature)
+
     @property
     def is_sampled(self) -> bool:
         """Whether the series is so long that a sample stands for it, as its balls are alike."""
@@ -199,9 +203,13 @@ class Sliders:
 
     def own_error(self, quadrature: Quadrature) -> Array:
         """(k,) estimate of the error of a method at its own sliding at some far points, relative to its power."""
+        return self.errors_at(self.slide(quadrature, self._far), self._far)(quadrature)
+
+    @cached_property
+    def _far(self) -> NDArray[np.intp]:
+        """Some far points."""
         moving = np.flatnonzero(self.ring_speed)
-        points = moving[far_points(self._coordinates(moving), FORETOLD)]
-        return self.errors_at(self.slide(quadrature, points), points)(quadrature)
+        return moving[far_points(self._coordinates(moving), FORETOLD)]
 
     def _coordinates(self, points: NDArray[np.intp]) -> Array:
         """(k, 2) what the torque of balls that are alike depends on."""
@@ -241,14 +249,15 @@ class Sliders:
         return self._all_points(quadrature, self.slide(quadrature), allowed)
 
     def _all_points(self, quadrature: Quadrature, result: SlipFriction, allowed: Array) -> Sliding:
-        """At all points; the error of a long series is the largest of a sample, where that is small enough."""
-        points = self.ring_speed.size
-        is_sampled, error = points >= SERIES and not self._has_closed_form(quadrature), np.zeros(points)
-        if is_sampled:
-            some = _some(points, JUDGED)
-            error[:] = BETWEEN * np.max(self.errors_at(_rows(result, some), some)(quadrature))
-        if not is_sampled or (np.any(error > allowed) and self.balls.load.shape[2] > 1):
+        """At all points; the error in a long series is the largest of a sample at each point where that is allowed."""
+        if self.ring_speed.size < SERIES or self._has_closed_form(quadrature):
             error = self.errors_at(result)(quadrature)
+        else:
+            some = _some(self.ring_speed.size, JUDGED)
+            error = np.full_like(self.ring_speed, BETWEEN * np.max(self._error_at(some, result, quadrature)))
+            doubtful = np.flatnonzero(error > allowed)
+            if doubtful.size and self.balls.load.shape[2] > 1:
+                error[doubtful] = self._error_at(doubtful, result, quadrature)
         return Sliding(
             spin=self.balls.total(result.torque.spin),
             conformity=self.balls.total(result.torque.conformity),
