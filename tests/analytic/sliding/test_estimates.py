@@ -5,11 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.loads.balls import LoadEffects, ring_balls, thrust_balls
 from analytic.oil.lubricated_races import lubricate_races
 from analytic.oil.traction import CoulombTraction
 from analytic.oil.variation import Variation
 from analytic.scene import Bearing, ContactAngle, Lubricant, Operation
+from analytic.sliding import methods
 from analytic.sliding.methods import LEAST, QUADRATURES, Quadrature, Sliders, SlidingModel
 from tests.analytic.specimens import FINISH, OIL
 
@@ -79,3 +80,24 @@ def test_viscous_contacts_find_their_creep(bearing_6205: Bearing) -> None:
     result = case.slide(QUADRATURES[2])
     slip, force = np.moveaxis(case.powers(result, (12, 8), sideways=True).sum(axis=2), 1, 0)
     assert np.all(np.abs(force) <= 1e-12 * slip)  # round-off
+
+
+def test_a_long_series_is_estimated_again_where_its_sample_is_not_good_enough(
+    bearing_6205: Bearing, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(methods, "SERIES", 9)
+    monkeypatch.setattr(methods, "JUDGED", 4)
+    load, speed = np.linspace(230.0, 1900.0, 9), np.linspace(11.0, 97.0, 9)
+    operation = Operation(axial_load=load, radial_load=0.7 * load[::-1], inner_speed=speed)
+    balls = ring_balls(bearing_6205, ContactAngle(rule="solved"), operation, LoadEffects(gyroscopic=False))
+    law = CoulombTraction(friction_coefficient=0.07)
+    case = Sliders(balls=balls, traction=(law, law), model=MODEL, ring_speed=speed)
+    along_axis = QUADRATURES[1]
+    cheap = case.slide(QUADRATURES[0])
+    own = case.errors_at(case.slide(along_axis))(along_axis)
+    strict = np.array([True, False, False, True, True, False, True, False, False])
+    found = case.result(along_axis, cheap, np.where(strict, 0.5 * own.min(), 2 * own.max()))
+    np.testing.assert_array_equal(found.error[strict], own[strict])
+    bound = found.error[~strict]
+    assert np.ptp(bound) == 0
+    assert own.max() < bound[0] < 1.25 * own.max() * (1 + 1e-12)  # the sample has nearly the largest of all
