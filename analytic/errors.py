@@ -59,7 +59,7 @@ def require_finite(**values: ArrayLike) -> None:
     for name, value in values.items():
         if type(value) is float and -np.inf < value < np.inf:
             continue
-        array = _real(name, value)
+        array = real_numbers(name, value)
         if array.size and not (array.min() > -np.inf and array.max() < np.inf):
             _refuse(name, array, np.isfinite(array), "finite")
 
@@ -69,7 +69,7 @@ def require_positive(**values: ArrayLike) -> None:
     for name, value in values.items():
         if type(value) is float and 0.0 < value < np.inf:
             continue
-        array = _real(name, value)
+        array = real_numbers(name, value)
         if array.size and not (array.min() > 0 and array.max() < np.inf):
             _refuse(name, array, np.isfinite(array) & (array > 0), "positive and finite")
 
@@ -79,20 +79,24 @@ def require_non_negative(**values: ArrayLike) -> None:
     for name, value in values.items():
         if type(value) is float and 0.0 <= value < np.inf:
             continue
-        array = _real(name, value)
+        array = real_numbers(name, value)
         if array.size and not (array.min() >= 0 and array.max() < np.inf):
             _refuse(name, array, np.isfinite(array) & (array >= 0), "at least 0 and finite")
 
 
-def _real(name: str, value: ArrayLike) -> NDArray[np.float64]:
+def real_numbers(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """The numbers as an array. Raises InputError for texts, complex numbers and numbers with a unit of their own."""
     if type(value) is float or (isinstance(value, np.ndarray) and value.dtype == np.float64):
         return np.asarray(value)
     if has_unit(value):
-        raise InputError(why_no_unit(name, value, UNITS.get(name)))
+        raise InputError(why_no_unit(name, value, UNITS.get(name.rpartition(".")[2])))
     if np.iscomplexobj(value):
         raise InputError(f"{name} must be a real number, got a complex one; check how it was computed")
     try:
-        return np.asarray(value, dtype=np.float64)
+        given = np.asarray(value)
+        if given.dtype.kind in "US":  # "5" would be read as 5
+            raise TypeError
+        return given.astype(np.float64)
     except (TypeError, ValueError, OverflowError) as problem:
         raise InputError(f"{name} must be a number or an array of numbers in SI units, got {value!r:.80}") from problem
 

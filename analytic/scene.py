@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import points_of
-from analytic.errors import InputError
+from analytic.errors import InputError, real_numbers
 from analytic.noun import Noun, nothing
 from analytic.report_details import ReportDetails
 
@@ -39,6 +39,7 @@ BearingKind = Literal["radial", "thrust"]
 Sliding = Literal["auto"] | SlidingMethod
 
 STANDARD_GRAVITY = 9.80665  # m/s^2
+OIL_TEMPERATURES = 200.0, 600.0  # K: between them is the oil of a scene
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -300,9 +301,10 @@ class Operation(Noun):
         return not (np.any(self.radial_load) or np.any(self.moment))
 
     def as_series(self) -> "Operation":
-        """The same with every array (n,). Raises InputError if there is no point or shapes do not fit."""
+        """The same with every array (n,). Raises InputError for texts, no point, or shapes that do not fit."""
+        given = [np.atleast_1d(real_numbers(f"operation.{name}", values)) for name, values in vars(self).items()]
         try:
-            arrays = np.broadcast_arrays(*(np.atleast_1d(values) for values in vars(self).values()))
+            arrays = np.broadcast_arrays(*given)
         except ValueError as problem:
             raise InputError("the arrays of operation have shapes that do not fit: give equal lengths") from problem
         if arrays[0].size == 0:

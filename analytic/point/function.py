@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Literal
+from functools import cached_property
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,13 +11,14 @@ from numpy.typing import ArrayLike
 from analytic.brief import Brief
 from analytic.effects.sliding import TURNING_FREELY
 from analytic.effects.table import ENTRIES
-from analytic.errors import FembearingError, InputError, require_finite
+from analytic.errors import FembearingError, InputError, real_numbers
 from analytic.point.numbers import Counted, PointModel, Workspace, point_model, workspace
 from analytic.point.torque import PointTorque, torques_of_points
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import OIL_TEMPERATURES, Array, Operation, Scene
 from analytic.torque import friction_torque
 
 Invalid = Literal["raise", "nan"]
+GIVEN = "axial_load", "radial_load", "moment", "inner_speed", "temperature"
 AT_REST = {"cage_dynamics": "off", "ball_dynamics": "off"}
 
 
@@ -72,10 +74,10 @@ class TorqueFunction(Brief):
         ConvergenceError
             Likewise.
         """
-        points = self.points
-        points[0, 0], points[1, 0], points[2, 0], points[3, 0] = axial_load, radial_load, moment, inner_speed
-        points[4, 0] = self._temperature if temperature is None else temperature
-        if self.model is not None:
+        warm, points = self._temperature if temperature is None else temperature, self.points
+        for place, given in enumerate((axial_load, radial_load, moment, inner_speed, warm)):
+            points[place, 0] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
+        if self.model is not None and self._coldest <= points[4, 0] <= self._hottest:
             torques_of_points(self.model, points, self.work, self.torques)
             if self.torques[0, 0] == self.torques[0, 0]:
                 return float(self.torques[0, 0])
@@ -116,25 +118,42 @@ class TorqueFunction(Brief):
             Likewise.
         """
         warm = self._temperature if temperature is None else temperature
-        given = np.broadcast_arrays(axial_load, radial_load, moment, inner_speed, warm)
-        points = np.stack([np.asarray(each, dtype=np.float64).ravel() for each in given])
+        named = zip(GIVEN, (axial_load, radial_load, moment, inner_speed, warm), strict=True)
+        numbers = [real_numbers(name, values) for name, values in named]
+        try:
+            given = np.broadcast_arrays(*numbers)
+        except ValueError as problem:
+            raise InputError(f"{', '.join(GIVEN)} have shapes that do not fit: give equal lengths") from problem
+        points = np.stack([each.ravel() for each in given])
         torques = np.full((len(PointTorque._fields), points.shape[1]), np.nan)
         if self.model is not None:
             torques_of_points(self.model, points, self.work, torques)
+            torques[:, ~((points[4] >= self._coldest) & (points[4] <= self._hottest))] = np.nan
         for index in np.flatnonzero(np.isnan(torques[0])):
             torques[0, index] = self._slowly(points[:, index])
         return torques[0].reshape(given[0].shape)
 
-    @property
+    @cached_property
     def _temperature(self) -> float:
-        return np.nan if self.scene.lubricant is None else self.scene.lubricant.temperature
+        return 0.0 if self.scene.lubricant is None else float(self.scene.lubricant.temperature)
+
+    @cached_property
+    def _coldest(self) -> float:
+        return -np.inf if self.scene.lubricant is None else OIL_TEMPERATURES[0]
+
+    @cached_property
+    def _hottest(self) -> float:
+        return np.inf if self.scene.lubricant is None else OIL_TEMPERATURES[1]
 
     def _slowly(self, point: Array) -> float:
         """By `friction_torque`, which has every closed form and every error."""
         axial, radial, moment, speed, temperature = (float(value) for value in point)
         try:
-            if self.scene.lubricant is not None:
-                require_finite(temperature=temperature)
+            if not self._coldest <= temperature <= self._hottest:
+                raise InputError(
+                    f"temperature must be {self._coldest:g} to {self._hottest:g} K, got {temperature:g}: give that of "
+                    "the oil in K"
+                )
             load = {"axial_load": axial, "radial_load": radial, "moment": moment, "inner_speed": speed}
             operation = Operation(**{name: np.array([value]) for name, value in load.items()})
             scene, oil = replace(self.scene, operation=operation), self.scene.lubricant
@@ -171,7 +190,6 @@ def torque_function(scene: Scene, *, invalid: Invalid = "raise") -> TorqueFuncti
     -----
     Every effect counts that the scene has the input for and does not rule out, whatever the load: nothing is decided
     from call to call. The cage rests on its balls.
-    A thrust load of 0 or less and an oil outside 200 to 600 K, which scenes refuse, may get a torque: do not give them.
     Calls take some hundredths to tenths of a millisecond. They are compiled where closed kinematics turn the balls: by
     friction.spin_rule, or under "free" where the scene's points need no creep. Else each call is a `friction_torque`
     (`is_compiled`).
@@ -212,3 +230,11 @@ def _counted(scene: Scene) -> Counted:
         for name in Counted._fields
     }
     return Counted(**on | {"oil": scene.lubricant is not None, "weight": on["weight"] and scene.down is not None})
+
+
+def _one_number(name: str, given: Any) -> float:
+    """Raises InputError for anything but one real number."""
+    number = real_numbers(name, given)
+    if number.ndim:
+        raise InputError(f"{name} must be one number, got {given!r:.80}; `series` takes arrays")
+    return float(number)

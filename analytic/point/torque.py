@@ -14,10 +14,13 @@ from analytic.contact.finite_geometry_fit import factors_on
 from analytic.contact.geometry import distances_to_shoulders
 from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
+from analytic.effects.loads import MOST_CENTRIFUGAL
+from analytic.effects.table import PRESSED
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, SETTLED, RingLoad, settle_ruled_ring
+from analytic.loads.shares import STRIBECK
 from analytic.loads.thrust_ball import thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
@@ -87,6 +90,8 @@ class OnRace(NamedTuple):
 def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace) -> PointTorque:
     """The torque at one operating point; oil : at its temperature."""
     point, counted, bearing = work.point, model.counted, model.bearing
+    if not load.axial >= 0.0 or _may_skid(model, load):
+        return NO_TORQUE
     work.factors[:, :3] = 1.0
     work.factors[:, 3] = np.nan
     balls = _load_balls(model, load, work, BY_LOAD)
@@ -141,6 +146,22 @@ def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace
     hysteresis, rolling = alike * hysteresis, alike * rolling
     total = spin + conformity + hysteresis + rolling + cage + model.declared
     return PointTorque(total, spin, conformity, hysteresis, rolling, cage)
+
+
+@compiled
+def _may_skid(model: PointModel, load: Load) -> bool:
+    """Whether the balls may be pressed too little for their speed, which `friction_torque` then has to judge.
+
+    By estimates from above of the centrifugal force of a ball, which passes at half the ring's speed at most, and from
+    below of the load of the heaviest ball, see `analytic.loads.shares`.
+    """
+    bearing, washers = model.bearing, model.bearing.inner.bottom_angle > 0.0
+    if not (model.counted.centrifugal or washers):
+        return False
+    most = 1 / PRESSED if washers else MOST_CENTRIFUGAL
+    thrown = bearing.ball_mass * bearing.pitch_diameter / 2 * (load.speed / 2) ** 2
+    pressing = load.axial + STRIBECK * (abs(load.radial) + abs(load.moment) / bearing.pitch_diameter)
+    return not thrown * bearing.ball_count <= most * pressing
 
 
 @compiled

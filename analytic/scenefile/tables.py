@@ -12,6 +12,7 @@ from analytic import catalog
 from analytic.mounting.clearance import Mounting
 from analytic.report_details import PublishedCase, ReportDetails, UnitSystem
 from analytic.scene import (
+    OIL_TEMPERATURES,
     ArrangementKind,
     AsperityLaw,
     Bearing,
@@ -112,7 +113,8 @@ Speed = Annotated[float, Dimension(unit="rad/s", low=-FASTEST, high=FASTEST, exa
 Roughness = Annotated[float, Dimension(unit="m", low=0, high=1e-4, example='"0.1 um"')]
 Spacing = Annotated[float, Dimension(unit="m", low=1e-10, high=1e-2, example='"2 um"')]
 Pressure = Annotated[float, Dimension(unit="Pa", low=1e3, high=1e12, example='"7.8 GPa"')]
-Temperature = Annotated[float, Dimension(unit="K", low=200, high=600, example='"40 degC"')]
+COLDEST, HOTTEST = OIL_TEMPERATURES
+Temperature = Annotated[float, Dimension(unit="K", low=COLDEST, high=HOTTEST, example='"40 degC"')]
 Friction = Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
 Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
 SealLoss = Annotated[

@@ -1,8 +1,10 @@
 """The torque as a function for time steps: the same numbers as the series has, errors, and no memory that grows."""
 
+import itertools
 import tracemalloc
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -118,6 +120,60 @@ def test_bad_numbers_raise_or_give_nan(changed: dict[str, float], message: str) 
     with pytest.raises(FembearingError, match=message):
         torque_function(scene)(**given)
     assert np.isnan(torque_function(scene, invalid="nan")(**given))
+
+
+@pytest.mark.parametrize("name", ["6205_physical", "thrust_rig_3mm"])
+def test_numbers_are_refused_as_a_series_refuses_them(name: str) -> None:
+    """Loads that press the wrong way, or too little for the speed, and what is no number."""
+    function = torque_function(scene_of(name, spin_rule="balanced"))
+    refused = answered = 0
+    loads = itertools.product([-40.0, 0.0, 1e-6, 0.9, 230.0, np.nan], [0.0, -310.0, np.inf], [0.0, 1.7])
+    for (axial, radial, moment), speed in itertools.product(loads, [0.0, -61.0, 2900.0]):
+        given = {"axial_load": axial, "radial_load": radial, "moment": moment, "inner_speed": speed}
+        try:
+            expected = by_series(function, **given)
+        except FembearingError:
+            refused += 1
+            with pytest.raises(FembearingError):
+                function(**given)
+        else:
+            answered += 1
+            np.testing.assert_allclose(function(**given), expected, rtol=1e-9)  # at speed a light load leaves fewer digits
+    assert min(refused, answered) >= 5
+
+
+@pytest.mark.parametrize("temperature", [np.nan, -np.inf, 0.0, 199.9, 600.1, np.inf])
+def test_an_oil_that_no_scene_may_have_is_refused(temperature: float) -> None:
+    scene = scene_of("6205_physical", spin_rule="balanced")
+    with pytest.raises(InputError, match="temperature must be 200 to 600 K"):
+        torque_function(scene)(axial_load=310.0, inner_speed=40.0, temperature=temperature)
+    table = torque_function(scene, invalid="nan").series(
+        axial_load=310.0, inner_speed=40.0, temperature=[200.1, temperature, 599.9]
+    )
+    np.testing.assert_array_equal(np.isnan(table), [False, True, False])
+
+
+@pytest.mark.parametrize("wrong", ["300 N", "300", b"300", [300.0], np.array([300.0, 200.0]), 3 + 4j, 10**400])
+@pytest.mark.parametrize("name", ["axial_load", "inner_speed", "radial_load", "moment", "temperature"])
+def test_what_is_no_number_is_refused_in_one_line(name: str, wrong: Any) -> None:
+    function = torque_function(scene_of("6205_physical", spin_rule="balanced"), invalid="nan")
+    with pytest.raises(InputError, match=name) as problem:
+        function(**{"axial_load": 310.0, "inner_speed": 40.0, name: wrong})
+    assert len(str(problem.value).splitlines()) == 1
+
+
+def test_numbers_of_every_kind_are_taken() -> None:
+    function = torque_function(scene_of("6205_physical", spin_rule="balanced"))
+    given = {"axial_load": 310, "inner_speed": np.array(40.0), "radial_load": np.float32(17.0)}
+    assert function(**given) == function(axial_load=310.0, inner_speed=40.0, radial_load=17.0)
+
+
+def test_a_series_refuses_texts_and_shapes_that_do_not_fit() -> None:
+    function = torque_function(scene_of("6205-dry", spin_rule="balanced"))
+    with pytest.raises(InputError, match="axial_load must be a number"):
+        function.series(axial_load=["300", "200"], inner_speed=40.0)  # pyright: ignore[reportArgumentType]
+    with pytest.raises(InputError, match="shapes that do not fit"):
+        function.series(axial_load=[300.0, 200.0], inner_speed=[1.0, 2.0, 3.0])
 
 
 def test_nonsense_is_refused() -> None:
