@@ -138,7 +138,8 @@ def test_numbers_are_refused_as_a_series_refuses_them(name: str) -> None:
                 function(**given)
         else:
             answered += 1
-            np.testing.assert_allclose(function(**given), expected, rtol=1e-9)  # at speed a light load leaves fewer digits
+            # Hardly any thrust holds the ring along its axis, and settling leaves fewer digits.
+            np.testing.assert_allclose(function(**given), expected, rtol=1e-8)
     assert min(refused, answered) >= 5
 
 
