@@ -30,6 +30,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 Freedoms = frozenset[str]  # of the compiler with floating point: flags of LLVM
 EXACT: Freedoms = frozenset()
 DIVISION = "numpy"  # by zero
+INSIDE = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}  # only machine code calls it; a quarter of the time
 CONSTANT_MODULES = ("numpy", "math")  # others may change without a change of the byte code
 
 MOST_TUPLES = 16  # that a function remembers
@@ -138,7 +139,7 @@ class Compiled:
         """The same for numba."""
         from numba import njit
 
-        return njit(error_model=DIVISION, **self.options)(self.of_numba())
+        return njit(error_model=DIVISION, **INSIDE, **self.options)(self.of_numba())
 
     def of_numba(self) -> FunctionType:
         """The function with what numba calls in place of the compiled functions."""
