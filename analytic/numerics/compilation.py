@@ -70,11 +70,13 @@ class Compiled:
         kinds, flat = [], []
         for place, value in enumerate(given):
             if isinstance(value, tuple):
-                if id(value) not in self._tuples:
-                    if len(self._tuples) == MOST_TUPLES:
+                known = self._tuples.get(id(value))
+                if known is None:
+                    known = value, *machine_code.taken(value)
+                    if len(self._tuples) >= MOST_TUPLES:
                         self._tuples.clear()
-                    self._tuples[id(value)] = value, *machine_code.taken(value)
-                _, kind, pieces = self._tuples[id(value)]
+                    self._tuples[id(value)] = known
+                _, kind, pieces = known
             else:
                 kind, pieces = machine_code.taken(float(value) if place in self._floats else value)
             kinds.append(kind)
