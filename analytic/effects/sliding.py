@@ -6,6 +6,7 @@ is estimated twice, for balls that only roll and for races that take all spin, a
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -222,7 +223,7 @@ class Estimate:
         """(n,) gyroscopic moment over the most that friction across both grooves holds, in the loaded zone."""
         largest = self.resisting.balls.load.max(axis=0)
         carries = largest >= IN_LOADED_ZONE * largest.max(axis=1, keepdims=True)
-        return np.where(carries, self._gyroscopic(scene, self._most_friction()), 0.0).max(axis=1)
+        return np.where(carries, self._gyroscopic(scene, self._most_friction), 0.0).max(axis=1)
 
     def sliding_number(self) -> Array | None:
         """(2, n) rolling force of the oil on all balls over the most friction of each race; None without rolling.
@@ -234,8 +235,9 @@ class Estimate:
             return None
         balls = self.resisting.balls
         force = self._at(self.regime).rolling / (2 * balls.motion.entrainment_speed)
-        return ratio(force.sum(axis=2), over=self._most_friction().sum(axis=2))
+        return ratio(force.sum(axis=2), over=self._most_friction.sum(axis=2))
 
+    @cached_property
     def _most_friction(self) -> Array:
         """(2, n, m) N: of contacts that slide as fast as they roll, in the regime that was decided."""
         assert self.regime is not None

@@ -51,7 +51,8 @@ def sampled_series(
     if not np.any(np.ptp(coordinates, axis=0)):
         return None  # the same point each time
     points = _principal(coordinates)
-    if len(np.unique(points, axis=0)) < FIRST + MORE:
+    few = FIRST + MORE
+    if len(np.unique(points[:, 0])) < few and len(np.unique(points, axis=0)) < few:
         return None  # a sample of so few different points is all of them
     at = far_points(coordinates, FIRST)
     known = evaluate(at)
