@@ -74,9 +74,8 @@ COMMANDS = {
         "list bearings 62",
     ),
 }
-OBJECTS = (
-    100_000  # between two searches for garbage: imports make many, all of which stay; it saves a tenth of a second
-)
+# Between two searches for garbage: imports make many objects, all of which stay. It saves a tenth of a second.
+OBJECTS = 100_000
 PLAIN: dict[str, Any] = {
     "pretty_exceptions_enable": False,
     "rich_markup_mode": None,
