@@ -7,7 +7,6 @@ counts they then turn freely, which changes loads and angles too, and all is com
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
 from analytic.effects.ledger import Ledger, share_in
@@ -20,6 +19,7 @@ from analytic.loads.balls import LoadedBalls
 from analytic.oil.inlets import inlets_of
 from analytic.oil.lubricated_races import lubricate_races
 from analytic.oil.mixed import MixedContact
+from analytic.oil.race_resistance import NO_OIL, resistance_of
 from analytic.oil.rolling import (
     HYSTERESIS_LOSS,
     RollingResistance,
@@ -30,7 +30,7 @@ from analytic.oil.rolling import (
 )
 from analytic.oil.traction import CoulombTraction
 from analytic.oil.variation import Variation
-from analytic.oil.viscosity import inlet_viscosity
+from analytic.oil.viscosity import inlet_viscosity, oil_numbers
 from analytic.scene import Array, Operation
 from analytic.sliding.ball import Tractions
 from analytic.sliding.methods import Sliding, SlidingModel, race_sliding
@@ -89,10 +89,6 @@ def race_torque(
     mixed = estimate.decided
     allowed = scene.tolerance - ledger.left_out
 
-    def resisted(balls: LoadedBalls, points: NDArray[np.intp]) -> tuple[Tractions, Array]:
-        anew, _ = _resisting(ledger, balls, speed[points], slides=True, variation=variation)
-        return _tractions(ledger, anew, mixed_contacts(ledger, anew)), _other(ledger, anew)
-
     if slides and creep is not None:
         problem = FreeProblem(
             bearing=scene.bearing,
@@ -101,7 +97,9 @@ def race_torque(
             effects=replace(chosen.effects, gyroscopic=ledger.is_on("gyroscopic")),
             creep=creep,
             correction=chosen.correction,
-            resistance=resisted,
+            resistance=resistance_of(scene, ledger.is_on, variation),
+            oil=NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant),
+            other=_other(ledger, resisting),
         )
         free = slide_freely(problem, chosen.balls, allowed=allowed)
         chosen, sliding = chosen.turning(free.balls), free.sliding

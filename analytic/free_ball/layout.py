@@ -1,10 +1,11 @@
 """Which column of an array holds what, for the compiled loop and its callers. SI; rates per unit ring speed."""
 
 # A contact: load, semi-axes along and across rolling, radius of its surface, its normal out of the ball (radial,
-# axial), rate of its ring, flexibility L/a, and its law of traction as `analytic.oil.traction.PointLaw` has it.
+# axial), rate of its ring, flexibility L/a, and the fields of its `analytic.oil.traction.PointLaw` for speeds per unit
+# ring speed.
 LOAD, ROLLING, TRANSVERSE, RADIUS, NORMAL_R, NORMAL_Z, RING, FLEXIBILITY = range(8)
-BOUNDARY, PLAIN, LIMIT, EYRING, FLUIDITY, SHARE = range(8, 14)
-CONTACT = 14
+BOUNDARY, PLAIN, LIMIT, EYRING, FLUIDITY, SHARE, GROWTH, EXPONENT = range(8, 16)
+CONTACT = 16
 # A ball: radius, radius of its orbit, J w^2/r^2
 BALL_RADIUS, ORBIT_RADIUS, INERTIA = range(3)
 BALL = 3

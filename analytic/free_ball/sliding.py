@@ -1,35 +1,34 @@
-"""The torque by sliding of free balls: loads, rotation and friction settle together.
+"""The torque by sliding of free balls at many points, and a sample of them where there are many.
 
-Traction turns the balls and pushes them across their grooves, loads and angles follow, and where there is oil its film
-follows these. Each pass has the tractions of the last one, and more nodes. The change of the torque between two passes
-is what is left of both errors.
+`analytic.free_ball.passes` says how loads, rotation and friction of a point settle together.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
-from analytic.contact.hertz import loaded_contact
-from analytic.free_ball.rotation import Creep, FreeBalls, FreeTurning, Nodes, Surfaces
-from analytic.loads.balls import LoadedBalls, LoadEffects, balls_between, loaded_balls
-from analytic.loads.kinematics import BallKinematics
+from analytic.contact.hertz import HertzContact, HertzNumbers, contact_modulus, loaded_contact
+from analytic.errors import ConvergenceError
+from analytic.free_ball.layout import LAW_POWER, LOAD, MOST_STEPS, UNIT_POWER
+from analytic.free_ball.passes import FreeModel, FreeSettings, FreeSpace, settle_ring_points, settle_thrust_points
+from analytic.free_ball.rotation import COARSE, QUADRATURES, STIFFER, Creep, quadrature_of
+from analytic.free_ball.rounds import SKIDS
+from analytic.free_ball.turning import ENOUGH, FreeNumbers, ball_rows
+from analytic.loads.balls import LoadedBalls, LoadEffects, balls_between
+from analytic.loads.kinematics import BallKinematics, BallMotion
 from analytic.loads.race_contacts import unit_contacts
+from analytic.loads.ring_balance import BallRows, ring_points, ring_work
+from analytic.loads.ring_rounds import SETTLED, RingLoads, Rounds
+from analytic.loads.ring_series import factors_of, require_settled, ring_numbers
+from analytic.loads.thrust import unsettled
 from analytic.numerics.interpolated import sampled_series
+from analytic.oil.race_resistance import RaceResistance
+from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array, Bearing, ContactAngle, Operation, SlidingMethod
-from analytic.sliding.ball import Tractions
 from analytic.sliding.methods import Sliding
 
-QUADRATURES = (Nodes(16, 12), Nodes(32, 20), Nodes(64, 36), Nodes(128, 72), Nodes(192, 108))
-# Times the change from one quadrature to the next: what is left of it, where the error falls at least as fast as the
-# nodes lie closer. Films follow loads with small powers, and settle faster.
-SAFETY = 2.0
-# Errors change sign with the load, and two quadratures may agree by chance. These are errors of each, relative, that
-# 99 % of 2300 points do not exceed, of drawn bearings, loads of 10 to 2000 N and friction of 0.01 to 0.16. The first
-# quadrature is only a start.
-LEAST = (np.inf, 0.01, 0.003, 0.0007, 0.0003)
 METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_creep", "marched": "marched_creep"}
 SERIES = 130  # from this number of points on, a sample of them costs less
 BETWEEN = 1.25  # times the largest error at the points of a sample: what lies between them
@@ -49,19 +48,20 @@ class FreeProblem:
     operation: Operation  # every array (n,)
     effects: LoadEffects
     creep: Creep
-    correction: ContactCorrection | None
-    # Of balls at some of the points: the tractions, and what else resists them, (k,) N m
-    resistance: Callable[[LoadedBalls, Points], tuple[Tractions, Array]]
+    correction: ContactCorrection | None  # factors on Hertz's contacts: (n,) under thrust, (n, m) on a ring
+    resistance: RaceResistance
+    oil: OilNumbers  # at its temperature
+    other: Array  # (n,) N m, about what resists the balls besides sliding
 
     def at(self, points: Points) -> "FreeProblem":
         operation = Operation(**{name: values[points] for name, values in vars(self.operation).items()})
         correction = None if self.correction is None else self.correction.mapped(lambda factor: factor[points])
-        return replace(
-            self,
-            operation=operation,
-            correction=correction,
-            resistance=lambda balls, some: self.resistance(balls, points[some]),
-        )
+        return replace(self, operation=operation, correction=correction, other=self.other[points])
+
+    @property
+    def is_ring(self) -> bool:
+        """The balls differ; else one stands for all under thrust."""
+        return (self.effects.load_distribution and not self.operation.is_thrust) or self.effects.down is not None
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -82,72 +82,108 @@ def slide_freely(problem: FreeProblem, ruled: LoadedBalls, *, allowed: Array) ->
         sampled = _sampled(problem, ruled, allowed=allowed)
         if sampled is not None:
             return sampled
-    return _settled(problem, ruled, allowed=allowed)
+    return _settled(problem, allowed=allowed)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class _Pass:
-    """Balls that turned with the tractions of the balls before them."""
+def free_settings(bearing: Bearing, *, creep: Creep, inertia: tuple[bool, bool]) -> FreeSettings:
+    """How the balls of a bearing turn freely; inertia : whether centrifugal force and gyroscopic moment count."""
+    softer = 1 / STIFFER if creep == "none" else 1.0
+    inner, outer = (
+        softer * 32 / (3 * np.pi**2 * float(contact_modulus(bearing.ball_material, groove.material)))
+        for groove in (bearing.inner, bearing.outer)
+    )
+    above = 0.0 if bearing.kind == "thrust" else bearing.outer.groove_radius  # the profile's centre over the bottom
+    free = FreeNumbers(float(bearing.outer.bottom_radius - above), (inner, outer), *inertia)
+    quadratures = tuple(quadrature_of(nodes, marched=creep == "marched") for nodes in (COARSE, *QUADRATURES))
+    return FreeSettings(free, quadratures)
 
-    balls: LoadedBalls
-    turning: FreeTurning
-    free: FreeBalls
-    torque: Array  # (n,) by sliding, N m
-    whole: Array  # (n,) with what else resisted the balls before, N m
+
+def settled_points(
+    model: FreeModel, loads: RingLoads, oil: OilNumbers, *, is_ring: bool, allowed: Array
+) -> tuple[FreeSpace, Array]:
+    """Balls and ends of n points, as `settle_thrust_points` and `settle_ring_points` write them."""
+    count, balls = len(loads.force), len(model.ring.rows.travel) if is_ring else 1
+    space, ends = FreeSpace(ring_points(count, balls), ball_rows((count, balls))), np.full((count, 7), np.nan)
+    allowed = np.array(allowed, dtype=np.float64)
+    if is_ring:
+        settle_ring_points(model, loads, oil, space, ring_work(balls), allowed, ends)
+    else:
+        settle_thrust_points(model, loads, oil, space, allowed, ends)
+    return space, ends
 
 
-def _settled(problem: FreeProblem, ruled: LoadedBalls, *, allowed: Array) -> FreeSliding:
-    """Every point by itself, by passes with more and more nodes, until the torque changes no more than it may."""
-    last = _passed(problem, ruled, QUADRATURES[0], None)
-    error = np.full_like(last.torque, np.inf)
-    for nodes, least in zip(QUADRATURES[1:], LEAST[1:], strict=True):
-        before, last = last, _passed(problem, last.balls, nodes, last.turning)
-        error = np.maximum(SAFETY * np.abs(last.whole - before.whole), least * last.torque)
-        if np.all(error <= allowed * last.whole):
-            break
-    spin = last.balls.total(_each(last.free.spin_torque))
+def _settled(problem: FreeProblem, *, allowed: Array) -> FreeSliding:
+    """Every point by itself. Raises as `slide_freely` does."""
+    bearing, effects, operation = problem.bearing, problem.effects, problem.operation
+    count, is_ring = operation.inner_speed.size, problem.is_ring
+    ring, arm = ring_numbers(bearing, problem.contact_angle, down=effects.down)
+    inertia = (bool(effects.centrifugal), bool(effects.gyroscopic))
+    settings = free_settings(bearing, creep=problem.creep, inertia=inertia)
+    model = FreeModel(ring, problem.resistance, settings)
+    force = np.zeros((count, 5))
+    force[:, 0] = operation.axial_load
+    if effects.load_distribution:
+        force[:, 1], force[:, 4] = operation.radial_load, np.asarray(operation.moment) / arm
+    loads = RingLoads(
+        force,
+        np.array(operation.inner_speed, dtype=np.float64),
+        inertia,
+        factors_of(problem.correction or ContactCorrection()),
+    )
+    space, ends = settled_points(model, loads, problem.oil, is_ring=is_ring, allowed=allowed)
+    _require_settled(problem, ring.rows, loads, space, ends)
+    load, angle = (np.moveaxis(each, 1, 0) for each in (space.point.load, space.point.angle))
+    contacts = tuple(
+        loaded_contact(
+            HertzContact(**dict(zip(HertzNumbers._fields, np.moveaxis(space.point.unit[:, race], 1, 0), strict=True))),
+            load=load[race],
+        )
+        for race in (0, 1)
+    )
+    motion = dict(zip(BallMotion._fields, np.moveaxis(space.balls.motion, 2, 0), strict=True))
+    torque, spin, error = ends[:, 4:].T
+    law, unit = (np.moveaxis(space.balls.outcomes[..., power], 2, 0) for power in (LAW_POWER, UNIT_POWER))
     return FreeSliding(
-        balls=last.balls,
+        balls=balls_between(
+            bearing,
+            method="ring" if is_ring else "thrust",
+            load=load,
+            angle=angle,
+            contacts=(contacts[0], contacts[1]),
+            motion=BallKinematics(**motion),
+        ),
         sliding=Sliding(
             spin=spin,
-            conformity=last.torque - spin,
-            coefficient=_each(last.free.coefficient),
+            conformity=torque - spin,
+            coefficient=np.divide(law, unit, out=np.zeros_like(law), where=unit > 0),
             method=METHODS[problem.creep],
-            error=np.divide(error, last.torque, out=np.zeros_like(error), where=last.torque > 0),
+            error=np.divide(error, torque, out=np.zeros_like(error), where=torque > 0),
         ),
     )
 
 
-def _passed(problem: FreeProblem, balls: LoadedBalls, nodes: Nodes, near: FreeTurning | None) -> _Pass:
-    """One pass from the tractions of these balls; near : the last pass's, from where the balls turn on."""
-    tractions, other = problem.resistance(balls, np.arange(problem.operation.inner_speed.size))
-    turning = FreeTurning(
-        problem.bearing,
-        tractions,
-        inner_speed=problem.operation.inner_speed,
-        balls=None if balls.method == "thrust" else problem.bearing.ball_count,
-        surfaces=Surfaces(problem.creep, nodes),
-        inertia=(problem.effects.centrifugal, problem.effects.gyroscopic),
-    )
-    if near is not None:
-        turning.velocity = near.velocity.copy()
-    balls = loaded_balls(
-        problem.bearing,
-        problem.contact_angle,
-        problem.operation,
-        problem.effects,
-        correction=problem.correction,
-        turning=turning,
-        near=balls,
-    )
-    free = turning.balls()
-    torque = balls.total(_each(free.torque))
-    return _Pass(balls=balls, turning=turning, free=free, torque=torque, whole=torque + other)
-
-
-def _each(of_contact: Array) -> Array:
-    """(2, n, m) of balls that may be all alike."""
-    return of_contact[..., None] if of_contact.ndim == 2 else of_contact
+def _require_settled(problem: FreeProblem, rows: BallRows, loads: RingLoads, space: FreeSpace, ends: Array) -> None:
+    if np.all(ends[:, 0] == SETTLED):
+        return
+    worst = int(np.argmax(ends[:, 0] != SETTLED))  # those behind it were not tried
+    end, _, left, tolerance = ends[worst, :4]
+    if end == SKIDS:
+        residual = space.balls.residual[worst]
+        ball = int(np.argmax(np.where(np.isnan(residual), np.inf, residual)))
+        inner, outer = space.balls.contacts[worst, ball, :, LOAD]
+        raise ConvergenceError(
+            iterations=MOST_STEPS,
+            residual=float(left),
+            tolerance=ENOUGH,
+            unit="of its friction",
+            problem=f"the rotation of ball {ball} under {inner:.4g} N on the inner and {outer:.4g} N on the outer race",
+            remedy='Raise the load or lower the speed, or give friction.spin_rule = "outer_control".',
+        )
+    if not problem.is_ring:
+        raise unsettled(loads.force[worst : worst + 1, 0] / problem.bearing.ball_count, left, tolerance)
+    last = ends[: worst + 1]
+    rounds = Rounds(last[:, 0].astype(np.int64), last[:, 1].astype(np.int64), last[:, 2], last[:, 3])
+    require_settled(problem.bearing, rows, loads.inner_speed, loads, space.point, rounds)
 
 
 def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, allowed: Array) -> FreeSliding | None:
@@ -158,12 +194,12 @@ def _sampled(problem: FreeProblem, ruled: LoadedBalls, *, allowed: Array) -> Fre
     """
     count = problem.operation.inner_speed.size
     moving, standing = np.flatnonzero(problem.operation.inner_speed), np.flatnonzero(problem.operation.inner_speed == 0)
-    _, others = problem.resistance(ruled, np.arange(count))
+    others = problem.other
     worst = 0.0
 
     def settled(at: Points) -> Array:
         nonlocal worst
-        part = _settled(problem.at(at), ruled.at(at), allowed=METHODS_PART * allowed[at] / BETWEEN)
+        part = _settled(problem.at(at), allowed=METHODS_PART * allowed[at] / BETWEEN)
         torque = part.sliding.spin + part.sliding.conformity
         worst = max(worst, BETWEEN * float(np.max(part.sliding.error * _share(torque, others[at]))))
         return _quantities(part)

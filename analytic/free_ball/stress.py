@@ -1,69 +1,81 @@
 """The stress of one point of a free ball's contact by its law of traction, with and without surfaces that creep.
 
-Rates are per unit ring speed w, so slip is a length; a law is part of a contact's row (`analytic.free_ball.layout`).
+Rates are per unit ring speed w, so slip is a length. A point slides by the law where its slip, times its fluidity, is
+the rate of shear over the rate at the Eyring stress; from the slip `most` on its oil shears at its limit.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
-from analytic.free_ball.layout import EYRING, FLUIDITY, SHARE
 from analytic.numerics.compilation import compiled
+from analytic.oil.traction import PointLaw, log_thickening
 
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
+NEARLY_LINEAR = 0.3  # sinh of it is 1.5 % larger: a start for what follows
+LAST_STEP = 1e-5  # relative; what the method leaves is of the order of its third power
+
+
+class Shear(NamedTuple):
+    """The law of traction at one point of a contact, whose pressure is known."""
+
+    steady: float  # Pa, at any slip
+    limit: float  # Pa, of the oil
+    eyring: float  # Pa
+    fluidity: float  # 1/m
+    most: float  # m, slip from which the oil shears at its limit; 0: at any
+
+
+@compiled
+def flow_at(law: PointLaw, pressure: float) -> tuple[float, float]:
+    """Fluidity and `most` of a point under the pressure p, Pa; the law's speeds are per unit ring speed."""
+    if law.eyring == 0.0 or not law.fluidity <= SOLID:
+        return 0.0, 0.0
+    fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
+    if fluidity > SOLID:
+        return 0.0, 0.0
+    return fluidity, np.sinh(law.limit * pressure / law.eyring) / fluidity
 
 
 @compiled(inline=True)
-def yielding(slip, steady, limit, eyring, fluidity):
-    """Stress of a point that slides, and its slope: steady + min(eyring asinh(fluidity slip), limit)."""
-    if eyring == 0.0:
-        return steady, 0.0
-    if fluidity > SOLID:
-        return steady + limit, 0.0
-    rate = fluidity * slip
-    oil = eyring * np.arcsinh(rate)
-    if oil >= limit:
-        return steady + limit, 0.0
-    return steady + oil, eyring * fluidity / np.sqrt(1.0 + rate * rate)
+def yielding(slip, shear):
+    """Stress of a point that slides, and its slope."""
+    if slip >= shear.most:
+        return shear.steady + shear.limit, 0.0
+    rate = shear.fluidity * slip
+    return shear.steady + shear.eyring * np.arcsinh(rate), shear.eyring * shear.fluidity / np.sqrt(1.0 + rate * rate)
 
 
 @compiled(inline=True)
 def _hyperbolic(y):
     """sinh and cosh from one exponential, without the cancellation near 0."""
     above = np.expm1(y)
-    return (above + above / (1.0 + above)) / 2.0, 1.0 + above * (above / (2.0 * (1.0 + above)))
+    below = above / (1.0 + above)  # 1 - exp(-y)
+    return (above + below) / 2.0, 1.0 + above * below / 2.0
 
 
 @compiled(inline=True)
-def sheared(reach, compliance, steady, limit, eyring, fluidity):
+def sheared(reach, compliance, shear):
     """Stress and slope of a point whose surfaces would slip by `reach` without stress: g + compliance T(g) = reach."""
-    if eyring == 0.0:
-        limit = 0.0
-    elif fluidity > SOLID:
-        steady, eyring = steady + limit, 0.0
-    if reach <= compliance * steady:
+    whole = shear.steady + shear.limit
+    if reach - compliance * whole >= shear.most:
+        return whole, 0.0
+    rest = reach - compliance * shear.steady
+    if rest <= 0.0 or shear.most == 0.0:
         return reach / compliance, 1.0 / compliance
-    slip = reach - compliance * (steady + limit)
-    if eyring == 0.0 or (slip > 0.0 and eyring * np.arcsinh(fluidity * slip) >= limit):
-        return steady + limit, 0.0
-    # sinh(y)/fluidity + compliance eyring y = rest rises and is convex: from the right Newton cannot overshoot.
-    rest = reach - compliance * steady
-    y = min(np.arcsinh(fluidity * rest), rest / (compliance * eyring))
+    # sinh(y) + softness y = asked rises and is convex; the start lies on its right, and Halley's method goes down.
+    asked, softness = shear.fluidity * rest, compliance * shear.eyring * shear.fluidity
+    y = asked / (1.0 + softness)
+    if y > NEARLY_LINEAR:
+        y = min(y, np.arcsinh(asked))
+    cosh = 1.0
     for _ in range(50):
         sinh, cosh = _hyperbolic(y)
-        value = sinh / fluidity + compliance * eyring * y - rest
-        step = value / (cosh / fluidity + compliance * eyring)
+        per_slope = 1.0 / (cosh + softness)
+        newton = (sinh + softness * y - asked) * per_slope
+        step = newton / (1.0 - newton * sinh * per_slope / 2.0)
         y -= step
-        if step <= 1e-14 * y:
+        cosh -= step * sinh
+        if abs(step) <= LAST_STEP * y:
             break
-    _, cosh = _hyperbolic(y)
-    slope = eyring * fluidity / cosh
-    return steady + eyring * y, slope / (1.0 + compliance * slope)
-
-
-@compiled(inline=True)
-def fluidity_of(law, pressure, table, spacing):
-    """Slip times this is the rate of shear over the rate at the Eyring stress; table : ln of the oil's thickening."""
-    if law[EYRING] == 0.0:
-        return 0.0
-    place = law[SHARE] * pressure / spacing
-    index = min(int(place), table.shape[0] - 2)
-    return law[FLUIDITY] * np.exp(table[index] + (place - index) * (table[index + 1] - table[index]))
+    return shear.steady + shear.eyring * y, shear.eyring * shear.fluidity / (cosh + softness)

@@ -18,10 +18,9 @@ from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
 from analytic.contact.rolling_contact import Pair, RollingContact, deformed_radius
 from analytic.loads.kinematics import BallKinematics
-from analytic.loads.race_contacts import unit_contacts
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium
-from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
+from analytic.loads.turning import RuledTurning
 from analytic.numerics.elements import elements_of
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Operation
 
@@ -109,22 +108,16 @@ def loaded_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
-    turning: Turning | None = None,
-    near: LoadedBalls | None = None,
 ) -> LoadedBalls:
-    """The balls by the cheapest method that has the effects.
+    """The balls, which turn by closed kinematics, by the cheapest method that has the effects.
 
     operation : every array (n,);  correction : factors on Hertz's contacts, with a shape that the method takes:
     (n,) for thrust, (n, m) for the ring
-    turning : how the balls turn, in shapes likewise; None: by closed kinematics
-    near : balls of the same points; under thrust the search begins there
     Raises InputError and ConvergenceError as the equilibrium does.
     """
     unequal = (effects.load_distribution and not operation.is_thrust) or effects.down is not None
-    settings = {"correction": correction, "turning": turning}
-    if unequal:
-        return ring_balls(bearing, contact_angle, operation, effects, **settings)
-    return thrust_balls(bearing, contact_angle, operation, effects, **settings, near=near)
+    balls = ring_balls if unequal else thrust_balls
+    return balls(bearing, contact_angle, operation, effects, correction=correction)
 
 
 def thrust_balls(
@@ -134,20 +127,15 @@ def thrust_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
-    turning: Turning | None = None,
-    near: LoadedBalls | None = None,
 ) -> LoadedBalls:
     """All balls alike, one column for Z of them, whatever the radial load and the moment.
 
     Arguments and errors of thrust_equilibrium, or of thrust_at_speed where the balls' own forces are included.
     """
-    turning = turning or _ruled(bearing, operation, effects)
-    ruled = isinstance(turning, RuledTurning)
-    if contact_angle.rule == "given" or (ruled and not effects.inertia):
+    turning = _ruled(bearing, operation, effects)
+    if contact_angle.rule == "given" or not effects.inertia:
         still = thrust_equilibrium(bearing, contact_angle, axial_load=operation.axial_load, correction=correction)
         loads, angles, contacts = (still.ball_load,) * 2, (still.contact_angle,) * 2, (still.inner, still.outer)
-        if not ruled:  # a given angle holds loads and angles, but not how the balls turn
-            turning.forces(_placed(bearing, loads[0], angles[0], correction))
     else:
         moving = thrust_at_speed(
             bearing,
@@ -155,7 +143,6 @@ def thrust_balls(
             axial_load=operation.axial_load,
             inner_speed=operation.inner_speed,
             turning=turning,
-            near=None if near is None else (near.contact_angle[..., 0], near.load[..., 0]),
             correction=correction,
         )
         loads, angles = (moving.inner_load, moving.outer_load), (moving.inner_angle, moving.outer_angle)
@@ -177,14 +164,13 @@ def ring_balls(
     effects: LoadEffects,
     *,
     correction: ContactCorrection | None = None,
-    turning: Turning | None = None,
 ) -> LoadedBalls:
     """Each ball in its own column; errors of ring_equilibrium.
 
     A ball that is pressed the other way spins the other way and has the same losses: its angles are given as if it
     were not.
     """
-    turning = turning or _ruled(bearing, operation, effects)
+    turning = _ruled(bearing, operation, effects)
     weight = bearing.ball_mass * STANDARD_GRAVITY * np.array(effects.down or (0.0, 0.0, 0.0))
     ring = ring_equilibrium(
         bearing,
@@ -204,22 +190,6 @@ def ring_balls(
         angle=np.stack([ring.inner_angle, ring.outer_angle]),
         contacts=(ring.inner, ring.outer),
         motion=turning.motion(ring.inner_angle, ring.outer_angle),
-    )
-
-
-def _placed(bearing: Bearing, load: Array, angle: Array, correction: ContactCorrection | None) -> PlacedBalls:
-    """Balls with one load and one contact angle on both races, (n,)."""
-    inner, outer = unit_contacts(
-        bearing, inner_angle=angle, outer_angle=angle, correction=correction or ContactCorrection()
-    )
-    return PlacedBalls(
-        points=np.arange(load.size),
-        inner_angle=angle,
-        outer_angle=angle,
-        inner_load=load,
-        outer_load=load,
-        inner=inner,
-        outer=outer,
     )
 
 

@@ -24,7 +24,7 @@ from analytic.errors import InputError, require_finite, require_positive
 from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import LEAST_BALLS
 from analytic.loads.ring_series import RowsOfBalls, settled_rings
-from analytic.loads.turning import RuledTurning, Turning
+from analytic.loads.turning import RuledTurning
 from analytic.scene import Array, Bearing, ContactAngle
 
 
@@ -58,7 +58,7 @@ def ring_equilibrium(
     moment_x: ArrayLike = 0.0,
     moment_y: ArrayLike = 0.0,
     inner_speed: ArrayLike = 0.0,
-    turning: Turning | None = None,
+    turning: RuledTurning | None = None,
     ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0),
     correction: ContactCorrection | None = None,
 ) -> RingEquilibrium:
@@ -76,9 +76,9 @@ def ring_equilibrium(
         About x and y, N m, any sign.
     inner_speed : array_like
         rad/s, any sign.
-    turning : Turning, optional
+    turning : RuledTurning, optional
         What acts on the balls because they turn, for the points in their flat order; None: centrifugal force and
-        gyroscopic moment by closed kinematics.
+        gyroscopic moment.
     ball_weight : tuple of 3 floats
         Of each ball along x, y and z, N; the cage carries its part along the orbit.
     correction : ContactCorrection, optional

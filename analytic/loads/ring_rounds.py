@@ -1,8 +1,7 @@
 """The rounds of a ring's equilibrium, in which contact stiffness, inertia and friction follow the contact angles.
 
 Each round holds what the angles and loads of the last one give, and settles the ring by `analytic.loads.ring_balance`;
-the last one has nothing to do. Where balls turn by rule, all rounds of a point are compiled. Any other `Turning` gives
-its forces round by round, for all points that have not settled.
+the last one has nothing to do. Balls that turn freely have rounds of their own (`analytic.free_ball.rounds`).
 """
 
 from typing import NamedTuple
@@ -55,14 +54,6 @@ class RingLoads(NamedTuple):
     factors: Array  # (n, 2, 4, Z), or axes of 1 for n and Z
 
 
-class Rounding(NamedTuple):
-    """Which round it is."""
-
-    open_points: NDArray[np.int64]  # indices of the points that have not settled
-    number: int  # of the round, from 0
-    accuracy: float  # relative, of the forces that turning gives; 0: they are exact
-
-
 class Round(NamedTuple):
     """How the rounds of a point end."""
 
@@ -86,7 +77,7 @@ def _unit_hertz_at(race: RaceNumbers, angle: float) -> HertzNumbers:
 
 
 @compiled
-def _hold_contacts(ring: RingNumbers, factors: Array, point: RingPoint) -> None:
+def hold_contacts(ring: RingNumbers, factors: Array, point: RingPoint) -> None:
     """Write the contacts under 1 N at the balls' angles."""
     last = factors.shape[2] - 1
     for race in range(2):
@@ -174,7 +165,7 @@ def _begin(ring: RingNumbers, load: RingLoad, point: RingPoint, start: int) -> N
     if start != BY_POINT:
         point.angle[:], point.load[:], point.moved[:] = ring.angle, 0.0, 0.0
         point.own[:], point.ring_force[:] = np.inf, np.inf
-    _hold_contacts(ring, load.factors, point)
+    hold_contacts(ring, load.factors, point)
     if start == BY_LOAD:
         _place_by_load(ring.rows, load.force, point)
 
@@ -200,9 +191,7 @@ def beyond_groove(rows: BallRows, point: RingPoint) -> Beyond:
 
 
 @compiled
-def _settle_round(
-    rows: BallRows, force: Array, point: RingPoint, work: RingWork, number: int, accuracy: float
-) -> Round:
+def settle_round(rows: BallRows, force: Array, point: RingPoint, work: RingWork, number: int, accuracy: float) -> Round:
     """One round, for which contacts and turning are written.
 
     number : of the round, from 0;  accuracy : relative, of the forces that turning gives; 0: they are exact
@@ -236,9 +225,9 @@ def settle_ruled_ring(ring: RingNumbers, load: RingLoad, point: RingPoint, work:
     end, steps = Round(OPEN, 0, 0.0, 0.0), 0
     for number in range(MOST_ROUNDS + 1):
         if number > 0:
-            _hold_contacts(ring, load.factors, point)
+            hold_contacts(ring, load.factors, point)
         _hold_ruled_forces(ring, load.rule, point)
-        end = _settle_round(ring.rows, load.force, point, work, number, 0.0)
+        end = settle_round(ring.rows, load.force, point, work, number, 0.0)
         steps += end.steps
         if end.end != OPEN:
             break
@@ -271,7 +260,8 @@ def _note(rounds: Rounds, i: int, end: Round) -> None:
 
 
 @compiled
-def _load_of(loads: RingLoads, i: int) -> RingLoad:
+def load_of(loads: RingLoads, i: int) -> RingLoad:
+    """One of n points."""
     rule = TurningRule(loads.inner_speed[i], loads.inertia[0], loads.inertia[1])
     return RingLoad(loads.force[i], rule, loads.factors[min(i, len(loads.factors) - 1)])
 
@@ -282,29 +272,7 @@ def settle_ruled_rings(
 ) -> None:
     """`settle_ruled_ring` of n points, up to the first that does not settle."""
     for i in range(len(loads.force)):
-        end = settle_ruled_ring(ring, _load_of(loads, i), point_of(points, i), work, start)
+        end = settle_ruled_ring(ring, load_of(loads, i), point_of(points, i), work, start)
         _note(rounds, i, end)
         if end.end != SETTLED:
-            return
-
-
-@compiled
-def begin_rounds(ring: RingNumbers, loads: RingLoads, points: RingPoint, start: int) -> None:
-    """Write the contacts and the places that n points begin with."""
-    for i in range(len(loads.force)):
-        _begin(ring, _load_of(loads, i), point_of(points, i), start)
-
-
-@compiled
-def settle_rounds(
-    ring: RingNumbers, loads: RingLoads, points: RingPoint, work: RingWork, rounds: Rounds, now: Rounding
-) -> None:
-    """One round of the points that are open, for which contacts and turning are written; and their next contacts."""
-    for i in now.open_points:
-        load, point = _load_of(loads, i), point_of(points, i)
-        end = _settle_round(ring.rows, load.force, point, work, now.number, now.accuracy)
-        _note(rounds, i, end)
-        if end.end == OPEN:
-            _hold_contacts(ring, load.factors, point)
-        elif end.end != SETTLED:
             return

@@ -33,17 +33,14 @@ from analytic.loads.ring_rounds import (
     Beyond,
     RingLoads,
     RingNumbers,
-    Rounding,
     Rounds,
-    begin_rounds,
     beyond_groove,
     rounds_of,
-    settle_rounds,
     settle_ruled_rings,
 )
-from analytic.loads.turning import PlacedBalls, RuledTurning, Turning
+from analytic.loads.turning import RuledTurning
 from analytic.numerics.newton import MOST_STEPS
-from analytic.scene import Array, Bearing
+from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle
 from analytic.words import angle_of, length_of, speed_of
 
 # What did not settle, the limit of its iterations, and a remedy
@@ -69,7 +66,7 @@ class RowsOfBalls:
     bearing: Bearing
     play: float  # m, as Grooves has it
     correction: ContactCorrection  # numbers, or (n, Z) for the balls of all rows
-    turning: Turning
+    turning: RuledTurning
     speed: Array  # (n,) of the inner part, rad/s
     ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of each ball along x, y and z of the shaft, N
     rows: tuple[Row, ...] = (Row(),)
@@ -90,6 +87,31 @@ class RowsOfBalls:
         """(n, Z) radial and axial displacement of the inner groove at each ball, m; place : (n, 5), m"""
         radial, axial = np.moveaxis(self.travel.travel, 1, 0)
         return place @ radial.T, place @ axial.T + self.travel.offset
+
+
+def ring_numbers(
+    bearing: Bearing, contact_angle: ContactAngle, *, down: tuple[float, float, float] | None
+) -> tuple[RingNumbers, float]:
+    """One row of balls, and the arm R of its inner groove centres, m.
+
+    down : direction of the balls' weight, of length 1; None: left out
+    A given contact angle has no play; the ring is not solved for then. Raises InputError as bearing_numbers does.
+    """
+    numbers, still = bearing_numbers(bearing, contact_angle), np.zeros(1)
+    x, y, z = bearing.ball_mass * STANDARD_GRAVITY * np.array(down or (0.0, 0.0, 0.0))
+    rows = RowsOfBalls(
+        bearing=bearing,
+        play=_known(numbers.play),
+        correction=ContactCorrection(),
+        turning=RuledTurning(bearing=bearing, inner_speed=still, centrifugal=False, gyroscopic=False),
+        speed=still,
+        ball_weight=(float(x), float(y), float(z)),
+    )
+    return RingNumbers(numbers, rows.numbers, _known(numbers.free_angle)), rows.travel.arm
+
+
+def _known(number: float) -> float:
+    return 0.0 if np.isnan(number) else number
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -122,19 +144,14 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     numbers = RingNumbers(bearing_numbers(ring.bearing), ring.numbers, float(angle))
     points, rounds, start = ring_points(count, balls), rounds_of(count), BY_LOAD if place is None else BY_PLACE
     points.place[:] = 0.0 if place is None else place
-    is_ruled = isinstance(turning, RuledTurning)
     loads = RingLoads(
         force=np.array(load, dtype=np.float64),
-        inner_speed=np.array(turning.inner_speed, dtype=np.float64) if is_ruled else np.zeros(count),
-        inertia=(bool(turning.centrifugal), bool(turning.gyroscopic)) if is_ruled else (False, False),
-        factors=_factors(ring.correction),
+        inner_speed=np.array(turning.inner_speed, dtype=np.float64),
+        inertia=(bool(turning.centrifugal), bool(turning.gyroscopic)),
+        factors=factors_of(ring.correction),
     )
-    if is_ruled:
-        settle_ruled_rings(numbers, loads, points, ring_work(balls), rounds, start)
-    else:
-        begin_rounds(numbers, loads, points, start)
-        _settle_by_rounds(turning, numbers, loads, points, rounds)
-    _require_settled(ring, loads, points, rounds)
+    settle_ruled_rings(numbers, loads, points, ring_work(balls), rounds, start)
+    require_settled(ring.bearing, ring.numbers, ring.speed, loads, points, rounds)
     inner, outer = _contacts(points.unit)
     return RingsAtRest(
         place=points.place,
@@ -153,55 +170,31 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     )
 
 
-def _settle_by_rounds(turning: Turning, ring: RingNumbers, loads: RingLoads, points: RingPoint, rounds: Rounds) -> None:
-    """All rounds of points whose balls turn by any other method, up to the first point that does not settle."""
-    open_points, work = np.arange(len(loads.force)), ring_work(points.load.shape[2])
-    for number in range(MOST_ROUNDS + 1):
-        angle, load = np.clip(points.angle[open_points], -np.pi / 2, np.pi / 2), points.load[open_points]
-        inner, outer = _contacts(points.unit[open_points])
-        forces = turning.forces(
-            PlacedBalls(
-                points=open_points,
-                inner_angle=angle[:, 0],
-                outer_angle=angle[:, 1],
-                inner_load=load[:, 0],
-                outer_load=load[:, 1],
-                inner=inner,
-                outer=outer,
-            )
-        )
-        acting = (forces.centrifugal, forces.inner_friction, forces.outer_friction, forces.gyroscopic)
-        points.turning[open_points] = np.stack(acting, axis=1)
-        settle_rounds(ring, loads, points, work, rounds, Rounding(open_points, number, turning.accuracy))
-        open_points = np.flatnonzero(rounds.end == OPEN)
-        if not len(open_points) or np.any(rounds.end > OPEN):
-            return
-
-
 def _contacts(unit: Array) -> tuple[HertzContact, HertzContact]:
     """On inner and outer race, from (n, 2, 5, Z)."""
     inner, outer = (dict(zip(HertzNumbers._fields, np.moveaxis(unit[:, race], 1, 0), strict=True)) for race in (0, 1))
     return HertzContact(**inner), HertzContact(**outer)
 
 
-def _require_settled(ring: RowsOfBalls, loads: RingLoads, points: RingPoint, rounds: Rounds) -> None:
+def require_settled(
+    bearing: Bearing, rows: BallRows, speed: Array, loads: RingLoads, points: RingPoint, rounds: Rounds
+) -> None:
+    """Raise ConvergenceError or InputError for the worst of n points, see `settled_rings`; speed : (n,)"""
     if not rounds.end.any():
         return
     worst = int(np.argmax(rounds.end))
     if rounds.end[worst] == BEYOND_GROOVE:
-        _refuse(
-            ring, loads.force[worst], float(ring.speed[worst]), beyond_groove(ring.numbers, point_of(points, worst))
-        )
+        _refuse(bearing, loads.force[worst], float(speed[worst]), beyond_groove(rows, point_of(points, worst)))
     problem, iterations, remedy = LOOSE[int(rounds.end[worst])]
     left, tolerance = float(rounds.left[worst]), float(rounds.tolerance[worst])
     raise ConvergenceError(iterations=iterations, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
 
 
-def _refuse(ring: RowsOfBalls, load: Array, speed: float, beyond: Beyond) -> NoReturn:
+def _refuse(bearing: Bearing, load: Array, speed: float, beyond: Beyond) -> NoReturn:
     """Raise InputError for a point whose ball has left its groove; load : (5,)"""
     if beyond.is_by_load:
         raise InputError(
-            f"the {_load_words(load, ring)} moves the rings by {length_of(beyond.moved, '.2g')}, and balls leave "
+            f"the {_load_words(load, bearing)} moves the rings by {length_of(beyond.moved, '.2g')}, and balls leave "
             "their grooves: lower the load"
         )
     raise InputError(
@@ -210,19 +203,20 @@ def _refuse(ring: RowsOfBalls, load: Array, speed: float, beyond: Beyond) -> NoR
     )
 
 
-def _factors(correction: ContactCorrection) -> Array:
+def factors_of(correction: ContactCorrection) -> Array:
     """(n, 2, 4, Z) with axes of 1 where all points or all balls have the same factors."""
     given = [np.asarray(value) for side in (correction.inner, correction.outer) for value in factor_fields(side)]
     together = np.stack(np.broadcast_arrays(*(value.reshape(value.shape or (1, 1)) for value in given)), axis=1)
     return np.array(together.reshape(len(together), 2, 4, -1), dtype=np.float64)
 
 
-def _load_words(load: Array, ring: RowsOfBalls) -> str:
+def _load_words(load: Array, bearing: Bearing) -> str:
     """The load of a point, (5,), and how many times the static load rating of the bearing it is."""
-    axial, radial, moment = np.abs(load[0]), np.hypot(load[1], load[2]), np.hypot(load[3], load[4]) * ring.travel.arm
+    arm = groove_travel(bearing).arm
+    axial, radial, moment = np.abs(load[0]), np.hypot(load[1], load[2]), np.hypot(load[3], load[4]) * arm
     parts = (("axial load", axial, "kN"), ("radial load", radial, "kN"), ("moment", moment, "kN m"))
     named = " and ".join(f"{name} of {value / 1e3:.4g} {unit}" for name, value, unit in parts if value > 0) or "preload"
-    rating, largest = ring.bearing.static_load_rating, max(axial, radial)
+    rating, largest = bearing.static_load_rating, max(axial, radial)
     if rating is None or largest <= rating:
         return named
     return f"{named}, {largest / rating:.2g} times the static load rating C0 = {rating / 1e3:.4g} kN,"

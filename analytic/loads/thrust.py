@@ -18,22 +18,15 @@ from analytic.contact.factors import ContactCorrection, correction_fields, corre
 from analytic.contact.hertz import HertzContact, hertz_fields, loaded_contact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.loads.numbers import BearingNumbers, bearing_numbers
-from analytic.loads.race_contacts import unit_contacts
 from analytic.loads.thrust_ball import (
     LAST_STEP,
     MOST_ROUNDS,
-    ROUGH_STEP,
     SETTLED,
-    STEADYING,
-    Held,
-    ThrustedBall,
     ThrustPoint,
-    balanced,
-    change_of,
     frozen_point,
     thrust_point,
 )
-from analytic.loads.turning import PlacedBalls, RuledTurning, Turning, TurningRule
+from analytic.loads.turning import RuledTurning, TurningRule
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array, Bearing, ContactAngle
 from analytic.words import length_of
@@ -155,8 +148,7 @@ def thrust_at_speed(
     *,
     axial_load: ArrayLike,
     inner_speed: ArrayLike,
-    turning: Turning | None = None,
-    near: tuple[Array, Array] | None = None,
+    turning: RuledTurning | None = None,
     correction: ContactCorrection | None = None,
 ) -> ThrustAtSpeed:
     """Loads and contact angles of the balls on both races; load and speed broadcast to (n,).
@@ -164,7 +156,6 @@ def thrust_at_speed(
     axial_load : Fa, N, > 0;  inner_speed : w, rad/s, any sign;  contact_angle : rule "solved", as thrust_equilibrium
     turning : what acts on the balls because they turn; None: centrifugal force and gyroscopic moment by closed
         kinematics
-    near : contact angles and loads, (2, n), rad and N, that the search begins at; None: those at rest
     correction : factors on Hertz's contacts, each a number or (n,); None leaves them as they are
     On each race load and friction across the groove are a force Q/cos p at the angle b = al + p, tan p = -F_t/Q. Along
     the axis and outward the ball is at rest where
@@ -181,12 +172,9 @@ def thrust_at_speed(
     rows, shape = rows_of(axial_load, inner_speed, *correction_fields(factors))
     if turning is None:
         turning = RuledTurning(bearing=bearing, inner_speed=rows[1], centrifugal=True, gyroscopic=True)
-    if near is None and isinstance(turning, RuledTurning):
-        rows[1] = turning.inner_speed
-        points = _thrust_points(numbers, rows, turning.centrifugal, turning.gyroscopic)
-        fields = _settled(points, rows[0] / bearing.ball_count)
-    else:
-        fields = _Rounds(bearing, numbers, rows, factors.mapped(np.ravel)).settled(turning, near)
+    rows[1] = turning.inner_speed
+    points = _thrust_points(numbers, rows, turning.centrifugal, turning.gyroscopic)
+    fields = _settled(points, rows[0] / bearing.ball_count)
     _, inner_angle, outer_angle, inner_load, outer_load = fields[:5].reshape(-1, *shape)
     inner, outer = _loaded(fields, shape)
     return ThrustAtSpeed(
@@ -206,64 +194,6 @@ def require_right_angle(contact_angle: ContactAngle) -> None:
             "a thrust bearing has a contact angle of 90 degrees under every load: give "
             f"ContactAngle(rule='given', value=pi/2), got rule {contact_angle.rule!r}, value {contact_angle.value!r}"
         )
-
-
-class _Rounds:
-    """Balls under thrust that turn in any way: the rounds of `thrust_point`, with all points in step.
-
-    An array of balls has the fields of `ThrustedBall` in front, (5, n).
-    """
-
-    def __init__(self, bearing: Bearing, numbers: BearingNumbers, rows: Array, factors: ContactCorrection) -> None:
-        self.bearing, self.numbers, self.rows, self.factors = bearing, numbers, rows, factors
-        self.push = rows[0] / bearing.ball_count
-
-    def settled(self, turning: Turning, near: tuple[Array, Array] | None) -> Array:
-        """Rounds until one changes nothing; the fields of _thrust_points."""
-        if near is None:
-            balls = _settled(_thrust_points(self.numbers, self.rows, False, False), self.push)[:5]
-        else:
-            angle, load = near
-            balls = np.stack([np.tan(np.clip(angle[0], 1e-6, 1.5)), *angle, *load])
-        change = 0.0  # no rate yet
-        accuracy = max(SETTLED, turning.accuracy)
-        forces = np.zeros((3, self.push.size))  # of the last round: F_c Z/Fa, p_i, p_o
-        for rounds in range(MOST_ROUNDS):
-            last, before, held = balls, change, forces
-            contacts, forces = self._of_angles(last, turning)
-            if rounds >= STEADYING:
-                forces = (forces + held) / 2
-            approaches = [contact.approach for contact in contacts]
-            balls = _balanced_balls(self.numbers, rows_of(self.push, last[0], *approaches, *forces)[0])
-            change = float(np.max(_changes(last, balls), initial=0.0))
-            # The changes fall at least as a geometric series: the next one, also of the contacts, is below round-off.
-            # Balls that turn freely keep the motion of the last round, so that this round must change nothing.
-            next_change = change**2 / before if accuracy == SETTLED and before > 0 else change
-            if min(change, next_change) <= accuracy:
-                fields = [value for contact in contacts for value in vars(contact).values()]
-                return np.stack([*balls, *fields])
-        raise _unsettled(self.push, change, accuracy)
-
-    def _of_angles(self, balls: Array, turning: Turning) -> tuple[tuple[HertzContact, HertzContact], Array]:
-        """Contacts under 1 N, and forces (F_c Z/Fa, p_i, p_o), at the angles and loads of balls."""
-        # Friction may drive a ball past a right angle before the rounds settle, or fail to.
-        inner_angle, outer_angle = np.clip(balls[1:3], -np.pi / 2, np.pi / 2)
-        contacts = unit_contacts(
-            self.bearing, inner_angle=np.abs(inner_angle), outer_angle=np.abs(outer_angle), correction=self.factors
-        )
-        forces = turning.forces(
-            PlacedBalls(
-                points=np.arange(self.push.size),
-                inner_angle=inner_angle,
-                outer_angle=outer_angle,
-                inner_load=balls[3],
-                outer_load=balls[4],
-                inner=contacts[0],
-                outer=contacts[1],
-            )
-        )
-        leans = -np.arctan(np.stack([forces.inner_friction, forces.outer_friction]) / balls[3:5])
-        return contacts, np.stack([forces.centrifugal / self.push, *leans])
 
 
 def _at_rest(numbers: BearingNumbers, fields: Array, shape: tuple[int, ...]) -> ThrustEquilibrium:
@@ -290,11 +220,12 @@ def _settled(fields: Array, push: Array) -> Array:
     """The fields of a loop without the last, the change; raises ConvergenceError where it is not 0."""
     open_rounds = ~(fields[-1] == 0)
     if open_rounds.any():
-        raise _unsettled(push[open_rounds], float(np.max(fields[-1])), SETTLED)
+        raise unsettled(push[open_rounds], float(np.max(fields[-1])), SETTLED)
     return fields[:-1]
 
 
-def _unsettled(push: Array, change: float, accuracy: float) -> ConvergenceError:
+def unsettled(push: Array, change: float, accuracy: float) -> ConvergenceError:
+    """Of balls under thrust; push : of each ball, N;  change : of the last round, of ln(tan al)."""
     return ConvergenceError(
         iterations=MOST_ROUNDS,
         residual=change,
@@ -331,26 +262,3 @@ def _frozen_points(bearing: BearingNumbers, rows: Array) -> Array:
             frozen_point(bearing, rows[0, i] / bearing.ball_count, correction_of(rows[1:, i]), LAST_STEP), fields[:, i]
         )
     return fields
-
-
-@compiled
-def _balanced_balls(bearing: BearingNumbers, rows: Array) -> Array:
-    """(5, n) balls; rows : push, tan b_i at the start, the fields of Held."""
-    balls = np.empty((5, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        held = Held(rows[2, i], rows[3, i], rows[4, i], rows[5, i], rows[6, i])
-        ball = balanced(bearing, rows[0, i], held, rows[1, i], ROUGH_STEP)
-        for k in range(5):
-            balls[k, i] = ball[k]
-    return balls
-
-
-@compiled
-def _changes(last: Array, balls: Array) -> Array:
-    """(n,) of balls (5, n) against those of the last round."""
-    change = np.empty(balls.shape[1])
-    for i in range(change.size):
-        one = ThrustedBall(last[0, i], last[1, i], last[2, i], last[3, i], last[4, i])
-        other = ThrustedBall(balls[0, i], balls[1, i], balls[2, i], balls[3, i], balls[4, i])
-        change[i] = change_of(one, other)
-    return change

@@ -138,13 +138,13 @@ def ball_at(push: float, tangent: float, held: Held) -> ThrustedBall:
 
 
 @compiled
-def _in_groove(contact_angle: float) -> float:
+def in_groove(contact_angle: float) -> float:
     """Friction may drive a ball past a right angle before the rounds settle, or fail to."""
     return min(max(contact_angle, -np.pi / 2), np.pi / 2)
 
 
 @compiled
-def _contacts(
+def contacts_at(
     bearing: BearingNumbers, inner_angle: float, outer_angle: float, correction: CorrectionNumbers
 ) -> tuple[HertzNumbers, HertzNumbers]:
     """Of both races under 1 N."""
@@ -159,7 +159,7 @@ def frozen_point(bearing: BearingNumbers, push: float, correction: CorrectionNum
     last_step : as in `balanced`
     """
     angle = 0.0 if np.isnan(bearing.free_angle) else bearing.free_angle
-    inner, outer = _contacts(bearing, angle, angle, correction)
+    inner, outer = contacts_at(bearing, angle, angle, correction)
     # The start adds up what opens the angle: the play, the load on a bearing without play (or against its preload), a
     # load that dwarfs A0.
     distance, play = bearing.groove_centre_distance, bearing.play
@@ -183,15 +183,15 @@ def thrust_point(
     """
     push = axial_load / bearing.ball_count
     if not np.isnan(bearing.given_angle):
-        inner, outer = _contacts(bearing, bearing.given_angle, bearing.given_angle, correction)
+        inner, outer = contacts_at(bearing, bearing.given_angle, bearing.given_angle, correction)
         ball = ball_at(push, np.tan(bearing.given_angle), Held(inner.approach, outer.approach, 0.0, 0.0, 0.0))
         return ThrustPoint(ball, inner, outer, 0.0)
     point = frozen_point(bearing, push, correction, ROUGH_STEP)
     last, inner, outer, change = point.ball, point.inner, point.outer, 0.0  # no rate yet
     held = Held(inner.approach, outer.approach, 0.0, 0.0, 0.0)
     for rounds in range(MOST_ROUNDS):
-        inner_angle, outer_angle = _in_groove(last.inner_angle), _in_groove(last.outer_angle)
-        inner, outer = _contacts(bearing, inner_angle, outer_angle, correction)
+        inner_angle, outer_angle = in_groove(last.inner_angle), in_groove(last.outer_angle)
+        inner, outer = contacts_at(bearing, inner_angle, outer_angle, correction)
         forces = ruled_forces(bearing, rule, (inner_angle, outer_angle), (last.inner_load, last.outer_load))
         outward = forces.centrifugal / push
         inner_lean = -np.arctan(forces.inner_friction / last.inner_load)
@@ -204,7 +204,7 @@ def thrust_point(
         before, change = change, change_of(last, ball)
         # The changes fall at least as a geometric series: this is the next one.
         if change <= SETTLED or (before > 0 and change**2 / before <= SETTLED):
-            inner, outer = _contacts(bearing, _in_groove(ball.inner_angle), _in_groove(ball.outer_angle), correction)
+            inner, outer = contacts_at(bearing, in_groove(ball.inner_angle), in_groove(ball.outer_angle), correction)
             return ThrustPoint(ball, inner, outer, 0.0)
         last = ball
     return ThrustPoint(last, inner, outer, change)

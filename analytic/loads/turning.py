@@ -6,40 +6,13 @@ Directions across the grooves: t_i = (sin al_i, -cos al_i) and t_o = (-sin al_o,
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from analytic.contact.hertz import HertzContact
 from analytic.loads.inertia import inertia_of_ball
 from analytic.loads.kinematics import BallKinematics, ball_kinematics
-from analytic.loads.numbers import BearingNumbers, bearing_numbers
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.loads.numbers import BearingNumbers
+from analytic.numerics.compilation import compiled
 from analytic.scene import Array, Bearing
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class PlacedBalls:
-    """Balls between their races in one round of an equilibrium; arrays (k, ...) of one shape, contacts too."""
-
-    points: NDArray[np.intp]  # (k,) the operating points that the rows belong to
-    inner_angle: Array  # al_i, rad, in [-pi/2, pi/2]
-    outer_angle: Array  # al_o
-    inner_load: Array  # Q_i, N
-    outer_load: Array  # Q_o
-    inner: HertzContact  # under 1 N
-    outer: HertzContact
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class TurningForces:
-    """What acts on the balls because they turn; arrays of the balls' shape."""
-
-    centrifugal: Array  # F_c, outward, N
-    inner_friction: Array  # F_t,i of the inner race along t_i, N
-    outer_friction: Array  # F_t,o of the outer race along t_o, N
-    gyroscopic: Array  # M_g that friction carries, N m, with the sign of the contact angle
 
 
 class TurningRule(NamedTuple):
@@ -51,12 +24,12 @@ class TurningRule(NamedTuple):
 
 
 class ForcesOfTurning(NamedTuple):
-    """`TurningForces` on one ball in numbers, for compiled formulas."""
+    """What acts on a ball because it turns, N and N m."""
 
-    centrifugal: float
-    inner_friction: float
-    outer_friction: float
-    gyroscopic: float
+    centrifugal: float  # F_c, outward
+    inner_friction: float  # F_t,i of the inner race along t_i
+    outer_friction: float  # F_t,o of the outer race along t_o
+    gyroscopic: float  # M_g that friction carries, with the sign of the contact angle
 
 
 @compiled
@@ -77,18 +50,6 @@ def ruled_forces(
     return ForcesOfTurning(force if rule.centrifugal else 0.0, per_load * loads[0], per_load * loads[1], moment)
 
 
-class Turning(Protocol):
-    """How the balls of n operating points turn."""
-
-    accuracy: float  # relative, of the forces: rounds of an equilibrium need not go below
-
-    def forces(self, balls: PlacedBalls) -> TurningForces: ...
-
-    def motion(self, inner_angle: Array, outer_angle: Array) -> BallKinematics:
-        """Speeds per unit ring speed of balls at their angles, (n, ...)."""
-        ...
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RuledTurning:
     """By closed kinematics at the pitch of outer control."""
@@ -97,13 +58,6 @@ class RuledTurning:
     inner_speed: Array  # (n,) w, rad/s, of any sign; the outer ring stands still
     centrifugal: bool
     gyroscopic: bool
-    accuracy = 0.0  # closed forms
-
-    def forces(self, balls: PlacedBalls) -> TurningForces:
-        speed = self.inner_speed[balls.points].reshape(-1, *(1,) * (balls.inner_angle.ndim - 1))
-        rows, shape = rows_of(speed, balls.inner_angle, balls.outer_angle, balls.inner_load, balls.outer_load)
-        forces = _ruled_forces(bearing_numbers(self.bearing), rows, self.centrifugal, self.gyroscopic)
-        return TurningForces(**dict(zip(ForcesOfTurning._fields, forces.reshape(-1, *shape), strict=True)))
 
     def motion(self, inner_angle: Array, outer_angle: Array) -> BallKinematics:
         return ball_kinematics(
@@ -113,14 +67,3 @@ class RuledTurning:
             pitch_diameter=self.bearing.pitch_diameter,
             ball_diameter=self.bearing.ball_diameter,
         )
-
-
-@compiled
-def _ruled_forces(bearing: BearingNumbers, rows: Array, centrifugal: bool, gyroscopic: bool) -> Array:
-    forces = np.empty((4, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        rule = TurningRule(rows[0, i], centrifugal, gyroscopic)
-        of_ball = ruled_forces(bearing, rule, (rows[1, i], rows[2, i]), (rows[3, i], rows[4, i]))
-        for k in range(4):
-            forces[k, i] = of_ball[k]
-    return forces

@@ -51,15 +51,6 @@ def log_thickening(growth: float, exponent: float, pressure: float) -> float:
 
 
 @compiled
-def log_thickenings(growth: float, exponent: float, pressures: Array) -> Array:
-    """The same at pressures (n,)."""
-    logs = np.empty(pressures.size)
-    for i in range(logs.size):
-        logs[i] = log_thickening(growth, exponent, pressures[i])
-    return logs
-
-
-@compiled
 def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
     """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers."""
     steady = law.boundary * pressure + law.plain

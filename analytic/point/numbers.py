@@ -6,30 +6,24 @@ import numpy as np
 
 from analytic.cage.drive import GRAVITY, pocket_shape_of
 from analytic.cage.steady import lead_room
-from analytic.contact.factors import ContactCorrection
 from analytic.contact.finite_geometry_fit import FitNumbers, fit_numbers
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.effects.declared import declared_torque
 from analytic.errors import InputError
-from analytic.loads.numbers import BearingNumbers, bearing_numbers
 from analytic.loads.ring_balance import RingPoint, RingWork, ring_points, ring_work
 from analytic.loads.ring_rounds import RingNumbers
-from analytic.loads.ring_series import RowsOfBalls
-from analytic.loads.turning import RuledTurning
-from analytic.oil.inlets import OilSupply, oil_supply
-from analytic.oil.lubrication import Lubrication, lubrication_of
+from analytic.loads.ring_series import ring_numbers
+from analytic.oil.race_resistance import NO_OIL, RaceResistance, gap_numbers_of, resistance_of
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import OilNumbers, oil_numbers
-from analytic.scene import STANDARD_GRAVITY, Array, Cage, Material, Scene
+from analytic.scene import Array, Cage, Scene
 from analytic.sliding.ellipse import Quadrature, quadrature_of
 from analytic.sliding.long_ellipse import RULES
-from analytic.surface.gap import GapNumbers, gap_law, gap_numbers
-from analytic.surface.roughness import gap_roughness
+from analytic.surface.gap import GapNumbers, gap_numbers
 
 SINGLE_COEFFICIENT, ALONG_AXIS, OVER_ELLIPSE = range(3)
 METHODS = {"single_coefficient": SINGLE_COEFFICIENT, "along_axis": ALONG_AXIS, "over_ellipse": OVER_ELLIPSE}
-NO_OIL = OilNumbers(300.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, True, False)
 
 
 class Counted(NamedTuple):
@@ -57,7 +51,6 @@ class Slipping(NamedTuple):
     rule: int  # of `long_ellipse.RULES`
     method: int  # of METHODS
     quadrature: Quadrature
-    coefficient: float  # of every race contact; NaN: by oil and surface
 
 
 class CageNumbers(NamedTuple):
@@ -79,22 +72,18 @@ class CageNumbers(NamedTuple):
 class PointModel(NamedTuple):
     """A scene without its operating points."""
 
-    bearing: BearingNumbers
     ring: RingNumbers
     arm: float  # R of the inner groove centres, m
     counted: Counted
     fit: FitNumbers  # for finite geometry
     oil: OilNumbers
-    inner: Lubrication
-    outer: Lubrication
+    resistance: RaceResistance
     slipping: Slipping
-    hysteresis_loss: float
     cage: CageNumbers
     declared: float  # torque of seals and drag, N m
 
 
 NO_CAGE = CageNumbers(0.0, 0.0, False, 0.0, np.inf, 0.0, 1.0, 1.0, 1.0, gap_numbers(None), 0.0)
-DRY = Lubrication(gap_numbers(None), 0.0, OilSupply(1.0, np.nan, np.nan), False, False, False, 1.0, 1.0, 1.0, False)
 
 
 class Workspace(NamedTuple):
@@ -118,66 +107,22 @@ def point_model(scene: Scene, counted: Counted, variation: Variation = NOMINAL) 
 
     Raises InputError as the formulas do that take the scene's numbers.
     """
-    bearing, numbers = scene.bearing, bearing_numbers(scene.bearing, scene.contact_angle)
-    x, y, z = bearing.ball_mass * STANDARD_GRAVITY * np.array(scene.down or (0.0, 0.0, 0.0)) * counted.weight
-    still = np.zeros(1)
-    rows = RowsOfBalls(
-        bearing=bearing,
-        play=_known(numbers.play),
-        correction=ContactCorrection(),
-        turning=RuledTurning(bearing=bearing, inner_speed=still, centrifugal=False, gyroscopic=False),
-        speed=still,
-        ball_weight=(float(x), float(y), float(z)),
-    )
-    given = scene.friction_coefficient
-    inner, outer = (
-        _lubrication(scene, groove.material, counted, variation) for groove in (bearing.inner, bearing.outer)
-    )
+    ring, arm = ring_numbers(scene.bearing, scene.contact_angle, down=scene.down if counted.weight else None)
     return PointModel(
-        bearing=numbers,
-        ring=RingNumbers(numbers, rows.numbers, _known(numbers.free_angle)),
-        arm=rows.travel.arm,
+        ring=ring,
+        arm=arm,
         counted=counted,
         fit=fit_numbers(),
         oil=NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant),
-        inner=inner,
-        outer=outer,
+        resistance=resistance_of(scene, lambda name: getattr(counted, name), variation),
         slipping=Slipping(
             rule=RULES["balanced" if scene.spin_rule == "free" else scene.spin_rule],
             method=METHODS.get(scene.sliding, SINGLE_COEFFICIENT),
             quadrature=quadrature_of((12, 8)),
-            coefficient=np.nan if given is None else float(given),
         ),
-        hysteresis_loss=float(scene.hysteresis_loss or 0.0) * counted.hysteresis,
         cage=NO_CAGE if scene.cage is None else _cage(scene, scene.cage),
         declared=float(declared_torque(scene.losses) or 0.0),
     )
-
-
-def _known(number: float) -> float:
-    return 0.0 if np.isnan(number) else number
-
-
-def _lubrication(scene: Scene, race: Material, counted: Counted, variation: Variation) -> Lubrication:
-    """Of the balls on a race of this material."""
-    if scene.lubricant is None:
-        return DRY
-    return lubrication_of(
-        _gap(scene, (scene.bearing.ball_material, race)),
-        oil_supply(scene.bearing, scene.lubricant),
-        boundary_friction=0.0 if scene.surface is None else scene.surface.boundary_friction,
-        asperities=counted.asperities,
-        heats=counted.inlet_heating,
-        starves=counted.starvation,
-        variation=variation,
-    )
-
-
-def _gap(scene: Scene, bodies: tuple[Material, Material]) -> GapNumbers:
-    if scene.surface is None or scene.friction_coefficient is not None:
-        return gap_numbers(None)
-    modulus = float(contact_modulus(*bodies))
-    return gap_numbers(gap_law(scene.surface, gap_roughness(scene.surface), modulus=modulus, bodies=bodies))
 
 
 def _cage(scene: Scene, cage: Cage) -> CageNumbers:
@@ -202,6 +147,6 @@ def _cage(scene: Scene, cage: Cage) -> CageNumbers:
         curvature=1 / pocket.ball_radius - 1 / pocket.groove_radius,
         modulus=float(contact_modulus(*bodies)),
         largest_gap=pocket.groove_radius - pocket.ball_radius,
-        gap=gap_numbers(None) if surface is None else _gap(scene, bodies),
+        gap=gap_numbers(None) if surface is None else gap_numbers_of(scene, bodies),
         boundary_friction=0.0 if surface is None else surface.boundary_friction,
     )

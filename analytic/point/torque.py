@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.cage.steady import braking_torque, hanging_torque
-from analytic.contact.factors import CorrectionNumbers, FactorNumbers
 from analytic.contact.finite_geometry_fit import factors_on
 from analytic.contact.geometry import distances_to_shoulders
 from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
@@ -19,15 +18,16 @@ from analytic.effects.table import PRESSED
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import contact_under
-from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, SETTLED, RingLoad, settle_ruled_ring
+from analytic.loads.ring_balance import RingPoint
+from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, SETTLED, RingLoad
+from analytic.loads.ruled_point import load_by_rule
 from analytic.loads.shares import STRIBECK
-from analytic.loads.thrust_ball import thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
 from analytic.oil.asymptotes import Inflow, asymptotes_of
-from analytic.oil.lubrication import lubricated_contact
 from analytic.oil.mixed import mixed_of, oil_beside
-from analytic.oil.traction import PointLaw, law_of_oil, stress_and_slope
+from analytic.oil.race_resistance import ResistedContact, resisted_contact
+from analytic.oil.traction import law_of_oil, stress_and_slope
 from analytic.oil.viscosity import OilNumbers, oil_at
 from analytic.point.numbers import ALONG_AXIS, SINGLE_COEFFICIENT, CageNumbers, PointModel, Slipping, Workspace
 from analytic.scene import STANDARD_GRAVITY, Array
@@ -74,76 +74,83 @@ class Ball(NamedTuple):
     """One ball of a bearing."""
 
     number: int  # from 0
-    side: float  # 1, or -1 where it is pressed the other way
     motion: BallMotion  # per unit ring speed
 
 
-class OnRace(NamedTuple):
-    """A ball on one race."""
+class Losses(NamedTuple):
+    """What a point's balls lose besides sliding, N m about the bearing axis, and how they drive a cage; sums so far."""
 
-    contact: ContactNumbers
-    law: PointLaw
-    rolling_torque: float  # hydrodynamic, N m
+    hysteresis: float
+    rolling: float
+    orbit: float  # w_c/w
+    own: float  # w_b/w
+    angles: float  # al, rad
+    lead: float  # first harmonic of the slowness of the balls round their orbit
+    slowness: float
+
+
+NO_LOSS = Losses(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @compiled
 def point_torque(model: PointModel, load: Load, oil: OilNumbers, work: Workspace) -> PointTorque:
-    """The torque at one operating point; oil : at its temperature."""
-    point, counted, bearing = work.point, model.counted, model.bearing
-    if not load.axial >= 0.0 or _may_skid(model, load):
-        return NO_TORQUE
-    work.factors[:, :3] = 1.0
-    work.factors[:, 3] = np.nan
-    balls = _load_balls(model, load, work, BY_LOAD)
-    if balls > 0 and counted.finite_geometry:
-        for race in range(2):
-            numbers = bearing.inner if race == 0 else bearing.outer
-            for j in range(balls):
-                angle = abs(point.angle[race, j]) if point.load[race, j] > 0.0 else 0.0
-                factors = factors_on(model.fit, numbers, angle, point.load[race, j])
-                for k in range(4):
-                    work.factors[race, k, j] = factors[k]
-        balls = _load_balls(model, load, work, BY_POINT)
+    """The torque at one operating point whose balls turn by rule; oil : at its temperature."""
+    point, counted = work.point, model.counted
+    balls = load_balls(model, load, work)
     if balls == 0:
         return NO_TORQUE
-    alike = bearing.ball_count if balls == 1 else 1.0
-    spin = conformity = hysteresis = rolling = 0.0
-    orbit = own = angles = lead = time = 0.0
+    losses, spin, conformity = NO_LOSS, 0.0, 0.0
     for j in range(balls):
-        if counted.cage and load.speed != 0.0 and max(point.load[0, j], point.load[1, j]) == 0.0:
-            return NO_TORQUE  # nothing turns this ball, and it cannot drive the cage
-        inner, outer = point.angle[0, j], point.angle[1, j]
-        motion = ruled_motion(bearing, 1.0, inner, outer)
-        side = -1.0 if inner + outer < 0.0 else 1.0
-        ball = Ball(j, side, motion)
-        on_inner = _race(model, oil, load.speed, 0, work, ball)
-        on_outer = _race(model, oil, load.speed, 1, work, ball)
-        for each in (on_inner, on_outer):
-            hysteresis += (
-                3
-                / 16
-                * model.hysteresis_loss
-                * each.contact.load
-                * each.contact.semi_axis_rolling
-                * (each.contact.rolling_rate)
-            )
-            rolling += each.rolling_torque
+        motion = ruled_motion(model.ring.bearing, 1.0, point.angle[0, j], point.angle[1, j])
+        on_inner = race_of_ball(model, oil, load.speed, 0, point, Ball(j, motion))
+        on_outer = race_of_ball(model, oil, load.speed, 1, point, Ball(j, motion))
+        losses = with_ball(losses, on_inner, on_outer, point, j, motion)
         if counted.spin or counted.conformity:
             difference = abs(motion.spin_difference) if counted.spin else 0.0
             inner_slip, outer_slip = _slips(model.slipping, on_inner, on_outer, abs(load.speed), difference)
             spin += inner_slip.spin_moment * inner_slip.spin_rate + outer_slip.spin_moment * outer_slip.spin_rate
             conformity += inner_slip.rolling_moment * motion.inner_rolling_rate
             conformity += outer_slip.rolling_moment * motion.outer_rolling_rate
-        azimuth = 2 * np.pi * j / balls
-        orbit, own = orbit + motion.cage_speed / balls, own + motion.ball_speed / balls
-        angles += side * (inner + outer) / (2 * balls)
-        lead, time = lead + np.cos(azimuth) / motion.cage_speed, time + 1 / motion.cage_speed
-    lead = bearing.pitch_diameter * lead / time if balls > 1 else 0.0  # 2 r_m times the first harmonic, see `ball_lead`
+    alike = model.ring.bearing.ball_count / balls
+    return whole_torque(model, oil, load, losses, (alike * spin, alike * conformity), balls)
+
+
+@compiled
+def with_ball(
+    losses: Losses, inner: ResistedContact, outer: ResistedContact, point: RingPoint, j: int, motion: BallMotion
+) -> Losses:
+    """The sums with ball j; NaN where the cage turns with balls that nothing turns."""
+    azimuth = 2 * np.pi * j / len(point.own)
+    drives = max(point.load[0, j], point.load[1, j]) > 0.0
+    turned = point.angle[0, j] + point.angle[1, j]
+    return Losses(
+        losses.hysteresis + inner.hysteresis_torque + outer.hysteresis_torque,
+        losses.rolling + inner.rolling_torque + outer.rolling_torque,
+        losses.orbit + motion.cage_speed if drives else np.nan,
+        losses.own + motion.ball_speed,
+        losses.angles + abs(turned) / 2,
+        losses.lead + np.cos(azimuth) / motion.cage_speed,
+        losses.slowness + 1 / motion.cage_speed,
+    )
+
+
+@compiled
+def whole_torque(
+    model: PointModel, oil: OilNumbers, load: Load, losses: Losses, slid: tuple[float, float], balls: int
+) -> PointTorque:
+    """The torque with that of the cage; slid : by spin and by conformity, N m, of all balls;  balls : in the sums."""
+    bearing, counted = model.ring.bearing, model.counted
+    alike = bearing.ball_count / balls
     cage = 0.0
     if counted.cage:
-        cage = _cage_torque(model.cage, oil, bearing, CageDriveNumbers(orbit, own, abs(angles), lead), load.speed)
-    spin, conformity = alike * spin * counted.spin, alike * conformity * counted.conformity
-    hysteresis, rolling = alike * hysteresis, alike * rolling
+        # 2 r_m times the first harmonic, see `ball_lead`
+        lead = bearing.pitch_diameter * losses.lead / losses.slowness if balls > 1 else 0.0
+        drive = CageDriveNumbers(losses.orbit / balls, losses.own / balls, losses.angles / balls, lead)
+        if load.speed != 0.0 and np.isnan(drive.orbit_rate):
+            return NO_TORQUE  # nothing turns a ball, and it cannot drive the cage
+        cage = _cage_torque(model.cage, oil, bearing, drive, load.speed)
+    spin, conformity = slid[0] * counted.spin, slid[1] * counted.conformity
+    hysteresis, rolling = alike * losses.hysteresis, alike * losses.rolling
     total = spin + conformity + hysteresis + rolling + cage + model.declared
     return PointTorque(total, spin, conformity, hysteresis, rolling, cage)
 
@@ -155,7 +162,7 @@ def _may_skid(model: PointModel, load: Load) -> bool:
     By estimates from above of the centrifugal force of a ball, which passes at half the ring's speed at most, and from
     below of the load of the heaviest ball, see `analytic.loads.shares`.
     """
-    bearing, washers = model.bearing, model.bearing.inner.bottom_angle > 0.0
+    bearing, washers = model.ring.bearing, model.ring.bearing.inner.bottom_angle > 0.0
     if not (model.counted.centrifugal or washers):
         return False
     most = 1 / PRESSED if washers else MOST_CENTRIFUGAL
@@ -165,68 +172,78 @@ def _may_skid(model: PointModel, load: Load) -> bool:
 
 
 @compiled
-def _load_balls(model: PointModel, load: Load, work: Workspace, start: int) -> int:
-    """Load the balls with the factors in `work`, and write loads, angles and contacts; the number of balls that differ.
+def load_balls(model: PointModel, load: Load, work: Workspace) -> int:
+    """Load the balls by rule, with their finite geometry; the number of balls that differ, 0 where they do not settle.
 
-    0 where they do not settle, or one leaves its groove;  start : of `settle_ruled_ring`
+    Also 0 for a thrust the wrong way and balls that may skid. Writes loads, angles, contacts and the factors on these.
     """
-    point, counted, bearing = work.point, model.counted, model.bearing
-    rule = TurningRule(load.speed, counted.centrifugal, counted.gyroscopic)
+    point, bearing = work.point, model.ring.bearing
+    if not load.axial >= 0.0 or _may_skid(model, load):
+        return 0
+    work.factors[:, :3] = 1.0
+    work.factors[:, 3] = np.nan
+    balls = _load_balls(model, load, work, BY_LOAD)
+    if balls == 0 or not model.counted.finite_geometry:
+        return balls
+    for race in range(2):
+        numbers = bearing.inner if race == 0 else bearing.outer
+        for j in range(balls):
+            angle = abs(point.angle[race, j]) if point.load[race, j] > 0.0 else 0.0
+            factors = factors_on(model.fit, numbers, angle, point.load[race, j])
+            for k in range(4):
+                work.factors[race, k, j] = factors[k]
+    return _load_balls(model, load, work, BY_POINT)
+
+
+@compiled
+def _load_balls(model: PointModel, load: Load, work: Workspace, start: int) -> int:
+    """`load_balls` with the factors in `work`;  start : of `settle_ruled_ring`"""
+    counted = model.counted
     unequal = load.radial != 0.0 or load.moment != 0.0
     if unequal and not counted.load_distribution:
         return 0
-    if unequal or counted.weight:
-        work.force[:] = 0.0
-        work.force[0], work.force[1], work.force[4] = load.axial, load.radial, load.moment / model.arm
-        end = settle_ruled_ring(model.ring, RingLoad(work.force, rule, work.factors), point, work.ring, start)
-        return point.load.shape[1] if end.end == SETTLED else 0
-    if not load.axial > 0.0:
+    is_ring = unequal or counted.weight
+    if not is_ring and not load.axial > 0.0:
         return 0
-    found = thrust_point(bearing, load.axial, rule, _factors_of_ball(work.factors, 0))
-    if found.change != 0.0:  # NaN too
+    rule = TurningRule(load.speed, counted.centrifugal, counted.gyroscopic)
+    on_ring = ring_load(model, load, work, rule)
+    if is_ring:
+        end = load_by_rule(model.ring, on_ring, work.point, work.ring, start)
+    else:
+        end = load_by_rule(model.ring, on_ring, work.point, None, start)
+    if end.end != SETTLED:
         return 0
-    point.load[0, 0], point.load[1, 0] = found.ball.inner_load, found.ball.outer_load
-    point.angle[0, 0], point.angle[1, 0] = found.ball.inner_angle, found.ball.outer_angle
-    for k in range(5):
-        point.unit[0, k, 0], point.unit[1, k, 0] = found.inner[k], found.outer[k]
-    return 1
+    return len(work.point.own) if is_ring else 1
 
 
 @compiled
-def _factors_of_ball(factors: Array, ball: int) -> CorrectionNumbers:
-    return CorrectionNumbers(
-        FactorNumbers(factors[0, 0, ball], factors[0, 1, ball], factors[0, 2, ball], factors[0, 3, ball]),
-        FactorNumbers(factors[1, 0, ball], factors[1, 1, ball], factors[1, 2, ball], factors[1, 3, ball]),
-    )
+def ring_load(model: PointModel, load: Load, work: Workspace, rule: TurningRule) -> RingLoad:
+    """The load on the ring, with the factors in `work`."""
+    work.force[:] = 0.0
+    work.force[0], work.force[1], work.force[4] = load.axial, load.radial, load.moment / model.arm
+    return RingLoad(work.force, rule, work.factors)
 
 
 @compiled
-def _race(model: PointModel, oil: OilNumbers, ring_speed: float, race: int, work: Workspace, ball: Ball) -> OnRace:
+def race_of_ball(
+    model: PointModel, oil: OilNumbers, ring_speed: float, race: int, point: RingPoint, ball: Ball
+) -> ResistedContact:
     """A loaded ball on its inner (0) or outer race (1)."""
-    numbers, j, motion = model.bearing.inner if race == 0 else model.bearing.outer, ball.number, ball.motion
-    load, fields, angle = work.point.load[race, j], work.point.unit[race], ball.side * work.point.angle[race, j]
-    near, far = distances_to_shoulders(numbers, (numbers.near_shoulder, numbers.far_shoulder), abs(angle))
+    numbers, j, motion = model.ring.bearing.inner if race == 0 else model.ring.bearing.outer, ball.number, ball.motion
+    load, fields, angle = point.load[race, j], point.unit[race], abs(point.angle[race, j])
+    near, far = distances_to_shoulders(numbers, (numbers.near_shoulder, numbers.far_shoulder), angle)
     if load > 0.0 and min(near, far) <= 0.0:
         load = np.nan  # the contact is off its race
     unit = HertzNumbers(fields[0, j], fields[1, j], fields[2, j], fields[3, j], fields[4, j])
     rate = motion.inner_rolling_rate if race == 0 else motion.outer_rolling_rate
     entrainment = motion.inner_entrainment if race == 0 else motion.outer_entrainment
-    contact = contact_under(numbers, unit, abs(angle), load, rate, entrainment)
-    law = PointLaw(model.slipping.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    rolled = 0.0
-    if model.counted.oil:
-        alone = unit_hertz(contact.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
-        lubrication, peak = model.inner if race == 0 else model.outer, unit.peak_pressure * np.cbrt(load)
-        oiled = lubricated_contact(contact, alone, peak, oil, lubrication, ring_speed)
-        rolled = oiled.rolling_torque if model.counted.rolling else 0.0
-        if np.isnan(model.slipping.coefficient):
-            law = oiled.law
-    return OnRace(contact, law, rolled)
+    contact = contact_under(numbers, unit, angle, load, rate, entrainment)
+    return resisted_contact(model.resistance, oil, race, contact, unit.peak_pressure * np.cbrt(load), ring_speed)
 
 
 @compiled
 def _slips(
-    slipping: Slipping, inner: OnRace, outer: OnRace, ring_speed: float, spin_difference: float
+    slipping: Slipping, inner: ResistedContact, outer: ResistedContact, ring_speed: float, spin_difference: float
 ) -> tuple[Slip, Slip]:
     contacts, laws = (inner.contact, outer.contact), (inner.law, outer.law)
     if slipping.method == SINGLE_COEFFICIENT:
@@ -280,10 +297,16 @@ def _pocket_coefficient(cage: CageNumbers, oil: OilNumbers, load: float, surface
 
 
 @compiled
+def load_of_point(points: Array, i: int) -> Load:
+    """One of n points; points : as below."""
+    return Load(points[0, i], points[1, i], points[2, i], points[3, i])
+
+
+@compiled
 def torques_of_points(model: PointModel, points: Array, work: Workspace, torques: Array) -> None:
     """Write (6, n) torques of `PointTorque`; points : (5, n) of `Load`, and the temperature of the oil, K."""
     for i in range(points.shape[1]):
-        load, oil = Load(points[0, i], points[1, i], points[2, i], points[3, i]), model.oil
+        load, oil = load_of_point(points, i), model.oil
         if model.counted.oil:
             oil = oil_at(oil, points[4, i])
         torque = point_torque(model, load, oil, work)

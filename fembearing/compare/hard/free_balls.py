@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from analytic.free_ball.rotation import FreeTurning, Nodes, Surfaces
+from analytic.free_ball.sliding import FreeProblem, slide_freely
 from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.loads.kinematics import ball_kinematics
-from analytic.oil.traction import CoulombTraction
+from analytic.oil.race_resistance import DRY, NO_OIL, RaceResistance
 from analytic.result import FrictionTorque
 from analytic.scene import Operation
 from analytic.torque import friction_torque
@@ -41,16 +41,21 @@ def total(**changed: Any) -> float:
 
 def orbit_at_own_pitch() -> float:
     """Orbital speed under 90 N at the highest speed, over that of closed kinematics at the pitch of the ball's axis."""
-    bearing, law = scene_6205().bearing, CoulombTraction(friction_coefficient=0.07)
+    bearing = scene_6205().bearing
     operation = Operation(axial_load=np.array([90.0]), inner_speed=np.array([HIGHEST_SPEED])).as_series()
-    turning = FreeTurning(
-        bearing,
-        (law, law),
-        inner_speed=operation.inner_speed,
-        balls=None,
-        surfaces=Surfaces("marched", Nodes(24, 18)),
+    problem = FreeProblem(
+        bearing=bearing,
+        contact_angle=FREE,
+        operation=operation,
+        effects=LoadEffects(),
+        creep="marched",
+        correction=None,
+        resistance=RaceResistance(DRY, DRY, False, False, coefficient=0.07, hysteresis_loss=0.0),
+        oil=NO_OIL,
+        other=np.zeros(1),
     )
-    balls = loaded_balls(bearing, FREE, operation, LoadEffects(), turning=turning)
+    ruled = loaded_balls(bearing, FREE, operation, LoadEffects())
+    balls = slide_freely(problem, ruled, allowed=np.array([0.01])).balls
     angles = {"inner_angle": balls.contact_angle[0], "outer_angle": balls.contact_angle[1]}
     orbit = balls.motion.inner_radius + bearing.ball_radius * np.cos(balls.contact_angle[0])
     sizes = {"pitch_diameter": 2 * float(orbit[0, 0]), "ball_diameter": bearing.ball_diameter}

@@ -1,13 +1,20 @@
 """Bearings of the published check values, and free balls under thrust with Coulomb friction."""
 
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
-from analytic.free_ball.rotation import Creep, FreeTurning, Nodes, Surfaces
-from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
-from analytic.oil.traction import CoulombTraction
-from analytic.scene import Bearing, ContactAngle, Groove, Operation
+from analytic.contact.factors import ContactCorrection
+from analytic.free_ball.passes import FreeModel
+from analytic.free_ball.rotation import Creep, Nodes, quadrature_of
+from analytic.free_ball.sliding import free_settings, settled_points
+from analytic.free_ball.turning import BallRows
+from analytic.loads.kinematics import BallMotion
+from analytic.loads.ring_rounds import SETTLED, RingLoads
+from analytic.loads.ring_series import factors_of, ring_numbers
+from analytic.oil.race_resistance import DRY, NO_OIL, RaceResistance
+from analytic.scene import Array, Bearing, ContactAngle, Groove
 from tests.analytic.specimens import BEARING_6205
 from tests.contacts import STEEL
 
@@ -31,18 +38,30 @@ def angular_contact() -> Bearing:
     return replace(BEARING_6205, ball_count=13, ball_diameter=DIAMETER, ball_mass=mass, inner=inner, outer=outer)
 
 
+class Turned(NamedTuple):
+    """Balls under thrust, one of which stands for all."""
+
+    load: Array  # (2,) N
+    angle: Array  # (2,) rad
+    rows: BallRows
+    motion: dict[str, float]
+    torque: float  # of all balls, N m
+
+
 def under_thrust(
     bearing: Bearing, free_angle: float | None, *, load: float, speed: float, friction: float, creep: Creep
-) -> tuple[LoadedBalls, FreeTurning]:
-    operation = Operation(axial_load=np.array([load]), inner_speed=np.array([speed])).as_series()
-    law = CoulombTraction(friction_coefficient=friction)
-    turning = FreeTurning(
-        bearing, (law, law), inner_speed=operation.inner_speed, balls=None, surfaces=Surfaces(creep, FINE)
+) -> Turned:
+    """With Coulomb friction: every pass has the same law, and here the same nodes."""
+    ring, _ = ring_numbers(bearing, ContactAngle(rule="solved", free=free_angle), down=None)
+    settings = free_settings(bearing, creep=creep, inertia=(True, True))
+    fine = quadrature_of(FINE, marched=creep == "marched")
+    settings = settings._replace(quadratures=(fine,) * len(settings.quadratures))
+    resistance = RaceResistance(DRY, DRY, False, False, friction, 0.0)
+    loads = RingLoads(
+        np.array([[load, 0.0, 0.0, 0.0, 0.0]]), np.array([speed]), (True, True), factors_of(ContactCorrection())
     )
-    angle = ContactAngle(rule="solved", free=free_angle)
-    return loaded_balls(bearing, angle, operation, LoadEffects(), turning=turning), turning
-
-
-def torque(turning: FreeTurning) -> float:
-    """Of all balls alike, N m."""
-    return float(turning.bearing.ball_count * turning.balls().torque.sum())
+    model = FreeModel(ring, resistance, settings)
+    space, ends = settled_points(model, loads, NO_OIL, is_ring=False, allowed=np.array([np.inf]))
+    assert ends[0, 0] == SETTLED
+    motion = dict(zip(BallMotion._fields, space.balls.motion[0, 0], strict=True))
+    return Turned(space.point.load[0, :, 0], space.point.angle[0, :, 0], space.balls, motion, float(ends[0, 4]))

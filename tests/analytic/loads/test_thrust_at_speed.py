@@ -8,15 +8,15 @@ import pytest
 from hypothesis import given
 
 from analytic.contact.factors import ContactCorrection, ContactFactors, correction_fields, correction_of
-from analytic.errors import ConvergenceError, InputError
+from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, thrust_balls
-from analytic.loads.kinematics import BallKinematics, ball_kinematics, ruled_motion
+from analytic.loads.kinematics import ball_kinematics, ruled_motion
 from analytic.loads.numbers import bearing_numbers
 from analytic.loads.race_contacts import contacts_of_ball
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import ThrustAtSpeed, thrust_at_speed, thrust_equilibrium
 from analytic.loads.thrust_ball import thrust_point
-from analytic.loads.turning import PlacedBalls, RuledTurning, TurningForces, TurningRule
+from analytic.loads.turning import RuledTurning, TurningRule
 from analytic.scene import Bearing, ContactAngle, Operation
 
 SOLVED = ContactAngle(rule="solved")
@@ -141,20 +141,3 @@ def test_loads_without_a_balance_are_refused(bearing_6205: Bearing) -> None:
         thrust_at_speed(bearing_6205, SOLVED, axial_load=5.0, inner_speed=np.nan)
     with pytest.raises(InputError, match="axial_load"):
         thrust_at_speed(bearing_6205, SOLVED, axial_load=-5.0, inner_speed=100.0)
-    with pytest.raises(ConvergenceError, match="Raise the load or lower the speed"):
-        thrust_at_speed(bearing_6205, SOLVED, axial_load=50.0, inner_speed=100.0, turning=Restless())
-
-
-class Restless:
-    """Friction across the grooves that turns round in every round."""
-
-    accuracy, sign = 0.0, 1.0
-
-    def forces(self, balls: PlacedBalls) -> TurningForces:
-        self.sign = -self.sign
-        friction = 0.05 * self.sign * balls.inner_load
-        nothing = np.zeros_like(friction)
-        return TurningForces(centrifugal=nothing, inner_friction=friction, outer_friction=-friction, gyroscopic=nothing)
-
-    def motion(self, inner_angle: np.ndarray, outer_angle: np.ndarray) -> BallKinematics:  # noqa: ARG002
-        raise AssertionError("nothing settles, so nobody asks")

@@ -2,16 +2,21 @@
 
 from dataclasses import fields, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic import friction_torque, load_scene, torque_function
+from analytic.free_ball import sliding
+from analytic.free_ball.passes import FreeModel, settle_thrust_points
+from analytic.free_ball.rounds import SKIDS
+from analytic.loads.ring_rounds import RingLoads
 from analytic.oil.variation import Variation
 from analytic.point.function import AT_REST
 from analytic.point.settled import settled_parts
 from analytic.result import TorqueParts
-from analytic.scene import Losses, Operation, Scene
+from analytic.scene import Losses, Operation, Scene, SlidingMethod
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"
 ROUND_OFF = 1e-11  # the ring settles to 1e-12 of its load, from two different starts
@@ -58,9 +63,34 @@ def test_what_is_off_stays_off(left_out: str) -> None:
     np.testing.assert_allclose(fixed(**at), friction_torque(alone).torque.total[0], rtol=ROUND_OFF)
 
 
-def test_what_only_the_series_computes_has_no_answer() -> None:
+@pytest.mark.parametrize("radial", [0.0, 430.0])
+@pytest.mark.parametrize("sliding", ["free_ball", "closed_creep", "marched_creep"])
+def test_balls_that_turn_freely_are_those_of_the_series(sliding: SlidingMethod, radial: float) -> None:
+    """One of the points stands, one is so fast that inertia counts; each takes its own number of passes."""
+    speed, axial = np.array([14.0, 0.0, -880.0]), np.array([380.0, 700.0, 910.0])
+    loads = Operation(axial_load=axial, inner_speed=speed, radial_load=np.full(3, radial))
+    own = {"creep": "off" if sliding == "free_ball" else "on"}
+    scene = settled("6205_physical", spin_rule="free", sliding=sliding, operation=loads, effects=own, tolerance=0.02)
+    assert scene.sliding == sliding
+    require_the_series(replace(scene, losses=Losses(seals=3e-3)))
+
+
+def test_free_balls_with_a_cage_and_a_given_coefficient() -> None:
+    require_the_series(settled("6205-dry", spin_rule="free", sliding="marched_creep"))
+
+
+def test_a_free_ball_that_does_not_settle_has_no_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     free = settled("6205_physical", spin_rule="free", sliding="marched_creep")
-    assert settled_parts(free, OTHER) is None  # balls that creep
+
+    def skid(model: FreeModel, loads: RingLoads, *rest: Any) -> None:
+        settle_thrust_points(model, loads, *rest)
+        rest[-1][1, 0] = SKIDS
+
+    monkeypatch.setattr(sliding, "settle_thrust_points", skid)
+    assert settled_parts(free, OTHER) is None
+
+
+def test_what_only_the_series_computes_has_no_answer() -> None:
     over_the_ellipse = settled("6205_physical", sliding="over_ellipse")
     assert settled_parts(over_the_ellipse, OTHER) is None  # as many nodes as the error needs
     assert settled_parts(settled("thrust_rig_3mm"), OTHER) is None  # limits of the speed
