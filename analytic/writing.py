@@ -128,6 +128,18 @@ def write(path: Path, content: bytes | str) -> None:
         path.write_bytes(content.encode() if isinstance(content, str) else content)
 
 
+def require_utf8(target: Path) -> None:
+    """Raise InputError for a place whose whole path is not UTF-8: netCDF can open no file there."""
+    with suppress(FileNotFoundError):  # the working folder is gone, which the next step says
+        target = target.absolute()
+    try:
+        os.fspath(target).encode()
+    except UnicodeEncodeError as problem:
+        raise InputError(
+            f"{_place(target)}: {os.fspath(target)!r} is not UTF-8, and netCDF opens no file there; give another folder"
+        ) from problem
+
+
 def remove_leftovers(folder: Path) -> None:
     """Remove what dead processes of this machine were making in a folder; what cannot be removed stays.
 

@@ -24,6 +24,8 @@ CATALOG = "bearing.catalog"
 NOTHING = "leave it out"  # where a key is not known
 SAME_AS = {"shaft_fit": "shaft_interference", "housing_fit": "housing_interference"}  # another word for a key
 OF_CATALOG = ("bearing", "cage")  # tables that the catalog fills
+BESIDE = ("uncertainty.", "assumed.")  # tables with the keys of the others
+MOST_NAMES = 5  # in one message
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,8 +63,8 @@ def scene_key(path: str) -> SceneKey:
         table = table_of(field)
     assert field is not None
     if table is not None and not field.metadata:  # a material may be a table or a name, so it has a validator
-        inside = ", ".join(f"{path}.{name}" for name in table.model_fields)
-        raise InputError(f"{path} is a table of a scene file; give one of its keys: {inside}")
+        inside = [f"{path}.{name}" for name in table.model_fields]
+        raise InputError(f"{path} is a table of a scene file; give one of its keys: {_some(inside)}")
     return SceneKey(
         path=path,
         dimension=next(_dimensions(field.rebuild_annotation()), None),
@@ -118,14 +120,27 @@ def _fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
     if error["type"] == "missing":
         return f"{path} is missing; {accepted(field) or NOTHING}"
     if error["type"] == "extra_forbidden":
-        meant = _meant(document, error)
-        known = f"did you mean {meant}?" if meant else f"known: {', '.join(table.model_fields)}"
-        problem = f"is an unknown key; {known}"
+        problem = f"is an unknown key; {_instead(str(error['loc'][-1]), table, _meant(document, error))}"
     elif error["type"] in ("value_error", "literal_error"):
         problem = _problem(error, field)
     else:  # the tables allow only one other error: not a table
         problem = f"is not a table; {accepted(field) or NOTHING}"
     return f"{path} = {shown(error['input'])} {problem}"
+
+
+def _instead(written: str, table: type[Table], meant: str | None) -> str:
+    """What to write for an unknown key: the key meant, the same key of another table, or the most similar ones."""
+    elsewhere = [path for path in paths() if path.rpartition(".")[2] == written and not path.startswith(BESIDE)]
+    if meant is None and not elsewhere:
+        names = list(table.model_fields)
+        return f"known: {_some(get_close_matches(written, names, n=len(names), cutoff=0.0))}"
+    return f"did you mean {meant or ' or '.join(elsewhere[:2])}?"
+
+
+def _some(names: Sequence[str]) -> str:
+    """The first of the names, and how many there are more."""
+    more = len(names) - MOST_NAMES
+    return ", ".join(names[:MOST_NAMES]) + (f" and {more} more, see docs/scenes.md" if more > 0 else "")
 
 
 def _problem(error: Mapping[str, Any], field: FieldInfo | None) -> str:

@@ -48,14 +48,14 @@ def guarded(run: Callable[[], int | None]) -> int:
     try:
         status = run() or 0
         sys.stdout.flush()
-    except (Exception, KeyboardInterrupt) as problem:
-        if DEBUG.get():
-            traceback.print_exc()
-        status = status_of(problem)
     except SystemExit as stop:
         if not isinstance(stop.__context__, BrokenPipeError):
             raise
-        status = PIPE_CLOSED  # Rich and Typer leave with 1, which means that a check failed
+        status = status_of(stop.__context__)  # Rich and Typer leave with 1, which means that a check failed
+    except BaseException as problem:  # some libraries have failures that are no Exception
+        if DEBUG.get():
+            traceback.print_exc()
+        status = status_of(problem)
     for stream in (sys.stdout, sys.stderr):
         try:
             stream.flush()
@@ -87,7 +87,7 @@ def status_of(problem: BaseException) -> int:
             return complain(problem.format_message().replace(PYDANTICS, ""), INPUT_AT_FAULT)
         case Abort() | KeyboardInterrupt():
             return INTERRUPTED
-        case BrokenPipeError():  # of the last lines, which only the end writes
+        case BrokenPipeError() if _reader_is_gone():
             return PIPE_CLOSED
         case _ if _lacks_memory(problem):
             return complain(
@@ -95,6 +95,8 @@ def status_of(problem: BaseException) -> int:
                 "fewer points at a time",
                 NO_MEMORY,
             )
+        case TimeoutError() | ConnectionError() if problem.filename is None:  # no file, but another process
+            return complain(f"another process does not answer ({_words(problem)}): start the command again", NO_STORAGE)
         case OSError():
             return complain(_of_the_system(problem), NO_STORAGE)
     return complain(f"a defect of fembearing, not of your input: {_words(problem)}{_place(problem)}; {REPORT}", DEFECT)
@@ -114,6 +116,19 @@ def _streams_are_open() -> bool:
     if isinstance(sys.stdout, TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # what the locale has no letter for
     return True
+
+
+def _reader_is_gone() -> bool:
+    """Whether what is left to write shows that nobody reads standard output or error any more."""
+    for stream in (sys.__stdout__, sys.__stderr__):  # Typer puts what hides it in the place of sys.stdout
+        try:
+            if stream is not None:
+                stream.flush()
+        except BrokenPipeError:
+            return True
+        except OSError:  # another fault of the stream
+            continue
+    return False
 
 
 def _lacks_memory(problem: BaseException) -> bool:

@@ -4,7 +4,7 @@ from contextlib import nullcontext
 
 from analytic.writing import new_folder
 from fembearing.cli.console import out, print_json, shown_progress
-from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance
+from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance, require_folder_name
 from fembearing.cli.status import print_warnings
 
 
@@ -15,6 +15,7 @@ def cost(
     as_json: AsJson = False,
 ) -> None:
     """Measure error and time of every method to compute the same quantity, cheap to exact, on this machine."""
+    require_folder_name(folder)
     given = read_scene(scene)
     limit = read_tolerance(tolerance, given)
     from fembearing.compare.cost.scene_cost import measure_cost

@@ -10,7 +10,16 @@ from analytic.errors import InputError
 from analytic.scene import Pair
 from analytic.writing import scratch_folder
 from fembearing.cli.console import out, print_json
-from fembearing.cli.options import LOAD, AsJson, Geometry, Load, SceneName, read_option, read_scene
+from fembearing.cli.options import (
+    LOAD,
+    AsJson,
+    Geometry,
+    Load,
+    SceneName,
+    read_option,
+    read_scene,
+    require_folder_name,
+)
 from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
@@ -27,6 +36,7 @@ def mesh(
     as_json: AsJson = False,
 ) -> None:
     """Write the two meshes of a contact and report their worst cells."""
+    require_folder_name(folder)
     given = read_scene(scene)
     force = None if load is None else read_option("--load", LOAD, load)
     if str(folder) in ("", ".") or (folder.exists() and not folder.is_dir()):

@@ -14,6 +14,7 @@ from analytic.scenefile.read import load_scene
 BUILTIN = "paper_6205"
 TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
 LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
+OF_FILES = (".csv", ".html", ".json", ".nc", ".pdf", ".png", ".toml", ".vtu")  # endings
 GeometryName = Literal["real", "hertzian", "wall", "ring"]
 
 
@@ -88,6 +89,15 @@ Geometry = Annotated[
 def read_scene(name: str | None) -> Scene:
     """The scene of that name; the built-in one without a name."""
     return load_scene(BUILTIN if name is None else name)
+
+
+def require_folder_name(folder: Path | None) -> None:
+    """Raises InputError for a folder whose name would be one of a file."""
+    if folder is not None and folder.suffix.casefold() in OF_FILES:
+        raise InputError(
+            f"--out {str(folder)!r} ends with {folder.suffix!r} as a file, and this command writes a folder; give a "
+            "name without it"
+        )
 
 
 def read_tolerance(given: str | None, scene: Scene) -> float:

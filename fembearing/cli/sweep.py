@@ -7,7 +7,7 @@ import typer
 
 from analytic.writing import new_folder, remove_whole
 from fembearing.cli.console import out, print_json, shown_progress
-from fembearing.cli.options import AsJson
+from fembearing.cli.options import AsJson, require_folder_name
 from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain, say
 
 if TYPE_CHECKING:
@@ -28,6 +28,7 @@ def sweep(
     GRID holds scene = "bearing.toml", what = "torque" or "contact", and a table of axes, with lines as
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" } or conformity = [0.51, 0.52].
     """
+    require_folder_name(folder)
     from fembearing.sweep.run import run_sweep
 
     try:

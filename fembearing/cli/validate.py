@@ -14,6 +14,7 @@ from fembearing.cli.options import (
     WithInterval,
     read_scene,
     read_tolerance,
+    require_folder_name,
 )
 from fembearing.cli.report_options import given_details, with_report_options
 from fembearing.cli.status import STATUS, print_warnings
@@ -32,6 +33,7 @@ def validate(
     as_json: AsJson = False,
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
+    require_folder_name(folder)
     given, details = read_scene(scene), given_details()
     given = replace(given, report=replace(given.report, **details))
     limit = read_tolerance(tolerance, given)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from analytic.scene import Scene
-from analytic.writing import being_written, new_file, new_folder, write
+from analytic.writing import being_written, new_file, new_folder, require_utf8, write
 from fembearing.compare.torque.cage_record import CageRecord, record_cage
 from fembearing.compare.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 from fembearing.progress import Progress, part_of, silent
@@ -56,6 +56,8 @@ def torque_with_files(
             result = computed(RECORDED)
             file.write_bytes(content(result))
         return result, None
+    if scene.cage is not None:
+        require_utf8(out)  # for the series of its motion
     with new_folder(out) as folder:
         result = computed(COMPUTED)
         return result, write_torque(result, folder, progress=progress)

@@ -21,7 +21,7 @@ import numpy as np
 
 from analytic.errors import InputError
 from analytic.reading import content_of, opened
-from analytic.writing import remove_leftovers, replaced_file
+from analytic.writing import remove_leftovers, replaced_file, require_utf8
 from fembearing.sweep.grid import Grid
 from fembearing.sweep.parts import Part, Piece
 
@@ -112,12 +112,15 @@ class Store:
 def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
     """The folder of this grid, made if it is missing, and locked for other processes.
 
+    A folder of this run is removed again where an error ends the block before anything is computed.
     Raises InputError for a folder that cannot be made, holds something else or another sweep, or is locked.
     """
     place = f"--out {str(folder)!r}"
+    require_utf8(folder)
+    was_there = os.path.lexists(folder)
     hashes = _hashes(grid)
     description = folder / GRID
-    if os.path.lexists(folder) and not description.exists() and not _is_free(folder):
+    if was_there and not description.exists() and not _is_free(folder):
         raise InputError(f"{place} exists and holds no sweep: give a new name, or remove it first")
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -126,14 +129,29 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
         raise InputError(f"{place} cannot be made: {problem.strerror}; give a folder that you may write") from problem
     with lock:
         _hold(lock, place)
-        if description.exists():
-            _require_same(_read_json(description), hashes, place)
-        else:
-            text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
-            _write(description, text.encode())
-        for place_of_files in (folder, folder / PARTS):
-            remove_leftovers(place_of_files)
-        yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
+        is_new = not description.exists()
+        try:
+            if is_new:
+                text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
+                _write(description, text.encode())
+            else:
+                _require_same(_read_json(description), hashes, place)
+            for place_of_files in (folder, folder / PARTS):
+                remove_leftovers(place_of_files)
+            yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
+        except BaseException:
+            if is_new and not (folder / PARTS).exists():
+                _remove(folder, whole=not was_there)
+            raise
+
+
+def _remove(folder: Path, *, whole: bool) -> None:
+    """Remove what a sweep that computed nothing has made; whole : the folder too."""
+    with suppress(OSError):
+        for name in (GRID, LOCK):
+            (folder / name).unlink(missing_ok=True)
+        if whole:
+            folder.rmdir()
 
 
 def _write(path: Path, content: bytes) -> None:

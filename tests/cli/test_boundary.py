@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+from asyncio import CancelledError
 from pathlib import Path
 
 import pytest
@@ -44,7 +45,11 @@ def in_shell(line: str, *, cwd: Path, **environment: str) -> subprocess.Complete
         (PermissionError(errno.EACCES, "Permission denied", "a"), 74, ["'a'", "permissions"]),
         (OSError(errno.ENOSPC, "No space left on device"), 74, ["cannot write the result", "check where it goes"]),
         (KeyboardInterrupt(), 130, []),
-        (BrokenPipeError(errno.EPIPE, "Broken pipe"), 141, []),
+        (CancelledError(), 70, ["a defect of fembearing", "CancelledError"]),  # of asyncio: no Exception
+        (TimeoutError("timed out after 5 s"), 74, ["another process", "timed out after 5 s"]),
+        (TimeoutError(errno.ETIMEDOUT, "Connection timed out", "/far/a"), 74, ["'/far/a'", "Connection timed out"]),
+        (ConnectionResetError(errno.ECONNRESET, "Connection reset by peer"), 74, ["another process", "reset by peer"]),
+        (BrokenPipeError(errno.EPIPE, "Broken pipe"), 74, ["another process", "Broken pipe"]),  # ours are whole
     ],
 )
 @pytest.mark.parametrize("debug", [False, True])

@@ -24,11 +24,17 @@ from tests.analytic.scenefile.scene_texts import MINE
         (["contact", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),  # plastic long before: no mesh
         (["validate", "heavy.toml"], ["operation.axial_load = 700000 N", "shoulder"]),
         (["validate", "wide.toml"], ["operation.axial_load = 90000 N", "too wide"]),
-        (["validate", "--out", "scene.toml"], ["--out", "scene.toml", "exists already"]),
+        (["validate", "--out", "scene"], ["--out", "scene", "exists already"]),
+        (["validate", "--out", "new.csv"], ["--out 'new.csv'", "writes a folder"]),
+        (["cost", "--out", "new.HTML"], ["--out 'new.HTML'", "writes a folder"]),
+        (["sweep", "grid.toml", "--out", "new.nc"], ["--out 'new.nc'", "writes a folder"]),
+        (["sweep", "grid.toml", "--out", "o\udce9ut"], ["--out 'o\\udce9ut'", "not UTF-8"]),
+        (["torque", "caged.toml", "--out", "o\udce9ut"], ["--out 'o\\udce9ut'", "not UTF-8"]),
         (["validate", "--out", "no/report"], ["--out", "no/report", "cannot be made"]),
         (["validate", "tight.toml"], ["cage.pocket_diameter", "7.9 mm", "7.94 mm"]),
         (["validate", "deep.toml"], ["cage.pocket_depth", "4.5 mm", "4.07 mm"]),
-        (["mesh", "--out", "scene.toml"], ["--out", "scene.toml", "folder"]),
+        (["mesh", "--out", "scene"], ["--out", "scene", "folder"]),
+        (["mesh", "--out", "scene.toml"], ["--out", "scene.toml", "writes a folder"]),
         (["mesh", "--out", "new", "--level", "77"], ["--level", "77", "1, 2, 3, 4"]),
     ],
 )
@@ -41,6 +47,9 @@ def test_a_mistake_gets_one_line_and_status_2(
     (tmp_path / "wide.toml").write_text(MINE.replace("700 N", "90000 N"))
     (tmp_path / "tight.toml").write_text(MINE + '[cage]\npocket_diameter = "7.9 mm"')
     (tmp_path / "deep.toml").write_text(MINE + '[cage]\npocket_depth = "4.5 mm"')
+    (tmp_path / "caged.toml").write_text(MINE + "[cage]")
+    (tmp_path / "grid.toml").write_text('scene = "scene.toml"\n[axes]\noperation.axial_load = ["300 N", "500 N"]')
+    (tmp_path / "scene").touch()
     before = sorted(tmp_path.iterdir())
     result = command(*arguments)
     assert result.status == 2

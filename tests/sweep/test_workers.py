@@ -271,8 +271,11 @@ def test_a_scheduler_that_is_not_there_is_one_line(
     monkeypatch.setattr(cluster, "PATIENCE", 0.3)
     with pytest.raises(InputError, match="no Dask cluster answers there; start one, or check it"):
         run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="tcp://127.0.0.1:9")
+    (tmp_path / "made").mkdir()
     with pytest.raises(InputError, match="no Dask cluster answers there"):
-        run_sweep(grid_file(SERIES), out=tmp_path / "out", scheduler="nonsense")
+        run_sweep(grid_file(SERIES), out=tmp_path / "made", scheduler="nonsense")
+    assert not (tmp_path / "out").exists()
+    assert list((tmp_path / "made").iterdir()) == []
     assert load_grid(grid_file(SERIES)).size == 7
 
 

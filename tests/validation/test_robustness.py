@@ -248,6 +248,74 @@ def test_a_mutant_is_tested_in_a_copy_that_is_restored(
     assert (tmp_path / "copy" / "analytic" / "law.py").read_text() == module.read_text()
 
 
+@pytest.fixture
+def tree(part: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Any:
+    """A copy of a tree whose tests pass, fail, end Python or hang; its limit is 3 s of the clock."""
+    mutation, folder = part("mutation"), tmp_path / "small" / "tests"
+    for package in ("analytic", "fembearing", "tests"):
+        (tmp_path / "small" / package).mkdir(parents=True)
+    for name, line in {
+        "passes": "pass",
+        "fails": "assert False",
+        "ends": "os._exit(7)",
+        "hangs": "time.sleep(60)",
+    }.items():
+        (folder / f"test_{name}.py").write_text(f"import os, time\ndef test_it():\n    {line}\n")
+    monkeypatch.setattr(mutation, "ROOT", tmp_path / "small")
+    monkeypatch.setattr(mutation, "DEAF", 3)
+    return mutation.Tree(tmp_path / "copy", tmp_path / "cache", ())
+
+
+@pytest.mark.parametrize(
+    ("name", "outcome", "words"),
+    [
+        ("passes", "survived", ""),
+        ("fails", "killed", "FAILED tests/test_fails.py::test_it"),
+        ("ends", "error", "status 7: "),
+        ("hangs", "timeout", ""),
+        ("is_not_there", "error", "status 4: "),
+    ],
+)
+def test_only_a_test_that_fails_or_hangs_kills(tree: Any, name: str, outcome: str, words: str) -> None:
+    found, _, said = tree.run([f"tests/test_{name}.py"])
+    assert found == outcome
+    assert said.startswith(words)
+
+
+def test_a_test_that_hangs_without_a_mutant_has_not_passed(part: Any, tree: Any, tmp_path: Path) -> None:
+    mutation, record = part("mutation"), tmp_path / "mutation.csv"
+    for name, commit in (("passes", "this"), ("fails", "another"), ("hangs", "this")):
+        row = dict.fromkeys(mutation.COLUMNS, "") | {"outcome": "killed", "commit": commit}
+        mutation.add(record, row | {"test": f"FAILED tests/test_{name}.py::test_it"})
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(mutation, "commit", lambda: "this")
+        (fault,) = mutation.failing_without(record, ())
+    assert fault.startswith("tests/test_hangs.py: timeout")
+    assert tree is not None
+
+
+def test_a_draw_that_is_nearly_all_refused_is_a_fault(part: Any) -> None:
+    run, watched = part("run"), part("watched")
+
+    def row(refused: int, done: int) -> Any:
+        outcomes = refused * ["refused"] + done * ["done"]
+        results = (watched.Tried("kind", seed, outcome, 0.7, 3e8) for seed, outcome in enumerate(outcomes))
+        return run.gathered("part", results, None)
+
+    assert row(70, 30).faults == []
+    assert row(90, 10).faults == ["90 % are refused: the draw tests little else"]
+    assert row(3, 0).faults == []  # too few to tell
+
+
+def test_no_two_loads_of_the_growth_are_alike(part: Any) -> None:
+    growth = part("growth")
+    assert growth.oiled().lubricant is not None
+    assert growth.oiled().surface is not None
+    drawn = growth.loads(50.0, 2000.0, 300)
+    assert np.unique(drawn).size == 300
+    assert (drawn.min(), drawn.max()) == pytest.approx((50.0, 2000.0))
+
+
 def test_the_short_form_names_its_parts() -> None:
     command = [sys.executable, FOLDER / "run.py", "--help"]
     words = subprocess.run(command, check=True, capture_output=True, text=True, timeout=120).stdout

@@ -22,7 +22,7 @@ from extreme import numbers
 from watched import LARGEST, SLOWEST
 
 ROOT = Path(__file__).resolve().parents[2]
-CALL = "from fembearing.cli import main; main()"
+PROGRAM = ("-c", "from fembearing.cli import main; main()")
 DOCUMENTED = (0, 1, 2, 3)
 FAILURES = {2: "input", 3: "not solved", 71: "memory", 74: "input and output"}  # each in one line
 CHATTER = ("fembearing: compiling formulas", "fembearing: compiled formulas cannot be kept", "fembearing: warning: ")
@@ -73,7 +73,7 @@ class Limits:
 FREE = Limits()
 
 
-def run(arguments: Sequence[str], cwd: Path, limits: Limits = FREE, program: Sequence[str] = ("-c", CALL)) -> Run:
+def run(arguments: Sequence[str], cwd: Path, limits: Limits = FREE, program: Sequence[str] = PROGRAM) -> Run:
     """Run a command in a folder; it and its children are ended after DEAF seconds."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1", **limits.environment}
     process = subprocess.Popen(

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
-from commands import OPTIONS, Run, face_fault, fault_of, run
+from commands import OPTIONS, PROGRAM, Run, face_fault, fault_of, run
 from damage import Files
 from extreme import extreme_scene
 from watched import Tried
@@ -26,7 +26,15 @@ name = "ISO VG 46"
 [surface]
 height_map = { path = "PATH", spacing = "2 um" }
 """
+READ_MESH = """
+import sys
+from pathlib import Path
+from fembearing.cli.boundary import guarded
+from fembearing.mesh.meshfile import read_body
+sys.exit(guarded(lambda: print(read_body(Path("body.vtu"), name="ball"))))
+"""
 COMMANDS = {  # of a damaged file
+    "mesh": (),
     "scene": ("torque", "scene.toml"),
     "grid": ("sweep", "grid.toml", "--out", "out", "--workers", "1"),
     "height map": ("torque", "scene.toml"),
@@ -47,20 +55,20 @@ def scenes_through_faces(seeds: Iterable[int], folder: Path, base: float) -> Ite
 
 
 def damaged_through_commands(seeds: Iterable[int], files: Files, base: float) -> Iterator[Tried]:
-    """The commands that read a file of each kind; a mesh is read by none."""
+    """The commands that read a file of each kind; of a mesh the reader, as no command takes one."""
     for seed in seeds:
         given = files.input(seed)
         place = files.place
-        if given.kind in COMMANDS:
-            if given.kind == "height map":
-                name = next(place.iterdir()).name
-                (place / "scene.toml").write_text(MAPPED.replace("PATH", name), "utf-8")
-            elif given.kind == "picture":
-                for path in files.report.iterdir():
-                    if not (place / path.name).exists():
-                        shutil.copy(path, place)
-            done = run(COMMANDS[given.kind], place)
-            yield _tried(given.kind, seed, done, fault_of(done, base=base), base, given.content)
+        if given.kind == "height map":
+            name = next(place.iterdir()).name
+            (place / "scene.toml").write_text(MAPPED.replace("PATH", name), "utf-8")
+        elif given.kind == "picture":
+            for path in files.report.iterdir():
+                if not (place / path.name).exists():
+                    shutil.copy(path, place)
+        program = ("-c", READ_MESH) if given.kind == "mesh" else PROGRAM
+        done = run(COMMANDS[given.kind], place, program=program)
+        yield _tried(given.kind, seed, done, fault_of(done, base=base), base, given.content)
 
 
 def _tried(kind: str, seed: int, done: Run, fault: str, base: float, content: bytes) -> Tried:

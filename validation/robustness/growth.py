@@ -1,4 +1,8 @@
-"""Memory that a process gains by calling the same functions many times."""
+"""Memory that a process gains by calling the same functions many times.
+
+The scene has oil and rough surfaces, and no two calls have the same load: what is kept for
+each new load counts.
+"""
 
 import ctypes
 import gc
@@ -9,13 +13,16 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 import fembearing
 from analytic import friction_torque, load_scene
+from analytic.scene import Scene
 
 STATM = Path("/proc/self/statm")  # Linux
 PAGE = 4096  # bytes
 WARM = 0.1  # share of the calls before the memory is first measured: they fill caches
+SPEED = np.array([27.0])  # rad/s
 MOST = {"friction_torque": 5e6, "solve_contact": 50e6}  # bytes
 
 
@@ -46,7 +53,7 @@ def growth_of(function: str, calls: int) -> Growth:
 
 
 def _measure(function: str, calls: int, sender: Connection) -> None:
-    call = {"friction_torque": _torque, "solve_contact": _contact}[function]()
+    call = {"friction_torque": _torque, "solve_contact": _contact}[function](calls)
     warm = max(round(WARM * calls), 1)
     for number in range(warm):
         call(number)
@@ -56,21 +63,29 @@ def _measure(function: str, calls: int, sender: Connection) -> None:
     sender.send(resident() - before)
 
 
-def _torque() -> Callable[[int], object]:
-    scene = load_scene("6205-dry")
-    loads = np.geomspace(50.0, 2000.0, 97)
+def oiled() -> Scene:
+    """The built-in scene, without its cage, whose motion would take seconds a call."""
+    return replace(load_scene("paper_6205"), cage=None)
+
+
+def loads(least: float, most: float, calls: int) -> NDArray[np.float64]:
+    """As many loads, N, as calls, none twice and in no order."""
+    return np.random.default_rng(calls).permutation(np.geomspace(least, most, calls))
+
+
+def _torque(calls: int) -> Callable[[int], object]:
+    scene, drawn = oiled(), loads(50.0, 2000.0, calls)
 
     def call(number: int) -> object:
-        operation = replace(scene.operation, axial_load=np.array([loads[number % loads.size]]))
+        operation = replace(scene.operation, axial_load=drawn[number : number + 1], inner_speed=SPEED)
         return friction_torque(replace(scene, operation=operation))
 
     return call
 
 
-def _contact() -> Callable[[int], object]:
-    scene = load_scene("6205-dry")
-    loads = np.geomspace(50.0, 500.0, 7)
-    return lambda number: fembearing.solve_contact(scene, pair="inner", load=loads[number % loads.size], tolerance=0.9)
+def _contact(calls: int) -> Callable[[int], object]:
+    scene, drawn = oiled(), loads(50.0, 500.0, calls)
+    return lambda number: fembearing.solve_contact(scene, pair="inner", load=float(drawn[number]), tolerance=0.9)
 
 
 def resident() -> float:

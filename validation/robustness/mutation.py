@@ -1,8 +1,9 @@
 """Do the tests of a folder see a change of one operator in it?
 
 Each mutant runs in a copy of the tree with the tests that mirror its module's folder, the module's own tests first,
-until one fails. Machine code of formulas is kept in a copy of the cache, where it is known by its source, so that only
-what a mutant changes is compiled again. In the end the tests that failed run on the source as it is: they must pass.
+until one fails. A test that fails, or tests that hang, have seen the mutant; any other end of pytest is an error.
+Machine code of formulas is kept in a copy of the cache, where it is known by its source, so that only what a mutant
+changes is compiled again. In the end the tests that failed run on the source as it is: they must pass.
 """
 
 import compileall
@@ -17,6 +18,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from queue import SimpleQueue
 
@@ -30,15 +32,17 @@ MEMORY = 8_000_000_000  # bytes of data of a process
 LONGEST, DEAF = 400, 3000  # s of the processor and of the clock; tests that do not end have seen the mutant
 LIMITED = f'ulimit -t {LONGEST}; ulimit -d {MEMORY // 1024}; exec "$@"'
 TIMED_OUT = (124, 137, 152, -9, -24)  # statuses of `timeout`, and of a process that the limit ends
-COLUMNS = ("module", "line", "kind", "before", "after", "outcome", "seconds", "test", "judgement")
+FAILED = 1  # status of pytest where a test fails
+KILLED = ("killed", "timeout")
+COLUMNS = ("module", "line", "kind", "before", "after", "outcome", "seconds", "test", "judgement", "commit")
 
 
 @dataclass(frozen=True)
 class Outcome:
     mutant: Mutant
-    outcome: str  # killed, timeout, survived
+    outcome: str  # killed, timeout, survived, error
     seconds: float
-    test: str  # that failed first
+    test: str  # that failed first, or what an error says
 
     @property
     def row(self) -> dict[str, object]:
@@ -53,6 +57,7 @@ class Outcome:
             "seconds": f"{self.seconds:.0f}",
             "test": self.test,
             "judgement": "",  # of a survivor, by hand: the test that sees it now, or why it changes nothing
+            "commit": commit(),
         }
 
 
@@ -68,7 +73,7 @@ class Tree:
 
     def test(self, mutant: Mutant) -> Outcome:
         with self.changed(mutant):
-            return Outcome(mutant, *self.run(tests_of(self.root, mutant.module), "-x"))
+            return Outcome(mutant, *self.run(tests_of(self.root, mutant.module)))
 
     @contextmanager
     def changed(self, mutant: Mutant) -> Iterator[None]:
@@ -83,15 +88,15 @@ class Tree:
             file.write_bytes(original)
             os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
 
-    def run(self, tests: Sequence[str], *options: str) -> tuple[str, float, str]:
-        """Outcome, seconds, and the first test that failed."""
+    def run(self, tests: Sequence[str]) -> tuple[str, float, str]:
+        """Run tests until one fails: outcome, seconds, and the test."""
         limits = ("timeout", "--kill-after=10", str(DEAF), "bash", "-c", LIMITED, "limited")
-        pytest = (sys.executable, "-m", "pytest", "-q", "-rfE", "-p", "no:cacheprovider")
+        pytest = (sys.executable, "-m", "pytest", "-q", "-x", "-rfE", "-p", "no:cacheprovider")
         own = {"PYTHONPATH": str(self.root), "PYTHONDONTWRITEBYTECODE": "1", "CI": "true", "OMP_NUM_THREADS": "1"}
         with tempfile.TemporaryFile() as output:
             start = time.monotonic()
             done = subprocess.run(
-                [*self.before, *limits, *pytest, *options, *tests],
+                [*self.before, *limits, *pytest, *tests],
                 cwd=self.root,
                 env=os.environ | own | {FOLDER: str(self.cache)},
                 stdin=subprocess.DEVNULL,
@@ -107,7 +112,10 @@ class Tree:
         if done.returncode in TIMED_OUT:
             return "timeout", seconds, ""
         failed = [line.partition(" - ")[0] for line in words.splitlines() if line.startswith(("FAILED", "ERROR"))]
-        return "killed", seconds, failed[0] if failed else words.strip().splitlines()[-1][:200] if words.strip() else ""
+        if done.returncode == FAILED and failed:
+            return "killed", seconds, failed[0]
+        said = failed or words.strip().splitlines()[-1:]
+        return "error", seconds, f"status {done.returncode}: {''.join(said[:1]):.200}"
 
 
 def tests_of(root: Path, module: str) -> list[str]:
@@ -127,10 +135,17 @@ def tests_of(root: Path, module: str) -> list[str]:
     return [file.relative_to(root).as_posix() for file in sorted(files, key=distance)]
 
 
-def tested(count: int, seed: int, *, jobs: int, before: Sequence[str], record: Path) -> Iterator[Outcome]:
-    """The outcomes of mutants; each is added to the CSV file at once, and those that it has are not tested again."""
+@cache
+def commit() -> str:
+    """The commit of the tree."""
+    command = ["git", "-C", str(ROOT), "describe", "--always", "--dirty"]
+    return subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip()
+
+
+def test_mutants(count: int, seed: int, *, jobs: int, before: Sequence[str], record: Path) -> None:
+    """Test mutants; each is added to the CSV file at once. Those that it has of this commit are not tested again."""
     mutants = drawn(ROOT, count, seed)
-    done = {tuple(row[name] for name in COLUMNS[:5]) for row in rows_of(record)}
+    done = {tuple(row[name] for name in COLUMNS[:5]) for row in rows_of(record) if row["commit"] == commit()}
     ahead = [
         mutant
         for mutant in mutants
@@ -145,25 +160,36 @@ def tested(count: int, seed: int, *, jobs: int, before: Sequence[str], record: P
         for number in range(jobs):
             trees.put(Tree(Path(folder) / str(number), cache, before))
 
-        def outcome_of(mutant: Mutant) -> Outcome:
+        def test(mutant: Mutant) -> None:
             tree = trees.get()
             try:
                 outcome = tree.test(mutant)
             finally:
                 trees.put(tree)
             add(record, outcome.row)
-            return outcome
 
-        yield from pool.map(outcome_of, ahead)
+        for _ in pool.map(test, ahead):
+            pass
 
 
-def failing_without(record: Path, before: Sequence[str]) -> str:
-    """The first of the tests that failed with a mutant that fails without one too; "" where there is none."""
-    tests = {row["test"].removeprefix("FAILED ").removeprefix("ERROR ").partition("[")[0] for row in rows_of(record)}
+def failing_without(record: Path, before: Sequence[str]) -> Iterator[str]:
+    """The tests that failed with a mutant of this commit and do not pass without one, at most one of each file.
+
+    Each file has the limits of time of a mutant; tests that do not end within them have not passed.
+    """
+    files: dict[str, set[str]] = {}
+    for row in rows_of(record):
+        if row["commit"] == commit() and row["outcome"] == "killed":
+            test = row["test"].partition(" ")[2].partition("[")[0]
+            files.setdefault(test.partition("::")[0], set()).add(test)
     with tempfile.TemporaryDirectory() as folder:
         cache = Path(folder) / "cache"
         cache.mkdir()
-        return Tree(Path(folder) / "tree", cache, before).run(sorted(tests - {""}), "-x")[2]
+        tree = Tree(Path(folder) / "tree", cache, before)
+        for file, tests in files.items():
+            outcome, seconds, words = tree.run(sorted(tests))
+            if outcome != "survived":
+                yield words or f"{file}: {outcome} after {seconds:.0f} s"
 
 
 def rows_of(record: Path) -> list[dict[str, str]]:
