@@ -130,13 +130,15 @@ def write(path: Path, content: bytes | str) -> None:
 
 def require_utf8(target: Path) -> None:
     """Raise InputError for a place whose whole path is not UTF-8: netCDF can open no file there."""
+    whole = target
     with suppress(FileNotFoundError):  # the working folder is gone, which the next step says
-        target = target.absolute()
+        whole = target.absolute()
     try:
-        os.fspath(target).encode()
+        os.fspath(whole).encode()
     except UnicodeEncodeError as problem:
         raise InputError(
-            f"{_place(target)}: {os.fspath(target)!r} is not UTF-8, and netCDF opens no file there; give another folder"
+            f"{_place(target)} lies in {os.fspath(whole)!r}, which is not UTF-8: netCDF opens no file there; give "
+            "another name"
         ) from problem
 
 

@@ -6,6 +6,7 @@ exception is a defect of ours.
 
 import errno
 import os
+import select
 import signal
 import sys
 import traceback
@@ -51,11 +52,9 @@ def guarded(run: Callable[[], int | None]) -> int:
     except SystemExit as stop:
         if not isinstance(stop.__context__, BrokenPipeError):
             raise
-        status = status_of(stop.__context__)  # Rich and Typer leave with 1, which means that a check failed
+        status = _failed(stop.__context__)  # Typer leaves with 1, which means that a check failed
     except BaseException as problem:  # some libraries have failures that are no Exception
-        if DEBUG.get():
-            traceback.print_exc()
-        status = status_of(problem)
+        status = _failed(problem)
     for stream in (sys.stdout, sys.stderr):
         try:
             stream.flush()
@@ -68,6 +67,14 @@ def end(number: int, _frame: object) -> None:
     """Leave by an exception, which cleans up as a signal does not. A second signal does not interrupt the clean-up."""
     signal.signal(number, signal.SIG_IGN)
     sys.exit(128 + number)  # what a shell makes of the signal
+
+
+def _failed(problem: BaseException) -> int:
+    """The exit status of a problem, which is said; with --debug, where it is too."""
+    is_quiet = isinstance(problem, BrokenPipeError) and _reader_is_gone()
+    if DEBUG.get() and not is_quiet:
+        traceback.print_exception(problem)
+    return PIPE_CLOSED if is_quiet else status_of(problem)
 
 
 def status_of(problem: BaseException) -> int:
@@ -87,8 +94,6 @@ def status_of(problem: BaseException) -> int:
             return complain(problem.format_message().replace(PYDANTICS, ""), INPUT_AT_FAULT)
         case Abort() | KeyboardInterrupt():
             return INTERRUPTED
-        case BrokenPipeError() if _reader_is_gone():
-            return PIPE_CLOSED
         case _ if _lacks_memory(problem):
             return complain(
                 f"the memory does not suffice ({_words(problem)}): free some, raise its limit (ulimit -v), or give "
@@ -119,16 +124,13 @@ def _streams_are_open() -> bool:
 
 
 def _reader_is_gone() -> bool:
-    """Whether what is left to write shows that nobody reads standard output or error any more."""
-    for stream in (sys.__stdout__, sys.__stderr__):  # Typer puts what hides it in the place of sys.stdout
-        try:
-            if stream is not None:
-                stream.flush()
-        except BrokenPipeError:
-            return True
-        except OSError:  # another fault of the stream
-            continue
-    return False
+    """Whether standard output or error is a pipe that nobody reads any more; True where the system does not say."""
+    if not hasattr(select, "poll"):
+        return True
+    streams = select.poll()
+    for number in (1, 2):
+        streams.register(number, 0)  # what is wrong is said always
+    return any(said & (select.POLLERR | select.POLLHUP) for _, said in streams.poll(0))
 
 
 def _lacks_memory(problem: BaseException) -> bool:

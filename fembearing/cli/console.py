@@ -9,7 +9,15 @@ from rich.console import Console
 
 from fembearing.progress import silent
 
-out, err = Console(highlight=False), Console(stderr=True)
+
+class Stream(Console):
+    """A stream whose closed pipe is a failure as any other; Rich would end the command with status 1."""
+
+    def on_broken_pipe(self) -> None:
+        raise  # the error that is being handled
+
+
+out, err = Stream(highlight=False), Stream(stderr=True)
 
 
 @contextmanager
