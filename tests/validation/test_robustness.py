@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import warnings
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
@@ -305,6 +306,16 @@ def test_a_draw_that_is_nearly_all_refused_is_a_fault(part: Any) -> None:
     assert row(70, 30).faults == []
     assert row(90, 10).faults == ["90 % are refused: the draw tests little else"]
     assert row(3, 0).faults == []  # too few to tell
+
+
+def test_the_record_keeps_the_rows_of_other_parts(part: Any, tmp_path: Path) -> None:
+    run, file = part("run"), tmp_path / "robustness.md"
+    for name, done, faults in (("kills, sweep", 3, ["left over: a"]), ("growth", 7, []), ("kills, sweep", 5, [])):
+        run.add_to_record(file, run.Row(name, Counter(done=done), faults))
+        assert ("- kills, sweep: left over: a" in file.read_text()) == (name != "kills, sweep" or done == 3)
+    rows = [line.split(" | ") for line in file.read_text().splitlines() if line.startswith("| ")]
+    assert [(row[0], row[2]) for row in rows[2:]] == [("| growth", "7"), ("| kills, sweep", "5")]
+    assert file.read_text().endswith("\n\nNo faults.\n")
 
 
 def test_no_two_loads_of_the_growth_are_alike(part: Any) -> None:

@@ -7,9 +7,10 @@
     growth    memory of a process after many calls
     mutation  one operator of the source changed at a time: do the tests of its folder see it?
 
-Without PARTS all run, for hours; with --short all but mutation, in two minutes. Prints a table, and writes it with date
-and commit to robustness.md in the folder --out, beside mutation.csv. Faults are printed with the seed that makes them
-again, and inputs that led to one are kept in the folder --keep. Exit status: 0 no fault, 1 a fault.
+Without PARTS all run, for hours; with --short all but mutation, in two minutes. Prints a table, and writes each row with
+its date and commit to robustness.md in the folder --out, beside mutation.csv; rows of an earlier run stay until their
+part runs again. Faults are printed with the seed that makes them again, and inputs that led to one are kept in the folder
+--keep. Exit status: 0 no fault, 1 a fault.
 """
 
 import os
@@ -43,7 +44,7 @@ from watched import Tried, tried
 
 from fembearing.report.folder import write_report
 
-RECORD = "robustness.md"
+RECORD, FIRST_ROW = "robustness.md", 6  # the line of the page
 MOST_REFUSED = 0.8  # share of the inputs; with more, the draw tests little but the first check of a reader
 ENOUGH = 40  # inputs for a share that means something
 
@@ -73,15 +74,17 @@ class Row:
     faults: list[str] = field(default_factory=list)
     slowest: float = 0.0  # s of the processor
     largest: float = 0.0  # bytes above the base
+    first_seed: int = 0
 
     @property
     def cells(self) -> tuple[str, ...]:
         told = ", ".join(f"{count} {outcome}" for outcome, count in sorted(self.outcomes.items()))
         worst = (f"{self.slowest:.1f}" if self.slowest else "", f"{self.largest / 1e6:.0f}" if self.largest else "")
-        return self.part, str(self.outcomes.total()), told, *worst, str(len(self.faults))
+        tries = (str(self.first_seed), str(self.outcomes.total()), told)
+        return self.part, *tries, *worst, str(len(self.faults)), f"{datetime.now(UTC):%Y-%m-%d}", commit()
 
 
-HEAD = ("part", "tries", "outcomes", "slowest, s", "largest, MB", "faults")
+HEAD = ("part", "first seed", "tries", "outcomes", "slowest, s", "largest, MB", "faults", "date", "commit")
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -107,13 +110,13 @@ def main(argv: list[str] | None = None) -> int:
         place = Place(Path(folder), options, budget)
         for part in parts:
             for row in PARTS[part](place):
+                row.first_seed = options.seed
                 rows.append(row)
                 say(" | ".join(row.cells), *(f"  {fault}" for fault in row.faults))
-    seconds = time.perf_counter() - begun
-    say(f"{sum(len(row.faults) for row in rows)} faults, {seconds:.0f} s")
-    if options.out is not None:
-        options.out.mkdir(parents=True, exist_ok=True)
-        (options.out / RECORD).write_text(record(rows, seconds), "utf-8")
+                if options.out is not None:
+                    options.out.mkdir(parents=True, exist_ok=True)
+                    add_to_record(options.out / RECORD, row)
+    say(f"{sum(len(row.faults) for row in rows)} faults, {time.perf_counter() - begun:.0f} s")
     return int(any(row.faults for row in rows))
 
 
@@ -133,6 +136,10 @@ class Place:
     @property
     def seeds(self) -> range:
         return range(self.options.seed, self.options.seed + self.budget.inputs)
+
+    @property
+    def seeds_of_commands(self) -> range:
+        return range(self.options.seed, self.options.seed + self.budget.commands)
 
     @property
     def solved(self) -> Path:
@@ -159,16 +166,20 @@ class Place:
 
 
 def scenes(place: Place) -> Iterator[Row]:
-    yield gathered("scenes, one process", tried(scene_input, place.seeds, jobs=place.options.jobs), place)
-    seeds = range(place.options.seed, place.options.seed + place.budget.commands)
-    yield gathered("scenes, every face", scenes_through_faces(seeds, place.folder, place.base), place)
+    if place.budget.inputs:
+        yield gathered("scenes, one process", tried(scene_input, place.seeds, jobs=place.options.jobs), place)
+    if place.budget.commands:
+        found = scenes_through_faces(place.seeds_of_commands, place.folder, place.base)
+        yield gathered("scenes, every face", found, place)
 
 
 def damaged(place: Place) -> Iterator[Row]:
     files = Files(place.folder, place.report)
-    yield gathered("damaged, one process", tried(files.input, place.seeds, jobs=place.options.jobs), place)
-    seeds = range(place.options.seed, place.options.seed + place.budget.commands)
-    yield gathered("damaged, commands", damaged_through_commands(seeds, files, place.base), place)
+    if place.budget.inputs:
+        yield gathered("damaged, one process", tried(files.input, place.seeds, jobs=place.options.jobs), place)
+    if place.budget.commands:
+        found = damaged_through_commands(place.seeds_of_commands, files, place.base)
+        yield gathered("damaged, commands", found, place)
 
 
 def gathered(part: str, results: Iterator[Tried], place: Place) -> Row:
@@ -237,17 +248,21 @@ PARTS = {
 }
 
 
-def record(rows: list[Row], seconds: float) -> str:
-    """The table as a page, with date and commit."""
-    lines = ["# Robustness", ""]
-    lines += [
-        f"`python validation/robustness/run.py`, {datetime.now(UTC):%Y-%m-%d}, commit {commit()}, {seconds:.0f} s.",
+def add_to_record(file: Path, row: Row) -> None:
+    """Put a row into the table of a page, in the place of an earlier one of its part, and its faults below."""
+    known = file.read_text("utf-8").splitlines() if file.exists() else []
+    old = [line for line in known[FIRST_ROW:] if line.startswith(("| ", "- "))]
+    kept = [line for line in old if line[2:].partition(" |")[0].partition(":")[0] != row.part]
+    kept += [f"| {' | '.join(row.cells)} |", *(f"- {row.part}: {' '.join(fault.split())}" for fault in row.faults)]
+    table, faults = ([line for line in kept if line.startswith(mark)] for mark in ("|", "-"))
+    lines = [
+        "# Robustness",
+        "",
+        "By `python validation/robustness/run.py`; what each part does, CONTRIBUTING.md says.",
         "",
     ]
-    lines += [f"| {' | '.join(HEAD)} |", f"|{' --- |' * len(HEAD)}"]
-    lines += [f"| {' | '.join(row.cells)} |" for row in rows]
-    faults = [f"- {row.part}: {fault}" for row in rows for fault in row.faults]
-    return "\n".join([*lines, "", *(["Faults:", "", *faults] if faults else ["No faults."]), ""])
+    lines += [f"| {' | '.join(HEAD)} |", f"|{' --- |' * len(HEAD)}", *table]
+    file.write_text("\n".join([*lines, "", *(["Faults:", "", *faults] if faults else ["No faults."]), ""]), "utf-8")
 
 
 if __name__ == "__main__":
