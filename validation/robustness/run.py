@@ -9,8 +9,8 @@
 
 Without PARTS all run, for hours; with --short all but mutation, in two minutes. Prints a table, and writes each row
 with its date and commit to robustness.md in the folder --out, beside mutation.csv; rows of an earlier run stay until
-their part runs again. Faults are printed with the seed that makes them again, and inputs that led to one are kept in the
-folder --keep. Exit status: 0 no fault, 1 a fault.
+their part runs again. Faults are printed with the seed that makes them again, and inputs that led to one are kept in
+the folder --keep. Exit status: 0 no fault, 1 a fault.
 """
 
 import os
